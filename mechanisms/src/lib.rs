@@ -1,0 +1,2 @@
+//! Generated mechanisms.
+#![no_std]

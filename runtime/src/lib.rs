@@ -1,0 +1,2 @@
+//! Newton-Raphson and linear solves for generated mechanisms.
+#![no_std]
