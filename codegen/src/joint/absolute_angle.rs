@@ -1,0 +1,36 @@
+//! Absolute angle: a body does not turn.
+
+use super::{Kind, Operands, Quantity, Resolved, Row};
+use crate::expr::Graph;
+
+/// φ_i − C = 0 (Haug 1989, section 3.2).
+pub struct AbsoluteAngle;
+
+/// φ_i − value, which the angle driver shares.
+pub(super) fn angle_row(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+    let Some(value) = operands.value else { return Vec::new() };
+    let residual = graph.subtract(operands.marks[0].frame.angle, value);
+    vec![Row { residual, quantity: Quantity::Angle, component: "" }]
+}
+
+impl Kind for AbsoluteAngle {
+    fn keyword(&self) -> &'static str {
+        "absolute_angle"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::Body
+    }
+
+    fn value(&self) -> Option<Quantity> {
+        Some(Quantity::Angle)
+    }
+
+    fn example(&self) -> &'static str {
+        "`absolute_angle(1) = 30deg;`"
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        angle_row(operands, graph)
+    }
+}

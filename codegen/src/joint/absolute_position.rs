@@ -1,0 +1,62 @@
+//! Absolute x and absolute y: a point of a body stays on a vertical or horizontal line.
+
+use super::{Kind, Operands, Quantity, Resolved, Row};
+use crate::expr::Graph;
+
+/// x_i + (R_i s_i)_x − C = 0 (Haug 1989, section 3.2).
+pub struct AbsoluteX;
+
+/// y_i + (R_i s_i)_y − C = 0 (Haug 1989, section 3.2).
+pub struct AbsoluteY;
+
+/// The row that holds component `axis` of the mark at the value.
+fn held(operands: &Resolved, axis: usize, graph: &mut Graph) -> Vec<Row> {
+    let Some(value) = operands.value else { return Vec::new() };
+    let position = operands.marks[0].position(graph);
+    let residual = graph.subtract(position[axis], value);
+    vec![Row { residual, quantity: Quantity::Length, component: "" }]
+}
+
+impl Kind for AbsoluteX {
+    fn keyword(&self) -> &'static str {
+        "absolute_x"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::Point
+    }
+
+    fn value(&self) -> Option<Quantity> {
+        Some(Quantity::Length)
+    }
+
+    fn example(&self) -> &'static str {
+        "`absolute_x(1) = 0;` or `absolute_x(1.P) = sqrt(3);`"
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        held(operands, 0, graph)
+    }
+}
+
+impl Kind for AbsoluteY {
+    fn keyword(&self) -> &'static str {
+        "absolute_y"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::Point
+    }
+
+    fn value(&self) -> Option<Quantity> {
+        Some(Quantity::Length)
+    }
+
+    fn example(&self) -> &'static str {
+        "`absolute_y(1) = 0;` or `absolute_y(1.P) = 20mm;`"
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        held(operands, 1, graph)
+    }
+}

@@ -1,0 +1,30 @@
+//! Absolute angle driver: a body's angle is a function of time.
+
+use super::absolute_angle::angle_row;
+use super::{Kind, Operands, Quantity, Resolved, Row};
+use crate::expr::Graph;
+
+/// φ_i − f(t) = 0 (Haug 1989, section 3.5).
+pub struct AngleDriver;
+
+impl Kind for AngleDriver {
+    fn keyword(&self) -> &'static str {
+        "phi"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::Body
+    }
+
+    fn value(&self) -> Option<Quantity> {
+        Some(Quantity::Angle)
+    }
+
+    fn example(&self) -> &'static str {
+        "`drive phi(1) = pi/6 + sin(2*t);`"
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        angle_row(operands, graph)
+    }
+}

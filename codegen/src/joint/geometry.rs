@@ -1,0 +1,97 @@
+//! Frames and marked points → their global vectors.
+//!
+//! A body's frame has the origin r = (x, y) and the rotation matrix R(φ); a mark is a point fixed in it. All vectors are
+//! pairs of expressions. Deliberately unknown here: whether a coordinate is a symbol or a constant, so the ground is a frame
+//! like any other.
+
+use crate::expr::{ExprId, Graph};
+
+/// Index of a body; the ground is body 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BodyId(pub usize);
+
+impl BodyId {
+    /// The body that does not move.
+    pub const GROUND: BodyId = BodyId(0);
+}
+
+/// Components along x and y.
+pub type Vector = [ExprId; 2];
+
+/// The frame of one body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// Whose frame it is.
+    pub body: BodyId,
+    /// Its origin, in m.
+    pub origin: Vector,
+    /// Its angle, in rad, counterclockwise from the global x axis.
+    pub angle: ExprId,
+}
+
+/// A point fixed in a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mark {
+    /// The frame it is fixed in.
+    pub frame: Frame,
+    /// Its coordinates in that frame, in m.
+    pub local: Vector,
+}
+
+impl Frame {
+    /// R(φ) v: the vector `v` of this frame in global components.
+    pub fn rotate(&self, v: Vector, graph: &mut Graph) -> Vector {
+        let (sine, cosine) = (graph.sin(self.angle), graph.cos(self.angle));
+        let [c0, s1] = [graph.multiply(cosine, v[0]), graph.multiply(sine, v[1])];
+        let [s0, c1] = [graph.multiply(sine, v[0]), graph.multiply(cosine, v[1])];
+        [graph.subtract(c0, s1), graph.add(s0, c1)]
+    }
+
+    /// Rᵀ(φ) v: the global vector `v` in the components of this frame.
+    pub fn unrotate(&self, v: Vector, graph: &mut Graph) -> Vector {
+        let opposite = Frame { angle: graph.negate(self.angle), ..*self };
+        opposite.rotate(v, graph)
+    }
+}
+
+impl Mark {
+    /// r + R s: where the point is.
+    pub fn position(&self, graph: &mut Graph) -> Vector {
+        let arm = self.frame.rotate(self.local, graph);
+        add(self.frame.origin, arm, graph)
+    }
+}
+
+/// a + b.
+pub fn add(a: Vector, b: Vector, graph: &mut Graph) -> Vector {
+    [graph.add(a[0], b[0]), graph.add(a[1], b[1])]
+}
+
+/// a − b.
+pub fn subtract(a: Vector, b: Vector, graph: &mut Graph) -> Vector {
+    [graph.subtract(a[0], b[0]), graph.subtract(a[1], b[1])]
+}
+
+/// a · b.
+pub fn dot(a: Vector, b: Vector, graph: &mut Graph) -> ExprId {
+    let [first, second] = [graph.multiply(a[0], b[0]), graph.multiply(a[1], b[1])];
+    graph.add(first, second)
+}
+
+/// `a` turned by a quarter turn counterclockwise.
+pub fn perpendicular(a: Vector, graph: &mut Graph) -> Vector {
+    [graph.negate(a[1]), a[0]]
+}
+
+/// The component along the unit vector `direction` of frame i of the vector from mark i to mark j:
+/// (R_i u)ᵀ (r_j + R_j s_j − r_i) − uᵀ s_i.
+///
+/// The arm s_i needs no rotation, since it and u are fixed in the same frame.
+pub fn offset_along(direction: Vector, i: &Mark, j: &Mark, graph: &mut Graph) -> ExprId {
+    let turned = i.frame.rotate(direction, graph);
+    let target = j.position(graph);
+    let reach = subtract(target, i.frame.origin, graph);
+    let along = dot(turned, reach, graph);
+    let start = dot(direction, i.local, graph);
+    graph.subtract(along, start)
+}

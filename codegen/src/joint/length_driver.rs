@@ -1,0 +1,35 @@
+//! Length driver: the distance between the two points of a translational joint, along it, is a function of time.
+
+use super::geometry::offset_along;
+use super::{Kind, Operands, Quantity, Resolved, Row};
+use crate::expr::Graph;
+
+/// (R_i u)ᵀ (r_j + R_j s_j − r_i − R_i s_i) − f(t) = 0, with u along the line, fixed in body i (Haug 1989, section 3.5).
+///
+/// The length has a sign: it is positive while Q lies in the direction that `along P -> Q` had in the drawing.
+pub struct LengthDriver;
+
+impl Kind for LengthDriver {
+    fn keyword(&self) -> &'static str {
+        "length"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::AxisOf
+    }
+
+    fn value(&self) -> Option<Quantity> {
+        Some(Quantity::Length)
+    }
+
+    fn example(&self) -> &'static str {
+        "`drive length(P, Q) = 0.5 + 0.1*sin(t);` after `translational (1, 2) along P -> Q;`"
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let (Some(axis), Some(value)) = (operands.axis, operands.value) else { return Vec::new() };
+        let length = offset_along(axis.direction, &operands.marks[0], &operands.marks[1], graph);
+        let residual = graph.subtract(length, value);
+        vec![Row { residual, quantity: Quantity::Length, component: "" }]
+    }
+}

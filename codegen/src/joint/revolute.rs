@@ -1,0 +1,37 @@
+//! Revolute joint: a point of one body stays on a point of another.
+
+use super::geometry::subtract;
+use super::{Kind, Operands, Quantity, Resolved, Row};
+use crate::expr::Graph;
+
+/// r_i + R_i s_i − r_j − R_j s_j = 0 (Haug 1989, section 3.3).
+pub struct Revolute;
+
+impl Kind for Revolute {
+    fn keyword(&self) -> &'static str {
+        "revolute"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::PointPair
+    }
+
+    fn value(&self) -> Option<Quantity> {
+        None
+    }
+
+    fn example(&self) -> &'static str {
+        "`revolute P(1, 2);` or `revolute (1.P, 2.Q);`"
+    }
+
+    fn joins_points(&self) -> bool {
+        true
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let positions = [operands.marks[0].position(graph), operands.marks[1].position(graph)];
+        let gap = subtract(positions[0], positions[1], graph);
+        let row = |residual, component| Row { residual, quantity: Quantity::Length, component };
+        vec![row(gap[0], "x"), row(gap[1], "y")]
+    }
+}

@@ -1,0 +1,314 @@
+//! Written expressions → exact expressions in SI units, with their dimension.
+//!
+//! Afterwards the expression holds only constants and t, and no number in it is infinite or undefined. Every error is reported
+//! at the smallest part that causes it.
+
+use super::dimension::{Dimension, UNITS, unit};
+use super::resolve::Resolver;
+use crate::diagnostic::{Code, Diagnostic, Span, nearest};
+use crate::expr::{ExprId, Node, Number};
+use crate::joint::geometry::{dot, subtract};
+use crate::syntax::{Expression, ExpressionKind, Name, Operation, Reference, Sign};
+
+/// A value and what it measures.
+pub(super) type Value = (ExprId, Dimension);
+
+/// The functions of the language, for help lines.
+const FUNCTIONS: &[&str] =
+    &["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "distance"];
+
+/// The names that are always declared.
+pub(super) const BUILT_IN: &[&str] = &["t", "pi"];
+
+impl Resolver<'_> {
+    /// An expression that must not depend on t and must fit `expected`.
+    pub(super) fn constant(&mut self, written: &Expression, expected: Dimension) -> Option<ExprId> {
+        let value = self.quantity(written, expected)?;
+        if self.graph.depends_on(value, self.time) {
+            self.diagnostics.push(
+                Diagnostic::error(Code::NotConstant, written.span, "a constant is wanted here, but this depends on `t`")
+                    .label("changes with time")
+                    .help("only the right-hand side of a `drive` statement may depend on `t`"),
+            );
+            return None;
+        }
+        Some(value)
+    }
+
+    /// An expression of t that must fit `expected`.
+    pub(super) fn quantity(&mut self, written: &Expression, expected: Dimension) -> Option<ExprId> {
+        let (value, found) = self.value(written)?;
+        if !found.fits(expected) {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongDimension,
+                    written.span,
+                    format!("expected {}, found {}", expected.name(), found.name()),
+                )
+                .label(format!("this is {}", found.name()))
+                .help(match expected {
+                    Dimension::LENGTH => "lengths end in `m`, `cm`, `mm`, … or in no unit for metres",
+                    _ => "angles end in `deg`, `rad`, `turn` or in no unit for radians",
+                }),
+            );
+            return None;
+        }
+        Some(value)
+    }
+
+    /// Any expression.
+    pub(super) fn value(&mut self, written: &Expression) -> Option<Value> {
+        let value = match &written.kind {
+            ExpressionKind::Number { digits, unit } => self.number(digits, unit.as_ref(), written.span)?,
+            ExpressionKind::Reference(reference) => self.named_value(reference)?,
+            ExpressionKind::Sum(terms) => self.sum(terms)?,
+            ExpressionKind::Product(factors) => self.product(factors)?,
+            ExpressionKind::Negative(inner) => {
+                let (inner, dimension) = self.value(inner)?;
+                (self.graph.negate(inner), dimension)
+            }
+            ExpressionKind::Power(base, exponent) => self.raised(base, exponent)?,
+            ExpressionKind::Call { function, arguments } => self.call(function, arguments, written.span)?,
+        };
+        self.finite(value, written.span)
+    }
+
+    /// Passes a value on unless it is infinite or undefined.
+    fn finite(&mut self, value: Value, span: Span) -> Option<Value> {
+        let evaluates = self.graph.constant_value(value.0).is_none_or(f64::is_finite);
+        if evaluates && self.graph.is_finite(value.0) {
+            return Some(value);
+        }
+        self.diagnostics.push(
+            Diagnostic::error(Code::NotFinite, span, "this constant is not a finite real number")
+                .label("infinite or undefined")
+                .help("look for a division by zero, the root or logarithm of a negative number, or an overflow"),
+        );
+        None
+    }
+
+    fn number(&mut self, digits: &str, suffix: Option<&Name>, span: Span) -> Option<Value> {
+        let Some(number) = Number::parse(digits) else {
+            self.diagnostics.push(
+                Diagnostic::error(Code::OutsideGrammar, span, format!("`{digits}` is not a decimal number"))
+                    .help("write numbers like `12`, `0.05` or `1.5e-3`"),
+            );
+            return None;
+        };
+        let number = self.graph.number(number);
+        let Some(suffix) = suffix else { return Some((number, Dimension::Unmarked)) };
+        let Some((factor, dimension)) = unit(&suffix.text, &mut self.graph) else {
+            let help = match nearest(&suffix.text, UNITS.iter().copied()) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!("the units are {}", listed(UNITS)),
+            };
+            self.diagnostics.push(
+                Diagnostic::error(Code::UnknownUnit, suffix.span, format!("no unit is named `{}`", suffix.text))
+                    .label("not a unit of this language")
+                    .help(help),
+            );
+            return None;
+        };
+        Some((self.graph.multiply(number, factor), dimension))
+    }
+
+    fn named_value(&mut self, reference: &Reference) -> Option<Value> {
+        let name = &reference.name.text;
+        if reference.body.is_none() {
+            match name.as_str() {
+                "t" => return Some((self.graph.variable(self.time), Dimension::Unmarked)),
+                "pi" => return Some((self.graph.pi(), Dimension::Unmarked)),
+                _ => {}
+            }
+            if let Some(&value) = self.constants.get(name) {
+                return Some(value);
+            }
+        }
+        let is_point = reference.body.is_some() || self.drawn.get(name).is_some();
+        self.diagnostics.push(if is_point {
+            Diagnostic::error(Code::OutsideGrammar, reference.span, "a point is not a number")
+                .label("this is a point")
+                .help("points can be measured: `distance(A, B)` is the length between them in the drawing")
+        } else {
+            self.constants.unknown(name, reference.span)
+        });
+        None
+    }
+
+    fn sum(&mut self, terms: &[(Sign, Expression)]) -> Option<Value> {
+        // Every term is looked at even after an error, so that all errors are reported at once.
+        let values: Vec<Option<Value>> = terms.iter().map(|(_, term)| self.value(term)).collect();
+        let mut signed = Vec::with_capacity(terms.len());
+        let mut dimension = Dimension::Unmarked;
+        let mut marked: Option<Span> = None;
+        for ((sign, term), value) in terms.iter().zip(values) {
+            let (value, found) = value?;
+            if !found.fits(dimension) {
+                let mut diagnostic = Diagnostic::error(
+                    Code::WrongDimension,
+                    term.span,
+                    format!("{} cannot be added to {}", found.name(), dimension.name()),
+                )
+                .label(format!("this is {}", found.name()))
+                .help("give both the same kind of unit, or write bare numbers for SI units");
+                if let Some(other) = marked {
+                    diagnostic = diagnostic.also(other, format!("this is {}", dimension.name()));
+                }
+                self.diagnostics.push(diagnostic);
+                return None;
+            }
+            if dimension == Dimension::Unmarked && found != Dimension::Unmarked {
+                marked = Some(term.span);
+            }
+            dimension = dimension.joined(found);
+            signed.push(if *sign == Sign::Minus { self.graph.negate(value) } else { value });
+        }
+        Some((self.graph.sum(&signed), dimension))
+    }
+
+    fn product(&mut self, factors: &[(Operation, Expression)]) -> Option<Value> {
+        let values: Vec<Option<Value>> = factors.iter().map(|(_, factor)| self.value(factor)).collect();
+        let mut parts = Vec::with_capacity(factors.len());
+        let mut dimension: Option<Dimension> = None;
+        for ((operation, _), value) in factors.iter().zip(values) {
+            let (value, found) = value?;
+            let sign = if *operation == Operation::Over { -1 } else { 1 };
+            // A bare factor says nothing about the unit of its product: `1.5*t` is meant as 1.5 1/s times t.
+            dimension = Some(match dimension {
+                None => found,
+                Some(so_far) => so_far.times(found, sign),
+            });
+            let one = self.graph.one();
+            parts.push(if sign < 0 { self.graph.divide(one, value) } else { value });
+        }
+        Some((self.graph.product(&parts), dimension.unwrap_or(Dimension::Unmarked)))
+    }
+
+    fn raised(&mut self, base: &Expression, exponent: &Expression) -> Option<Value> {
+        let (base_value, exponent_value) = (self.value(base), self.value(exponent));
+        let ((base_value, dimension), (exponent_value, exponent_dimension)) = (base_value?, exponent_value?);
+        if !exponent_dimension.fits(Dimension::ANGLE) {
+            self.report_argument("an exponent cannot be", exponent, exponent_dimension);
+            return None;
+        }
+        if let Node::Number(Number::Exact { rational, radicand: 1 }) = *self.graph.node(exponent_value) {
+            let (numerator, denominator) = (rational.numerator(), rational.denominator());
+            let Some(raised) = dimension.power(numerator, denominator) else {
+                self.report_argument("this power cannot take", base, dimension);
+                return None;
+            };
+            return Some((self.graph.power(base_value, rational), raised));
+        }
+        if !dimension.fits(Dimension::ANGLE) {
+            self.report_argument("a power with this exponent cannot take", base, dimension);
+            return None;
+        }
+        Some((self.graph.raise(base_value, exponent_value), Dimension::Unmarked))
+    }
+
+    fn call(&mut self, function: &Name, arguments: &[Expression], span: Span) -> Option<Value> {
+        let name = function.text.as_str();
+        if !FUNCTIONS.contains(&name) {
+            let help = match nearest(name, FUNCTIONS.iter().copied()) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!("the functions are {}", listed(FUNCTIONS)),
+            };
+            self.diagnostics.push(
+                Diagnostic::error(Code::UnknownFunction, function.span, format!("unknown function `{name}`"))
+                    .label("not a function of this language")
+                    .help(help),
+            );
+            return None;
+        }
+        let wanted = if matches!(name, "atan2" | "distance") { 2 } else { 1 };
+        if arguments.len() != wanted {
+            let given = arguments.len();
+            let noun = if wanted == 1 { "argument" } else { "arguments" };
+            self.diagnostics.push(
+                Diagnostic::error(Code::WrongArgumentCount, span, format!("`{name}` takes {wanted} {noun}, not {given}"))
+                    .label(format!("{given} given"))
+                    .help(match name {
+                        "atan2" => "`atan2(y, x)` is the angle of the vector (x, y)".to_string(),
+                        "distance" => "`distance(A, B)` measures two points in the drawing".to_string(),
+                        _ => format!("write `{name}(…)` with one expression"),
+                    }),
+            );
+            return None;
+        }
+        if name == "distance" {
+            return self.distance(arguments);
+        }
+        let values: Vec<Option<Value>> = arguments.iter().map(|argument| self.value(argument)).collect();
+        let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
+        let (x, dimension) = values[0];
+        match name {
+            "sqrt" => {
+                let Some(root) = dimension.power(1, 2) else {
+                    self.report_argument("`sqrt` cannot take", &arguments[0], dimension);
+                    return None;
+                };
+                return Some((self.graph.sqrt(x), root));
+            }
+            "atan2" => {
+                let (other, other_dimension) = values[1];
+                if !dimension.fits(other_dimension) {
+                    self.report_argument(&format!("`atan2` of {} cannot take", dimension.name()), &arguments[1], other_dimension);
+                    return None;
+                }
+                return Some((self.graph.atan2(x, other), Dimension::ANGLE));
+            }
+            _ => {}
+        }
+        if !dimension.fits(Dimension::ANGLE) {
+            self.report_argument(&format!("`{name}` cannot take"), &arguments[0], dimension);
+            return None;
+        }
+        let graph = &mut self.graph;
+        Some(match name {
+            "sin" => (graph.sin(x), Dimension::Unmarked),
+            "cos" => (graph.cos(x), Dimension::Unmarked),
+            "tan" => (graph.tan(x), Dimension::Unmarked),
+            "asin" => (graph.asin(x), Dimension::ANGLE),
+            "acos" => (graph.acos(x), Dimension::ANGLE),
+            "atan" => (graph.atan(x), Dimension::ANGLE),
+            "exp" => (graph.exp(x), Dimension::Unmarked),
+            _ => (graph.ln(x), Dimension::Unmarked),
+        })
+    }
+
+    /// `distance(A, B)`: the length between two points in the drawing.
+    fn distance(&mut self, arguments: &[Expression]) -> Option<Value> {
+        let points: Vec<_> = arguments
+            .iter()
+            .map(|argument| match &argument.kind {
+                ExpressionKind::Reference(reference) => self.drawn_point(reference),
+                _ => {
+                    self.diagnostics.push(
+                        Diagnostic::error(Code::OutsideGrammar, argument.span, "`distance` measures points")
+                            .label("not the name of a point")
+                            .help("write `distance(A, B)` or `distance(c1.A, c2.B)`"),
+                    );
+                    None
+                }
+            })
+            .collect();
+        let (from, to) = (points[0]?, points[1]?);
+        let gap = subtract(to, from, &mut self.graph);
+        let square = dot(gap, gap, &mut self.graph);
+        Some((self.graph.sqrt(square), Dimension::LENGTH))
+    }
+
+    fn report_argument(&mut self, of: &str, argument: &Expression, found: Dimension) {
+        self.diagnostics.push(
+            Diagnostic::error(Code::WrongDimension, argument.span, format!("{of} {}", found.name()))
+                .label(format!("this is {}", found.name()))
+                .help("divide by a quantity of the same unit, or write bare numbers for SI units"),
+        );
+    }
+}
+
+/// `a`, `b`, `c` in backticks.
+pub(super) fn listed(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    quoted.join(", ")
+}

@@ -1,0 +1,135 @@
+//! Document → Mechanism.
+//!
+//! Afterwards every name is an id, every number an exact expression in SI units, every point a local vector in the frame of
+//! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
+//! determine the motion.
+
+mod dimension;
+mod expression;
+mod names;
+mod operands;
+mod points;
+mod resolve;
+
+pub use dimension::Dimension;
+pub use resolve::resolve;
+
+use crate::diagnostic::Span;
+use crate::expr::{ExprId, Graph, SymbolId};
+use crate::joint::geometry::{Frame, Mark};
+use crate::joint::{Kind, Resolved};
+
+/// A resolved mechanism.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    /// Its name as written; an identifier in snake case by custom.
+    pub name: String,
+    /// Documentation lines of the file and of the mechanism.
+    pub docs: Vec<String>,
+    /// Where the name stands.
+    pub span: Span,
+    /// The arena of every expression below.
+    pub graph: Graph,
+    /// The time t, in s.
+    pub time: SymbolId,
+    /// The bodies; the first is the ground.
+    pub bodies: Vec<Body>,
+    /// Joints and drivers in written order.
+    pub joints: Vec<Joint>,
+    /// The declared points whose motion can be asked for, each once.
+    pub points: Vec<Point>,
+    /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
+    pub characteristic_length: f64,
+}
+
+/// A rigid body.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// The name as written: an identifier or an integer.
+    pub name: String,
+    /// Its documentation lines.
+    pub docs: Vec<String>,
+    /// Where its name stands.
+    pub span: Span,
+    /// Its frame in terms of its coordinates; constants for the ground.
+    pub frame: Frame,
+    /// Its coordinates x, y, φ; none for the ground.
+    pub coordinates: Option<[SymbolId; 3]>,
+    /// Its estimated pose (x, y, φ) in the drawing.
+    pub drawn: Frame,
+    /// The points it carries, in written order.
+    pub marks: Vec<NamedMark>,
+}
+
+/// A point as one body carries it.
+#[derive(Clone, Debug)]
+pub struct NamedMark {
+    /// Its name as written.
+    pub name: String,
+    /// Its documentation lines.
+    pub docs: Vec<String>,
+    /// The body's frame and the local vector.
+    pub mark: Mark,
+    /// Where it is declared on the body.
+    pub span: Span,
+}
+
+/// Whether a joint restricts the mechanism or moves it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Part of Φᴷ.
+    Constraint,
+    /// Part of Φᴰ.
+    Driver,
+}
+
+/// A joint or driver of the mechanism.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// What it is.
+    pub kind: &'static dyn Kind,
+    /// Constraint or driver.
+    pub role: Role,
+    /// How messages name it, as the description does: `revolute P(1, 2)`.
+    pub label: String,
+    /// What its rows are named after in generated code: `p`, `drive_phi_1`; unique.
+    pub slug: String,
+    /// Its documentation lines.
+    pub docs: Vec<String>,
+    /// What it acts on.
+    pub operands: Resolved,
+    /// Its statement.
+    pub span: Span,
+}
+
+/// A point whose motion can be asked for.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// `K`, or `K_c1` where bodies carry different points of one name.
+    pub name: String,
+    /// Its documentation lines.
+    pub docs: Vec<String>,
+    /// The first body that carries it.
+    pub mark: Mark,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+impl Mechanism {
+    /// How many coordinates the moving bodies have: three each.
+    pub fn coordinate_count(&self) -> usize {
+        3 * (self.bodies.len() - 1)
+    }
+
+    /// The moving bodies, in written order.
+    pub fn moving_bodies(&self) -> &[Body] {
+        &self.bodies[1..]
+    }
+}
+
+impl Body {
+    /// Its estimated pose as expressions x, y, φ.
+    pub fn estimate(&self) -> [ExprId; 3] {
+        [self.drawn.origin[0], self.drawn.origin[1], self.drawn.angle]
+    }
+}

@@ -1,0 +1,61 @@
+//! Names → what they stand for.
+//!
+//! Three separate name spaces: constants, drawn points, bodies. A name must be declared above its use. A declaration with an
+//! error in it still declares its name, so that one mistake is reported once.
+
+use std::collections::HashMap;
+
+use crate::diagnostic::{Code, Diagnostic, Span, nearest};
+use crate::syntax::Name;
+
+/// Names of one sort in written order, with what they stand for.
+#[derive(Clone, Debug)]
+pub(super) struct Names<T> {
+    /// What messages call one of them: `point`, `body`.
+    sort: &'static str,
+    declared: Vec<(Name, T)>,
+    /// Only looked up, never iterated.
+    index: HashMap<String, usize>,
+}
+
+impl<T> Names<T> {
+    pub(super) fn new(sort: &'static str) -> Names<T> {
+        Names { sort, declared: Vec::new(), index: HashMap::new() }
+    }
+
+    /// Declares a name; the error points at a first declaration.
+    pub(super) fn declare(&mut self, name: &Name, value: T) -> Result<(), Diagnostic> {
+        if let Some(&first) = self.index.get(&name.text) {
+            let earlier = &self.declared[first].0;
+            return Err(Diagnostic::error(
+                Code::DuplicateName,
+                name.span,
+                format!("the {} `{}` is declared twice", self.sort, name.text),
+            )
+            .label("declared again here")
+            .also(earlier.span, "first declared here")
+            .help("give one of them another name"));
+        }
+        self.index.insert(name.text.clone(), self.declared.len());
+        self.declared.push((name.clone(), value));
+        Ok(())
+    }
+
+    pub(super) fn get(&self, text: &str) -> Option<&T> {
+        self.index.get(text).map(|&at| &self.declared[at].1)
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = (&Name, &T)> {
+        self.declared.iter().map(|(name, value)| (name, value))
+    }
+
+    /// The error for a name that is not declared, with the nearest one that is.
+    pub(super) fn unknown(&self, text: &str, span: Span) -> Diagnostic {
+        let message = format!("no {} is named `{text}`", self.sort);
+        let diagnostic = Diagnostic::error(Code::UnknownName, span, message).label("not declared above");
+        match nearest(text, self.declared.iter().map(|(name, _)| name.text.as_str())) {
+            Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
+            None => diagnostic.help(format!("declare the {} above this line", self.sort)),
+        }
+    }
+}

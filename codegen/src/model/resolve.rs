@@ -1,0 +1,427 @@
+//! The statements of a document, in written order → a mechanism.
+
+use super::expression::{BUILT_IN, Value, listed};
+use super::names::Names;
+use super::operands::Given;
+use super::{Body, Dimension, Joint, Mechanism, NamedMark, Role};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span, nearest};
+use crate::expr::{ExprId, Graph, SymbolId};
+use crate::joint::geometry::{BodyId, Frame, Mark, Vector};
+use crate::joint::{CONSTRAINTS, DRIVERS, Kind};
+use crate::syntax;
+
+/// A point of the drawing.
+#[derive(Clone, Debug)]
+pub(super) struct DrawnPoint {
+    pub position: Vector,
+    pub docs: Vec<String>,
+}
+
+/// What has been declared so far.
+pub(super) struct Resolver<'a> {
+    pub graph: Graph,
+    pub time: SymbolId,
+    pub constants: Names<Value>,
+    pub drawn: Names<DrawnPoint>,
+    pub body_ids: Names<BodyId>,
+    pub bodies: Vec<Body>,
+    /// Each with the direction it was written along, by which drivers find it.
+    pub joints: Vec<(Joint, Option<syntax::Direction>)>,
+    pub diagnostics: &'a mut Diagnostics,
+}
+
+/// Generated items that a mechanism's type must not be named like.
+const TAKEN_TYPE_NAMES: &[&str] =
+    &["Coordinates", "Frame", "Textbook", "Motion", "Failure", "Settings", "Step", "Self", "Result", "Ok", "Err"];
+
+/// Resolves a document. `None` after an error; all errors of the document are in `diagnostics`.
+///
+/// Names may only be used below their declaration. The coordinates are named `x1, y1, phi1` for the body `1` and
+/// `x_c1, y_c1, phi_c1` for the body `c1`.
+pub fn resolve(document: &syntax::Document, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
+    let mut found = Diagnostics::new();
+    let mechanism = resolve_into(document, &mut found);
+    let failed = found.has_errors();
+    diagnostics.extend(found);
+    if failed { None } else { Some(mechanism) }
+}
+
+fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> Mechanism {
+    let mut graph = Graph::new();
+    let item = &document.mechanism;
+    // Coordinates are numbered before t, so that they come first wherever symbols are ordered.
+    let written_bodies = item.statements.iter().filter_map(|statement| match statement {
+        syntax::Statement::Body(body) => Some(body),
+        _ => None,
+    });
+    for body in written_bodies {
+        for name in coordinate_names(&body.name.text) {
+            graph.symbol(&name);
+        }
+    }
+    let time = graph.symbol("t");
+    let zero = graph.zero();
+    let ground_frame = Frame { body: BodyId::GROUND, origin: [zero, zero], angle: zero };
+    let mut resolver = Resolver {
+        graph,
+        time,
+        constants: Names::new("constant"),
+        drawn: Names::new("point"),
+        body_ids: Names::new("body"),
+        bodies: vec![Body {
+            name: "ground".to_string(),
+            docs: Vec::new(),
+            span: Span::default(),
+            frame: ground_frame,
+            coordinates: None,
+            drawn: ground_frame,
+            marks: Vec::new(),
+        }],
+        joints: Vec::new(),
+        diagnostics,
+    };
+    let ground = syntax::Name { text: "ground".to_string(), span: Span::default() };
+    // The first declaration of a fresh table cannot be a duplicate.
+    let _ = resolver.body_ids.declare(&ground, BodyId::GROUND);
+    resolver.check_mechanism_name(&item.name);
+    for statement in &item.statements {
+        match statement {
+            syntax::Statement::Constant(constant) => resolver.add_constant(constant),
+            syntax::Statement::Points(points) => resolver.add_points(points),
+            syntax::Statement::Body(body) => resolver.add_body(body),
+            syntax::Statement::Joint(joint) => resolver.add_joint(joint),
+            syntax::Statement::Drive(drive) => resolver.add_driver(drive),
+        }
+    }
+    if resolver.bodies.len() == 1 && !resolver.diagnostics.has_errors() {
+        resolver.diagnostics.push(
+            Diagnostic::error(Code::NoBodies, item.name.span, format!("mechanism `{}` has no bodies", item.name.text))
+                .help("declare one: `body 1 at (0, 0) { P: (1, 0) }`"),
+        );
+    }
+    let points = resolver.output_points();
+    let characteristic_length = resolver.characteristic_length();
+    let docs = document.docs.iter().chain(&item.docs).cloned().collect();
+    Mechanism {
+        name: item.name.text.clone(),
+        docs,
+        span: item.name.span,
+        graph: resolver.graph,
+        time,
+        bodies: resolver.bodies,
+        joints: resolver.joints.into_iter().map(|(joint, _)| joint).collect(),
+        points,
+        characteristic_length,
+    }
+}
+
+/// `x1, y1, phi1` of body `1`; `x_c1, y_c1, phi_c1` of body `c1`.
+fn coordinate_names(body: &str) -> [String; 3] {
+    let separator = if body.starts_with(|first: char| first.is_ascii_digit()) { "" } else { "_" };
+    ["x", "y", "phi"].map(|coordinate| format!("{coordinate}{separator}{body}"))
+}
+
+/// The name of the type that a mechanism becomes: `TwoBody` of `two_body`.
+pub(crate) fn type_name(mechanism: &str) -> String {
+    let words = mechanism.split('_').filter(|word| !word.is_empty());
+    words
+        .map(|word| {
+            let (first, rest) = word.split_at(1);
+            first.to_ascii_uppercase() + rest
+        })
+        .collect()
+}
+
+impl Resolver<'_> {
+    fn check_mechanism_name(&mut self, name: &syntax::Name) {
+        let type_name = type_name(&name.text);
+        let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
+            format!("`{}` gives no name for a type", name.text)
+        } else if TAKEN_TYPE_NAMES.contains(&type_name.as_str()) {
+            format!("`{}` would become the type `{type_name}`, which every generated module has already", name.text)
+        } else {
+            return;
+        };
+        self.diagnostics.push(
+            Diagnostic::error(Code::NameNotAllowed, name.span, problem).help("give the mechanism another name"),
+        );
+    }
+
+    fn add_constant(&mut self, constant: &syntax::Constant) {
+        let name = &constant.name;
+        if BUILT_IN.contains(&name.text.as_str()) {
+            self.diagnostics.push(
+                Diagnostic::error(Code::NameNotAllowed, name.span, format!("`{}` has a fixed meaning", name.text))
+                    .help(format!("{} cannot be declared; choose another name", listed(BUILT_IN))),
+            );
+            return;
+        }
+        let value = self.value(&constant.value);
+        if let Some((value, _)) = value
+            && self.graph.depends_on(value, self.time)
+        {
+            self.diagnostics.push(
+                Diagnostic::error(Code::NotConstant, constant.value.span, "a constant cannot depend on `t`")
+                    .label("changes with time")
+                    .help("write the expression where it is used, in a `drive` statement"),
+            );
+        }
+        let value = value.unwrap_or((self.graph.one(), Dimension::Unmarked));
+        if let Err(duplicate) = self.constants.declare(name, value) {
+            self.diagnostics.push(duplicate);
+        }
+    }
+
+    fn add_points(&mut self, points: &syntax::Points) {
+        for point in &points.points {
+            let position = self.pair(&point.position);
+            self.declare_drawn(&point.name, DrawnPoint { position, docs: points.docs.clone() });
+        }
+    }
+
+    /// A pair of lengths; an erroneous component counts as zero, so that the name it belongs to is still declared.
+    fn pair(&mut self, pair: &syntax::Pair) -> Vector {
+        let zero = self.graph.zero();
+        let mut component = |written: &syntax::Expression| self.constant(written, Dimension::LENGTH).unwrap_or(zero);
+        [component(&pair.x), component(&pair.y)]
+    }
+
+    fn add_body(&mut self, body: &syntax::Body) {
+        let name = &body.name;
+        if name.text == "ground" {
+            self.diagnostics.push(
+                Diagnostic::error(Code::NameNotAllowed, name.span, "`ground` is the fixed frame and is always there")
+                    .help("joints may name it: `revolute A(ground, 1);`"),
+            );
+            return;
+        }
+        let id = BodyId(self.bodies.len());
+        if let Err(duplicate) = self.body_ids.declare(name, id) {
+            self.diagnostics.push(duplicate);
+            return;
+        }
+        let symbols = coordinate_names(&name.text).map(|name| self.graph.symbol(&name));
+        let [x, y, phi] = symbols.map(|symbol| self.graph.variable(symbol));
+        let drawn = self.drawn_pose(body, id);
+        let frame = Frame { body: id, origin: [x, y], angle: phi };
+        let mut marks: Vec<NamedMark> = Vec::new();
+        for member in &body.members {
+            let Some(mark) = self.member(member, frame, drawn) else { continue };
+            match marks.iter().find(|earlier| earlier.name == mark.name) {
+                Some(earlier) => self.diagnostics.push(
+                    Diagnostic::error(
+                        Code::DuplicateName,
+                        mark.span,
+                        format!("body `{}` carries `{}` twice", name.text, mark.name),
+                    )
+                    .label("listed again here")
+                    .also(earlier.span, "first listed here")
+                    .help("remove one of them"),
+                ),
+                None => marks.push(mark),
+            }
+        }
+        self.bodies.push(Body {
+            name: name.text.clone(),
+            docs: body.docs.clone(),
+            span: name.span,
+            frame,
+            coordinates: Some(symbols),
+            drawn,
+            marks,
+        });
+    }
+
+    /// The pose in which a body is drawn.
+    fn drawn_pose(&mut self, body: &syntax::Body, id: BodyId) -> Frame {
+        let zero = self.graph.zero();
+        let origin = match &body.origin {
+            syntax::Origin::Coordinates(pair) => self.pair(pair),
+            syntax::Origin::Point(reference) => self.drawn_point(reference).unwrap_or([zero, zero]),
+        };
+        let angle = match &body.orientation {
+            syntax::Orientation::Aligned => zero,
+            syntax::Orientation::Angle(angle) => self.constant(angle, Dimension::ANGLE).unwrap_or(zero),
+            syntax::Orientation::Facing(direction) => self.facing(direction).unwrap_or(zero),
+        };
+        Frame { body: id, origin, angle }
+    }
+
+    /// The angle of the direction from one drawn point to another.
+    fn facing(&mut self, direction: &syntax::Direction) -> Option<ExprId> {
+        let (from, to) = (self.drawn_point(&direction.from), self.drawn_point(&direction.to));
+        let [along_x, along_y] = self.unit_direction(from?, to?, direction.span)?;
+        Some(self.graph.atan2(along_y, along_x))
+    }
+
+    fn member(&mut self, member: &syntax::Member, frame: Frame, drawn: Frame) -> Option<NamedMark> {
+        match member {
+            syntax::Member::Local { docs, name, position } => {
+                let local = self.pair(position);
+                Some(NamedMark {
+                    name: name.text.clone(),
+                    docs: docs.clone(),
+                    mark: Mark { frame, local },
+                    span: name.span,
+                })
+            }
+            syntax::Member::Carried { docs, name } => {
+                let Some(DrawnPoint { position, .. }) = self.drawn.get(&name.text) else {
+                    let unknown = self.drawn.unknown(&name.text, name.span);
+                    self.diagnostics.push(unknown.help(format!(
+                        "give it where it is drawn, `point {0} = (x, y);`, or in the body's frame, `{0}: (x, y)`",
+                        name.text
+                    )));
+                    return None;
+                };
+                let position = *position;
+                let gap = crate::joint::geometry::subtract(position, drawn.origin, &mut self.graph);
+                let local = drawn.unrotate(gap, &mut self.graph);
+                Some(NamedMark {
+                    name: name.text.clone(),
+                    docs: docs.clone(),
+                    mark: Mark { frame, local },
+                    span: name.span,
+                })
+            }
+        }
+    }
+
+    fn add_joint(&mut self, joint: &syntax::Joint) {
+        let keyword = joint.kind.text.as_str();
+        let Some(kind) = kind_named(keyword, CONSTRAINTS) else {
+            let keywords: Vec<&str> = CONSTRAINTS.iter().map(|kind| kind.keyword()).collect();
+            let diagnostic = Diagnostic::error(
+                Code::UnknownStatement,
+                joint.kind.span,
+                format!("no joint is named `{keyword}`"),
+            )
+            .label("not a statement of this language");
+            let all = ["const", "point", "body", "drive"];
+            self.diagnostics.push(match nearest(keyword, keywords.iter().chain(&all).copied()) {
+                Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
+                None if kind_named(keyword, DRIVERS).is_some() => {
+                    diagnostic.help(format!("a driver begins with `drive`: `drive {keyword}(…) = …;`"))
+                }
+                None => diagnostic.help(format!("the joints are {}", listed(&keywords))),
+            });
+            return;
+        };
+        let given = Given {
+            kind,
+            role: Role::Constraint,
+            name: joint.name.as_ref(),
+            operands: &joint.operands,
+            along: joint.along.as_ref(),
+            value: joint.value.as_ref(),
+            span: joint.span,
+        };
+        self.add_rows_of(&given, &joint.docs);
+    }
+
+    fn add_driver(&mut self, drive: &syntax::Drive) {
+        let quantity = drive.quantity.text.as_str();
+        let Some(kind) = kind_named(quantity, DRIVERS) else {
+            let quantities: Vec<&str> = DRIVERS.iter().map(|kind| kind.keyword()).collect();
+            let help = match nearest(quantity, quantities.iter().copied()) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!("the quantities that can be driven are {}", listed(&quantities)),
+            };
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::UnknownStatement,
+                    drive.quantity.span,
+                    format!("`{quantity}` is not a quantity that can be driven"),
+                )
+                .help(help),
+            );
+            return;
+        };
+        let given = Given {
+            kind,
+            role: Role::Driver,
+            name: drive.name.as_ref(),
+            operands: &drive.operands,
+            along: None,
+            value: Some(&drive.value),
+            span: drive.span,
+        };
+        self.add_rows_of(&given, &drive.docs);
+    }
+
+    fn add_rows_of(&mut self, given: &Given<'_>, docs: &[String]) {
+        let Some(operands) = self.operands(given) else { return };
+        let label = label(given);
+        let slug = self.unique_slug(given);
+        let joint = Joint {
+            kind: given.kind,
+            role: given.role,
+            label,
+            slug,
+            docs: docs.to_vec(),
+            operands,
+            span: given.span,
+        };
+        self.joints.push((joint, given.along.cloned()));
+    }
+
+    /// A lower-case identifier for the rows of a joint.
+    fn unique_slug(&self, given: &Given<'_>) -> String {
+        let mut words: Vec<String> = Vec::new();
+        if given.role == Role::Driver {
+            words.push("drive".to_string());
+        }
+        match given.name {
+            Some(name) if given.role == Role::Constraint => words.push(name.text.clone()),
+            Some(name) => words = vec![name.text.clone()],
+            None => {
+                words.push(given.kind.keyword().to_string());
+                for operand in given.operands {
+                    words.extend(operand.body.iter().map(|body| body.text.clone()));
+                    words.push(operand.name.text.clone());
+                }
+            }
+        }
+        let base = words.join("_").to_lowercase();
+        // Row names share their functions with `q`, `qd` and `t`, and must not begin with a digit.
+        let reserved = matches!(base.as_str(), "q" | "qd" | "qdd" | "t");
+        let base = if reserved { format!("{}_{base}", given.kind.keyword()) } else { base };
+        let taken = |slug: &str| self.joints.iter().any(|(joint, _)| joint.slug == slug);
+        let numbered = (2..).map(|number| format!("{base}_{number}"));
+        std::iter::once(base.clone()).chain(numbered).find(|slug| !taken(slug)).unwrap_or(base)
+    }
+
+    /// The largest coordinate in the drawing, which lengths are measured against.
+    fn characteristic_length(&self) -> f64 {
+        let marks = self.bodies.iter().flat_map(|body| body.marks.iter().map(|mark| mark.mark.local));
+        let origins = self.bodies.iter().map(|body| body.drawn.origin);
+        let drawn = self.drawn.iter().map(|(_, point)| point.position);
+        let components = marks.chain(origins).chain(drawn).flatten();
+        let largest = components
+            .filter_map(|component| self.graph.constant_value(component))
+            .fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        if largest > 0.0 && largest.is_finite() { largest } else { 1.0 }
+    }
+}
+
+fn kind_named(keyword: &str, kinds: &[&'static dyn Kind]) -> Option<&'static dyn Kind> {
+    kinds.iter().copied().find(|kind| kind.keyword() == keyword)
+}
+
+/// A statement as messages name it: `revolute P(1, 2)`, `drive length(N, M)`.
+fn label(given: &Given<'_>) -> String {
+    let reference = |reference: &syntax::Reference| match &reference.body {
+        Some(body) => format!("{}.{}", body.text, reference.name.text),
+        None => reference.name.text.clone(),
+    };
+    let operands: Vec<String> = given.operands.iter().map(reference).collect();
+    let operands = operands.join(", ");
+    let keyword = given.kind.keyword();
+    let name = given.name.map(|name| name.text.as_str());
+    match (given.role, name) {
+        (Role::Driver, Some(name)) => format!("drive {name}: {keyword}({operands})"),
+        (Role::Driver, None) => format!("drive {keyword}({operands})"),
+        (Role::Constraint, Some(name)) => format!("{keyword} {name}({operands})"),
+        (Role::Constraint, None) => format!("{keyword}({operands})"),
+    }
+}

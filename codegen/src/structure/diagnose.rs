@@ -1,0 +1,97 @@
+//! Parts that are not square → messages that name bodies and joints.
+
+use super::Parts;
+use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::model::{Joint, Role};
+use crate::system::System;
+
+/// How many places a message points at before it says how many more there are.
+const SHOWN: usize = 6;
+
+pub(super) fn report(system: &System, parts: &Parts, diagnostics: &mut Diagnostics) {
+    if !parts.free_columns.is_empty() {
+        diagnostics.push(too_few(system, parts));
+    }
+    if !parts.free_rows.is_empty() {
+        diagnostics.push(too_many(system, parts));
+    }
+}
+
+/// `1 equation`, `2 equations`.
+fn count(number: usize, one: &str, several: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { several })
+}
+
+/// The names in backticks, at most [`SHOWN`] of them.
+fn listed<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
+    let more = names.len().saturating_sub(SHOWN);
+    let shown: Vec<String> = names.take(SHOWN).map(|name| format!("`{name}`")).collect();
+    let shown = shown.join(", ");
+    if more == 0 { shown } else { format!("{shown} and {more} more") }
+}
+
+fn balance(system: &System) -> String {
+    let constraints = system.rows.iter().filter(|row| system.mechanism.joints[row.joint].role == Role::Constraint);
+    let constraints = constraints.count();
+    let drivers = system.rows.len() - constraints;
+    format!(
+        "{} for {}: {} of joints and {} of drivers",
+        count(system.rows.len(), "equation", "equations"),
+        count(system.coordinates.len(), "coordinate", "coordinates"),
+        constraints,
+        drivers,
+    )
+}
+
+fn too_few(system: &System, parts: &Parts) -> Diagnostic {
+    let mut bodies: Vec<usize> =
+        parts.under_columns.iter().map(|&column| system.coordinates[column].body).collect();
+    bodies.dedup();
+    let bodies: Vec<_> = bodies.iter().map(|&body| &system.mechanism.bodies[body]).collect();
+    let left = parts.free_columns.len();
+    let names = listed(bodies.iter().map(|body| body.name.as_str()));
+    let noun = if bodies.len() == 1 { "body" } else { "bodies" };
+    let mut diagnostic = Diagnostic::error(
+        Code::TooFewEquations,
+        bodies[0].span,
+        format!(
+            "{} too few: {} left, on {noun} {names}",
+            count(left, "equation", "equations"),
+            count(left, "degree of freedom is", "degrees of freedom are"),
+        ),
+    )
+    .label("can still move");
+    for body in bodies.iter().skip(1).take(SHOWN - 1) {
+        diagnostic = diagnostic.also(body.span, "can still move");
+    }
+    let example = &bodies[0].name;
+    diagnostic
+        .help(format!("prescribe what moves, for example `drive phi({example}) = t;`, or add the missing joint"))
+        .note(balance(system))
+}
+
+fn too_many(system: &System, parts: &Parts) -> Diagnostic {
+    let mut joints: Vec<usize> = parts.over_rows.iter().map(|&row| system.rows[row].joint).collect();
+    joints.dedup();
+    let mut bodies: Vec<usize> =
+        parts.over_rows.iter().flat_map(|&row| system.rows[row].bodies.iter().copied()).filter(|&body| body > 0).collect();
+    bodies.sort_unstable();
+    bodies.dedup();
+    let surplus = parts.free_rows.len();
+    let names = listed(bodies.iter().map(|&body| system.mechanism.bodies[body].name.as_str()));
+    let noun = if bodies.len() == 1 { "body" } else { "bodies" };
+    let first = system.rows[parts.free_rows[0]].joint;
+    let joint = |at: usize| -> &Joint { &system.mechanism.joints[at] };
+    let mut diagnostic = Diagnostic::error(
+        Code::TooManyEquations,
+        joint(first).span,
+        format!("{} too many on {noun} {names}", count(surplus, "equation", "equations")),
+    )
+    .label(format!("`{}` has no coordinate left to determine", joint(first).label));
+    for &other in joints.iter().filter(|&&other| other != first).take(SHOWN) {
+        diagnostic = diagnostic.also(joint(other).span, "acts on the same coordinates");
+    }
+    diagnostic
+        .help(format!("remove {} among these joints and drivers", count(surplus, "equation", "equations")))
+        .note(balance(system))
+}

@@ -1,0 +1,84 @@
+//! The over-determined, square and under-determined parts of a system.
+//!
+//! Dulmage and Mendelsohn, Coverings of bipartite graphs, Canad. J. Math. 10 (1958): rows that alternating paths reach from a
+//! free row have too few unknowns; columns that they reach from a free column have too few equations. Which row of a part
+//! stays free is a matter of the matching; the parts themselves are not.
+
+use super::{Incidence, Matching};
+
+/// The coarse decomposition.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Parts {
+    /// Rows that belong to no pair, ascending: as many equations are too many.
+    pub free_rows: Vec<usize>,
+    /// Columns that belong to no pair, ascending: as many degrees of freedom are left.
+    pub free_columns: Vec<usize>,
+    /// The rows of the over-determined part, ascending.
+    pub over_rows: Vec<usize>,
+    /// The columns of the under-determined part, ascending.
+    pub under_columns: Vec<usize>,
+}
+
+impl Parts {
+    /// Whether every row and every column has its pair.
+    pub fn is_square(&self) -> bool {
+        self.free_rows.is_empty() && self.free_columns.is_empty()
+    }
+}
+
+/// The parts that a maximum matching shows.
+pub fn coarse_parts(incidence: &Incidence, matching: &Matching) -> Parts {
+    let free = |pairs: &[Option<usize>]| -> Vec<usize> {
+        (0..pairs.len()).filter(|&at| pairs[at].is_none()).collect()
+    };
+    let (free_rows, free_columns) = (free(&matching.column_of), free(&matching.row_of));
+    let over_rows = reached(&free_rows, &incidence.rows, &matching.row_of);
+    let under_columns = reached(&free_columns, &incidence.transposed(), &matching.column_of);
+    Parts { free_rows, free_columns, over_rows, under_columns }
+}
+
+/// What alternating paths reach from `starts` on its own side: along any edge to the other side, back along its pair.
+fn reached(starts: &[usize], edges: &[Vec<usize>], pair_of_other: &[Option<usize>]) -> Vec<usize> {
+    let mut seen = vec![false; edges.len()];
+    let mut stack = starts.to_vec();
+    for &start in starts {
+        seen[start] = true;
+    }
+    while let Some(at) = stack.pop() {
+        for &other in &edges[at] {
+            if let Some(next) = pair_of_other[other]
+                && !seen[next]
+            {
+                seen[next] = true;
+                stack.push(next);
+            }
+        }
+    }
+    (0..edges.len()).filter(|&at| seen[at]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::maximum_matching;
+    use super::*;
+
+    fn parts(rows: &[&[usize]], columns: usize) -> Parts {
+        let incidence = Incidence { rows: rows.iter().map(|row| row.to_vec()).collect(), columns };
+        coarse_parts(&incidence, &maximum_matching(&incidence))
+    }
+
+    #[test]
+    fn a_square_system_has_one_part() {
+        assert!(parts(&[&[0, 1], &[0]], 2).is_square());
+    }
+
+    #[test]
+    fn one_part_can_be_over_and_another_underdetermined() {
+        // Rows 0 and 1 share column 0; column 2 and 3 share row 2.
+        let found = parts(&[&[0], &[0], &[2, 3], &[1]], 4);
+        assert_eq!(found.free_rows, [1]);
+        assert_eq!(found.over_rows, [0, 1]);
+        assert_eq!(found.free_columns, [3]);
+        assert_eq!(found.under_columns, [2, 3]);
+    }
+}

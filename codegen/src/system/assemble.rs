@@ -1,0 +1,120 @@
+//! The rows of every joint, and their derivatives.
+
+use super::row_name::row_name;
+use super::{Coordinate, Entry, Output, Row, System};
+use crate::expr::{ExprId, Graph, SymbolId};
+use crate::joint::{self, Quantity};
+use crate::model::{Body, Mechanism};
+
+/// States Φ row by row in written order and differentiates it.
+pub fn assemble(mut mechanism: Mechanism) -> System {
+    let coordinates = coordinates(&mut mechanism);
+    let by_body = |body: usize| &coordinates[3 * (body - 1)..3 * body];
+    let mut rows = Vec::new();
+    let Mechanism { graph, joints, time, points, .. } = &mut mechanism;
+    for (index, joint) in joints.iter().enumerate() {
+        let bodies: Vec<usize> = joint.operands.marks.iter().map(|mark| mark.frame.body.0).collect();
+        let mut involved: Vec<&Coordinate> =
+            bodies.iter().filter(|&&body| body > 0).flat_map(|&body| by_body(body)).collect();
+        involved.sort_by_key(|coordinate| coordinate.position);
+        involved.dedup_by_key(|coordinate| coordinate.position);
+        for stated in joint.kind.rows(&joint.operands, graph) {
+            let name = row_name(joint, &stated);
+            rows.push(differentiate(stated, index, name, &bodies, &involved, *time, graph));
+        }
+    }
+    let outputs = points
+        .iter()
+        .map(|point| {
+            let position = point.mark.position(graph);
+            let moving: Vec<&Coordinate> = match point.mark.frame.body.0 {
+                0 => Vec::new(),
+                body => by_body(body).iter().collect(),
+            };
+            let velocity = position.map(|component| rate(component, &moving, graph));
+            let acceleration = velocity.map(|component| rate(component, &moving, graph));
+            Output { name: point.name.clone(), position, velocity, acceleration }
+        })
+        .collect();
+    System { mechanism, coordinates, rows, outputs }
+}
+
+fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
+    let Mechanism { graph, bodies, .. } = mechanism;
+    let mut coordinates = Vec::with_capacity(3 * bodies.len());
+    let moving = |(index, body): (usize, &Body)| body.coordinates.map(|symbols| (index, symbols, body.estimate()));
+    for (body, symbols, estimate) in bodies.iter().enumerate().filter_map(moving) {
+        for (axis, position) in symbols.into_iter().enumerate() {
+            let name = graph.symbol_name(position).to_string();
+            coordinates.push(Coordinate {
+                rate: graph.symbol(&format!("{name}'")),
+                acceleration: graph.symbol(&format!("{name}''")),
+                name,
+                position,
+                body,
+                quantity: if axis == 2 { Quantity::Angle } else { Quantity::Length },
+                estimate: estimate[axis],
+            });
+        }
+    }
+    coordinates
+}
+
+/// Φ_q, Φ_t and γ of one row, from its residual alone.
+fn differentiate(
+    stated: joint::Row,
+    joint: usize,
+    name: String,
+    bodies: &[usize],
+    involved: &[&Coordinate],
+    time: SymbolId,
+    graph: &mut Graph,
+) -> Row {
+    let residual = stated.residual;
+    let derivatives: Vec<ExprId> =
+        involved.iter().map(|coordinate| graph.derivative(residual, coordinate.position)).collect();
+    let time_derivative = graph.derivative(residual, time);
+    // Φ_q q̇, whose derivative along q̇ is (Φ_q q̇)_q q̇ and whose partial derivative in t is Φ_qt q̇.
+    let products: Vec<ExprId> = involved
+        .iter()
+        .zip(&derivatives)
+        .map(|(coordinate, &derivative)| {
+            let rate = graph.variable(coordinate.rate);
+            graph.multiply(derivative, rate)
+        })
+        .collect();
+    let constraint_rate = graph.sum(&products);
+    let mut terms = Vec::with_capacity(involved.len() + 3);
+    for coordinate in involved {
+        let partial = graph.derivative(constraint_rate, coordinate.position);
+        let rate = graph.variable(coordinate.rate);
+        terms.push(graph.multiply(partial, rate));
+    }
+    let mixed = graph.derivative(constraint_rate, time);
+    terms.extend([mixed, mixed, graph.derivative(time_derivative, time)]);
+    let total = graph.sum(&terms);
+    let gamma = graph.negate(total);
+    let zero = graph.zero();
+    // The coordinates are numbered as their symbols are, three to a body.
+    let jacobian = involved
+        .iter()
+        .zip(derivatives)
+        .filter(|(_, value)| *value != zero)
+        .map(|(coordinate, value)| Entry { coordinate: coordinate.position.index(), value })
+        .collect();
+    let quantity = stated.quantity;
+    Row { joint, name, quantity, residual, jacobian, time_derivative, gamma, bodies: bodies.to_vec() }
+}
+
+/// d/dt of an expression of the coordinates and rates in `moving`.
+fn rate(expr: ExprId, moving: &[&Coordinate], graph: &mut Graph) -> ExprId {
+    let mut terms = Vec::with_capacity(2 * moving.len());
+    for coordinate in moving {
+        for (of, with) in [(coordinate.position, coordinate.rate), (coordinate.rate, coordinate.acceleration)] {
+            let partial = graph.derivative(expr, of);
+            let with = graph.variable(with);
+            terms.push(graph.multiply(partial, with));
+        }
+    }
+    graph.sum(&terms)
+}

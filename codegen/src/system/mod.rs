@@ -1,0 +1,100 @@
+//! Mechanism → System.
+//!
+//! The textbook view: Φ(q, t) in absolute coordinates, rows in written order, with Φ_q, Φ_t and γ by differentiation alone.
+//! Afterwards the Jacobian lists exactly the entries that are not identically zero, row by row, and every point has its
+//! position, velocity and acceleration as expressions of q, q̇, q̈. Deliberately unknown here: joint kinds, and how the
+//! equations are solved.
+
+mod assemble;
+mod row_name;
+
+pub use assemble::assemble;
+
+use crate::expr::{ExprId, SymbolId};
+use crate::joint::Quantity;
+use crate::model::Mechanism;
+
+/// The equations of a mechanism.
+#[derive(Clone, Debug)]
+pub struct System {
+    /// The mechanism; its graph holds every expression below.
+    pub mechanism: Mechanism,
+    /// q: x, y, φ of every moving body in written order.
+    pub coordinates: Vec<Coordinate>,
+    /// Φ and what is derived from it, a row per scalar equation, in written order.
+    pub rows: Vec<Row>,
+    /// The motion of every declared point.
+    pub outputs: Vec<Output>,
+}
+
+/// One coordinate with its derivatives.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// `x1`, `phi_c1`.
+    pub name: String,
+    /// The coordinate q_k.
+    pub position: SymbolId,
+    /// Its rate q̇_k.
+    pub rate: SymbolId,
+    /// Its acceleration q̈_k.
+    pub acceleration: SymbolId,
+    /// Which body it belongs to: an index into the mechanism's bodies.
+    pub body: usize,
+    /// Whether it is a length (x, y) or an angle (φ).
+    pub quantity: Quantity,
+    /// Its value in the drawing.
+    pub estimate: ExprId,
+}
+
+/// One scalar equation Φ_i(q, t) = 0.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The joint or driver it comes from: an index into the mechanism's joints.
+    pub joint: usize,
+    /// A unique name in lower case: `p_x`, `drive_phi_1`.
+    pub name: String,
+    /// What the residual is measured in.
+    pub quantity: Quantity,
+    /// Φ_i.
+    pub residual: ExprId,
+    /// The entries ∂Φ_i/∂q_k that are not identically zero, by ascending coordinate.
+    pub jacobian: Vec<Entry>,
+    /// ∂Φ_i/∂t.
+    pub time_derivative: ExprId,
+    /// γ_i = −((Φ_q q̇)_q q̇ + 2 Φ_qt q̇ + Φ_tt)_i (Haug 1989, eq. 3.6.11).
+    pub gamma: ExprId,
+    /// The bodies it mentions in the order in which the joint names them; printing follows it.
+    pub bodies: Vec<usize>,
+}
+
+/// One entry of Φ_q.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Index into the coordinates.
+    pub coordinate: usize,
+    /// ∂Φ_i/∂q_k.
+    pub value: ExprId,
+}
+
+/// The motion of a point in terms of q, q̇, q̈.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Its name.
+    pub name: String,
+    /// r + R s, in m.
+    pub position: [ExprId; 2],
+    /// Its rate, in m/s.
+    pub velocity: [ExprId; 2],
+    /// Its second rate, in m/s².
+    pub acceleration: [ExprId; 2],
+}
+
+impl System {
+    /// Where residuals of row `row` are judged against: the characteristic length for lengths, 1 rad for angles.
+    pub fn scale(&self, quantity: Quantity) -> f64 {
+        match quantity {
+            Quantity::Length => self.mechanism.characteristic_length,
+            Quantity::Angle => 1.0,
+        }
+    }
+}
