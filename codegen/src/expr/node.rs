@@ -1,0 +1,75 @@
+//! The node kinds: *an id* → *what it stands for*.
+//!
+//! The invariants named on each kind are kept by the constructors of [`Graph`](super::Graph), the only code that makes
+//! nodes. This file does not know how they are kept.
+
+use super::number::Number;
+use super::rational::Rational;
+
+/// An expression of one [`Graph`](super::Graph). Operands always have smaller ids than what is built from them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ExprId(pub(super) u32);
+
+impl ExprId {
+    /// The position in creation order, from 0.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A symbol of one [`Graph`](super::Graph).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SymbolId(pub(super) u32);
+
+impl SymbolId {
+    /// The position in order of declaration, from 0: the index into the values given to
+    /// [`Tape::evaluate`](super::Tape::evaluate).
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// One term of a sum: `coefficient · expr`. The constant part has `expr == Graph::one()`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Term {
+    /// The numeric factor, never zero, always finite.
+    pub coefficient: Number,
+    /// What it multiplies: never a sum, and a number only where it is [`Graph::one`](super::Graph::one).
+    pub expr: ExprId,
+}
+
+/// One factor of a product: `base ^ exponent`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Factor {
+    /// What is raised. A product or a sum with a numeric content only under an exponent that is not an integer.
+    pub base: ExprId,
+    /// The exponent, never zero. A base that is negative under a non-integer exponent has no value.
+    pub exponent: Rational,
+}
+
+/// What an expression is at its top.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A number; the only node that may be non-finite.
+    Number(Number),
+    /// The number π.
+    Pi,
+    /// A variable.
+    Symbol(SymbolId),
+    /// At least two terms, or one term whose coefficient is not one. Sorted by expression, then by the radicand of the
+    /// coefficient; like terms are merged.
+    Sum(Box<[Term]>),
+    /// Two factors or more, or one whose exponent is not one. Sorted by base, bases distinct, no numeric factor:
+    /// coefficients live in the enclosing sum's term.
+    Product(Box<[Factor]>),
+    /// The sine of an angle in radians.
+    Sin(ExprId),
+    /// The cosine of an angle in radians.
+    Cos(ExprId),
+    /// `Atan2(y, x)`: the angle of the vector (x, y), in (-π, π].
+    Atan2(ExprId, ExprId),
+    /// The exponential function.
+    Exp(ExprId),
+    /// The natural logarithm.
+    Ln(ExprId),
+}
