@@ -60,7 +60,7 @@ pub struct Source {
 
 impl Source {
     /// The largest text that is read, in bytes: a mechanism of ten thousand bodies is far smaller.
-    pub const LARGEST: usize = 16 << 20;
+    pub const LARGEST: usize = 4 << 20;
 
     /// A source from text.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
@@ -204,12 +204,12 @@ mod tests {
             *Source::from_bytes("bad.mech", b"one\ntwo \xff three\n").unwrap_err();
         let expected = "\
 error[K00]: the file is not UTF-8 text
-  --> bad.mech:2:5
-   |
- 2 | two \u{fffd} three
-   |     ^ the first bad byte: 0xff
-   |
-   = help: save the file as UTF-8
+ --> bad.mech:2:5
+  |
+2 | two \u{fffd} three
+  |     ^ the first bad byte: 0xff
+  |
+  = help: save the file as UTF-8
 ";
         assert_eq!(diagnostic.render(&source), expected);
         assert!(Source::from_bytes("cut", b"\xe2\x82").is_err());
