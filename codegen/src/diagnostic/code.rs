@@ -1,0 +1,119 @@
+//! *Class of a finding → its stable number and title.* A number is never given to another class.
+
+use std::fmt;
+
+macro_rules! codes {
+    ($($(#[doc = $title:literal])+ $variant:ident = $name:literal;)+) => {
+        /// The class of a finding. The first digit is the group: 0 syntax, 1 names, 2 values and units, 3 structure.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Code {
+            $($(#[doc = $title])+ $variant,)+
+        }
+
+        impl Code {
+            /// Every code, in the order of the numbers.
+            pub const ALL: &'static [Code] = &[$(Code::$variant),+];
+
+            /// The stable number, as in `error[K07]`.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Code::$variant => $name,)+
+                }
+            }
+
+            /// One line that says what the class is.
+            pub fn title(self) -> &'static str {
+                match self {
+                    $(Code::$variant => concat!($($title),+).trim_ascii(),)+
+                }
+            }
+        }
+    };
+}
+
+codes! {
+    /// The file is not UTF-8 text, or too large to be a description.
+    UnreadableFile = "K00";
+    /// A character that no token of the language starts with.
+    UnreadableCharacter = "K01";
+    /// A token that cannot stand here.
+    UnexpectedToken = "K02";
+    /// A statement without its closing `;`.
+    MissingSemicolon = "K03";
+    /// A bracket that is never closed, or that closes nothing.
+    UnbalancedBracket = "K04";
+    /// The file ends inside a statement.
+    UnexpectedEnd = "K05";
+    /// The file describes no mechanism.
+    EmptyFile = "K06";
+    /// A statement starts with a word that is no statement of the language.
+    UnknownStatement = "K07";
+    /// Something that Rust may write as an expression, but this language does not.
+    OutsideGrammar = "K08";
+    /// Brackets, signs or powers nested deeper than anyone reads.
+    NestedTooDeeply = "K09";
+    /// A name that is reserved, not ASCII, or collides in the generated code.
+    NameNotAllowed = "K10";
+    /// A name that nothing declares.
+    UnknownName = "K11";
+    /// A name declared twice.
+    DuplicateName = "K12";
+    /// A call of a function the language does not have.
+    UnknownFunction = "K13";
+    /// A point used on a body that does not carry it.
+    PointNotOnBody = "K14";
+    /// A call with too few or too many arguments.
+    WrongArgumentCount = "K15";
+    /// A joint between a body and itself.
+    JointOnOneBody = "K16";
+    /// A unit suffix the language does not know.
+    UnknownUnit = "K20";
+    /// A length where an angle is wanted, and the like.
+    WrongDimension = "K21";
+    /// A value that is infinite or not a number.
+    NotFinite = "K22";
+    /// A value that depends on `t` where a constant is wanted.
+    NotConstant = "K23";
+    /// A direction of zero length, or other geometry that determines nothing.
+    DegenerateGeometry = "K24";
+    /// A statement with the wrong operands, a missing or a superfluous `along`, or a missing or superfluous value.
+    WrongForm = "K30";
+    /// A mechanism without bodies.
+    NoBodies = "K31";
+    /// Fewer equations than coordinates: some bodies can still move freely.
+    TooFewEquations = "K32";
+    /// More equations than coordinates: some bodies are constrained twice.
+    TooManyEquations = "K33";
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Code;
+
+    #[test]
+    fn numbers_ascend_and_titles_are_one_line() {
+        for pair in Code::ALL.windows(2) {
+            assert!(
+                pair[0].name() < pair[1].name(),
+                "{} is listed after {}",
+                pair[0],
+                pair[1]
+            );
+            assert!(pair[0] < pair[1]);
+        }
+        for code in Code::ALL {
+            assert!(
+                !code.title().is_empty() && !code.title().contains('\n'),
+                "{code}"
+            );
+        }
+        assert_eq!(Code::UnknownFunction.to_string(), "K13");
+        assert_eq!(Code::EmptyFile.title(), "The file describes no mechanism.");
+    }
+}

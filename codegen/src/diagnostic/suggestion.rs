@@ -1,0 +1,65 @@
+//! *A misspelt word and the words that exist → the one that was probably meant.*
+
+/// The candidate nearest to `word`, if one is near enough to be a slip: at most a third of the letters differ.
+///
+/// The distance counts insertions, deletions, replacements and exchanges of neighbors (optimal string alignment), without
+/// regard to case. Among equally near candidates the first one given wins.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let wanted: Vec<char> = word.chars().flat_map(char::to_lowercase).collect();
+    let limit = (wanted.len() / 3).max(1);
+    let mut best: Option<(usize, &str)> = None;
+    for candidate in candidates {
+        let letters: Vec<char> = candidate.chars().flat_map(char::to_lowercase).collect();
+        // A difference in length alone already costs that much, which spares the table for most candidates.
+        if letters.len().abs_diff(wanted.len()) > limit {
+            continue;
+        }
+        let distance = distance(&wanted, &letters);
+        let replaces_everything = distance >= wanted.len().max(letters.len());
+        if distance <= limit
+            && !replaces_everything
+            && best.is_none_or(|(least, _)| distance < least)
+        {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, candidate)| candidate)
+}
+
+fn distance(one: &[char], other: &[char]) -> usize {
+    let mut before_last: Vec<usize> = vec![0; other.len() + 1];
+    let mut last: Vec<usize> = (0..=other.len()).collect();
+    for i in 1..=one.len() {
+        let mut current = vec![i; other.len() + 1];
+        for j in 1..=other.len() {
+            let replaced = last[j - 1] + usize::from(one[i - 1] != other[j - 1]);
+            let mut least = replaced.min(last[j] + 1).min(current[j - 1] + 1);
+            if i > 1 && j > 1 && one[i - 1] == other[j - 2] && one[i - 2] == other[j - 1] {
+                least = least.min(before_last[j - 2] + 1);
+            }
+            current[j] = least;
+        }
+        before_last = last;
+        last = current;
+    }
+    last[other.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn slips_are_recognized_and_strangers_are_not() {
+        let functions = ["sin", "cos", "tan", "sqrt", "distance"];
+        assert_eq!(nearest("sine", functions), Some("sin"));
+        assert_eq!(nearest("sqr", functions), Some("sqrt"));
+        assert_eq!(nearest("dsitanse", functions), Some("distance"));
+        assert_eq!(nearest("SIN", functions), Some("sin"));
+        assert_eq!(nearest("x", functions), None);
+        assert_eq!(nearest("tanh2", functions), None);
+        assert_eq!(nearest("", functions), None);
+        assert_eq!(nearest("q", ["A", "B"]), None);
+        assert_eq!(nearest("c9", ["c8", "c10"]), Some("c8"));
+    }
+}

@@ -1,0 +1,268 @@
+//! *What was written, as written.* The tree of a description: every node has its place, nothing is resolved or computed.
+//!
+//! Chains of `+ -` and of `* /` are one node each, so a sum of a thousand terms is flat; the depth of a tree is bounded by
+//! [`DEEPEST`](super::DEEPEST), so it can be walked by recursion. The tree does not know joint kinds, quantities, functions or units.
+
+use crate::diagnostic::Span;
+
+/// A file: its inner documentation and its mechanism.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Document {
+    /// The `//!` lines at the top of the file, without the slashes.
+    pub docs: Vec<String>,
+    /// The one mechanism of the file.
+    pub mechanism: MechanismItem,
+}
+
+/// `mechanism NAME { statements }`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MechanismItem {
+    /// The `///` lines above it, and the `//!` lines at the top of its braces.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Name,
+    /// The statements in written order.
+    pub statements: Vec<Statement>,
+    /// From the word `mechanism` to the closing brace.
+    pub span: Span,
+}
+
+/// An identifier, or the integer that names a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Name {
+    /// The characters as written.
+    pub text: String,
+    /// Its place.
+    pub span: Span,
+}
+
+/// One statement of a mechanism.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Statement {
+    /// `const NAME = EXPRESSION;`
+    Constant(Constant),
+    /// `point A = (X, Y), B = (X, Y);`
+    Points(Points),
+    /// `body NAME at (X, Y, ANGLE) { members }`
+    Body(Body),
+    /// `revolute P(1, 2);` and every other constraint that does not depend on time.
+    Joint(Joint),
+    /// `drive phi(1) = EXPRESSION;`
+    Drive(Drive),
+}
+
+/// `const NAME = EXPRESSION;`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Constant {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Name,
+    /// Its value.
+    pub value: Expression,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `point A = (X, Y), B = (X, Y);`: points in the global frame, as drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Points {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// The points in written order; at least one.
+    pub points: Vec<DrawnPoint>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// One point of a `point` statement.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnPoint {
+    /// Its name.
+    pub name: Name,
+    /// Its global position as drawn.
+    pub position: Pair,
+}
+
+/// `(X, Y)`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pair {
+    /// The first component.
+    pub x: Expression,
+    /// The second component.
+    pub y: Expression,
+    /// From the opening to the closing parenthesis.
+    pub span: Span,
+}
+
+/// `body NAME at … { members }`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// An identifier or an integer.
+    pub name: Name,
+    /// Where the body's frame is estimated to be.
+    pub origin: Origin,
+    /// How the body's frame is estimated to be turned.
+    pub orientation: Orientation,
+    /// The points it carries, in written order.
+    pub members: Vec<Member>,
+    /// The whole statement.
+    pub span: Span,
+}
+
+/// The place of a body's frame.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Origin {
+    /// `at (X, Y)`, or the first two of `at (X, Y, ANGLE)`.
+    Coordinates(Pair),
+    /// `at P`.
+    Point(Reference),
+}
+
+/// The angle of a body's frame.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Orientation {
+    /// Nothing written: parallel to the global frame.
+    Aligned,
+    /// `at (X, Y, ANGLE)` or `turned ANGLE`.
+    Angle(Expression),
+    /// `facing A -> B`: the x axis points from `A` to `B` as drawn.
+    Facing(Direction),
+}
+
+/// A point of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Member {
+    /// `P: (X, Y)`, in the body's frame.
+    Local {
+        /// The `///` lines above it.
+        docs: Vec<String>,
+        /// Its name.
+        name: Name,
+        /// Its position in the body's frame.
+        position: Pair,
+    },
+    /// `A`: the body carries the point drawn globally under this name.
+    Carried {
+        /// The `///` lines above it.
+        docs: Vec<String>,
+        /// The name of the drawn point.
+        name: Name,
+    },
+}
+
+/// `KIND NAME? (OPERANDS) [along REFERENCE -> REFERENCE] [= EXPRESSION];`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// The word it starts with; whether such a kind exists is not checked here.
+    pub kind: Name,
+    /// The joint's own name, which for some kinds is that of a point.
+    pub name: Option<Name>,
+    /// What stands in the parentheses.
+    pub operands: Vec<Reference>,
+    /// The direction after `along`.
+    pub along: Option<Direction>,
+    /// The value after `=`.
+    pub value: Option<Expression>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `drive [NAME:] QUANTITY(OPERANDS) = EXPRESSION;`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drive {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// The driver's own name.
+    pub name: Option<Name>,
+    /// The driven quantity; whether such a quantity exists is not checked here.
+    pub quantity: Name,
+    /// What stands in the parentheses.
+    pub operands: Vec<Reference>,
+    /// The prescribed motion, an expression of `t`.
+    pub value: Expression,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `NAME` or `BODY.NAME`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reference {
+    /// The body before the dot.
+    pub body: Option<Name>,
+    /// The body, point or constant.
+    pub name: Name,
+    /// Both with the dot.
+    pub span: Span,
+}
+
+/// `A -> B`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Direction {
+    /// Where the arrow starts.
+    pub from: Reference,
+    /// Where the arrow ends.
+    pub to: Reference,
+    /// Both with the arrow.
+    pub span: Span,
+}
+
+/// A formula.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expression {
+    /// What it is.
+    pub kind: ExpressionKind,
+    /// Its place; for a formula in parentheses, with the parentheses.
+    pub span: Span,
+}
+
+/// What a formula is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ExpressionKind {
+    /// `30deg`: a decimal literal such as `12`, `0.05` or `1e-3`, and its unit.
+    Number {
+        /// ASCII digits with at most one point and one exponent, without `_`: `f64` reads it, and so does an exact decimal.
+        digits: String,
+        /// The suffix; whether such a unit exists is not checked here.
+        unit: Option<Name>,
+    },
+    /// A constant, a point or a body's point.
+    Reference(Reference),
+    /// Two or more terms; the first has the sign `Plus` (a leading minus is a [`ExpressionKind::Negative`] term).
+    Sum(Vec<(Sign, Expression)>),
+    /// Two or more factors; the first has the operation `Times`.
+    Product(Vec<(Operation, Expression)>),
+    /// `-x`, which is weaker than a power: `-x^2` is the negative of `x^2`.
+    Negative(Box<Expression>),
+    /// `base ^ exponent`, grouped from the right.
+    Power(Box<Expression>, Box<Expression>),
+    /// `function(arguments)`.
+    Call {
+        /// The name before the parentheses; whether such a function exists is not checked here.
+        function: Name,
+        /// The arguments in written order.
+        arguments: Vec<Expression>,
+    },
+}
+
+/// The sign before a term.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// `+`
+    Plus,
+    /// `-`
+    Minus,
+}
+
+/// The operation before a factor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operation {
+    /// `*`
+    Times,
+    /// `/`
+    Over,
+}
