@@ -1,2 +1,96 @@
-//! Newton-Raphson and linear solves for generated mechanisms.
+//! Equations of a planar mechanism → its pose, velocity and acceleration at a time.
+//!
+//! This is the runtime that generated mechanisms call: Newton-Raphson, linear solves and the typed ways in which they
+//! fail. It needs neither `std` nor an allocator, contains no unsafe code, and no panic path survives in an optimized
+//! build. An `Ok` never holds NaN or an unconverged pose, and the work of a call is bounded.
+//!
+//! The crate does not know bodies, joints or names: those are compiled away, or interpreted, on the other side of
+//! [`Equations`]. Most users never implement that trait; they write a description, and
+//! [`include_mechanism!`] brings in what `linkwright_codegen::build` made of it.
+//!
+//! # By hand
+//!
+//! A slider on the x axis hangs on a crank of length 1 by a rod of length 2; the crank turns as φ = t. The position s
+//! of the slider is the one coordinate, and Φ = (s - cos t)² + sin² t - 4.
+//!
+//! ```
+//! use linkwright::nalgebra::{Const, SMatrix, SVector};
+//! use linkwright::{Equations, Settings, advance, assemble, math};
+//!
+//! struct Slider;
+//!
+//! impl Equations<f64, Const<1>> for Slider {
+//!     fn dimension(&self) -> Const<1> {
+//!         Const
+//!     }
+//!     fn residual(&self, q: &SVector<f64, 1>, t: f64, phi: &mut SVector<f64, 1>) {
+//!         let (sin, cos) = math::sin_cos(t);
+//!         phi[0] = (q[0] - cos) * (q[0] - cos) + sin * sin - 4.0;
+//!     }
+//!     fn jacobian(&self, q: &SVector<f64, 1>, t: f64, phi_q: &mut SMatrix<f64, 1, 1>) {
+//!         phi_q[0] = 2.0 * (q[0] - math::cos(t));
+//!     }
+//!     fn time_derivative(&self, q: &SVector<f64, 1>, t: f64, phi_t: &mut SVector<f64, 1>) {
+//!         phi_t[0] = 2.0 * q[0] * math::sin(t);
+//!     }
+//!     fn gamma(&self, q: &SVector<f64, 1>, qd: &SVector<f64, 1>, t: f64, gamma: &mut SVector<f64, 1>) {
+//!         let (sin, cos) = math::sin_cos(t);
+//!         gamma[0] = -(2.0 * qd[0] * qd[0] + 4.0 * qd[0] * sin + 2.0 * q[0] * cos);
+//!     }
+//!     fn row_scale(&self, _row: usize) -> f64 {
+//!         4.0 // the square of the rod's length
+//!     }
+//!     fn coordinate_scale(&self, _column: usize) -> f64 {
+//!         2.0
+//!     }
+//! }
+//!
+//! # fn main() -> Result<(), linkwright::Failure> {
+//! let settings = Settings::default();
+//! let mut frame = assemble(&Slider, &SVector::<f64, 1>::new(2.5), 0.0, &settings)?;
+//! assert!((frame.q[0] - 3.0).abs() < 1e-14);
+//! for step in 1..=100 {
+//!     // On failure `frame` would still be the last valid one.
+//!     frame = advance(&Slider, &frame, 0.01 * f64::from(step), &settings)?;
+//! }
+//! let exact = math::cos(1.0) + math::sqrt(4.0 - math::sin(1.0_f64) * math::sin(1.0));
+//! assert!((frame.q[0] - exact).abs() < 1e-14);
+//! # Ok(())
+//! # }
+//! ```
 #![no_std]
+
+pub mod equations;
+pub mod failure;
+pub mod kinematics;
+pub mod linear;
+pub mod math;
+pub mod motion;
+pub mod newton;
+pub mod scale;
+pub mod settings;
+
+pub use nalgebra;
+
+pub use equations::Equations;
+pub use failure::{Failure, FailureKind};
+pub use kinematics::{Frame, advance, assemble};
+pub use linear::Factorization;
+pub use math::Real;
+pub use motion::Motion;
+pub use newton::{Convergence, Step};
+pub use scale::Scales;
+pub use settings::Settings;
+
+/// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
+#[macro_export]
+macro_rules! include_mechanism {
+    ($name:ident) => {
+        include!(concat!(
+            env!("OUT_DIR"),
+            "/linkwright/",
+            stringify!($name),
+            ".rs"
+        ));
+    };
+}

@@ -1,0 +1,119 @@
+//! Equations and an estimate, or the frame before → a [`Frame`]: pose, velocity and acceleration at a time.
+//!
+//! A frame in an `Ok` is finite throughout and its pose meets the tolerance of the settings. Velocity and acceleration
+//! solve Φ_q q̇ = -Φ_t and Φ_q q̈ = γ with one factorization of the Jacobian at the pose that is returned
+//! (Haug 1989, section 3.6). On failure the frame that a caller holds is untouched.
+//!
+//! The module does not know how a pose is found, nor points of bodies.
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{DefaultAllocator, Dim, OVector};
+
+use crate::equations::Equations;
+use crate::failure::{Failure, FailureKind};
+use crate::linear::Factorization;
+use crate::math::Real;
+use crate::newton::{self, negate, zero_matrix, zero_vector};
+use crate::scale::{Scales, all_finite};
+use crate::settings::Settings;
+
+/// The motion of all coordinates at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame<T: Real, D: Dim>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    /// The time (s).
+    pub t: T,
+    /// The pose q (n): lengths and angles (m, rad).
+    pub q: OVector<T, D>,
+    /// The velocity q̇ (n).
+    pub qd: OVector<T, D>,
+    /// The acceleration q̈ (n).
+    pub qdd: OVector<T, D>,
+}
+
+impl<T: Real, D: Dim> Copy for Frame<T, D>
+where
+    DefaultAllocator: Allocator<D>,
+    OVector<T, D>: Copy,
+{
+}
+
+/// Assembles the mechanism at time `t`, starting from the `estimate` (n) of its pose.
+///
+/// # Errors
+/// Every [`FailureKind`].
+pub fn assemble<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    estimate: &OVector<T, D>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Frame<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    complete(equations, estimate.clone(), t, settings)
+}
+
+/// Moves the mechanism from `frame` to time `t`, which may lie before or after it.
+///
+/// The estimate is the Taylor polynomial q + h q̇ + h²/2 q̈ with h = `t` - `frame.t`, so the number of Newton-Raphson
+/// steps grows with h, and for large h the mechanism may be assembled in another of its modes.
+///
+/// # Errors
+/// Every [`FailureKind`].
+pub fn advance<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    frame: &Frame<T, D>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Frame<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let h = t - frame.t;
+    let mut q = frame.q.clone();
+    let derivatives = frame.qd.as_slice().iter().zip(frame.qdd.as_slice());
+    for (coordinate, (velocity, acceleration)) in q.as_mut_slice().iter_mut().zip(derivatives) {
+        *coordinate += h * (*velocity + T::HALF * h * *acceleration);
+    }
+    complete(equations, q, t, settings)
+}
+
+/// Solves for the pose from the estimate `q`, then for velocity and acceleration at that pose.
+fn complete<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    mut q: OVector<T, D>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Frame<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let convergence = newton::solve(equations, &mut q, t, settings)?;
+    let fail = |kind| Failure {
+        kind,
+        time: t,
+        block: 0,
+        iterations: convergence.iterations,
+        residual: convergence.residual,
+        row: convergence.row,
+    };
+    let dimension = equations.dimension();
+    let mut jacobian = zero_matrix(dimension);
+    equations.jacobian(&q, t, &mut jacobian);
+    let factorization = Factorization::new(&jacobian, &Scales::of(equations), settings.pivot_ratio)
+        .map_err(fail)?;
+    let mut qd = zero_vector(dimension);
+    equations.time_derivative(&q, t, &mut qd);
+    negate(&mut qd);
+    factorization.solve(&mut qd);
+    let mut qdd = zero_vector(dimension);
+    equations.gamma(&q, &qd, t, &mut qdd);
+    factorization.solve(&mut qdd);
+    if !(all_finite(qd.as_slice()) && all_finite(qdd.as_slice())) {
+        return Err(fail(FailureKind::NotFinite));
+    }
+    Ok(Frame { t, q, qd, qdd })
+}

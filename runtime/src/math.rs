@@ -1,0 +1,223 @@
+//! A scalar and its elementary functions → the same functions from `std` or from `libm`.
+//!
+//! This is the only module that chooses between the two: with the feature `std` (the default) sines, exponentials
+//! and square roots come from the standard library, without it from `libm`. Everything else in this crate, and all
+//! generated code, is written against [`Real`] or the free functions below, so that it reads the same in both cases.
+//!
+//! The module does not know angles from lengths: arguments of `sin` and `cos` are in radians, all else is unitless.
+
+use core::fmt::{Debug, Display, LowerExp};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+#[cfg(feature = "std")]
+extern crate std;
+
+mod sealed {
+    /// Keeps [`super::Real`] to the two scalars whose rounding the default settings are made for.
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// A floating-point scalar of the runtime: `f32` or `f64`.
+///
+/// The trait is sealed, because tolerances and rounding levels are chosen for these two.
+pub trait Real:
+    sealed::Sealed
+    + nalgebra::Scalar
+    + Copy
+    + Debug
+    + Display
+    + LowerExp
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+{
+    /// The additive identity.
+    const ZERO: Self;
+    /// The multiplicative identity.
+    const ONE: Self;
+    /// One half.
+    const HALF: Self;
+    /// The distance from 1 to the next larger number.
+    const EPSILON: Self;
+
+    /// The scalar nearest to `value`.
+    fn from_f64(value: f64) -> Self;
+    /// This scalar as an `f64`, exactly.
+    fn to_f64(self) -> f64;
+    /// The magnitude.
+    fn abs(self) -> Self;
+    /// The square root; NaN for a negative argument.
+    fn sqrt(self) -> Self;
+    /// The sine of an angle in radians.
+    fn sin(self) -> Self;
+    /// The cosine of an angle in radians.
+    fn cos(self) -> Self;
+    /// The sine and the cosine of an angle in radians, in this order.
+    fn sin_cos(self) -> (Self, Self);
+    /// The angle in (-π, π] of the vector (`abscissa`, `self`).
+    fn atan2(self, abscissa: Self) -> Self;
+    /// The exponential function.
+    fn exp(self) -> Self;
+    /// The natural logarithm; NaN for a negative argument, -∞ for zero.
+    fn ln(self) -> Self;
+    /// The power with a real exponent.
+    fn powf(self, exponent: Self) -> Self;
+    /// The length √(`self`² + `other`²) without intermediate overflow.
+    fn hypot(self, other: Self) -> Self;
+    /// Whether the scalar is neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+    /// The larger of two scalars; the other one if one is NaN.
+    fn max(self, other: Self) -> Self;
+    /// The smaller of two scalars; the other one if one is NaN.
+    fn min(self, other: Self) -> Self;
+    /// The pair (m, e) with `self` = m · 2^e and |m| in [1/2, 1); (self, 0) for zero.
+    fn significand_exponent(self) -> (Self, i32);
+    /// `self` · 2^`exponent`; infinite or zero where the product leaves the range of the scalar.
+    fn scale_by_power_of_two(self, exponent: i32) -> Self;
+}
+
+macro_rules! implement_real {
+    ($scalar:ident, $frexp:ident, $ldexp:ident, {
+        $($method:ident($($argument:ident),*) -> $output:ty, $free:ident;)*
+    }) => {
+        impl Real for $scalar {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const HALF: Self = 0.5;
+            const EPSILON: Self = $scalar::EPSILON;
+
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                value as $scalar
+            }
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self.into()
+            }
+            #[inline]
+            fn abs(self) -> Self {
+                $scalar::abs(self)
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                $scalar::is_finite(self)
+            }
+            #[inline]
+            fn max(self, other: Self) -> Self {
+                $scalar::max(self, other)
+            }
+            #[inline]
+            fn min(self, other: Self) -> Self {
+                $scalar::min(self, other)
+            }
+            // Splitting and scaling by powers of two are exact, and the standard library does not offer them.
+            #[inline]
+            fn significand_exponent(self) -> (Self, i32) {
+                libm::$frexp(self)
+            }
+            #[inline]
+            fn scale_by_power_of_two(self, exponent: i32) -> Self {
+                libm::$ldexp(self, exponent)
+            }
+            $(
+                #[cfg(feature = "std")]
+                #[inline]
+                fn $method(self $(, $argument: Self)*) -> $output {
+                    $scalar::$method(self $(, $argument)*)
+                }
+                #[cfg(not(feature = "std"))]
+                #[inline]
+                fn $method(self $(, $argument: Self)*) -> $output {
+                    libm::$free(self $(, $argument)*)
+                }
+            )*
+        }
+    };
+}
+
+implement_real!(f64, frexp, ldexp, {
+    sqrt() -> Self, sqrt;
+    sin() -> Self, sin;
+    cos() -> Self, cos;
+    sin_cos() -> (Self, Self), sincos;
+    atan2(abscissa) -> Self, atan2;
+    exp() -> Self, exp;
+    ln() -> Self, log;
+    powf(exponent) -> Self, pow;
+    hypot(other) -> Self, hypot;
+});
+
+implement_real!(f32, frexpf, ldexpf, {
+    sqrt() -> Self, sqrtf;
+    sin() -> Self, sinf;
+    cos() -> Self, cosf;
+    sin_cos() -> (Self, Self), sincosf;
+    atan2(abscissa) -> Self, atan2f;
+    exp() -> Self, expf;
+    ln() -> Self, logf;
+    powf(exponent) -> Self, powf;
+    hypot(other) -> Self, hypotf;
+});
+
+/// The sine of an angle in radians.
+#[inline]
+pub fn sin<T: Real>(angle: T) -> T {
+    angle.sin()
+}
+
+/// The cosine of an angle in radians.
+#[inline]
+pub fn cos<T: Real>(angle: T) -> T {
+    angle.cos()
+}
+
+/// The sine and the cosine of an angle in radians, in this order.
+#[inline]
+pub fn sin_cos<T: Real>(angle: T) -> (T, T) {
+    angle.sin_cos()
+}
+
+/// The square root; NaN for a negative argument.
+#[inline]
+pub fn sqrt<T: Real>(x: T) -> T {
+    x.sqrt()
+}
+
+/// The angle in (-π, π] of the vector (`abscissa`, `ordinate`).
+#[inline]
+pub fn atan2<T: Real>(ordinate: T, abscissa: T) -> T {
+    ordinate.atan2(abscissa)
+}
+
+/// The exponential function.
+#[inline]
+pub fn exp<T: Real>(x: T) -> T {
+    x.exp()
+}
+
+/// The natural logarithm; NaN for a negative argument, -∞ for zero.
+#[inline]
+pub fn ln<T: Real>(x: T) -> T {
+    x.ln()
+}
+
+/// The power with a real exponent.
+#[inline]
+pub fn powf<T: Real>(base: T, exponent: T) -> T {
+    base.powf(exponent)
+}
+
+/// The length √(x² + y²) without intermediate overflow.
+#[inline]
+pub fn hypot<T: Real>(x: T, y: T) -> T {
+    x.hypot(y)
+}

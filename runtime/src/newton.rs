@@ -1,0 +1,344 @@
+//! Equations, an estimate of the pose and a time → the pose at which the equations hold, or a typed [`Failure`].
+//!
+//! This is the only Newton-Raphson of the project. A pose in an `Ok` has a residual that was evaluated *at this pose*
+//! and meets the tolerance; on failure the caller's pose is untouched. A call takes at most
+//! [`Settings::iterations`] steps and one polishing step.
+//!
+//! Each step solves Φ_q Δq = -Φ and adds Δq (Haug 1989, section 4.5). Residuals are measured in row scales, steps in
+//! coordinate scales, so no judgement depends on the units. After each step that leaves a residual above the
+//! tolerance it is asked in this order whether anything is not finite, and whether the iteration has stalled, diverged
+//! or begun to cycle. For cycles the pose is compared with one earlier pose, replaced after 1, 2, 4, 8 … steps
+//! (Brent, *BIT* 20 (1980), 176-184): any cycle is found at the price of one stored pose.
+//!
+//! The module does not know velocities or accelerations.
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
+
+use crate::equations::Equations;
+use crate::failure::{Failure, FailureKind};
+use crate::linear::Factorization;
+use crate::math::Real;
+use crate::scale::{Residual, Scales, all_finite};
+use crate::settings::Settings;
+
+/// The longest step, in coordinate scales, that still counts as progress. A part of a mechanism that is a million
+/// times its size away does not come back.
+pub const LONGEST_STEP: f64 = 1e6;
+
+/// By how much the scaled residual may exceed the first one, or 1 if that is larger. One bad step from a poor estimate
+/// may well increase the residual, but not beyond this.
+pub const LARGEST_GROWTH: f64 = 1e4;
+
+/// The number of consecutive steps with growing residual that count as divergence.
+pub const GROWING_STEPS: u16 = 5;
+
+/// The multiple of ε below which a change of a coordinate, or a residual, is rounding.
+pub const ROUNDING: f64 = 4.0;
+
+/// One Newton-Raphson step, with all that a calculation by hand writes down.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step<T: Real, D: Dim>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    /// The Jacobian Φ_q (n × n) at the pose that the step starts from.
+    pub jacobian: OMatrix<T, D, D>,
+    /// The right-hand side -Φ (n).
+    pub right_hand_side: OVector<T, D>,
+    /// The update Δq (n), which solves Φ_q Δq = -Φ.
+    pub update: OVector<T, D>,
+    /// The new pose q + Δq (n).
+    pub pose: OVector<T, D>,
+}
+
+/// How a solve converged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Convergence<T = f64> {
+    /// The number of steps until the tolerance was met, the polishing step not counted.
+    pub iterations: u16,
+    /// The scaled residual at the pose that was returned.
+    pub residual: T,
+    /// The equation with that residual, counted from 0.
+    pub row: u16,
+    /// Whether a polishing step was taken.
+    pub polished: bool,
+}
+
+/// Takes a single Newton-Raphson step from the pose `q` (n) at time `t`.
+///
+/// The residual is not compared with the tolerance: this is the step as taught, for whoever wants to look at it.
+///
+/// # Errors
+/// [`FailureKind::Singular`] and [`FailureKind::NotFinite`].
+pub fn step<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    q: &OVector<T, D>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Step<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let dimension = equations.dimension();
+    let scales = Scales::of(equations);
+    let mut right_hand_side = zero_vector(dimension);
+    let mut jacobian = zero_matrix(dimension);
+    equations.residual(q, t, &mut right_hand_side);
+    let residual = scales.residual(&right_hand_side);
+    negate(&mut right_hand_side);
+    let fail = |kind| failure(kind, t, 0, residual);
+    if !(t.is_finite() && all_finite(q.as_slice()) && residual.magnitude.is_finite()) {
+        return Err(fail(FailureKind::NotFinite));
+    }
+    equations.jacobian(q, t, &mut jacobian);
+    let factorization =
+        Factorization::new(&jacobian, &scales, settings.pivot_ratio).map_err(fail)?;
+    let mut update = right_hand_side.clone();
+    factorization.solve(&mut update);
+    let mut pose = q.clone();
+    add(&mut pose, &update);
+    if !all_finite(pose.as_slice()) {
+        return Err(fail(FailureKind::NotFinite));
+    }
+    Ok(Step {
+        jacobian,
+        right_hand_side,
+        update,
+        pose,
+    })
+}
+
+/// Moves the estimate `q` (n) to a pose at which the equations hold at time `t`.
+///
+/// Solved means that no scaled residual |Φ_i| / scale_i exceeds [`Settings::tolerance`]. With [`Settings::polish`] one
+/// more step follows, unless the residual is at rounding level already; it reuses the newest factorization, whose
+/// error is of the order of the last update and so too small to matter, and it is taken back if the residual grows.
+///
+/// # Errors
+/// Every [`FailureKind`]; `q` is then as it was.
+pub fn solve<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    q: &mut OVector<T, D>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Convergence<T>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let mut pose = q.clone();
+    let convergence = iterate(equations, &mut pose, t, settings)?;
+    *q = pose;
+    Ok(convergence)
+}
+
+fn iterate<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    pose: &mut OVector<T, D>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Convergence<T>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let dimension = equations.dimension();
+    let scales = Scales::of(equations);
+    let mut phi = zero_vector(dimension);
+    let mut jacobian = zero_matrix(dimension);
+    let mut update = zero_vector(dimension);
+    equations.residual(pose, t, &mut phi);
+    let mut residual = scales.residual(&phi);
+    if !(t.is_finite() && all_finite(pose.as_slice()) && residual.magnitude.is_finite()) {
+        return Err(failure(FailureKind::NotFinite, t, 0, residual));
+    }
+    let mut progress = Progress::new(pose, residual.magnitude);
+    let mut iterations = 0;
+    loop {
+        let solved = residual.magnitude <= settings.tolerance;
+        let finished = solved && !worth_polishing(residual, settings);
+        if !(finished || solved || iterations < settings.iterations) {
+            return Err(failure(
+                FailureKind::IterationLimit,
+                t,
+                iterations,
+                residual,
+            ));
+        }
+        if finished {
+            return Ok(convergence(iterations, residual, false));
+        }
+        equations.jacobian(pose, t, &mut jacobian);
+        let factorization = match Factorization::new(&jacobian, &scales, settings.pivot_ratio) {
+            Ok(factorization) => factorization,
+            // The pose meets the tolerance as it is; a singular Jacobian only prevents polishing it.
+            Err(_) if solved => return Ok(convergence(iterations, residual, false)),
+            Err(kind) => return Err(failure(kind, t, iterations, residual)),
+        };
+        if !solved {
+            update.clone_from(&phi);
+            negate(&mut update);
+            factorization.solve(&mut update);
+            add(pose, &update);
+            equations.residual(pose, t, &mut phi);
+            residual = scales.residual(&phi);
+            iterations += 1;
+            if !(all_finite(pose.as_slice()) && residual.magnitude.is_finite()) {
+                return Err(failure(FailureKind::NotFinite, t, iterations, residual));
+            }
+            if residual.magnitude > settings.tolerance {
+                if let Some(kind) = progress.judge(&scales, pose, &update, residual.magnitude) {
+                    return Err(failure(kind, t, iterations, residual));
+                }
+                continue;
+            }
+            if !worth_polishing(residual, settings) {
+                return Ok(convergence(iterations, residual, false));
+            }
+        }
+        // The pose is solved. One more step, which is taken only if it does not make the residual larger.
+        update.clone_from(&phi);
+        negate(&mut update);
+        factorization.solve(&mut update);
+        add(&mut update, pose);
+        equations.residual(&update, t, &mut phi);
+        let after = scales.residual(&phi);
+        let better = after.magnitude <= residual.magnitude && all_finite(update.as_slice());
+        if better {
+            pose.clone_from(&update);
+            residual = after;
+        }
+        return Ok(convergence(iterations, residual, better));
+    }
+}
+
+/// What is remembered of earlier steps to tell progress from its absence.
+struct Progress<T: Real, D: Dim>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    /// The earlier pose that new ones are compared with.
+    checkpoint: OVector<T, D>,
+    /// How many steps ago the checkpoint was taken, and after how many it is replaced.
+    age: u32,
+    lifetime: u32,
+    /// The largest residual that is not divergence.
+    bound: T,
+    last: T,
+    growing: u16,
+}
+
+impl<T: Real, D: Dim> Progress<T, D>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    fn new(pose: &OVector<T, D>, residual: T) -> Self {
+        Self {
+            checkpoint: pose.clone(),
+            age: 0,
+            lifetime: 1,
+            bound: T::from_f64(LARGEST_GROWTH) * residual.max(T::ONE),
+            last: residual,
+            growing: 0,
+        }
+    }
+
+    /// Judges the step `update` that led to `pose`, where the residual is still above the tolerance.
+    fn judge(
+        &mut self,
+        scales: &Scales<T, D>,
+        pose: &OVector<T, D>,
+        update: &OVector<T, D>,
+        residual: T,
+    ) -> Option<FailureKind<T>> {
+        let rounding = T::from_f64(ROUNDING) * T::EPSILON;
+        if scales.negligible(update, pose, rounding) {
+            return Some(FailureKind::Stalled);
+        }
+        self.growing = if residual > self.last {
+            self.growing + 1
+        } else {
+            0
+        };
+        self.last = residual;
+        if scales.step_length(update) > T::from_f64(LONGEST_STEP)
+            || residual > self.bound
+            || self.growing >= GROWING_STEPS
+        {
+            return Some(FailureKind::Diverged);
+        }
+        if scales.coincide(pose, &self.checkpoint, rounding) {
+            return Some(FailureKind::Cycling);
+        }
+        self.age += 1;
+        if self.age >= self.lifetime {
+            self.checkpoint.clone_from(pose);
+            self.age = 0;
+            self.lifetime = self.lifetime.saturating_mul(2);
+        }
+        None
+    }
+}
+
+fn worth_polishing<T: Real>(residual: Residual<T>, settings: &Settings<T>) -> bool {
+    settings.polish && residual.magnitude > T::from_f64(ROUNDING) * T::EPSILON
+}
+
+fn convergence<T: Real>(iterations: u16, residual: Residual<T>, polished: bool) -> Convergence<T> {
+    Convergence {
+        iterations,
+        residual: residual.magnitude,
+        row: residual.row,
+        polished,
+    }
+}
+
+fn failure<T: Real>(
+    kind: FailureKind<T>,
+    time: T,
+    iterations: u16,
+    residual: Residual<T>,
+) -> Failure<T> {
+    Failure {
+        kind,
+        time,
+        block: 0,
+        iterations,
+        residual: residual.magnitude,
+        row: residual.row,
+    }
+}
+
+/// A vector of zeros (n).
+pub(crate) fn zero_vector<T: Real, D: Dim>(dimension: D) -> OVector<T, D>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    OVector::from_fn_generic(dimension, Const::<1>, |_, _| T::ZERO)
+}
+
+/// A matrix of zeros (n × n).
+pub(crate) fn zero_matrix<T: Real, D: Dim>(dimension: D) -> OMatrix<T, D, D>
+where
+    DefaultAllocator: Allocator<D, D>,
+{
+    OMatrix::from_fn_generic(dimension, dimension, |_, _| T::ZERO)
+}
+
+/// Changes the sign of every entry.
+pub(crate) fn negate<T: Real, D: Dim>(vector: &mut OVector<T, D>)
+where
+    DefaultAllocator: Allocator<D>,
+{
+    for entry in vector.as_mut_slice() {
+        *entry = -*entry;
+    }
+}
+
+fn add<T: Real, D: Dim>(sum: &mut OVector<T, D>, addend: &OVector<T, D>)
+where
+    DefaultAllocator: Allocator<D>,
+{
+    for (entry, increment) in sum.as_mut_slice().iter_mut().zip(addend.as_slice()) {
+        *entry += *increment;
+    }
+}

@@ -1,0 +1,125 @@
+//! Equations → [`Scales`], the magnitudes that make their residuals and coordinates comparable.
+//!
+//! A residual in meters and one in radians cannot be compared, and neither can their derivatives. Divided by these
+//! magnitudes both are plain numbers, and a verdict on them does not change when a mechanism is described in
+//! millimeters. The module does not know what is judged with the scaled numbers.
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DefaultAllocator, Dim, OVector};
+
+use crate::equations::Equations;
+use crate::failure::index;
+use crate::math::Real;
+
+/// The magnitudes of all equations and coordinates of a mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scales<T: Real, D: Dim>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    /// The magnitude of each equation's residual (n), positive.
+    pub rows: OVector<T, D>,
+    /// The magnitude of each coordinate's changes (n), positive.
+    pub columns: OVector<T, D>,
+}
+
+/// The scaled residual of a pose.
+#[derive(Clone, Copy)]
+pub(crate) struct Residual<T> {
+    /// max |Φ_i| / scale_i, or the first such value that is not finite.
+    pub(crate) magnitude: T,
+    /// The equation with that magnitude.
+    pub(crate) row: u16,
+}
+
+impl<T: Real, D: Dim> Scales<T, D>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    /// The magnitudes that `equations` state.
+    pub fn of<E>(equations: &E) -> Self
+    where
+        E: Equations<T, D>,
+        DefaultAllocator: Allocator<D, D>,
+    {
+        let dimension = equations.dimension();
+        Self {
+            rows: OVector::from_fn_generic(dimension, Const::<1>, |row, _| {
+                equations.row_scale(row)
+            }),
+            columns: OVector::from_fn_generic(dimension, Const::<1>, |column, _| {
+                equations.coordinate_scale(column)
+            }),
+        }
+    }
+
+    /// Magnitude 1 for all `dimension` equations and coordinates: a matrix is judged as it is.
+    pub fn unit(dimension: D) -> Self {
+        Self {
+            rows: OVector::from_fn_generic(dimension, Const::<1>, |_, _| T::ONE),
+            columns: OVector::from_fn_generic(dimension, Const::<1>, |_, _| T::ONE),
+        }
+    }
+
+    /// The largest scaled residual in `phi` and its row.
+    pub(crate) fn residual(&self, phi: &OVector<T, D>) -> Residual<T> {
+        let mut largest = Residual {
+            magnitude: T::ZERO,
+            row: 0,
+        };
+        for (row, (value, scale)) in phi.as_slice().iter().zip(self.rows.as_slice()).enumerate() {
+            let magnitude = value.abs() / *scale;
+            if !magnitude.is_finite() {
+                return Residual {
+                    magnitude,
+                    row: index(row),
+                };
+            }
+            if magnitude > largest.magnitude {
+                largest = Residual {
+                    magnitude,
+                    row: index(row),
+                };
+            }
+        }
+        largest
+    }
+
+    /// The length of a step in coordinate scales: max |Δq_j| / scale_j.
+    pub(crate) fn step_length(&self, update: &OVector<T, D>) -> T {
+        let entries = update.as_slice().iter().zip(self.columns.as_slice());
+        entries.fold(T::ZERO, |longest, (entry, scale)| {
+            longest.max(entry.abs() / *scale)
+        })
+    }
+
+    /// Whether no entry of `update` exceeds `fraction` of its coordinate or of its scale, whichever is larger.
+    pub(crate) fn negligible(
+        &self,
+        update: &OVector<T, D>,
+        pose: &OVector<T, D>,
+        fraction: T,
+    ) -> bool {
+        let entries = update.as_slice().iter().zip(pose.as_slice());
+        entries
+            .zip(self.columns.as_slice())
+            .all(|((entry, q), scale)| entry.abs() <= fraction * q.abs().max(*scale))
+    }
+
+    /// Whether no coordinate of two poses differs by more than `fraction` of itself or of its scale, whichever is
+    /// larger.
+    pub(crate) fn coincide(&self, a: &OVector<T, D>, b: &OVector<T, D>, fraction: T) -> bool {
+        let entries = a.as_slice().iter().zip(b.as_slice());
+        entries
+            .zip(self.columns.as_slice())
+            .all(|((a, b), scale)| (*a - *b).abs() <= fraction * a.abs().max(*scale))
+    }
+}
+
+/// Whether every entry of `values` is finite.
+pub(crate) fn all_finite<T: Real>(values: &[T]) -> bool {
+    // No early exit, so that the loop vectorizes.
+    values
+        .iter()
+        .fold(true, |finite, value| finite & value.is_finite())
+}

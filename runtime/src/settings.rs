@@ -1,0 +1,53 @@
+//! What a caller may decide about a solve → [`Settings`], with defaults for both scalars.
+//!
+//! All settings are unitless, because residuals and pivots are judged after scaling (see [`crate::Scales`]).
+//! The module does not know how the judgements are made: that is in [`crate::newton`] and [`crate::linear`].
+
+use crate::math::Real;
+
+/// The limits within which a solve must succeed.
+///
+/// `Settings::default()` exists for `f64` and for `f32`; the table gives both.
+///
+/// | setting | `f64` | `f32` |
+/// |---|---|---|
+/// | `tolerance` | 1e-12 | 1e-5 |
+/// | `iterations` | 25 | 25 |
+/// | `pivot_ratio` | 64 ε = 1.4e-14 | 64 ε = 7.6e-6 |
+/// | `polish` | true | true |
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings<T = f64> {
+    /// The largest scaled residual max |Φ_i| / scale_i that counts as solved.
+    pub tolerance: T,
+    /// The largest number of Newton-Raphson steps of one call, the polishing step not counted.
+    pub iterations: u16,
+    /// The smallest pivot ratio, as [`crate::Factorization`] defines it, of a Jacobian that is not called singular.
+    pub pivot_ratio: T,
+    /// Whether a pose that has met the tolerance gets one more step, towards rounding level.
+    ///
+    /// Convergence is quadratic, so this step usually removes all that the tolerance left.
+    pub polish: bool,
+}
+
+impl Default for Settings<f64> {
+    fn default() -> Self {
+        with_tolerance(1e-12)
+    }
+}
+
+impl Default for Settings<f32> {
+    fn default() -> Self {
+        with_tolerance(1e-5)
+    }
+}
+
+fn with_tolerance<T: Real>(tolerance: T) -> Settings<T> {
+    Settings {
+        tolerance,
+        iterations: 25,
+        // Elimination of an n × n matrix leaves errors of a few n ε in its pivots. A pivot below 64 ε carries no
+        // digit that could be told from such an error at the sizes this crate is for.
+        pivot_ratio: T::EPSILON * T::from_f64(64.0),
+        polish: true,
+    }
+}
