@@ -3,7 +3,7 @@ use super::node::{ExprId, Node, SymbolId};
 use super::number::Number;
 use super::rational::Rational;
 /// A growing set of hash-consed expressions.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Graph {}
 impl Graph {
     /// A graph that holds the numbers 0 and 1 and π.
