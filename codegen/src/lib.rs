@@ -7,3 +7,5 @@ pub mod joint;
 pub mod model;
 pub mod system;
 pub mod structure;
+pub mod program;
+pub mod emit;

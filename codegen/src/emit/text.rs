@@ -1,0 +1,7 @@
+//! Formulas and whole systems in plain text.
+
+mod formula;
+mod inspect;
+mod table;
+
+pub use inspect::inspect;
