@@ -252,14 +252,26 @@ fn eliminate<T: Real>(
 /// The position and the magnitude of the first entry of largest magnitude; (0, 0) if there is none.
 #[inline]
 fn largest_entry<T: Real>(entries: &[T]) -> (usize, T) {
-    let mut largest = (0, T::ZERO);
-    for (offset, entry) in entries.iter().enumerate() {
-        let magnitude = entry.abs();
-        if magnitude > largest.1 {
-            largest = (offset, magnitude);
+    // Two passes: the maximum in independent lanes and its position take less time than one dependent chain.
+    let mut lanes = [T::ZERO; 4];
+    let (chunks, remainder) = entries.as_chunks::<4>();
+    for chunk in chunks {
+        for (lane, entry) in lanes.iter_mut().zip(chunk) {
+            let magnitude = entry.abs();
+            *lane = if magnitude > *lane { magnitude } else { *lane };
         }
     }
-    largest
+    let mut largest = T::ZERO;
+    for entry in remainder.iter().chain(&lanes) {
+        let magnitude = entry.abs();
+        largest = if magnitude > largest {
+            magnitude
+        } else {
+            largest
+        };
+    }
+    let offset = entries.iter().position(|entry| entry.abs() == largest);
+    (offset.unwrap_or(0), largest)
 }
 
 /// Exchanges the first entry with the one `distance` below it.
