@@ -13,6 +13,17 @@ pub(super) struct Fraction {
     pub denominators: Vec<Part>,
 }
 
+impl Fraction {
+    /// Multiplies by a power; a negative one goes below the bar.
+    pub(super) fn push(&mut self, factor: Factor) {
+        if factor.exponent.is_negative() {
+            self.denominators.push(Part::Power(factor.base, -factor.exponent));
+        } else {
+            self.numerators.push(Part::Power(factor.base, factor.exponent));
+        }
+    }
+}
+
 /// One part of a product.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Part {
@@ -43,12 +54,8 @@ pub(super) fn fraction(term: &Term, graph: &Graph, order: &WrittenOrder<'_>) -> 
     }
     match graph.node(term.expr) {
         Node::Product(factors) => {
-            for Factor { base, exponent } in order.factors(factors) {
-                if exponent.is_negative() {
-                    fraction.denominators.push(Part::Power(base, -exponent));
-                } else {
-                    fraction.numerators.push(Part::Power(base, exponent));
-                }
+            for factor in order.factors(factors) {
+                fraction.push(factor);
             }
         }
         _ => fraction.numerators.push(Part::Power(term.expr, Rational::ONE)),

@@ -3,7 +3,8 @@
 use super::super::notation::Notation;
 
 use super::super::parts::{Fraction, Part, fraction, terms};
-use crate::expr::{ExprId, Graph, Node, Rational};
+use crate::expr::{ExprId, Graph, Node, Rational, Term};
+use crate::program::ConstantPart;
 use crate::system::{SymbolRole, System, WrittenOrder};
 
 /// Prints the formulas of one row.
@@ -34,8 +35,27 @@ impl<'a> Printer<'a> {
 
     /// The whole expression.
     pub(crate) fn expression(&self, expr: ExprId) -> String {
+        self.sum(&terms(expr, self.graph(), &self.order))
+    }
+
+    /// A constant part: a sum, or a number times powers.
+    pub(crate) fn constant(&self, part: &ConstantPart) -> String {
+        match part {
+            ConstantPart::Sum(terms) => self.sum(terms),
+            ConstantPart::Product(number, factors) => {
+                let number = Term { coefficient: *number, expr: self.graph().one() };
+                let mut whole = fraction(&number, self.graph(), &self.order);
+                for factor in factors {
+                    whole.push(*factor);
+                }
+                self.fraction(&whole)
+            }
+        }
+    }
+
+    fn sum(&self, terms: &[Term]) -> String {
         let mut text = String::new();
-        for (position, term) in terms(expr, self.graph(), &self.order).iter().enumerate() {
+        for (position, term) in terms.iter().enumerate() {
             let negative = term.coefficient.is_negative();
             text.push_str(match (position, negative) {
                 (0, false) => "",
