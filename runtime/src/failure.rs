@@ -70,7 +70,7 @@ impl<T: Real> fmt::Display for Failure<T> {
             residual,
             row,
         } = self;
-        match kind {
+        let what = match kind {
             FailureKind::Singular {
                 pivot_ratio,
                 column,
@@ -79,20 +79,19 @@ impl<T: Real> fmt::Display for Failure<T> {
                     formatter,
                     "singular Jacobian: pivot ratio {pivot_ratio:.1e} at coordinate {column}"
                 )?;
+                None
             }
-            other => {
-                let what = match other {
-                    FailureKind::Diverged => "diverged",
-                    FailureKind::Cycling => "cycling",
-                    FailureKind::Stalled => "stalled",
-                    FailureKind::IterationLimit => "iteration limit",
-                    FailureKind::Singular { .. } | FailureKind::NotFinite => "not finite",
-                };
-                write!(
-                    formatter,
-                    "{what}: scaled residual {residual:.1e} in equation {row} after {iterations} steps"
-                )?;
-            }
+            FailureKind::Diverged => Some("diverged"),
+            FailureKind::Cycling => Some("cycling"),
+            FailureKind::Stalled => Some("stalled"),
+            FailureKind::IterationLimit => Some("iteration limit"),
+            FailureKind::NotFinite => Some("not finite"),
+        };
+        if let Some(what) = what {
+            write!(
+                formatter,
+                "{what}: scaled residual {residual:.1e} in equation {row} after {iterations} steps"
+            )?;
         }
         if *block != 0 {
             write!(formatter, ", block {block}")?;

@@ -115,11 +115,3 @@ where
             .all(|((a, b), scale)| (*a - *b).abs() <= fraction * a.abs().max(*scale))
     }
 }
-
-/// Whether every entry of `values` is finite.
-pub(crate) fn all_finite<T: Real>(values: &[T]) -> bool {
-    // No early exit, so that the loop vectorizes.
-    values
-        .iter()
-        .fold(true, |finite, value| finite & value.is_finite())
-}
