@@ -48,7 +48,8 @@ pub enum FailureKind<T = f64> {
     Stalled,
     /// None of the other failures occurred within [`crate::Settings::iterations`] steps.
     IterationLimit,
-    /// A time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is infinite or NaN.
+    /// A time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is infinite or NaN,
+    /// or a scale of the equations is not a positive finite number.
     NotFinite,
 }
 

@@ -93,7 +93,8 @@ where
     let residual = scales.residual(&right_hand_side);
     negate(&mut right_hand_side);
     let fail = |kind| failure(kind, t, 0, residual);
-    if !(t.is_finite() && all_finite(q.as_slice()) && residual.magnitude.is_finite()) {
+    let finite = all_finite(q.as_slice()) && residual.magnitude.is_finite();
+    if !(t.is_finite() && scales.are_valid() && finite) {
         return Err(fail(FailureKind::NotFinite));
     }
     equations.jacobian(q, t, &mut jacobian);
@@ -157,7 +158,8 @@ where
     let mut update = zero_vector(dimension);
     equations.residual(pose, t, &mut phi);
     let mut residual = scales.residual(&phi);
-    if !(t.is_finite() && all_finite(pose.as_slice()) && residual.magnitude.is_finite()) {
+    let finite = all_finite(pose.as_slice()) && residual.magnitude.is_finite();
+    if !(t.is_finite() && scales.are_valid() && finite) {
         return Err(failure(FailureKind::NotFinite, t, 0, residual));
     }
     let mut progress = Progress::new(pose, residual.magnitude);

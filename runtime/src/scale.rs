@@ -61,6 +61,14 @@ where
         }
     }
 
+    /// Whether every magnitude is positive and finite. Measured against any other, a residual could pass for solved.
+    pub(crate) fn are_valid(&self) -> bool {
+        let magnitudes = self.rows.as_slice().iter().chain(self.columns.as_slice());
+        magnitudes.fold(true, |valid, magnitude| {
+            valid & (*magnitude > T::ZERO) & magnitude.is_finite()
+        })
+    }
+
     /// The largest scaled residual in `phi` and its row.
     pub(crate) fn residual(&self, phi: &OVector<T, D>) -> Residual<T> {
         let mut largest = Residual {
