@@ -29,6 +29,7 @@ use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
 use crate::failure::{FailureKind, index};
 use crate::math::Real;
 use crate::scale::Scales;
+use crate::vector::require_dimension;
 
 /// An n × n matrix A as P Â = L U, with Â the scaled matrix; gives A⁻¹ b and det A.
 #[derive(Clone, Debug)]
@@ -55,12 +56,22 @@ where
     /// # Errors
     /// [`FailureKind::Singular`] if the pivot ratio of a column is below `smallest_pivot_ratio`;
     /// [`FailureKind::NotFinite`] if an entry of the matrix, or of a factor, is infinite or NaN.
+    ///
+    /// # Panics
+    /// If the scales do not have the dimension of the matrix, which only a dynamic dimension permits, or if the
+    /// dimension exceeds 65535.
     pub fn new(
         matrix: &OMatrix<T, D, D>,
         scales: &Scales<T, D>,
         smallest_pivot_ratio: T,
     ) -> Result<Self, FailureKind<T>> {
         let (dimension, _) = matrix.shape_generic();
+        require_dimension(&scales.rows, dimension);
+        require_dimension(&scales.columns, dimension);
+        assert!(
+            dimension.value() <= usize::from(u16::MAX),
+            "row exchanges are stored in 16 bits"
+        );
         let row_factors = scales.rows.map(|scale| T::ONE / scale);
         let column_factors = scales.columns.clone();
         let mut factors = matrix.clone();
@@ -91,8 +102,13 @@ where
     /// Replaces the right-hand side b (n) with the solution x of A x = b.
     ///
     /// The solution is not finite where it overflows or where the right-hand side was not finite.
+    ///
+    /// # Panics
+    /// If the right-hand side does not have the dimension of the matrix, which only a dynamic dimension permits.
     pub fn solve(&self, right_hand_side: &mut OVector<T, D>) {
-        let n = self.exchanges.len();
+        let (dimension, _) = self.factors.shape_generic();
+        require_dimension(right_hand_side, dimension);
+        let n = dimension.value();
         let x = right_hand_side.as_mut_slice();
         for (entry, factor) in x.iter_mut().zip(self.row_factors.as_slice()) {
             *entry *= *factor;
@@ -192,7 +208,7 @@ fn largest_finite_magnitude<T: Real>(entries: &[T]) -> Option<T> {
                 *largest
             };
             // Zero for a finite entry, NaN for all others.
-            *invalid += *entry - *entry;
+            *invalid += *entry * T::ZERO;
         }
     }
     let valid = invalid.iter().all(|sum| *sum == T::ZERO);

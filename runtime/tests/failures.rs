@@ -12,6 +12,8 @@ struct Single {
     slope: Scalar,
     time_derivative: f64,
     gamma: f64,
+    row_scale: f64,
+    coordinate_scale: f64,
 }
 
 fn single(value: Scalar, slope: Scalar) -> Single {
@@ -20,6 +22,8 @@ fn single(value: Scalar, slope: Scalar) -> Single {
         slope,
         time_derivative: 0.0,
         gamma: 0.0,
+        row_scale: 1.0,
+        coordinate_scale: 1.0,
     }
 }
 
@@ -40,10 +44,10 @@ impl Equations<f64, Const<1>> for Single {
         gamma[0] = self.gamma;
     }
     fn row_scale(&self, _row: usize) -> f64 {
-        1.0
+        self.row_scale
     }
     fn coordinate_scale(&self, _column: usize) -> f64 {
-        1.0
+        self.coordinate_scale
     }
 }
 
@@ -242,6 +246,25 @@ fn time_that_is_not_finite_is_reported() {
         let failure = newton::solve(&line, &mut q, t, &Settings::default()).expect_err("no time");
         assert_eq!(failure.kind, FailureKind::NotFinite);
         assert!(newton::step(&line, &q, t, &Settings::default()).is_err());
+    }
+}
+
+#[test]
+fn scale_that_is_no_magnitude_does_not_pass_for_solved() {
+    // Measured against an infinite or a negative scale every residual would be small.
+    for scale in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+        let line = single(|x| x - 2.0, |_| 1.0);
+        let rows = Single {
+            row_scale: scale,
+            ..line
+        };
+        assert_eq!(failure(&rows, 5.0).kind, FailureKind::NotFinite);
+        let line = single(|x| x - 2.0, |_| 1.0);
+        let columns = Single {
+            coordinate_scale: scale,
+            ..line
+        };
+        assert_eq!(failure(&columns, 5.0).kind, FailureKind::NotFinite);
     }
 }
 
