@@ -166,6 +166,11 @@ impl Number {
         exact.unwrap_or_else(|| Number::float(self.to_f64() * other.to_f64()))
     }
 
+    /// Whether it is exact and free of square roots.
+    pub fn is_rational(&self) -> bool {
+        matches!(self, Number::Exact { radicand: 1, .. })
+    }
+
     /// The negated number.
     pub fn neg(&self) -> Number {
         match *self {

@@ -204,6 +204,7 @@ fn angles_are_reduced_by_sign_and_quarter_turns() {
         let (half, pi) = (graph.rational(1, 2), graph.pi());
         graph.multiply(half, pi)
     };
+    let half_turn = graph.pi();
     let eighth = graph.scale(Number::rational(Rational::HALF), quarter_turn);
     let phased = [-4, -1, 1, 2].map(|twelfths| {
         let (part, pi) = (graph.rational(twelfths, 12), graph.pi());
@@ -217,9 +218,16 @@ fn angles_are_reduced_by_sign_and_quarter_turns() {
             let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
             let mut turned = angle;
             let mut cycle = [sine, cosine];
+            // Beside a variable only whole half turns are taken out of a phase that is no multiple of a quarter turn.
+            let by_halves = phase != zero;
+            let step = if by_halves { half_turn } else { quarter_turn };
             for _ in 0..9 {
-                turned = graph.add(turned, quarter_turn);
-                cycle = [cycle[1], graph.negate(cycle[0])];
+                turned = graph.add(turned, step);
+                cycle = if by_halves {
+                    cycle.map(|value| graph.negate(value))
+                } else {
+                    [cycle[1], graph.negate(cycle[0])]
+                };
                 assert_eq!([graph.sin(turned), graph.cos(turned)], cycle);
                 let mirrored = graph.negate(turned);
                 assert_eq!(graph.cos(mirrored), cycle[1]);
