@@ -340,7 +340,7 @@ impl Resolver<'_> {
                 Some(NamedMark {
                     name: name.text.clone(),
                     docs: docs.clone(),
-                    mark: Mark { frame, local },
+                    mark: Mark::new(frame, local, &mut self.graph),
                     span: name.span,
                 })
             }
@@ -359,7 +359,7 @@ impl Resolver<'_> {
                 Some(NamedMark {
                     name: name.text.clone(),
                     docs: docs.clone(),
-                    mark: Mark { frame, local },
+                    mark: Mark::new(frame, local, &mut self.graph),
                     span: name.span,
                 })
             }
