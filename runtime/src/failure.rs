@@ -48,7 +48,8 @@ pub enum FailureKind<T = f64> {
     Stalled,
     /// None of the other failures occurred within [`crate::Settings::iterations`] steps.
     IterationLimit,
-    /// A time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is infinite or NaN.
+    /// A time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is infinite or NaN,
+    /// or a scale of the equations is not a positive finite number.
     NotFinite,
 }
 
@@ -70,7 +71,7 @@ impl<T: Real> fmt::Display for Failure<T> {
             residual,
             row,
         } = self;
-        match kind {
+        let what = match kind {
             FailureKind::Singular {
                 pivot_ratio,
                 column,
@@ -79,20 +80,19 @@ impl<T: Real> fmt::Display for Failure<T> {
                     formatter,
                     "singular Jacobian: pivot ratio {pivot_ratio:.1e} at coordinate {column}"
                 )?;
+                None
             }
-            other => {
-                let what = match other {
-                    FailureKind::Diverged => "diverged",
-                    FailureKind::Cycling => "cycling",
-                    FailureKind::Stalled => "stalled",
-                    FailureKind::IterationLimit => "iteration limit",
-                    FailureKind::Singular { .. } | FailureKind::NotFinite => "not finite",
-                };
-                write!(
-                    formatter,
-                    "{what}: scaled residual {residual:.1e} in equation {row} after {iterations} steps"
-                )?;
-            }
+            FailureKind::Diverged => Some("diverged"),
+            FailureKind::Cycling => Some("cycling"),
+            FailureKind::Stalled => Some("stalled"),
+            FailureKind::IterationLimit => Some("iteration limit"),
+            FailureKind::NotFinite => Some("not finite"),
+        };
+        if let Some(what) = what {
+            write!(
+                formatter,
+                "{what}: scaled residual {residual:.1e} in equation {row} after {iterations} steps"
+            )?;
         }
         if *block != 0 {
             write!(formatter, ", block {block}")?;

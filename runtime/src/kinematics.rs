@@ -13,9 +13,10 @@ use crate::equations::Equations;
 use crate::failure::{Failure, FailureKind};
 use crate::linear::Factorization;
 use crate::math::Real;
-use crate::newton::{self, negate, zero_matrix, zero_vector};
-use crate::scale::{Scales, all_finite};
+use crate::newton;
+use crate::scale::Scales;
 use crate::settings::Settings;
+use crate::vector::{all_finite, negate, require_dimension, zero_matrix, zero_vector};
 
 /// The motion of all coordinates at one time.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,6 +45,9 @@ where
 ///
 /// # Errors
 /// Every [`FailureKind`].
+///
+/// # Panics
+/// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
 pub fn assemble<T: Real, D: Dim, E: Equations<T, D>>(
     equations: &E,
     estimate: &OVector<T, D>,
@@ -63,6 +67,9 @@ where
 ///
 /// # Errors
 /// Every [`FailureKind`].
+///
+/// # Panics
+/// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
 pub fn advance<T: Real, D: Dim, E: Equations<T, D>>(
     equations: &E,
     frame: &Frame<T, D>,
@@ -72,6 +79,9 @@ pub fn advance<T: Real, D: Dim, E: Equations<T, D>>(
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
+    for vector in [&frame.q, &frame.qd, &frame.qdd] {
+        require_dimension(vector, equations.dimension());
+    }
     let h = t - frame.t;
     let mut q = frame.q.clone();
     let derivatives = frame.qd.as_slice().iter().zip(frame.qdd.as_slice());

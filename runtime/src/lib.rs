@@ -67,8 +67,10 @@ pub mod linear;
 pub mod math;
 pub mod motion;
 pub mod newton;
+mod progress;
 pub mod scale;
 pub mod settings;
+mod vector;
 
 pub use nalgebra;
 

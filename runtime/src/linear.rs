@@ -28,7 +28,8 @@ use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
 
 use crate::failure::{FailureKind, index};
 use crate::math::Real;
-use crate::scale::{Scales, all_finite};
+use crate::scale::Scales;
+use crate::vector::require_dimension;
 
 /// An n × n matrix A as P Â = L U, with Â the scaled matrix; gives A⁻¹ b and det A.
 #[derive(Clone, Debug)]
@@ -40,7 +41,9 @@ where
     factors: OMatrix<T, D, D>,
     /// How far below row k the pivot of column k was found; 0 if the row stayed where it was.
     exchanges: OVector<u16, D>,
-    scales: Scales<T, D>,
+    /// The diagonals of R⁻¹ and C.
+    row_factors: OVector<T, D>,
+    column_factors: OVector<T, D>,
     pivot_ratio: T,
 }
 
@@ -53,34 +56,45 @@ where
     /// # Errors
     /// [`FailureKind::Singular`] if the pivot ratio of a column is below `smallest_pivot_ratio`;
     /// [`FailureKind::NotFinite`] if an entry of the matrix, or of a factor, is infinite or NaN.
+    ///
+    /// # Panics
+    /// If the scales do not have the dimension of the matrix, which only a dynamic dimension permits, or if the
+    /// dimension exceeds 65535.
     pub fn new(
         matrix: &OMatrix<T, D, D>,
         scales: &Scales<T, D>,
         smallest_pivot_ratio: T,
     ) -> Result<Self, FailureKind<T>> {
         let (dimension, _) = matrix.shape_generic();
-        let n = dimension.value();
+        require_dimension(&scales.rows, dimension);
+        require_dimension(&scales.columns, dimension);
+        assert!(
+            dimension.value() <= usize::from(u16::MAX),
+            "row exchanges are stored in 16 bits"
+        );
+        let row_factors = scales.rows.map(|scale| T::ONE / scale);
+        let column_factors = scales.columns.clone();
         let mut factors = matrix.clone();
-        let largest = scale_entries(factors.as_mut_slice(), n, scales);
-        if !all_finite(factors.as_slice()) {
-            return Err(FailureKind::NotFinite);
-        }
+        scale_entries(
+            factors.as_mut_slice(),
+            row_factors.as_slice(),
+            column_factors.as_slice(),
+        );
+        let largest = largest_finite_magnitude(factors.as_slice()).ok_or(FailureKind::NotFinite)?;
         let mut exchanges = OVector::from_fn_generic(dimension, Const::<1>, |_, _| 0);
-        let reference = largest.max(T::ONE);
         let pivot_ratio = eliminate(
             factors.as_mut_slice(),
             exchanges.as_mut_slice(),
-            n,
-            reference,
+            dimension.value(),
+            largest.max(T::ONE),
             smallest_pivot_ratio,
         )?;
-        if !all_finite(factors.as_slice()) {
-            return Err(FailureKind::NotFinite);
-        }
+        largest_finite_magnitude(factors.as_slice()).ok_or(FailureKind::NotFinite)?;
         Ok(Self {
             factors,
             exchanges,
-            scales: scales.clone(),
+            row_factors,
+            column_factors,
             pivot_ratio,
         })
     }
@@ -88,11 +102,16 @@ where
     /// Replaces the right-hand side b (n) with the solution x of A x = b.
     ///
     /// The solution is not finite where it overflows or where the right-hand side was not finite.
+    ///
+    /// # Panics
+    /// If the right-hand side does not have the dimension of the matrix, which only a dynamic dimension permits.
     pub fn solve(&self, right_hand_side: &mut OVector<T, D>) {
-        let n = self.exchanges.len();
+        let (dimension, _) = self.factors.shape_generic();
+        require_dimension(right_hand_side, dimension);
+        let n = dimension.value();
         let x = right_hand_side.as_mut_slice();
-        for (entry, scale) in x.iter_mut().zip(self.scales.rows.as_slice()) {
-            *entry /= *scale;
+        for (entry, factor) in x.iter_mut().zip(self.row_factors.as_slice()) {
+            *entry *= *factor;
         }
         let columns = || self.factors.as_slice().chunks_exact(n.max(1)).enumerate();
         // Forward: L y = P b, the exchange of each column before its multipliers.
@@ -117,8 +136,8 @@ where
                 subtract_multiple(above, *entry, upper);
             }
         }
-        for (entry, scale) in x.iter_mut().zip(self.scales.columns.as_slice()) {
-            *entry *= *scale;
+        for (entry, factor) in x.iter_mut().zip(self.column_factors.as_slice()) {
+            *entry *= *factor;
         }
     }
 
@@ -151,34 +170,49 @@ where
                 accumulate(if *distance == 0 { *pivot } else { -*pivot }, 1);
             }
         }
-        let scales = self
-            .scales
-            .rows
-            .as_slice()
-            .iter()
-            .zip(self.scales.columns.as_slice());
-        for (row, column) in scales {
-            accumulate(*row, 1);
-            accumulate(*column, -1);
+        let row_factors = self.row_factors.as_slice().iter();
+        for (row_factor, column_factor) in row_factors.zip(self.column_factors.as_slice()) {
+            accumulate(*row_factor, -1);
+            accumulate(*column_factor, -1);
         }
         significand.scale_by_power_of_two(exponent)
     }
 }
 
-/// Scales the columns of `matrix` (n × n) in place and returns the largest magnitude among its entries.
-fn scale_entries<T: Real, D: Dim>(matrix: &mut [T], n: usize, scales: &Scales<T, D>) -> T
-where
-    DefaultAllocator: Allocator<D>,
-{
-    let mut largest = T::ZERO;
-    let columns = matrix.chunks_exact_mut(n.max(1));
-    for (column, column_scale) in columns.zip(scales.columns.as_slice()) {
-        for (entry, row_scale) in column.iter_mut().zip(scales.rows.as_slice()) {
-            *entry = *entry * *column_scale / *row_scale;
-            largest = largest.max(entry.abs());
+/// Scales the columns of `matrix` (n × n) in place.
+fn scale_entries<T: Real>(matrix: &mut [T], row_factors: &[T], column_factors: &[T]) {
+    let columns = matrix.chunks_exact_mut(row_factors.len().max(1));
+    for (column, column_factor) in columns.zip(column_factors) {
+        for (entry, row_factor) in column.iter_mut().zip(row_factors) {
+            *entry *= *row_factor * *column_factor;
         }
     }
-    largest
+}
+
+/// The largest magnitude of all entries; none if an entry is not finite.
+fn largest_finite_magnitude<T: Real>(entries: &[T]) -> Option<T> {
+    // Four independent lanes, because a single chain of comparisons or sums would not be vectorized.
+    let mut largest = [T::ZERO; 4];
+    let mut invalid = [T::ZERO; 4];
+    let (chunks, remainder) = entries.as_chunks::<4>();
+    let mut padded = [T::ZERO; 4];
+    for (slot, entry) in padded.iter_mut().zip(remainder) {
+        *slot = *entry;
+    }
+    for chunk in chunks.iter().chain([&padded]) {
+        for ((largest, invalid), entry) in largest.iter_mut().zip(&mut invalid).zip(chunk) {
+            let magnitude = entry.abs();
+            *largest = if magnitude > *largest {
+                magnitude
+            } else {
+                *largest
+            };
+            // Zero for a finite entry, NaN for all others.
+            *invalid += *entry * T::ZERO;
+        }
+    }
+    let valid = invalid.iter().all(|sum| *sum == T::ZERO);
+    valid.then(|| largest.into_iter().fold(T::ZERO, T::max))
 }
 
 /// Overwrites `matrix` (n × n) with its factors and returns the smallest pivot ratio.
@@ -234,14 +268,26 @@ fn eliminate<T: Real>(
 /// The position and the magnitude of the first entry of largest magnitude; (0, 0) if there is none.
 #[inline]
 fn largest_entry<T: Real>(entries: &[T]) -> (usize, T) {
-    let mut largest = (0, T::ZERO);
-    for (offset, entry) in entries.iter().enumerate() {
-        let magnitude = entry.abs();
-        if magnitude > largest.1 {
-            largest = (offset, magnitude);
+    // Two passes: the maximum in independent lanes and its position take less time than one dependent chain.
+    let mut lanes = [T::ZERO; 4];
+    let (chunks, remainder) = entries.as_chunks::<4>();
+    for chunk in chunks {
+        for (lane, entry) in lanes.iter_mut().zip(chunk) {
+            let magnitude = entry.abs();
+            *lane = if magnitude > *lane { magnitude } else { *lane };
         }
     }
-    largest
+    let mut largest = T::ZERO;
+    for entry in remainder.iter().chain(&lanes) {
+        let magnitude = entry.abs();
+        largest = if magnitude > largest {
+            magnitude
+        } else {
+            largest
+        };
+    }
+    let offset = entries.iter().position(|entry| entry.abs() == largest);
+    (offset.unwrap_or(0), largest)
 }
 
 /// Exchanges the first entry with the one `distance` below it.

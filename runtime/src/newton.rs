@@ -7,20 +7,21 @@
 //! Each step solves Φ_q Δq = -Φ and adds Δq (Haug 1989, section 4.5). Residuals are measured in row scales, steps in
 //! coordinate scales, so no judgement depends on the units. After each step that leaves a residual above the
 //! tolerance it is asked in this order whether anything is not finite, and whether the iteration has stalled, diverged
-//! or begun to cycle. For cycles the pose is compared with one earlier pose, replaced after 1, 2, 4, 8 … steps
-//! (Brent, *BIT* 20 (1980), 176-184): any cycle is found at the price of one stored pose.
+//! or begun to cycle.
 //!
 //! The module does not know velocities or accelerations.
 
 use nalgebra::allocator::Allocator;
-use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
+use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 
 use crate::equations::Equations;
 use crate::failure::{Failure, FailureKind};
 use crate::linear::Factorization;
 use crate::math::Real;
-use crate::scale::{Residual, Scales, all_finite};
+use crate::progress::Progress;
+use crate::scale::{Residual, Scales};
 use crate::settings::Settings;
+use crate::vector::{add, all_finite, negate, require_dimension, zero_matrix, zero_vector};
 
 /// The longest step, in coordinate scales, that still counts as progress. A part of a mechanism that is a million
 /// times its size away does not come back.
@@ -71,6 +72,9 @@ pub struct Convergence<T = f64> {
 ///
 /// # Errors
 /// [`FailureKind::Singular`] and [`FailureKind::NotFinite`].
+///
+/// # Panics
+/// If `q` does not have the dimension of the equations, which only a dynamic dimension permits.
 pub fn step<T: Real, D: Dim, E: Equations<T, D>>(
     equations: &E,
     q: &OVector<T, D>,
@@ -81,6 +85,7 @@ where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     let dimension = equations.dimension();
+    require_dimension(q, dimension);
     let scales = Scales::of(equations);
     let mut right_hand_side = zero_vector(dimension);
     let mut jacobian = zero_matrix(dimension);
@@ -88,7 +93,8 @@ where
     let residual = scales.residual(&right_hand_side);
     negate(&mut right_hand_side);
     let fail = |kind| failure(kind, t, 0, residual);
-    if !(t.is_finite() && all_finite(q.as_slice()) && residual.magnitude.is_finite()) {
+    let finite = all_finite(q.as_slice()) && residual.magnitude.is_finite();
+    if !(t.is_finite() && scales.are_valid() && finite) {
         return Err(fail(FailureKind::NotFinite));
     }
     equations.jacobian(q, t, &mut jacobian);
@@ -117,6 +123,9 @@ where
 ///
 /// # Errors
 /// Every [`FailureKind`]; `q` is then as it was.
+///
+/// # Panics
+/// If `q` does not have the dimension of the equations, which only a dynamic dimension permits.
 pub fn solve<T: Real, D: Dim, E: Equations<T, D>>(
     equations: &E,
     q: &mut OVector<T, D>,
@@ -126,6 +135,7 @@ pub fn solve<T: Real, D: Dim, E: Equations<T, D>>(
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
+    require_dimension(q, equations.dimension());
     let mut pose = q.clone();
     let convergence = iterate(equations, &mut pose, t, settings)?;
     *q = pose;
@@ -148,24 +158,24 @@ where
     let mut update = zero_vector(dimension);
     equations.residual(pose, t, &mut phi);
     let mut residual = scales.residual(&phi);
-    if !(t.is_finite() && all_finite(pose.as_slice()) && residual.magnitude.is_finite()) {
+    let finite = all_finite(pose.as_slice()) && residual.magnitude.is_finite();
+    if !(t.is_finite() && scales.are_valid() && finite) {
         return Err(failure(FailureKind::NotFinite, t, 0, residual));
     }
     let mut progress = Progress::new(pose, residual.magnitude);
     let mut iterations = 0;
     loop {
         let solved = residual.magnitude <= settings.tolerance;
-        let finished = solved && !worth_polishing(residual, settings);
-        if !(finished || solved || iterations < settings.iterations) {
+        if solved && !worth_polishing(residual, settings) {
+            return Ok(convergence(iterations, residual, false));
+        }
+        if !solved && iterations >= settings.iterations {
             return Err(failure(
                 FailureKind::IterationLimit,
                 t,
                 iterations,
                 residual,
             ));
-        }
-        if finished {
-            return Ok(convergence(iterations, residual, false));
         }
         equations.jacobian(pose, t, &mut jacobian);
         let factorization = match Factorization::new(&jacobian, &scales, settings.pivot_ratio) {
@@ -211,74 +221,6 @@ where
     }
 }
 
-/// What is remembered of earlier steps to tell progress from its absence.
-struct Progress<T: Real, D: Dim>
-where
-    DefaultAllocator: Allocator<D>,
-{
-    /// The earlier pose that new ones are compared with.
-    checkpoint: OVector<T, D>,
-    /// How many steps ago the checkpoint was taken, and after how many it is replaced.
-    age: u32,
-    lifetime: u32,
-    /// The largest residual that is not divergence.
-    bound: T,
-    last: T,
-    growing: u16,
-}
-
-impl<T: Real, D: Dim> Progress<T, D>
-where
-    DefaultAllocator: Allocator<D>,
-{
-    fn new(pose: &OVector<T, D>, residual: T) -> Self {
-        Self {
-            checkpoint: pose.clone(),
-            age: 0,
-            lifetime: 1,
-            bound: T::from_f64(LARGEST_GROWTH) * residual.max(T::ONE),
-            last: residual,
-            growing: 0,
-        }
-    }
-
-    /// Judges the step `update` that led to `pose`, where the residual is still above the tolerance.
-    fn judge(
-        &mut self,
-        scales: &Scales<T, D>,
-        pose: &OVector<T, D>,
-        update: &OVector<T, D>,
-        residual: T,
-    ) -> Option<FailureKind<T>> {
-        let rounding = T::from_f64(ROUNDING) * T::EPSILON;
-        if scales.negligible(update, pose, rounding) {
-            return Some(FailureKind::Stalled);
-        }
-        self.growing = if residual > self.last {
-            self.growing + 1
-        } else {
-            0
-        };
-        self.last = residual;
-        if scales.step_length(update) > T::from_f64(LONGEST_STEP)
-            || residual > self.bound
-            || self.growing >= GROWING_STEPS
-        {
-            return Some(FailureKind::Diverged);
-        }
-        if scales.coincide(pose, &self.checkpoint, rounding) {
-            return Some(FailureKind::Cycling);
-        }
-        self.age += 1;
-        if self.age >= self.lifetime {
-            self.checkpoint.clone_from(pose);
-            self.age = 0;
-            self.lifetime = self.lifetime.saturating_mul(2);
-        }
-        None
-    }
-}
-
 fn worth_polishing<T: Real>(residual: Residual<T>, settings: &Settings<T>) -> bool {
     settings.polish && residual.magnitude > T::from_f64(ROUNDING) * T::EPSILON
 }
@@ -305,40 +247,5 @@ fn failure<T: Real>(
         iterations,
         residual: residual.magnitude,
         row: residual.row,
-    }
-}
-
-/// A vector of zeros (n).
-pub(crate) fn zero_vector<T: Real, D: Dim>(dimension: D) -> OVector<T, D>
-where
-    DefaultAllocator: Allocator<D>,
-{
-    OVector::from_fn_generic(dimension, Const::<1>, |_, _| T::ZERO)
-}
-
-/// A matrix of zeros (n × n).
-pub(crate) fn zero_matrix<T: Real, D: Dim>(dimension: D) -> OMatrix<T, D, D>
-where
-    DefaultAllocator: Allocator<D, D>,
-{
-    OMatrix::from_fn_generic(dimension, dimension, |_, _| T::ZERO)
-}
-
-/// Changes the sign of every entry.
-pub(crate) fn negate<T: Real, D: Dim>(vector: &mut OVector<T, D>)
-where
-    DefaultAllocator: Allocator<D>,
-{
-    for entry in vector.as_mut_slice() {
-        *entry = -*entry;
-    }
-}
-
-fn add<T: Real, D: Dim>(sum: &mut OVector<T, D>, addend: &OVector<T, D>)
-where
-    DefaultAllocator: Allocator<D>,
-{
-    for (entry, increment) in sum.as_mut_slice().iter_mut().zip(addend.as_slice()) {
-        *entry += *increment;
     }
 }

@@ -61,6 +61,14 @@ where
         }
     }
 
+    /// Whether every magnitude is positive and finite. Measured against any other, a residual could pass for solved.
+    pub(crate) fn are_valid(&self) -> bool {
+        let magnitudes = self.rows.as_slice().iter().chain(self.columns.as_slice());
+        magnitudes.fold(true, |valid, magnitude| {
+            valid & (*magnitude > T::ZERO) & magnitude.is_finite()
+        })
+    }
+
     /// The largest scaled residual in `phi` and its row.
     pub(crate) fn residual(&self, phi: &OVector<T, D>) -> Residual<T> {
         let mut largest = Residual {
@@ -114,12 +122,4 @@ where
             .zip(self.columns.as_slice())
             .all(|((a, b), scale)| (*a - *b).abs() <= fraction * a.abs().max(*scale))
     }
-}
-
-/// Whether every entry of `values` is finite.
-pub(crate) fn all_finite<T: Real>(values: &[T]) -> bool {
-    // No early exit, so that the loop vectorizes.
-    values
-        .iter()
-        .fold(true, |finite, value| finite & value.is_finite())
 }

@@ -1,179 +1,235 @@
-//! The arena.
+//! The arena: *a canonical node* → *its id, the same whenever it is asked for again*.
+//!
+//! Operands have smaller ids than what is built from them. A node other than a number never has a non-finite number
+//! beneath it: the constructors answer with the number NaN instead. This file knows how nodes are stored, not how they are
+//! simplified.
+
+use super::hashing::{BuildExprHasher, ExprHasher};
 use super::node::{ExprId, Node, SymbolId};
 use super::number::Number;
 use super::rational::Rational;
-/// A growing set of hash-consed expressions.
-#[derive(Clone, Debug, Default)]
-pub struct Graph {}
+use super::symbols::SymbolSets;
+use super::tape::Tape;
+use std::collections::HashMap;
+use std::hash::{Hash, Hasher};
+
+const VACANT: u32 = u32::MAX;
+const ZERO: ExprId = ExprId(0);
+const ONE: ExprId = ExprId(1);
+const PI: ExprId = ExprId(2);
+
+/// A growing set of hash-consed expressions. Ids of one graph mean nothing in another.
+#[derive(Clone, Debug)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    hashes: Vec<u64>,
+    /// Open addressing by hash, at most half full; a power of two long.
+    slots: Vec<u32>,
+    pub(super) symbol_sets: SymbolSets,
+    pub(super) derivatives: HashMap<(ExprId, SymbolId), ExprId, BuildExprHasher>,
+    symbol_names: Vec<String>,
+    symbols_by_name: HashMap<String, SymbolId>,
+}
+
+impl Default for Graph {
+    fn default() -> Graph {
+        Graph::new()
+    }
+}
+
 impl Graph {
     /// A graph that holds the numbers 0 and 1 and π.
     pub fn new() -> Graph {
-        unimplemented!()
+        let mut graph = Graph {
+            nodes: Vec::new(),
+            hashes: Vec::new(),
+            slots: vec![VACANT; 64],
+            symbol_sets: SymbolSets::new(),
+            derivatives: HashMap::default(),
+            symbol_names: Vec::new(),
+            symbols_by_name: HashMap::new(),
+        };
+        let zero = graph.intern(Node::Number(Number::ZERO));
+        let one = graph.intern(Node::Number(Number::ONE));
+        let pi = graph.intern(Node::Pi);
+        assert!(
+            (zero, one, pi) == (ZERO, ONE, PI),
+            "the first three ids are fixed"
+        );
+        graph
     }
+
     /// What an expression is at its top.
     pub fn node(&self, id: ExprId) -> &Node {
-        let _ = (id,);
-        unimplemented!()
+        &self.nodes[id.index()]
     }
+
+    /// How many nodes there are.
+    pub fn node_count(&self) -> usize {
+        self.nodes.len()
+    }
+
     /// The symbol of this name; it is made when asked for the first time.
     pub fn symbol(&mut self, name: &str) -> SymbolId {
-        let _ = (name,);
-        unimplemented!()
+        if let Some(&symbol) = self.symbols_by_name.get(name) {
+            return symbol;
+        }
+        assert!(
+            self.symbol_names.len() < VACANT as usize,
+            "symbols are numbered with 32 bits"
+        );
+        let symbol = SymbolId(self.symbol_names.len() as u32);
+        self.symbol_names.push(name.to_owned());
+        self.symbols_by_name.insert(name.to_owned(), symbol);
+        symbol
     }
+
     /// The name of a symbol.
     pub fn symbol_name(&self, symbol: SymbolId) -> &str {
-        let _ = (symbol,);
-        unimplemented!()
+        &self.symbol_names[symbol.index()]
     }
+
     /// How many symbols there are.
     pub fn symbol_count(&self) -> usize {
-        unimplemented!()
+        self.symbol_names.len()
     }
+
     /// The expression that is this symbol.
     pub fn variable(&mut self, symbol: SymbolId) -> ExprId {
-        let _ = (symbol,);
-        unimplemented!()
+        self.intern(Node::Symbol(symbol))
     }
+
     /// A number.
     pub fn number(&mut self, value: Number) -> ExprId {
-        let _ = (value,);
-        unimplemented!()
+        let value = match value {
+            Number::Float(float) => Number::float(float),
+            exact => exact,
+        };
+        self.intern(Node::Number(value))
     }
+
     /// A whole number.
     pub fn integer(&mut self, value: i64) -> ExprId {
-        let _ = (value,);
-        unimplemented!()
+        self.number(Number::integer(value))
     }
-    /// A fraction; with a zero denominator a non-finite number.
+
+    /// A fraction; with a zero denominator the number NaN.
     pub fn rational(&mut self, numerator: i64, denominator: i64) -> ExprId {
-        let _ = (numerator, denominator);
-        unimplemented!()
+        match Rational::new(i128::from(numerator), i128::from(denominator)) {
+            Some(rational) => self.number(Number::rational(rational)),
+            None => self.not_a_number(),
+        }
     }
+
     /// The number 0.
     pub fn zero(&self) -> ExprId {
-        unimplemented!()
+        ZERO
     }
+
     /// The number 1.
     pub fn one(&self) -> ExprId {
-        unimplemented!()
+        ONE
     }
+
     /// The number π.
     pub fn pi(&self) -> ExprId {
-        unimplemented!()
+        PI
     }
-    /// `a + b`.
-    pub fn add(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        let _ = (a, b);
-        unimplemented!()
-    }
-    /// `a - b`.
-    pub fn subtract(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        let _ = (a, b);
-        unimplemented!()
-    }
-    /// `a · b`.
-    pub fn multiply(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        let _ = (a, b);
-        unimplemented!()
-    }
-    /// `a / b`.
-    pub fn divide(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        let _ = (a, b);
-        unimplemented!()
-    }
-    /// `-a`.
-    pub fn negate(&mut self, a: ExprId) -> ExprId {
-        let _ = (a,);
-        unimplemented!()
-    }
-    /// The sum of all addends.
-    pub fn sum(&mut self, addends: &[ExprId]) -> ExprId {
-        let _ = (addends,);
-        unimplemented!()
-    }
-    /// The product of all factors.
-    pub fn product(&mut self, factors: &[ExprId]) -> ExprId {
-        let _ = (factors,);
-        unimplemented!()
-    }
-    /// `coefficient · expr`, distributed over a sum.
-    pub fn scale(&mut self, coefficient: Number, expr: ExprId) -> ExprId {
-        let _ = (coefficient, expr);
-        unimplemented!()
-    }
-    /// `base ^ exponent`.
-    pub fn power(&mut self, base: ExprId, exponent: Rational) -> ExprId {
-        let _ = (base, exponent);
-        unimplemented!()
-    }
-    /// `base ^ exponent` for any exponent.
-    pub fn raise(&mut self, base: ExprId, exponent: ExprId) -> ExprId {
-        let _ = (base, exponent);
-        unimplemented!()
-    }
-    /// The function `sqrt`.
-    pub fn sqrt(&mut self, x: ExprId) -> ExprId {
-        let _ = (x,);
-        unimplemented!()
-    }
-    /// The function `sin`.
-    pub fn sin(&mut self, x: ExprId) -> ExprId {
-        let _ = (x,);
-        unimplemented!()
-    }
-    /// The function `cos`.
-    pub fn cos(&mut self, x: ExprId) -> ExprId {
-        let _ = (x,);
-        unimplemented!()
-    }
-    /// The function `tan`.
-    pub fn tan(&mut self, x: ExprId) -> ExprId {
-        let _ = (x,);
-        unimplemented!()
-    }
-    /// The function `asin`.
-    pub fn asin(&mut self, x: ExprId) -> ExprId {
-        let _ = (x,);
-        unimplemented!()
-    }
-    /// The function `acos`.
-    pub fn acos(&mut self, x: ExprId) -> ExprId {
-        let _ = (x,);
-        unimplemented!()
-    }
-    /// The function `atan`.
-    pub fn atan(&mut self, x: ExprId) -> ExprId {
-        let _ = (x,);
-        unimplemented!()
-    }
-    /// The function `exp`.
-    pub fn exp(&mut self, x: ExprId) -> ExprId {
-        let _ = (x,);
-        unimplemented!()
-    }
-    /// The function `ln`.
-    pub fn ln(&mut self, x: ExprId) -> ExprId {
-        let _ = (x,);
-        unimplemented!()
-    }
-    /// The angle of the vector (x, y).
-    pub fn atan2(&mut self, y: ExprId, x: ExprId) -> ExprId {
-        let _ = (y, x);
-        unimplemented!()
-    }
-    /// Whether no symbol occurs.
-    pub fn is_constant(&self, expr: ExprId) -> bool {
-        let _ = (expr,);
-        unimplemented!()
-    }
-    /// Whether no non-finite number occurs.
+
+    /// Whether no non-finite number occurs in the expression. A division by a constant zero, a root of a negative number
+    /// and an angle of the zero vector make one.
     pub fn is_finite(&self, expr: ExprId) -> bool {
-        let _ = (expr,);
-        unimplemented!()
+        // By the invariant of this file only the top need be looked at.
+        !matches!(self.node(expr), Node::Number(value) if !value.is_finite())
     }
-    /// The value of an expression without symbols.
+
+    /// The value of an expression without symbols, which may be non-finite; `None` where a symbol occurs.
     pub fn constant_value(&self, expr: ExprId) -> Option<f64> {
-        let _ = (expr,);
-        unimplemented!()
+        if !self.is_constant(expr) {
+            return None;
+        }
+        let mut value = [0.0];
+        Tape::new(self, &[expr]).evaluate(&[], &mut Vec::new(), &mut value);
+        Some(value[0])
     }
+
+    /// The number an expression is, if it is one.
+    pub(super) fn as_number(&self, expr: ExprId) -> Option<Number> {
+        match self.node(expr) {
+            Node::Number(value) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// What stands for an undefined value.
+    pub(super) fn not_a_number(&mut self) -> ExprId {
+        self.number(Number::Float(f64::NAN))
+    }
+
+    /// Whether one of these is non-finite, so that whatever is built from them is.
+    pub(super) fn any_non_finite(&self, operands: &[ExprId]) -> bool {
+        operands.iter().any(|&operand| !self.is_finite(operand))
+    }
+
+    /// The id of a canonical node, if it exists.
+    pub(super) fn find(&self, node: &Node) -> Option<ExprId> {
+        let found = self.slots[self.slot(hash(node), node)];
+        (found != VACANT).then_some(ExprId(found))
+    }
+
+    /// The id of a canonical node, made if it does not exist.
+    pub(super) fn intern(&mut self, node: Node) -> ExprId {
+        let hash = hash(&node);
+        let slot = self.slot(hash, &node);
+        if self.slots[slot] != VACANT {
+            return ExprId(self.slots[slot]);
+        }
+        assert!(
+            self.nodes.len() < VACANT as usize,
+            "expressions are numbered with 32 bits"
+        );
+        let id = self.nodes.len() as u32;
+        self.slots[slot] = id;
+        self.symbol_sets.record(&node);
+        self.nodes.push(node);
+        self.hashes.push(hash);
+        if self.nodes.len() * 2 > self.slots.len() {
+            self.widen();
+        }
+        ExprId(id)
+    }
+
+    /// Where the node is, or the vacant slot where it belongs.
+    fn slot(&self, hash: u64, node: &Node) -> usize {
+        let mask = self.slots.len() - 1;
+        let mut slot = hash as usize & mask;
+        loop {
+            let id = self.slots[slot];
+            if id == VACANT
+                || (self.hashes[id as usize] == hash && self.nodes[id as usize] == *node)
+            {
+                return slot;
+            }
+            slot = (slot + 1) & mask;
+        }
+    }
+
+    fn widen(&mut self) {
+        let length = self.slots.len() * 2;
+        self.slots.clear();
+        self.slots.resize(length, VACANT);
+        for (id, &hash) in self.hashes.iter().enumerate() {
+            let mut slot = hash as usize & (length - 1);
+            while self.slots[slot] != VACANT {
+                slot = (slot + 1) & (length - 1);
+            }
+            self.slots[slot] = id as u32;
+        }
+    }
+}
+
+fn hash(node: &Node) -> u64 {
+    let mut hasher = ExprHasher::default();
+    node.hash(&mut hasher);
+    hasher.finish()
 }

@@ -13,14 +13,21 @@
 //! Real arithmetic is meant throughout. A simplification may widen the domain (`x·x⁻¹ = 1`, `√x·√x = x`), but never
 //! changes a value where the original has one.
 
+mod content;
 mod derivative;
+mod exponential;
 mod graph;
+mod hashing;
 mod node;
 mod number;
+mod product;
+mod pythagoras;
 mod rational;
 mod substitute;
+mod sum;
 mod symbols;
 mod tape;
+mod trigonometry;
 
 pub use graph::Graph;
 pub use node::{ExprId, Factor, Node, SymbolId, Term};

@@ -1,12 +1,16 @@
 //! Coefficients: *exact arithmetic while it fits* → *a rational times a square root, or a float*.
+//!
+//! A result that an exact number cannot hold becomes the nearest computed float: nothing wraps and nothing panics. This
+//! file does not know expressions.
 
-use super::rational::Rational;
+use super::rational::{Decimal, Rational, greatest_common_divisor};
 use std::hash::{Hash, Hasher};
 
 /// A real number: exact as a rational times a square root, or a float where that does not fit.
 #[derive(Clone, Copy, Debug)]
 pub enum Number {
-    /// `rational · √radicand`. The radicand is at least 1 and free of squares as far as they are found.
+    /// `rational · √radicand`. The radicand is at least 1 and free of squares as far as they are found: squares of primes
+    /// up to 1000, and what then remains if it is a perfect square. Zero has the radicand 1.
     Exact {
         /// The rational factor; it carries the sign.
         rational: Rational,
@@ -58,11 +62,9 @@ impl Number {
 
     /// A whole number.
     pub const fn integer(value: i64) -> Number {
-        Number::Exact {
-            rational: Rational::integer(value),
-            radicand: 1,
-        }
+        Number::rational(Rational::integer(value))
     }
+
     /// A rational number.
     pub const fn rational(rational: Rational) -> Number {
         Number::Exact {
@@ -70,58 +72,317 @@ impl Number {
             radicand: 1,
         }
     }
+
+    /// `rational · √radicand`, with the squares taken out of the radicand.
+    pub fn surd(rational: Rational, radicand: u128) -> Number {
+        let (root, rest) = extract_squares(radicand);
+        if rational.is_zero() || rest == 0 {
+            return Number::ZERO;
+        }
+        let scaled = i128::try_from(root)
+            .ok()
+            .and_then(|root| rational.checked_mul(Rational::new(root, 1)?));
+        match scaled {
+            Some(rational) => Number::Exact {
+                rational,
+                radicand: rest,
+            },
+            None => Number::float(rational.to_f64() * (radicand as f64).sqrt()),
+        }
+    }
+
     /// A float; a zero of either sign becomes the exact zero and every NaN the same NaN.
     pub fn float(value: f64) -> Number {
-        Number::Float(value)
+        if value == 0.0 {
+            Number::ZERO
+        } else if value.is_nan() {
+            Number::Float(f64::NAN)
+        } else {
+            Number::Float(value)
+        }
     }
-    /// The value of decimal text: exact where a [`Rational`] holds it, otherwise the nearest float. `None` for text that is
-    /// not a decimal number.
+
+    /// The value of decimal text: exact where a [`Rational`] holds it, otherwise the nearest float, which is zero below and
+    /// infinite above the range of floats. `None` for text that is not a decimal number.
     pub fn parse(text: &str) -> Option<Number> {
-        let _ = text;
-        unimplemented!()
+        let decimal = Decimal::read(text)?;
+        match Rational::parse(text) {
+            Some(rational) => Some(Number::rational(rational)),
+            None => decimal.plain.parse().ok().map(Number::float),
+        }
     }
+
     /// The sum, where it is a single number: for equal radicands, and wherever a zero or a float takes part.
     pub fn add(&self, other: Number) -> Option<Number> {
-        let _ = other;
-        unimplemented!()
+        match (*self, other) {
+            (
+                Number::Exact {
+                    rational: a,
+                    radicand: p,
+                },
+                Number::Exact {
+                    rational: b,
+                    radicand: q,
+                },
+            ) => {
+                if a.is_zero() {
+                    return Some(other);
+                }
+                if b.is_zero() {
+                    return Some(*self);
+                }
+                if p != q {
+                    return None;
+                }
+                Some(match a.checked_add(b) {
+                    Some(rational) if rational.is_zero() => Number::ZERO,
+                    Some(rational) => Number::Exact {
+                        rational,
+                        radicand: p,
+                    },
+                    None => Number::float(self.to_f64() + other.to_f64()),
+                })
+            }
+            _ => Some(Number::float(self.to_f64() + other.to_f64())),
+        }
     }
+
     /// The product.
     pub fn mul(&self, other: Number) -> Number {
-        let _ = other;
-        unimplemented!()
+        let exact = match (*self, other) {
+            (
+                Number::Exact {
+                    rational: a,
+                    radicand: p,
+                },
+                Number::Exact {
+                    rational: b,
+                    radicand: q,
+                },
+            ) => multiply_surds((a, p), (b, q)),
+            _ => None,
+        };
+        exact.unwrap_or_else(|| Number::float(self.to_f64() * other.to_f64()))
     }
+
     /// The negated number.
     pub fn neg(&self) -> Number {
-        unimplemented!()
+        match *self {
+            Number::Exact { rational, radicand } => Number::Exact {
+                rational: -rational,
+                radicand,
+            },
+            Number::Float(value) => Number::float(-value),
+        }
     }
+
+    /// The magnitude.
+    pub fn absolute(&self) -> Number {
+        if self.is_negative() {
+            self.neg()
+        } else {
+            *self
+        }
+    }
+
     /// The reciprocal; that of zero is the float infinity.
     pub fn recip(&self) -> Number {
-        unimplemented!()
+        let exact = match *self {
+            Number::Exact { rational, radicand } => i128::try_from(radicand)
+                .ok()
+                .and_then(|below| rational.reciprocal()?.checked_mul(Rational::new(1, below)?))
+                .map(|rational| Number::Exact { rational, radicand }),
+            Number::Float(_) => None,
+        };
+        exact.unwrap_or_else(|| Number::float(1.0 / self.to_f64()))
     }
+
     /// The power, exact where the result is a rational times a square root, otherwise a float. A negative number to a power
-    /// that is not an integer gives NaN, zero to a negative power infinity.
+    /// that is not an integer gives NaN, zero to a negative power infinity; `x^0` is 1.
     pub fn pow(&self, exponent: Rational) -> Number {
-        let _ = exponent;
-        unimplemented!()
+        self.exact_pow(exponent)
+            .unwrap_or_else(|| Number::float(float_power(self.to_f64(), exponent)))
     }
-    /// The value as a float.
+
+    /// The power where it is exact.
+    pub fn exact_pow(&self, exponent: Rational) -> Option<Number> {
+        let Number::Exact { rational, radicand } = *self else {
+            return None;
+        };
+        if exponent.is_zero() {
+            return Some(Number::ONE);
+        }
+        if rational.is_zero() {
+            return (!exponent.is_negative()).then_some(Number::ZERO);
+        }
+        if exponent.is_integer() {
+            return integer_power(rational, radicand, exponent.numerator());
+        }
+        if rational.is_negative() {
+            return None;
+        }
+        // x = r√d = √(r²d), hence x^(p/n) is the p-th power of √((r²d)^(1/n)), exact where that n-th root is rational. For a
+        // rational x and an even n half of the root is already under the square root.
+        let order = exponent.denominator();
+        let rational_order = if radicand == 1 && order % 2 == 0 {
+            Some((rational, order / 2))
+        } else {
+            let square = rational.checked_mul(rational)?;
+            let radicand = Rational::new(i128::try_from(radicand).ok()?, 1)?;
+            square.checked_mul(radicand).map(|squared| (squared, order))
+        };
+        let (under, order) = rational_order?;
+        let above = exact_root(under.numerator().unsigned_abs(), order)?;
+        let below = exact_root(under.denominator().unsigned_abs(), order)?;
+        let (above_root, above_rest) = extract_squares(above);
+        let (below_root, below_rest) = extract_squares(below);
+        // √(a/b) = √(ab)/b; the rests have no common divisor, so that their product is free of squares.
+        let scale = Rational::new(
+            i128::try_from(above_root).ok()?,
+            i128::try_from(below_root.checked_mul(below_rest)?).ok()?,
+        )?;
+        integer_power(
+            scale,
+            above_rest.checked_mul(below_rest)?,
+            exponent.numerator(),
+        )
+    }
+
+    /// The value as a float: correctly rounded for a rational, within two units in the last place for a square root.
     pub fn to_f64(&self) -> f64 {
-        unimplemented!()
+        match *self {
+            Number::Exact {
+                rational,
+                radicand: 1,
+            } => rational.to_f64(),
+            Number::Exact { rational, radicand } => rational.to_f64() * (radicand as f64).sqrt(),
+            Number::Float(value) => value,
+        }
     }
+
     /// Whether this is 0.
     pub fn is_zero(&self) -> bool {
-        unimplemented!()
+        match *self {
+            Number::Exact { rational, .. } => rational.is_zero(),
+            Number::Float(value) => value == 0.0,
+        }
     }
+
     /// Whether this is 1.
     pub fn is_one(&self) -> bool {
-        unimplemented!()
+        match *self {
+            Number::Exact { rational, radicand } => radicand == 1 && rational == Rational::ONE,
+            Number::Float(value) => value == 1.0,
+        }
     }
+
     /// Whether this is below 0.
     pub fn is_negative(&self) -> bool {
-        unimplemented!()
+        match *self {
+            Number::Exact { rational, .. } => rational.is_negative(),
+            Number::Float(value) => value < 0.0,
+        }
     }
+
     /// Whether this is neither infinite nor NaN.
     pub fn is_finite(&self) -> bool {
-        unimplemented!()
+        match *self {
+            Number::Exact { .. } => true,
+            Number::Float(value) => value.is_finite(),
+        }
+    }
+}
+
+/// The power of a float: by repeated squaring for an integer exponent, otherwise by the library, NaN for a negative base.
+pub(super) fn float_power(base: f64, exponent: Rational) -> f64 {
+    if !exponent.is_integer() {
+        return base.powf(exponent.to_f64());
+    }
+    let mut remaining = exponent.numerator().unsigned_abs();
+    let (mut square, mut power) = (base, 1.0);
+    while remaining > 0 {
+        if remaining % 2 == 1 {
+            power *= square;
+        }
+        square *= square;
+        remaining /= 2;
+    }
+    if exponent.is_negative() {
+        1.0 / power
+    } else {
+        power
+    }
+}
+
+fn multiply_surds(left: (Rational, u128), right: (Rational, u128)) -> Option<Number> {
+    let rational = left.0.checked_mul(right.0)?;
+    if rational.is_zero() {
+        return Some(Number::ZERO);
+    }
+    if left.1 == 1 || right.1 == 1 {
+        return Some(Number::Exact {
+            rational,
+            radicand: left.1.max(right.1),
+        });
+    }
+    // √p·√q = g·√((p/g)(q/g)) with the greatest common divisor g.
+    let shared = greatest_common_divisor(left.1, right.1);
+    let rational = rational.checked_mul(Rational::new(i128::try_from(shared).ok()?, 1)?)?;
+    let under = (left.1 / shared).checked_mul(right.1 / shared)?;
+    Some(Number::surd(rational, under))
+}
+
+fn integer_power(rational: Rational, radicand: u128, exponent: i128) -> Option<Number> {
+    let power = rational.checked_pow(exponent)?;
+    if radicand == 1 {
+        return Some(Number::rational(power));
+    }
+    let under = Rational::new(i128::try_from(radicand).ok()?, 1)?;
+    let scale = power.checked_mul(under.checked_pow(exponent.div_euclid(2))?)?;
+    Some(Number::Exact {
+        rational: scale,
+        radicand: if exponent % 2 == 0 { 1 } else { radicand },
+    })
+}
+
+/// The root of this order where it is a whole number.
+fn exact_root(value: u128, order: i128) -> Option<u128> {
+    if order == 1 || value <= 1 {
+        return Some(value);
+    }
+    let order = u32::try_from(order).ok()?;
+    if order == 2 {
+        let root = value.isqrt();
+        return (root * root == value).then_some(root);
+    }
+    // A root of order three or more has at most 43 bits: the float is off by less than one.
+    let estimate = (value as f64).powf(1.0 / f64::from(order)).round() as u128;
+    (estimate.saturating_sub(1)..=estimate + 1).find(|root| root.checked_pow(order) == Some(value))
+}
+
+/// `(s, t)` with `value = s²·t` and no square left in t as far as it is found.
+fn extract_squares(value: u128) -> (u128, u128) {
+    if value < 4 {
+        return (1, value);
+    }
+    let (mut root, mut kept, mut rest) = (1, 1, value);
+    let mut divisor = 2u128;
+    // What has no divisor below d and is less than d³ is a prime, a product of two primes or the square of one.
+    while divisor <= 1000 && divisor * divisor * divisor <= rest {
+        while rest % (divisor * divisor) == 0 {
+            rest /= divisor * divisor;
+            root *= divisor;
+        }
+        if rest % divisor == 0 {
+            rest /= divisor;
+            kept *= divisor;
+        }
+        divisor += if divisor == 2 { 1 } else { 2 };
+    }
+    let square = rest.isqrt();
+    if square * square == rest {
+        (root * square, kept)
+    } else {
+        (root, kept * rest)
     }
 }

@@ -1,10 +1,115 @@
-//! The substitute.
+//! Substitution: *an expression and replacements of symbols* → *the expression with all of them put in at once*.
+//!
+//! The result is built with the same constructors, so it is as canonical as one written directly. Shared parts are rebuilt
+//! once; parts without a replaced symbol are not visited. The recursion is as deep as the expression.
+
 use super::graph::Graph;
-use super::node::{ExprId, SymbolId};
+use super::hashing::BuildExprHasher;
+use super::node::{ExprId, Node, SymbolId};
+use super::number::Number;
+use super::product::Monomial;
+use std::collections::HashMap;
+
+/// What replaces what, and what is known already.
+struct Substitution {
+    /// Sorted by symbol.
+    replacements: Vec<(SymbolId, ExprId)>,
+    done: HashMap<ExprId, ExprId, BuildExprHasher>,
+}
+
 impl Graph {
-    /// Replaces symbols, all at once.
+    /// Replaces symbols by expressions, all at once: a replacement is not searched again. Where a symbol is named twice the
+    /// first counts.
     pub fn substitute(&mut self, expr: ExprId, replacements: &[(SymbolId, ExprId)]) -> ExprId {
-        let _ = (expr, replacements);
-        unimplemented!()
+        let mut replacements = replacements.to_vec();
+        replacements.sort_by_key(|&(symbol, _)| symbol);
+        replacements.dedup_by_key(|&mut (symbol, _)| symbol);
+        let mut substitution = Substitution {
+            replacements,
+            done: HashMap::default(),
+        };
+        self.replace(expr, &mut substitution)
+    }
+
+    fn replace(&mut self, expr: ExprId, substitution: &mut Substitution) -> ExprId {
+        if !self.concerns(expr, substitution) {
+            return expr;
+        }
+        if let Some(&known) = substitution.done.get(&expr) {
+            return known;
+        }
+        let result = match self.node(expr) {
+            Node::Number(_) | Node::Pi => expr,
+            Node::Symbol(symbol) => {
+                let found = substitution
+                    .replacements
+                    .binary_search_by_key(symbol, |&(symbol, _)| symbol);
+                found.map_or(expr, |place| substitution.replacements[place].1)
+            }
+            Node::Sum(terms) => {
+                let terms = terms.clone();
+                let parts: Vec<(Number, ExprId)> = terms
+                    .iter()
+                    .map(|term| (term.coefficient, self.replace(term.expr, substitution)))
+                    .collect();
+                self.combine(&parts)
+            }
+            Node::Product(factors) => {
+                let factors = factors.clone();
+                let bases: Vec<ExprId> = factors
+                    .iter()
+                    .map(|factor| self.replace(factor.base, substitution))
+                    .collect();
+                if self.any_non_finite(&bases) {
+                    self.not_a_number()
+                } else {
+                    let mut monomial = Monomial::new(Number::ONE);
+                    for (base, factor) in bases.into_iter().zip(&factors) {
+                        self.push_power(&mut monomial, base, factor.exponent);
+                    }
+                    self.finish(monomial)
+                }
+            }
+            Node::Sin(angle) => {
+                let angle = self.replace(*angle, substitution);
+                self.sin(angle)
+            }
+            Node::Cos(angle) => {
+                let angle = self.replace(*angle, substitution);
+                self.cos(angle)
+            }
+            Node::Atan2(y, x) => {
+                let (y, x) = (*y, *x);
+                let y = self.replace(y, substitution);
+                let x = self.replace(x, substitution);
+                self.atan2(y, x)
+            }
+            Node::Exp(exponent) => {
+                let exponent = self.replace(*exponent, substitution);
+                self.exp(exponent)
+            }
+            Node::Ln(argument) => {
+                let argument = self.replace(*argument, substitution);
+                self.ln(argument)
+            }
+        };
+        substitution.done.insert(expr, result);
+        result
+    }
+
+    /// Whether a replaced symbol occurs: the shorter of the two sorted lists is looked up in the longer one.
+    fn concerns(&self, expr: ExprId, substitution: &Substitution) -> bool {
+        let (symbols, replacements) = (self.symbols(expr), &substitution.replacements);
+        if symbols.len() < replacements.len() {
+            symbols.iter().any(|symbol| {
+                replacements
+                    .binary_search_by_key(symbol, |&(symbol, _)| symbol)
+                    .is_ok()
+            })
+        } else {
+            replacements
+                .iter()
+                .any(|(symbol, _)| symbols.binary_search(symbol).is_ok())
+        }
     }
 }

@@ -1,15 +1,91 @@
-//! The symbols.
+//! Which symbols occur: *a new node* → *the sorted set of its symbols*.
+//!
+//! Every node has its set from the moment it is made; nodes share a set where one operand's set holds all others. This file
+//! does not know what a node computes.
+
 use super::graph::Graph;
-use super::node::{ExprId, SymbolId};
-impl Graph {
-    /// The symbols that occur, sorted.
-    pub fn symbols(&self, expr: ExprId) -> &[SymbolId] {
-        let _ = (expr,);
-        unimplemented!()
+use super::node::{ExprId, Node, SymbolId};
+
+/// The sets, and which node has which.
+#[derive(Clone, Debug)]
+pub(super) struct SymbolSets {
+    members: Vec<Box<[SymbolId]>>,
+    set_of_node: Vec<u32>,
+}
+
+impl SymbolSets {
+    pub(super) fn new() -> SymbolSets {
+        SymbolSets {
+            members: vec![Box::default()],
+            set_of_node: Vec::new(),
+        }
     }
-    /// Whether the symbol occurs.
+
+    fn of(&self, expr: ExprId) -> &[SymbolId] {
+        &self.members[self.set_of_node[expr.index()] as usize]
+    }
+
+    /// Records the set of the next node.
+    pub(super) fn record(&mut self, node: &Node) {
+        let set = match node {
+            Node::Number(_) | Node::Pi => 0,
+            Node::Symbol(symbol) => self.store(Box::new([*symbol])),
+            Node::Sin(operand) | Node::Cos(operand) | Node::Exp(operand) | Node::Ln(operand) => {
+                self.set_of_node[operand.index()]
+            }
+            Node::Atan2(y, x) => self.union([*y, *x].into_iter()),
+            Node::Sum(terms) => self.union(terms.iter().map(|term| term.expr)),
+            Node::Product(factors) => self.union(factors.iter().map(|factor| factor.base)),
+        };
+        self.set_of_node.push(set);
+    }
+
+    fn union(&mut self, operands: impl Iterator<Item = ExprId>) -> u32 {
+        let mut sets: Vec<u32> = operands
+            .map(|operand| self.set_of_node[operand.index()])
+            .filter(|&set| set != 0)
+            .collect();
+        sets.sort_unstable();
+        sets.dedup();
+        let size = |set: &u32| self.members[*set as usize].len();
+        let Some(&largest) = sets.iter().max_by_key(|set| size(set)) else {
+            return 0;
+        };
+        if sets.len() == 1 {
+            return largest;
+        }
+        let mut union: Vec<SymbolId> = sets
+            .iter()
+            .flat_map(|&set| self.members[set as usize].iter().copied())
+            .collect();
+        union.sort_unstable();
+        union.dedup();
+        if union.len() == size(&largest) {
+            return largest;
+        }
+        self.store(union.into_boxed_slice())
+    }
+
+    fn store(&mut self, set: Box<[SymbolId]>) -> u32 {
+        // There are never more sets than nodes, whose number fits.
+        self.members.push(set);
+        (self.members.len() - 1) as u32
+    }
+}
+
+impl Graph {
+    /// The symbols that occur in the expression, sorted.
+    pub fn symbols(&self, expr: ExprId) -> &[SymbolId] {
+        self.symbol_sets.of(expr)
+    }
+
+    /// Whether the symbol occurs in the expression.
     pub fn depends_on(&self, expr: ExprId, symbol: SymbolId) -> bool {
-        let _ = (expr, symbol);
-        unimplemented!()
+        self.symbols(expr).binary_search(&symbol).is_ok()
+    }
+
+    /// Whether no symbol occurs in the expression.
+    pub fn is_constant(&self, expr: ExprId) -> bool {
+        self.symbols(expr).is_empty()
     }
 }

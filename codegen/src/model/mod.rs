@@ -13,6 +13,7 @@ mod resolve;
 
 pub use dimension::Dimension;
 pub use resolve::resolve;
+pub(crate) use resolve::type_name;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SymbolId};

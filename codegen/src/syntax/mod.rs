@@ -1,15 +1,200 @@
 //! *Source → Document.* The only room that parses.
+//!
+//! ```text
+//! text ── scan ──> lexemes ── brackets ──> edits ── repair ──> text for syn ── tokens, statement, … ──> Document
+//! ```
+//! `syn` only says that tokenising failed, so a [scan](scan) of the text first finds unreadable characters and unbalanced
+//! [brackets](brackets), and hides them from `syn`: the rest of the file is then parsed as if they had not been there, and all
+//! errors of a file are reported at once. `syn` lexes, pairs the brackets and holds the tokens; the grammar is in the files below,
+//! one per kind of node.
+//!
+//! Afterwards every node has its span in the written text, tokens are as written, and nothing nests deeper than [`DEEPEST`].
+//! This room does not know joint kinds, quantities, functions, units, or which names exist.
 
+mod body;
+mod brackets;
 mod document;
+mod expression;
+mod literal;
+mod recovery;
+mod reference;
+mod repair;
+mod scan;
+mod statement;
+#[cfg(test)]
+mod tests;
+mod tokens;
+mod unreadable;
 
 pub use document::*;
 
-use crate::diagnostic::{Diagnostics, Source};
+use proc_macro2::Delimiter;
+use syn::buffer::TokenBuffer;
+
+use self::tokens::{Reader, Tokens};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 
 /// The deepest nesting that is read: brackets, signs, powers and calls inside one another.
 pub const DEEPEST: usize = 128;
 
-/// Reads a description. `None` when there is no mechanism to speak of; errors are in `diagnostics` either way.
-pub fn parse(_source: &Source, _diagnostics: &mut Diagnostics) -> Option<Document> {
-    None
+/// The words that start a statement. A statement that starts with any other word is a joint.
+pub const KEYWORDS: [&str; 4] = ["const", "point", "body", "drive"];
+
+/// Reads a description. Never panics and never overflows the stack, whatever the text.
+///
+/// What could be read is returned even when there are errors in `diagnostics`; `None` means that no mechanism was found.
+pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document> {
+    let text = source.text.as_str();
+    if text.len() > Source::LARGEST {
+        let message = format!("the file is larger than {} MiB", Source::LARGEST >> 20);
+        diagnostics.push(Diagnostic::error(
+            Code::UnreadableFile,
+            Span::empty(0),
+            message,
+        ));
+        return None;
+    }
+    let mut scan = scan::scan(text);
+    let starts = brackets::balance(text, &mut scan);
+    scan.damage.sort_unstable();
+    diagnostics.extend(scan.findings);
+    let repaired = repair::repair(text, scan.edits);
+    let stream = match repaired.text.parse::<proc_macro2::TokenStream>() {
+        Ok(stream) => stream,
+        Err(error) => {
+            let span = repaired.span(error.span().byte_range());
+            diagnostics.push(Diagnostic::error(
+                Code::UnreadableCharacter,
+                span,
+                "unreadable text",
+            ));
+            return None;
+        }
+    };
+    let buffer = TokenBuffer::new2(stream);
+    let reader = Reader::new(text, &repaired, &starts, &scan.documentation, &scan.damage);
+    let document = file(Tokens::all(&reader, buffer.begin()));
+    let idle = reader.idle_documentation();
+    diagnostics.extend(reader.into_findings());
+    // What a statement that failed was to say is no concern of the documentation.
+    if !diagnostics.has_errors() {
+        diagnostics.extend(idle.into_iter().map(|span| {
+            Diagnostic::warning(
+                Code::UnexpectedToken,
+                span,
+                "this comment documents nothing",
+            )
+            .help("write `//` for a comment that is not documentation")
+        }));
+    }
+    document
+}
+
+/// `mechanism NAME { … }` and nothing else.
+fn file(mut tokens: Tokens<'_>) -> Option<Document> {
+    let reader = tokens.reader;
+    let start = tokens.next_span();
+    if tokens.at_end() {
+        // Inner documentation alone describes nothing.
+        let finding = Diagnostic::error(
+            Code::EmptyFile,
+            Span::empty(0),
+            "the file describes no mechanism",
+        )
+        .help("write `mechanism NAME { … }`");
+        reader.report(finding, 0, start.end);
+        return None;
+    }
+    let file_docs = reader.docs(start.start, true);
+    let mut docs = reader.docs(start.start, false);
+    let Some(name) = opening(&mut tokens) else {
+        // Statements without a mechanism around them are worth reading for their errors; other text is not.
+        if tokens.at_statement() {
+            recovery::statements(&mut tokens);
+        }
+        return None;
+    };
+    let (statements, span) = match tokens.group(Delimiter::Brace) {
+        Some((mut inner, braces)) => {
+            docs.extend(reader.docs(inner.next_span().start, true));
+            let statements = recovery::statements(&mut inner);
+            (statements, start.to(braces))
+        }
+        None => {
+            reader.report(
+                *tokens.unexpected("`{`"),
+                start.start,
+                tokens.next_span().end,
+            );
+            let statements = recovery::statements(&mut tokens);
+            (statements, start.to(tokens.previous()))
+        }
+    };
+    if !tokens.at_end() && !reader.is_full() {
+        let next = tokens.next_span();
+        let finding = match tokens.peek_word() {
+            Some("mechanism") => {
+                Diagnostic::error(Code::UnexpectedToken, next, "a second mechanism")
+                    .label("a file describes one mechanism")
+                    .also(start, "the first starts here")
+                    .help("move it to a file of its own")
+            }
+            _ => Diagnostic::error(Code::UnexpectedToken, next, "text after the mechanism")
+                .label("expected the end of the file")
+                .help("statements stand inside the braces of the mechanism"),
+        };
+        reader.report(finding, next.start, reader.end_of_text().end);
+    }
+    let mechanism = MechanismItem {
+        docs,
+        name,
+        statements,
+        span,
+    };
+    Some(Document {
+        docs: file_docs,
+        mechanism,
+    })
+}
+
+/// `mechanism NAME`; reports what is wrong with it.
+fn opening(tokens: &mut Tokens<'_>) -> Option<Name> {
+    let (reader, start) = (tokens.reader, tokens.next_span());
+    if tokens.keyword("mechanism").is_none() {
+        let mut ahead = *tokens;
+        let finding = match ahead.word() {
+            Some(word) if nearest(&word.text, ["mechanism"]).is_some() => {
+                let message = format!("unknown word `{}`", word.text);
+                tokens.skip();
+                Diagnostic::error(Code::UnknownStatement, word.span, message)
+                    .help("did you mean `mechanism`?")
+            }
+            _ => {
+                let finding = *tokens.unexpected("`mechanism`");
+                finding
+                    .help("a file is `mechanism NAME { … }`, with the statements inside the braces")
+            }
+        };
+        reader.report(finding, start.start, start.end);
+        if tokens.next_span() == start {
+            return None;
+        }
+    }
+    match reference::identifier(tokens, "the name of the mechanism") {
+        Ok(name) => Some(name),
+        Err(failure) => {
+            reader.report(*failure, start.start, tokens.next_span().end);
+            if tokens.peek_number() {
+                tokens.skip();
+            }
+            // The statements are worth reading; the missing name stops the pipeline at the border.
+            Some(Name {
+                text: String::new(),
+                span: Span {
+                    start: start.end,
+                    end: start.end,
+                },
+            })
+        }
+    }
 }

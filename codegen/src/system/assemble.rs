@@ -1,7 +1,7 @@
 //! The rows of every joint, and their derivatives.
 
 use super::row_name::row_name;
-use super::{Coordinate, Entry, Output, Row, System};
+use super::{Coordinate, Entry, Output, Row, SymbolRole, System};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{self, Quantity};
 use crate::model::{Body, Mechanism};
@@ -36,7 +36,18 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             Output { name: point.name.clone(), position, velocity, acceleration }
         })
         .collect();
-    System { mechanism, coordinates, rows, outputs }
+    let roles = roles(&mechanism, &coordinates);
+    System { mechanism, coordinates, rows, outputs, roles }
+}
+
+fn roles(mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<SymbolRole> {
+    let mut roles = vec![SymbolRole::Time; mechanism.graph.symbol_count()];
+    for (index, coordinate) in coordinates.iter().enumerate() {
+        roles[coordinate.position.index()] = SymbolRole::Position(index);
+        roles[coordinate.rate.index()] = SymbolRole::Rate(index);
+        roles[coordinate.acceleration.index()] = SymbolRole::Acceleration(index);
+    }
+    roles
 }
 
 fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {

@@ -7,8 +7,10 @@
 
 mod assemble;
 mod row_name;
+mod written_order;
 
 pub use assemble::assemble;
+pub use written_order::WrittenOrder;
 
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
@@ -25,6 +27,21 @@ pub struct System {
     pub rows: Vec<Row>,
     /// The motion of every declared point.
     pub outputs: Vec<Output>,
+    /// What each symbol of the graph is, by [`SymbolId::index`].
+    pub roles: Vec<SymbolRole>,
+}
+
+/// What a symbol stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SymbolRole {
+    /// The coordinate q_k.
+    Position(usize),
+    /// The rate q̇_k.
+    Rate(usize),
+    /// The acceleration q̈_k.
+    Acceleration(usize),
+    /// The time t.
+    Time,
 }
 
 /// One coordinate with its derivatives.

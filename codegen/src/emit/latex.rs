@@ -1,0 +1,6 @@
+//! Formulas and whole systems in LaTeX, for amsmath.
+
+mod formula;
+mod inspect;
+
+pub use inspect::inspect;

@@ -1,0 +1,152 @@
+//! One expression → LaTeX for math mode.
+
+
+use super::super::parts::{Fraction, Part, fraction, terms};
+use crate::expr::{ExprId, Graph, Node, Rational};
+use crate::system::{SymbolRole, System, WrittenOrder};
+
+/// Prints the formulas of one row.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Printer<'a> {
+    system: &'a System,
+    order: WrittenOrder<'a>,
+}
+
+impl<'a> Printer<'a> {
+    /// A printer that mentions the bodies in this order.
+    pub(crate) fn new(system: &'a System, bodies: &'a [usize]) -> Printer<'a> {
+        Printer { system, order: WrittenOrder::new(system, bodies) }
+    }
+
+    fn graph(&self) -> &'a Graph {
+        &self.system.mechanism.graph
+    }
+
+    /// The whole expression.
+    pub(crate) fn expression(&self, expr: ExprId) -> String {
+        let mut text = String::new();
+        for (position, term) in terms(expr, self.graph(), &self.order).iter().enumerate() {
+            text.push_str(match (position, term.coefficient.is_negative()) {
+                (0, false) => "",
+                (0, true) => "-",
+                (_, false) => " + ",
+                (_, true) => " - ",
+            });
+            text.push_str(&self.fraction(&fraction(term, self.graph(), &self.order)));
+        }
+        text
+    }
+
+    fn fraction(&self, fraction: &Fraction) -> String {
+        if fraction.denominators.is_empty() {
+            return match fraction.numerators.as_slice() {
+                [] => "1".to_string(),
+                parts => self.product(parts),
+            };
+        }
+        // Only short numerators go over the bar; a long one stands beside its coefficient.
+        let (above, beside): (Vec<Part>, Vec<Part>) = fraction.numerators.iter().cloned().partition(|part| match part {
+            Part::Power(base, _) => matches!(self.graph().node(*base), Node::Symbol(_) | Node::Pi),
+            _ => true,
+        });
+        let above = if above.is_empty() { "1".to_string() } else { self.product(&above) };
+        let bar = format!("\\frac{{{above}}}{{{}}}", self.product(&fraction.denominators));
+        if beside.is_empty() { bar } else { format!("{bar} {}", self.product(&beside)) }
+    }
+
+    fn product(&self, parts: &[Part]) -> String {
+        let mut text = String::new();
+        for (position, part) in parts.iter().enumerate() {
+            // Digits after something need a sign between; symbols and functions stand side by side.
+            let digits = matches!(part, Part::Digits(_));
+            text.push_str(match position {
+                0 => "",
+                _ if digits => " \\cdot ",
+                _ => " ",
+            });
+            text.push_str(&self.part(part));
+        }
+        text
+    }
+
+    fn part(&self, part: &Part) -> String {
+        match part {
+            Part::Digits(digits) => digits.clone(),
+            Part::Root(radicand) => format!("\\sqrt{{{radicand}}}"),
+            Part::Power(base, exponent) if *exponent == Rational::ONE => self.operand(*base),
+            Part::Power(base, exponent) => {
+                let (numerator, denominator) = (exponent.numerator(), exponent.denominator());
+                if (numerator, denominator) == (1, 2) {
+                    return format!("\\sqrt{{{}}}", self.expression(*base));
+                }
+                let power = if denominator == 1 { numerator.to_string() } else { format!("{numerator}/{denominator}") };
+                // The exponent of a function stands between its name and its argument.
+                match self.graph().node(*base) {
+                    Node::Sin(angle) => format!("\\sin^{{{power}}} {}", self.argument(*angle)),
+                    Node::Cos(angle) => format!("\\cos^{{{power}}} {}", self.argument(*angle)),
+                    _ => format!("{}^{{{power}}}", self.operand(*base)),
+                }
+            }
+        }
+    }
+
+    fn operand(&self, expr: ExprId) -> String {
+        match self.graph().node(expr) {
+            Node::Symbol(symbol) => self.symbol(self.system.roles[symbol.index()]),
+            Node::Pi => "\\pi".to_string(),
+            Node::Sin(angle) => format!("\\sin {}", self.argument(*angle)),
+            Node::Cos(angle) => format!("\\cos {}", self.argument(*angle)),
+            Node::Atan2(y, x) => {
+                format!("\\operatorname{{atan2}}({}, {})", self.expression(*y), self.expression(*x))
+            }
+            Node::Exp(exponent) => format!("e^{{{}}}", self.expression(*exponent)),
+            Node::Ln(argument) => format!("\\ln {}", self.argument(*argument)),
+            Node::Number(_) | Node::Sum(_) | Node::Product(_) => self.argument_in_parentheses(expr),
+        }
+    }
+
+    /// A symbol stands alone after a function's name; everything else in parentheses.
+    fn argument(&self, expr: ExprId) -> String {
+        match self.graph().node(expr) {
+            Node::Symbol(_) => self.operand(expr),
+            _ => self.argument_in_parentheses(expr),
+        }
+    }
+
+    fn argument_in_parentheses(&self, expr: ExprId) -> String {
+        format!("\\left({}\\right)", self.expression(expr))
+    }
+
+    /// `x_{1}`, `\dot{\varphi}_{c1}`, `t`.
+    pub(crate) fn symbol(&self, role: SymbolRole) -> String {
+        let (coordinate, accent) = match role {
+            SymbolRole::Position(coordinate) => (coordinate, None),
+            SymbolRole::Rate(coordinate) => (coordinate, Some("dot")),
+            SymbolRole::Acceleration(coordinate) => (coordinate, Some("ddot")),
+            SymbolRole::Time => return "t".to_string(),
+        };
+        let letter = ["x", "y", "\\varphi"][coordinate % 3];
+        let body = &self.system.mechanism.bodies[self.system.coordinates[coordinate].body].name;
+        let index = if body.chars().all(|character| character.is_ascii_digit()) {
+            body.clone()
+        } else {
+            format!("\\mathrm{{{}}}", escaped(body))
+        };
+        match accent {
+            None => format!("{letter}_{{{index}}}"),
+            Some(accent) => format!("\\{accent}{{{letter}}}_{{{index}}}"),
+        }
+    }
+}
+
+/// A name with the characters that LaTeX reads as commands escaped.
+pub(super) fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        if matches!(character, '_' | '#' | '$' | '%' | '&' | '{' | '}') {
+            escaped.push('\\');
+        }
+        escaped.push(character);
+    }
+    escaped
+}

@@ -1,0 +1,12 @@
+//! System and Program → Rust, text and LaTeX.
+//!
+//! The three print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
+//! functions of time. Deliberately unknown here: files, and where an expression came from.
+
+pub mod latex;
+mod notation;
+mod parts;
+pub mod rust;
+pub mod text;
+
+pub use notation::Notation;

@@ -1,0 +1,113 @@
+//! A term of a sum → the parts of the fraction that a person writes for it.
+
+
+use crate::expr::{ExprId, Factor, Graph, Node, Number, Rational, Term};
+use crate::system::WrittenOrder;
+
+/// A term without its sign: a fraction.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Fraction {
+    /// What is multiplied; empty for 1.
+    pub numerators: Vec<Part>,
+    /// What is divided by; empty for 1.
+    pub denominators: Vec<Part>,
+}
+
+impl Fraction {
+    /// Multiplies by a power; a negative one goes below the bar.
+    pub(super) fn push(&mut self, factor: Factor) {
+        if factor.exponent.is_negative() {
+            self.denominators.push(Part::Power(factor.base, -factor.exponent));
+        } else {
+            self.numerators.push(Part::Power(factor.base, factor.exponent));
+        }
+    }
+}
+
+/// One part of a product.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Part {
+    /// A number in digits.
+    Digits(String),
+    /// The square root of an integer.
+    Root(u128),
+    /// A positive power of an expression.
+    Power(ExprId, Rational),
+}
+
+/// The terms of an expression in written order; an expression that is no sum is its own only term.
+pub(super) fn terms(expr: ExprId, graph: &Graph, order: &WrittenOrder<'_>) -> Vec<Term> {
+    match graph.node(expr) {
+        Node::Sum(terms) => order.terms(terms),
+        Node::Number(number) => vec![Term { coefficient: *number, expr: graph.one() }],
+        _ => vec![Term { coefficient: Number::ONE, expr }],
+    }
+}
+
+/// The absolute value of a term as a fraction.
+pub(super) fn fraction(term: &Term, graph: &Graph, order: &WrittenOrder<'_>) -> Fraction {
+    let mut fraction = Fraction::default();
+    let magnitude = if term.coefficient.is_negative() { term.coefficient.neg() } else { term.coefficient };
+    push_number(magnitude, &mut fraction);
+    if term.expr == graph.one() {
+        return fraction;
+    }
+    match graph.node(term.expr) {
+        Node::Product(factors) => {
+            for factor in order.factors(factors) {
+                fraction.push(factor);
+            }
+        }
+        _ => fraction.numerators.push(Part::Power(term.expr, Rational::ONE)),
+    }
+    fraction
+}
+
+fn push_number(number: Number, fraction: &mut Fraction) {
+    match number {
+        Number::Float(value) => fraction.numerators.push(Part::Digits(format!("{value:?}"))),
+        Number::Exact { rational, radicand } => {
+            let (numerator, denominator) = (rational.numerator(), rational.denominator());
+            if let Some(decimal) = decimal(numerator, denominator) {
+                fraction.numerators.push(Part::Digits(decimal));
+            } else {
+                if numerator != 1 {
+                    fraction.numerators.push(Part::Digits(numerator.to_string()));
+                }
+                if denominator != 1 {
+                    fraction.denominators.push(Part::Digits(denominator.to_string()));
+                }
+            }
+            if radicand != 1 {
+                fraction.numerators.push(Part::Root(radicand));
+            }
+        }
+    }
+}
+
+/// The decimal digits of a fraction whose denominator has a factor five, where they end soon: such numbers were written as
+/// decimals. Halves, thirds and the like stay fractions.
+fn decimal(numerator: i128, denominator: i128) -> Option<String> {
+    const LONGEST: usize = 12;
+    if denominator % 5 != 0 {
+        return None;
+    }
+    let digits = (1..=LONGEST).find(|&digits| 10_i128.pow(digits as u32) % denominator == 0)?;
+    let scaled = numerator.checked_mul(10_i128.pow(digits as u32) / denominator)?;
+    let unit = 10_i128.pow(digits as u32);
+    Some(format!("{}.{:0digits$}", scaled / unit, scaled % unit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decimal;
+
+    #[test]
+    fn decimals_come_back_as_written() {
+        assert_eq!(decimal(1, 20).as_deref(), Some("0.05"));
+        assert_eq!(decimal(7, 5).as_deref(), Some("1.4"));
+        assert_eq!(decimal(1, 2), None);
+        assert_eq!(decimal(1, 3), None);
+        assert_eq!(decimal(1, 15), None);
+    }
+}

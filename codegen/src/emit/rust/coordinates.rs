@@ -1,0 +1,130 @@
+//! The named coordinates and the frame.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::docs::docs;
+use super::expression::{Writer, identifier};
+use super::literal::{count, float};
+use crate::program::{Program, Straight};
+use crate::system::{Coordinate, System};
+
+/// The fields' identifiers, in order.
+fn fields(system: &System) -> Vec<Ident> {
+    system.coordinates.iter().map(|coordinate| identifier(&coordinate.name)).collect()
+}
+
+/// An attribute where a body's name has capitals, which the coordinates keep.
+pub(super) fn allow_capitals(system: &System) -> TokenStream {
+    let capitals = system.coordinates.iter().any(|coordinate| coordinate.name.contains(|c: char| c.is_uppercase()));
+    if capitals { quote!(#[allow(non_snake_case)]) } else { TokenStream::new() }
+}
+
+/// `struct Coordinates` with its names, the drawn pose, and its array form.
+pub(super) fn coordinates(system: &System) -> TokenStream {
+    let fields = fields(system);
+    let number = count(fields.len());
+    let field_docs = system.coordinates.iter().map(|coordinate| docs([field_text(coordinate, system)]));
+    let names = system.coordinates.iter().map(|coordinate| coordinate.name.as_str());
+    let drawn = system.coordinates.iter().map(|coordinate| {
+        // The estimates were found to be finite constants when they were read.
+        float(system.mechanism.graph.constant_value(coordinate.estimate).unwrap_or(0.0))
+    });
+    let allow = allow_capitals(system);
+    quote! {
+        /// The coordinates of all bodies: position of the origin in m, angle in rad. Also their rates (m/s, rad/s) and
+        /// accelerations (m/s², rad/s²).
+        #allow
+        #[repr(C)]
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct Coordinates {
+            #(#field_docs pub #fields: f64,)*
+        }
+
+        #allow
+        #[allow(dead_code)]
+        impl Coordinates {
+            /// How many coordinates there are.
+            pub const COUNT: usize = #number;
+            /// Their names, in order.
+            pub const NAMES: [&'static str; #number] = [#(#names),*];
+            /// The pose in the drawing, from which the mechanism is assembled.
+            pub const DRAWN: Self = Self { #(#fields: #drawn),* };
+
+            /// The coordinates in order.
+            pub const fn to_array(&self) -> [f64; #number] {
+                [#(self.#fields),*]
+            }
+
+            /// The coordinates from their values in order.
+            pub const fn from_array(values: [f64; #number]) -> Self {
+                let [#(#fields),*] = values;
+                Self { #(#fields),* }
+            }
+        }
+    }
+}
+
+fn field_text(coordinate: &Coordinate, system: &System) -> String {
+    let body = &system.mechanism.bodies[coordinate.body];
+    let name = &body.name;
+    match coordinate.position.index() % 3 {
+        0 => format!("x of body {name}."),
+        1 => format!("y of body {name}."),
+        _ => format!("Angle of body {name}."),
+    }
+}
+
+/// `struct Frame` with a method for the motion of each point.
+pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
+    let methods = system.outputs.iter().zip(&program.points).enumerate().map(|(index, (output, straight))| {
+        let name = identifier(&format!("point_{}", output.name.to_lowercase()));
+        let point = &system.mechanism.points[index];
+        let body = &system.mechanism.bodies[point.mark.frame.body.0].name;
+        let carrier = if body == "ground" { "the ground".to_string() } else { format!("body {body}") };
+        let mut lines = vec![format!("Motion of the point {} of {carrier}, in m, m/s and m/s².", output.name)];
+        if !point.docs.is_empty() {
+            lines.push(String::new());
+            lines.extend(point.docs.iter().cloned());
+        }
+        let text = docs(lines);
+        let body = motion(system, program, straight);
+        quote!(#text pub fn #name(&self) -> Motion { #body })
+    });
+    quote! {
+        /// One solved instant.
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct Frame {
+            /// The time t, in s.
+            pub t: f64,
+            /// The pose.
+            pub q: Coordinates,
+            /// The rates of the coordinates.
+            pub qd: Coordinates,
+            /// The accelerations of the coordinates.
+            pub qdd: Coordinates,
+        }
+
+        #[allow(dead_code)]
+        impl Frame {
+            #(#methods)*
+        }
+    }
+}
+
+fn motion(system: &System, program: &Program, straight: &Straight) -> TokenStream {
+    let writer = Writer { system, constants: &program.constants, straight };
+    let (statements, results) = (writer.statements(), writer.results());
+    let inputs = straight.inputs;
+    let read = [(inputs.position, quote!(q)), (inputs.rate, quote!(qd)), (inputs.acceleration, quote!(qdd))];
+    let read: Vec<TokenStream> = read.into_iter().filter(|(used, _)| *used).map(|(_, name)| name).collect();
+    let take = if read.is_empty() { TokenStream::new() } else { quote!(let Self { #(#read,)* .. } = self;) };
+    let [x, y, vx, vy, ax, ay] = results.as_slice() else {
+        unreachable!("a point has two components of position, velocity and acceleration each")
+    };
+    quote! {
+        #take
+        #(#statements)*
+        Motion { position: [#x, #y], velocity: [#vx, #vy], acceleration: [#ax, #ay] }
+    }
+}

@@ -1,0 +1,144 @@
+//! Φ, Φ_q, Φ_t and γ as functions.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::coordinates::allow_capitals;
+use super::docs::docs;
+use super::expression::{Writer, identifier};
+use super::literal::count;
+use crate::emit::Notation;
+use crate::emit::text;
+use crate::expr::ExprId;
+use crate::program::{Inputs, Program, Straight};
+use crate::system::{Row, System};
+
+/// The four functions of the textbook view.
+pub(super) fn equations(system: &System, program: &Program) -> TokenStream {
+    let phi = vector(
+        system,
+        program,
+        &program.residual,
+        "phi",
+        "Φ(q, t): the residuals of all joints and drivers, zero where the mechanism is assembled.",
+        |row| row.residual,
+    );
+    let phi_t = vector(
+        system,
+        program,
+        &program.time_derivative,
+        "phi_t",
+        "Φ_t(q, t): the partial derivatives of the residuals in t. The rates solve Φ_q q̇ = −Φ_t.",
+        |row| row.time_derivative,
+    );
+    let gamma = vector(
+        system,
+        program,
+        &program.gamma,
+        "gamma",
+        "γ(q, q̇, t) = −((Φ_q q̇)_q q̇ + 2 Φ_qt q̇ + Φ_tt). The accelerations solve Φ_q q̈ = γ.",
+        |row| row.gamma,
+    );
+    let phi_q = matrix(system, program);
+    quote! { #phi #phi_q #phi_t #gamma }
+}
+
+/// The parameters of a function; one that is not read begins with an underscore.
+fn parameters(inputs: Inputs, with_rates: bool) -> TokenStream {
+    let q = if inputs.position { quote!(q) } else { quote!(_q) };
+    let t = if inputs.time { quote!(t) } else { quote!(_t) };
+    let qd = if inputs.rate { quote!(qd) } else { quote!(_qd) };
+    if with_rates {
+        quote!(#q: &Coordinates, #qd: &Coordinates, #t: f64)
+    } else {
+        quote!(#q: &Coordinates, #t: f64)
+    }
+}
+
+/// A list of the rows with their joints and formulas; rows that are zero are not listed.
+fn row_list(system: &System, of: &dyn Fn(&Row) -> ExprId) -> Vec<String> {
+    let zero = system.mechanism.graph.zero();
+    system
+        .rows
+        .iter()
+        .enumerate()
+        .filter(|(_, row)| of(row) != zero)
+        .map(|(index, row)| {
+            let formula = text::formula(system, &row.bodies, Notation::Ascii, of(row));
+            format!("- {index}, {}: `{formula}`", system.mechanism.joints[row.joint].label)
+        })
+        .collect()
+}
+
+fn vector(
+    system: &System,
+    program: &Program,
+    straight: &Straight,
+    name: &str,
+    meaning: &str,
+    of: impl Fn(&Row) -> ExprId,
+) -> TokenStream {
+    let writer = Writer { system, constants: &program.constants, straight };
+    let (statements, results) = (writer.statements(), writer.results());
+    let size = count(system.rows.len());
+    let mut lines = vec![meaning.to_string(), String::new()];
+    lines.extend(row_list(system, &of));
+    let text = docs(lines);
+    let function = identifier(name);
+    let parameters = parameters(straight.inputs, name == "gamma");
+    let allow = allow_capitals(system);
+    let zero = system.mechanism.graph.zero();
+    // Rows that are zero need no name; those that are not are named after their joint.
+    let rows: Vec<_> = system.rows.iter().map(|row| identifier(&row.name)).collect();
+    let named = system.rows.iter().zip(&rows).zip(&results).filter(|((row, _), _)| of(row) != zero);
+    let bindings = named.map(|((_, name), value)| quote!(let #name = #value;));
+    let entries = system.rows.iter().zip(&rows).map(|(row, name)| if of(row) == zero { quote!(0.0) } else { quote!(#name) });
+    quote! {
+        #text
+        #allow
+        #[allow(dead_code)]
+        pub fn #function(#parameters) -> SVector<f64, #size> {
+            #(#statements)*
+            #(#bindings)*
+            SVector::from([#(#entries),*])
+        }
+    }
+}
+
+fn matrix(system: &System, program: &Program) -> TokenStream {
+    let writer = Writer { system, constants: &program.constants, straight: &program.jacobian };
+    let (statements, results) = (writer.statements(), writer.results());
+    let size = count(system.rows.len());
+    let places = system.rows.iter().enumerate().flat_map(|(index, row)| {
+        row.jacobian.iter().map(move |entry| (count(index), count(entry.coordinate)))
+    });
+    let entries = places.zip(&results).map(|((row, column), value)| quote!(phi_q[(#row, #column)] = #value;));
+    let mut lines = vec![
+        "Φ_q(q, t): the Jacobian, one row per equation and one column per coordinate. What is not assigned is zero."
+            .to_string(),
+        String::new(),
+        format!("Columns: {}.", numbered(system.coordinates.iter().map(|coordinate| coordinate.name.as_str()))),
+        String::new(),
+        format!("Rows: {}.", numbered(system.rows.iter().map(|row| row.name.as_str()))),
+    ];
+    let text = docs(lines.drain(..));
+    let parameters = parameters(program.jacobian.inputs, false);
+    let allow = allow_capitals(system);
+    quote! {
+        #text
+        #allow
+        #[allow(dead_code)]
+        pub fn phi_q(#parameters) -> SMatrix<f64, #size, #size> {
+            #(#statements)*
+            let mut phi_q = SMatrix::zeros();
+            #(#entries)*
+            phi_q
+        }
+    }
+}
+
+/// `0 x1, 1 y1, …`
+fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<String> = names.enumerate().map(|(index, name)| format!("{index} `{name}`")).collect();
+    names.join(", ")
+}

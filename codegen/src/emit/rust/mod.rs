@@ -1,0 +1,13 @@
+//! System and Program → a Rust module.
+//!
+//! The module needs `linkwright` and nothing else, neither allocates nor panics, and is the same bytes on every run.
+
+mod coordinates;
+mod docs;
+mod equations;
+mod expression;
+mod literal;
+mod module;
+mod solver;
+
+pub use module::module;

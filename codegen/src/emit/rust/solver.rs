@@ -1,0 +1,152 @@
+//! The type that a user holds, and how the runtime sees the equations.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::docs::docs;
+use super::expression::identifier;
+use super::literal::{count, float};
+use crate::joint::Quantity;
+use crate::model::type_name;
+use crate::system::System;
+
+/// `struct Textbook`: the dense system as the runtime solves it.
+pub(super) fn textbook(system: &System) -> TokenStream {
+    let size = count(system.rows.len());
+    let length = float(system.mechanism.characteristic_length);
+    let scales = system.rows.iter().map(|row| match row.quantity {
+        Quantity::Length => quote!(CHARACTERISTIC_LENGTH),
+        Quantity::Angle => quote!(1.0),
+    });
+    quote! {
+        /// The largest coordinate in the drawing, in m: residuals in m are judged against it.
+        const CHARACTERISTIC_LENGTH: f64 = #length;
+
+        /// What the residual of each row is judged against.
+        const ROW_SCALES: [f64; #size] = [#(#scales),*];
+
+        /// All equations as one dense system, as `linkwright::newton` solves it.
+        #[derive(Clone, Copy, Debug, Default)]
+        pub struct Textbook;
+
+        impl Textbook {
+            fn named(values: &SVector<f64, #size>) -> Coordinates {
+                Coordinates::from_array(values.data.0[0])
+            }
+        }
+
+        impl Equations<f64, Const<#size>> for Textbook {
+            fn dimension(&self) -> Const<#size> {
+                Const
+            }
+
+            fn residual(&self, q: &SVector<f64, #size>, t: f64, residual: &mut SVector<f64, #size>) {
+                *residual = phi(&Self::named(q), t);
+            }
+
+            fn jacobian(&self, q: &SVector<f64, #size>, t: f64, jacobian: &mut SMatrix<f64, #size, #size>) {
+                *jacobian = phi_q(&Self::named(q), t);
+            }
+
+            fn time_derivative(&self, q: &SVector<f64, #size>, t: f64, derivative: &mut SVector<f64, #size>) {
+                *derivative = phi_t(&Self::named(q), t);
+            }
+
+            fn gamma(
+                &self,
+                q: &SVector<f64, #size>,
+                qd: &SVector<f64, #size>,
+                t: f64,
+                right_hand_side: &mut SVector<f64, #size>,
+            ) {
+                *right_hand_side = gamma(&Self::named(q), &Self::named(qd), t);
+            }
+
+            fn row_scale(&self, row: usize) -> f64 {
+                ROW_SCALES.get(row).copied().unwrap_or(1.0)
+            }
+
+            fn coordinate_scale(&self, column: usize) -> f64 {
+                if column % 3 == 2 { 1.0 } else { CHARACTERISTIC_LENGTH }
+            }
+        }
+    }
+}
+
+/// The mechanism's own type.
+pub(super) fn mechanism(system: &System) -> TokenStream {
+    let size = count(system.rows.len());
+    let name = identifier(&type_name(&system.mechanism.name));
+    let mut lines = system.mechanism.docs.clone();
+    if lines.is_empty() {
+        lines.push(format!("The mechanism `{}`.", system.mechanism.name));
+    }
+    let text = docs(lines);
+    quote! {
+        #text
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct #name {
+            frame: Frame,
+            settings: Settings,
+        }
+
+        #[allow(dead_code)]
+        impl #name {
+            /// Assembles the mechanism at time `t` (s), starting from the drawing.
+            ///
+            /// # Errors
+            /// A [`Failure`] where no pose near the drawing satisfies the equations.
+            pub fn assemble(t: f64) -> Result<Self, Failure> {
+                Self::assemble_from(&Coordinates::DRAWN, t, Settings::default())
+            }
+
+            /// Assembles the mechanism at time `t` (s), starting from a measured or estimated pose.
+            ///
+            /// # Errors
+            /// A [`Failure`] where no pose near the estimate satisfies the equations.
+            pub fn assemble_from(estimate: &Coordinates, t: f64, settings: Settings) -> Result<Self, Failure> {
+                let estimate = SVector::from(estimate.to_array());
+                let solved = kinematics::assemble(&Textbook, &estimate, t, &settings)?;
+                Ok(Self { frame: Self::frame_of(&solved), settings })
+            }
+
+            /// Moves the mechanism to time `t` (s), starting from the last frame, which a failure leaves as it is.
+            ///
+            /// # Errors
+            /// A [`Failure`] where the equations cannot be solved from there.
+            pub fn advance(&mut self, t: f64) -> Result<&Frame, Failure> {
+                let last = kinematics::Frame {
+                    t: self.frame.t,
+                    q: SVector::from(self.frame.q.to_array()),
+                    qd: SVector::from(self.frame.qd.to_array()),
+                    qdd: SVector::from(self.frame.qdd.to_array()),
+                };
+                let solved = kinematics::advance(&Textbook, &last, t, &self.settings)?;
+                self.frame = Self::frame_of(&solved);
+                Ok(&self.frame)
+            }
+
+            /// The last solved instant.
+            pub fn frame(&self) -> &Frame {
+                &self.frame
+            }
+
+            /// One Newton-Raphson step from the pose `q` at time `t` (s), with its matrix and right-hand side.
+            ///
+            /// # Errors
+            /// A [`Failure`] where the Jacobian is singular.
+            pub fn newton_step(q: &Coordinates, t: f64) -> Result<Step<f64, Const<#size>>, Failure> {
+                newton::step(&Textbook, &SVector::from(q.to_array()), t, &Settings::default())
+            }
+
+            fn frame_of(solved: &kinematics::Frame<f64, Const<#size>>) -> Frame {
+                Frame {
+                    t: solved.t,
+                    q: Textbook::named(&solved.q),
+                    qd: Textbook::named(&solved.qd),
+                    qdd: Textbook::named(&solved.qdd),
+                }
+            }
+        }
+    }
+}

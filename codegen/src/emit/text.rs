@@ -1,0 +1,23 @@
+//! Formulas and whole systems in plain text.
+
+mod formula;
+mod inspect;
+mod table;
+
+use formula::Printer;
+pub use inspect::inspect;
+
+use super::Notation;
+use crate::expr::ExprId;
+use crate::program::ConstantPart;
+use crate::system::System;
+
+/// One expression on one line, with the bodies mentioned in this order.
+pub fn formula(system: &System, bodies: &[usize], notation: Notation, expr: ExprId) -> String {
+    Printer::new(system, bodies, notation).expression(expr)
+}
+
+/// A constant part of an expression on one line.
+pub fn constant(system: &System, part: &ConstantPart) -> String {
+    Printer::new(system, &[], Notation::Ascii).constant(part)
+}

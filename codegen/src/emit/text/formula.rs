@@ -1,0 +1,168 @@
+//! One expression → one line of text.
+
+use super::super::notation::Notation;
+
+use super::super::parts::{Fraction, Part, fraction, terms};
+use crate::expr::{ExprId, Graph, Node, Rational, Term};
+use crate::program::ConstantPart;
+use crate::system::{SymbolRole, System, WrittenOrder};
+
+/// Prints the formulas of one row.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Printer<'a> {
+    system: &'a System,
+    order: WrittenOrder<'a>,
+    notation: Notation,
+}
+
+impl<'a> Printer<'a> {
+    /// A printer that mentions the bodies in this order.
+    pub(crate) fn new(system: &'a System, bodies: &'a [usize], notation: Notation) -> Printer<'a> {
+        Printer { system, order: WrittenOrder::new(system, bodies), notation }
+    }
+
+    fn graph(&self) -> &'a Graph {
+        &self.system.mechanism.graph
+    }
+
+    /// Picks the spelling of the notation.
+    fn either<T>(&self, ascii: T, unicode: T) -> T {
+        match self.notation {
+            Notation::Ascii => ascii,
+            Notation::Unicode => unicode,
+        }
+    }
+
+    /// The whole expression.
+    pub(crate) fn expression(&self, expr: ExprId) -> String {
+        self.sum(&terms(expr, self.graph(), &self.order))
+    }
+
+    /// A constant part: a sum, or a number times powers.
+    pub(crate) fn constant(&self, part: &ConstantPart) -> String {
+        match part {
+            ConstantPart::Sum(terms) => self.sum(terms),
+            ConstantPart::Product(number, factors) => {
+                let number = Term { coefficient: *number, expr: self.graph().one() };
+                let mut whole = fraction(&number, self.graph(), &self.order);
+                for factor in factors {
+                    whole.push(*factor);
+                }
+                self.fraction(&whole)
+            }
+        }
+    }
+
+    fn sum(&self, terms: &[Term]) -> String {
+        let mut text = String::new();
+        for (position, term) in terms.iter().enumerate() {
+            let negative = term.coefficient.is_negative();
+            text.push_str(match (position, negative) {
+                (0, false) => "",
+                (0, true) => self.either("-", "−"),
+                (_, false) => " + ",
+                (_, true) => self.either(" - ", " − "),
+            });
+            text.push_str(&self.fraction(&fraction(term, self.graph(), &self.order)));
+        }
+        text
+    }
+
+    fn fraction(&self, fraction: &Fraction) -> String {
+        let numerator = match fraction.numerators.as_slice() {
+            [] => "1".to_string(),
+            parts => self.product(parts),
+        };
+        match fraction.denominators.as_slice() {
+            [] => numerator,
+            [only] => format!("{numerator}/{}", self.part(only)),
+            parts => format!("{numerator}/({})", self.product(parts)),
+        }
+    }
+
+    fn product(&self, parts: &[Part]) -> String {
+        let parts: Vec<String> = parts.iter().map(|part| self.part(part)).collect();
+        parts.join(self.either("*", "·"))
+    }
+
+    fn part(&self, part: &Part) -> String {
+        match part {
+            Part::Digits(digits) => digits.clone(),
+            Part::Root(radicand) => self.either(format!("sqrt({radicand})"), format!("√{radicand}")),
+            Part::Power(base, exponent) if *exponent == Rational::ONE => self.operand(*base),
+            Part::Power(base, exponent) if (exponent.numerator(), exponent.denominator()) == (1, 2) => {
+                self.either(format!("sqrt({})", self.expression(*base)), format!("√({})", self.expression(*base)))
+            }
+            Part::Power(base, exponent) => {
+                let base = self.operand(*base);
+                let (numerator, denominator) = (exponent.numerator(), exponent.denominator());
+                match (self.notation, denominator) {
+                    (Notation::Unicode, 1) => format!("{base}{}", raised(numerator)),
+                    (_, 1) => format!("{base}^{numerator}"),
+                    _ => format!("{base}^({numerator}/{denominator})"),
+                }
+            }
+        }
+    }
+
+    /// An expression that stands beside a multiplication sign or under a power.
+    fn operand(&self, expr: ExprId) -> String {
+        match self.graph().node(expr) {
+            Node::Symbol(symbol) => self.symbol(self.system.roles[symbol.index()]),
+            Node::Pi => self.either("pi", "π").to_string(),
+            Node::Sin(angle) => self.function("sin", &[*angle]),
+            Node::Cos(angle) => self.function("cos", &[*angle]),
+            Node::Atan2(y, x) => self.function("atan2", &[*y, *x]),
+            Node::Exp(exponent) => self.function("exp", &[*exponent]),
+            Node::Ln(argument) => self.function("ln", &[*argument]),
+            Node::Number(_) | Node::Sum(_) | Node::Product(_) => format!("({})", self.expression(expr)),
+        }
+    }
+
+    fn function(&self, name: &str, arguments: &[ExprId]) -> String {
+        // A person leaves out the parentheses around a single symbol.
+        if let (Notation::Unicode, [only]) = (self.notation, arguments)
+            && matches!(self.graph().node(*only), Node::Symbol(_))
+        {
+            return format!("{name} {}", self.operand(*only));
+        }
+        let arguments: Vec<String> = arguments.iter().map(|argument| self.expression(*argument)).collect();
+        format!("{name}({})", arguments.join(", "))
+    }
+
+    /// `phi1`, `phi1'`, `phi1''`, or φ₁ with dots.
+    pub(crate) fn symbol(&self, role: SymbolRole) -> String {
+        let (coordinate, level) = match role {
+            SymbolRole::Position(coordinate) => (coordinate, 0),
+            SymbolRole::Rate(coordinate) => (coordinate, 1),
+            SymbolRole::Acceleration(coordinate) => (coordinate, 2),
+            SymbolRole::Time => return "t".to_string(),
+        };
+        let name = &self.system.coordinates[coordinate].name;
+        match self.notation {
+            Notation::Ascii => format!("{name}{}", &"''"[..level]),
+            Notation::Unicode => {
+                let body = &self.system.mechanism.bodies[self.system.coordinates[coordinate].body].name;
+                let letter = ["x", "y", "φ"][coordinate % 3];
+                let dots = ["", "\u{307}", "\u{308}"][level];
+                let index: Option<String> = body.chars().map(lowered).collect();
+                let index = index.unwrap_or_else(|| format!("_{body}"));
+                format!("{letter}{dots}{index}")
+            }
+        }
+    }
+}
+
+fn lowered(digit: char) -> Option<char> {
+    let value = digit.to_digit(10)?;
+    char::from_u32('₀' as u32 + value)
+}
+
+/// An integer in raised digits.
+fn raised(exponent: i128) -> String {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let text = exponent.to_string();
+    text.chars()
+        .map(|character| character.to_digit(10).map_or('⁻', |digit| digits[digit as usize]))
+        .collect()
+}

@@ -1,0 +1,64 @@
+//! The content of a sum: *its terms* → *the number that can be taken out of all of them*.
+//!
+//! x - y, y - x and 2·x - 2·y have the contents 1, -1 and 2, and one common primitive part, which is what products and
+//! powers are built on.
+
+use super::graph::Graph;
+use super::node::Term;
+use super::number::Number;
+use super::rational::{Rational, greatest_common_divisor};
+
+impl Graph {
+    /// The content, such that the primitive part has whole coefficients without a common divisor, the leading one positive.
+    /// A common square root belongs to the content. Where a float takes part, or the numbers get too large, only the sign
+    /// does.
+    pub(super) fn content(&self, terms: &[Term]) -> Number {
+        let magnitude = common_divisor(terms).unwrap_or(Number::ONE);
+        if self.is_negative_lead(terms) {
+            magnitude.neg()
+        } else {
+            magnitude
+        }
+    }
+
+    /// Whether the leading term is negative. A rational multiple of π does not lead unless it is alone: so a phase shift
+    /// does not decide the sign of an angle.
+    pub(super) fn is_negative_lead(&self, terms: &[Term]) -> bool {
+        let lead = terms
+            .iter()
+            .find(|term| self.as_phase(term).is_none())
+            .or(terms.first());
+        lead.is_some_and(|term| term.coefficient.is_negative())
+    }
+
+    /// The r of a term r·π with a rational r.
+    pub(super) fn as_phase(&self, term: &Term) -> Option<Rational> {
+        match term.coefficient {
+            Number::Exact {
+                rational,
+                radicand: 1,
+            } if term.expr == self.pi() => Some(rational),
+            _ => None,
+        }
+    }
+}
+
+/// The largest positive number of which all coefficients are whole multiples, `None` where it is not exact.
+fn common_divisor(terms: &[Term]) -> Option<Number> {
+    let (mut above, mut below) = (0, 1u128);
+    let mut shared_radicand = None;
+    let mut same_radicand = true;
+    for term in terms {
+        let Number::Exact { rational, radicand } = term.coefficient else {
+            return None;
+        };
+        above = greatest_common_divisor(above, rational.numerator().unsigned_abs());
+        let denominator = rational.denominator().unsigned_abs();
+        below = (below / greatest_common_divisor(below, denominator)).checked_mul(denominator)?;
+        same_radicand &= *shared_radicand.get_or_insert(radicand) == radicand;
+    }
+    Some(Number::Exact {
+        rational: Rational::new(i128::try_from(above).ok()?, i128::try_from(below).ok()?)?,
+        radicand: if same_radicand { shared_radicand? } else { 1 },
+    })
+}

@@ -1,0 +1,270 @@
+//! Sine, cosine and their inverses: *an angle or a vector* → *the canonical expression*.
+//!
+//! Angles are canonical when their leading term is positive and their rational multiple of π is in (-1/4, 1/4]: then
+//! sin(-u) = -sin u, cos(-u) = cos u and shifts by π/2 are all seen. Multiples of π/12 give exact surds. Angles of constant
+//! vectors are exact on the axes and at multiples of 30° and 45°. Tangent, arcsine, arccosine and arctangent are written
+//! with sine, cosine and the angle of a vector: there are no further node kinds.
+
+use super::graph::Graph;
+use super::node::{ExprId, Node, Term};
+use super::number::Number;
+use super::rational::Rational;
+
+/// An angle `u`, taken apart as `±(core + quarters·π/2)`.
+struct Angle {
+    negative: bool,
+    core: ExprId,
+    /// Whole quarter turns modulo 4.
+    quarters: i128,
+    /// The core in twelfths of π, where it is a whole number of them; then it is one of 0 to 3.
+    twelfths: Option<i128>,
+}
+
+impl Graph {
+    /// The sine of an angle in radians.
+    pub fn sin(&mut self, angle: ExprId) -> ExprId {
+        if !self.is_finite(angle) {
+            return self.not_a_number();
+        }
+        if let Some((y, x)) = self.constant_direction(angle) {
+            return self.over_length(y, y, x);
+        }
+        let angle = self.take_apart(angle);
+        let sine = self.sine_of(&angle, angle.quarters);
+        if angle.negative {
+            self.negate(sine)
+        } else {
+            sine
+        }
+    }
+
+    /// The cosine of an angle in radians.
+    pub fn cos(&mut self, angle: ExprId) -> ExprId {
+        if !self.is_finite(angle) {
+            return self.not_a_number();
+        }
+        if let Some((y, x)) = self.constant_direction(angle) {
+            return self.over_length(x, y, x);
+        }
+        let angle = self.take_apart(angle);
+        self.sine_of(&angle, angle.quarters + 1)
+    }
+
+    /// The tangent, as sine over cosine.
+    pub fn tan(&mut self, angle: ExprId) -> ExprId {
+        let (sine, cosine) = (self.sin(angle), self.cos(angle));
+        self.divide(sine, cosine)
+    }
+
+    /// The arcsine, as the angle of (√(1 - x²), x).
+    pub fn asin(&mut self, x: ExprId) -> ExprId {
+        let across = self.cathetus(x);
+        self.atan2(x, across)
+    }
+
+    /// The arccosine, as the angle of (x, √(1 - x²)).
+    pub fn acos(&mut self, x: ExprId) -> ExprId {
+        let across = self.cathetus(x);
+        self.atan2(across, x)
+    }
+
+    /// The arctangent, as the angle of (1, x).
+    pub fn atan(&mut self, x: ExprId) -> ExprId {
+        let one = self.one();
+        self.atan2(x, one)
+    }
+
+    /// The angle of the vector (x, y), in (-π, π]; NaN for the constant zero vector, which has none.
+    pub fn atan2(&mut self, y: ExprId, x: ExprId) -> ExprId {
+        if self.any_non_finite(&[y, x]) {
+            return self.not_a_number();
+        }
+        let (Some(y_value), Some(x_value)) = (self.as_number(y), self.as_number(x)) else {
+            return self.intern(Node::Atan2(y, x));
+        };
+        if let Some((twelfths, denominator)) = exact_direction(y_value, x_value) {
+            let Some(turn) = Rational::new(twelfths, denominator) else {
+                return self.not_a_number();
+            };
+            let pi = self.pi();
+            return self.scale(Number::rational(turn), pi);
+        }
+        // Only the ratio matters: 3:4 and 6:8 are one direction.
+        let terms = [y_value, x_value].map(|coefficient| Term {
+            coefficient,
+            expr: self.one(),
+        });
+        let shrink = self.content(&terms).absolute().recip();
+        let (y, x) = (
+            self.number(y_value.mul(shrink)),
+            self.number(x_value.mul(shrink)),
+        );
+        self.intern(Node::Atan2(y, x))
+    }
+
+    /// √(1 - x²).
+    fn cathetus(&mut self, x: ExprId) -> ExprId {
+        let square = self.power(x, Rational::integer(2));
+        let one = self.one();
+        let rest = self.subtract(one, square);
+        self.sqrt(rest)
+    }
+
+    /// The (y, x) of an angle of a vector that is known not to be zero: both parts constant, or one a number, or the length
+    /// a number (as in an arcsine). For others y/√(x² + y²) would lose the value at the origin.
+    fn constant_direction(&mut self, angle: ExprId) -> Option<(ExprId, ExprId)> {
+        let Node::Atan2(y, x) = *self.node(angle) else {
+            return None;
+        };
+        let has_number = [y, x]
+            .iter()
+            .any(|&part| self.as_number(part).is_some_and(|value| !value.is_zero()));
+        if has_number || self.is_constant(angle) {
+            return Some((y, x));
+        }
+        let square = self.square_of_length(y, x);
+        self.as_number(square)
+            .is_some_and(|value| !value.is_zero())
+            .then_some((y, x))
+    }
+
+    fn square_of_length(&mut self, y: ExprId, x: ExprId) -> ExprId {
+        let squares = [y, x].map(|part| self.power(part, Rational::integer(2)));
+        self.sum(&squares)
+    }
+
+    /// `part / √(x² + y²)`.
+    fn over_length(&mut self, part: ExprId, y: ExprId, x: ExprId) -> ExprId {
+        let square = self.square_of_length(y, x);
+        let reciprocal = self.power(square, -Rational::HALF);
+        self.multiply(part, reciprocal)
+    }
+
+    fn take_apart(&mut self, angle: ExprId) -> Angle {
+        let mut terms = Vec::new();
+        self.gather(Number::ONE, angle, &mut terms);
+        let mut negative = self.is_negative_lead(&terms);
+        let mut core = if negative { self.negate(angle) } else { angle };
+        let phase = terms
+            .iter()
+            .find_map(|term| self.as_phase(term))
+            .map(|phase| if negative { -phase } else { phase });
+        let Some((phase, quarters, rest)) = phase.and_then(reduce_phase) else {
+            return Angle {
+                negative,
+                core,
+                quarters: 0,
+                twelfths: (core == self.zero()).then_some(0),
+            };
+        };
+        if quarters != 0 {
+            let pi = self.pi();
+            let removed = match rest.checked_sub(phase) {
+                Some(difference) => Number::rational(difference),
+                None => return self.whole(negative, core),
+            };
+            core = self.combine(&[(Number::ONE, core), (removed, pi)]);
+        }
+        let mut twelfths = None;
+        let mut quarters = quarters;
+        if terms.len() == 1 {
+            // A multiple of π alone: its remainder is made positive, which turns the whole angle around.
+            if rest.is_negative() {
+                core = self.negate(core);
+                negative = !negative;
+                quarters = -quarters;
+            }
+            twelfths = rest
+                .absolute()
+                .checked_mul(Rational::integer(12))
+                .filter(|twelfths| twelfths.is_integer())
+                .map(Rational::numerator);
+        }
+        Angle {
+            negative,
+            core,
+            quarters,
+            twelfths,
+        }
+    }
+
+    /// An angle that is not reduced.
+    fn whole(&self, negative: bool, core: ExprId) -> Angle {
+        Angle {
+            negative,
+            core,
+            quarters: 0,
+            twelfths: None,
+        }
+    }
+
+    /// sin(core + quarters·π/2).
+    fn sine_of(&mut self, angle: &Angle, quarters: i128) -> ExprId {
+        let is_sine = quarters.rem_euclid(2) == 0;
+        let value = match angle.twelfths {
+            Some(twelfths) => self.table(if is_sine { twelfths } else { 6 - twelfths }),
+            None if is_sine => self.intern(Node::Sin(angle.core)),
+            None => self.intern(Node::Cos(angle.core)),
+        };
+        if quarters.rem_euclid(4) >= 2 {
+            self.negate(value)
+        } else {
+            value
+        }
+    }
+
+    /// sin(k·π/12) for k from 0 to 6.
+    fn table(&mut self, twelfths: i128) -> ExprId {
+        let surd = |numerator: i64, denominator: i64, radicand: u128| {
+            let rational = Rational::new(i128::from(numerator), i128::from(denominator));
+            Number::surd(rational.unwrap_or(Rational::ZERO), radicand)
+        };
+        let one = self.one();
+        match twelfths {
+            0 => self.zero(),
+            1 => self.combine(&[(surd(1, 4, 6), one), (surd(-1, 4, 2), one)]),
+            2 => self.number(surd(1, 2, 1)),
+            3 => self.number(surd(1, 2, 2)),
+            4 => self.number(surd(1, 2, 3)),
+            5 => self.combine(&[(surd(1, 4, 6), one), (surd(1, 4, 2), one)]),
+            _ => one,
+        }
+    }
+}
+
+/// `(phase, quarters, rest)` with phase = quarters/2 + rest and the rest in (-1/4, 1/4], all in units of π; the quarters
+/// modulo 4.
+fn reduce_phase(phase: Rational) -> Option<(Rational, i128, Rational)> {
+    let halves = phase.checked_mul(Rational::integer(2))?;
+    let shifted = halves.checked_sub(Rational::HALF)?;
+    // The ceiling, through the floor of the negated value.
+    let quarters = -(-shifted.numerator()).div_euclid(shifted.denominator());
+    let rest = phase.checked_sub(Rational::new(quarters, 2)?)?;
+    Some((phase, quarters.rem_euclid(4), rest))
+}
+
+/// The angle of (x, y) as a fraction of π, numerator and denominator, where it is exact; 0/0 for the zero vector.
+fn exact_direction(y: Number, x: Number) -> Option<(i128, i128)> {
+    if y.is_zero() || x.is_zero() {
+        return Some(match (y.is_zero(), x.is_zero()) {
+            (true, true) => (0, 0),
+            (true, false) => (i128::from(x.is_negative()), 1),
+            _ => (if y.is_negative() { -1 } else { 1 }, 2),
+        });
+    }
+    let slope = y.mul(x.recip()).absolute();
+    let root = |numerator, denominator| {
+        Rational::new(numerator, denominator).map(|rational| Number::surd(rational, 3))
+    };
+    let acute = if slope == Number::ONE {
+        3
+    } else if Some(slope) == root(1, 1) {
+        4
+    } else if Some(slope) == root(1, 3) {
+        2
+    } else {
+        return None;
+    };
+    let upper = if x.is_negative() { 12 - acute } else { acute };
+    Some((if y.is_negative() { -upper } else { upper }, 12))
+}

@@ -1,0 +1,35 @@
+//! The functions of the textbook view.
+
+use super::Program;
+use super::constants::Constants;
+use super::statements::Straight;
+use crate::expr::ExprId;
+use crate::structure::Plan;
+use crate::system::{Row, System};
+
+/// Straight-line code for Φ, Φ_q, Φ_t, γ and the motion of every point.
+pub fn lower(system: &System, plan: Plan) -> Program {
+    let mut constants = Constants::default();
+    let by_row = |of: &dyn Fn(&Row) -> ExprId| -> Vec<(ExprId, Vec<usize>)> {
+        system.rows.iter().map(|row| (of(row), row.bodies.clone())).collect()
+    };
+    let entries = system
+        .rows
+        .iter()
+        .flat_map(|row| row.jacobian.iter().map(|entry| (entry.value, row.bodies.clone())))
+        .collect();
+    let residual = Straight::new(by_row(&|row| row.residual), system, &mut constants);
+    let jacobian = Straight::new(entries, system, &mut constants);
+    let time_derivative = Straight::new(by_row(&|row| row.time_derivative), system, &mut constants);
+    let gamma = Straight::new(by_row(&|row| row.gamma), system, &mut constants);
+    let points = system
+        .outputs
+        .iter()
+        .map(|output| {
+            let components = [output.position, output.velocity, output.acceleration].concat();
+            let results = components.into_iter().map(|component| (component, Vec::new())).collect();
+            Straight::new(results, system, &mut constants)
+        })
+        .collect();
+    Program { plan, constants, residual, jacobian, time_derivative, gamma, points }
+}

@@ -1,0 +1,39 @@
+//! System and Plan → Program.
+//!
+//! Straight-line statements for every function of the generated module. Afterwards everything is defined before it is used,
+//! nothing is computed that no result needs, every angle has one sine and one cosine, and what several results share has a
+//! name. Deliberately unknown here: the syntax of Rust, and what the results mean.
+
+mod addends;
+mod constants;
+mod lower;
+mod names;
+mod operations;
+mod statements;
+
+pub use addends::{Addend, Power};
+pub use constants::{Constant, ConstantPart, Constants};
+pub use lower::lower;
+pub use operations::{LARGEST_PRODUCT, Operations};
+pub use statements::{Inputs, Statement, Straight};
+
+use crate::structure::Plan;
+
+/// What is emitted for a mechanism.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// In which blocks the unknowns are solved.
+    pub plan: Plan,
+    /// The constants of all functions that are no short decimals, each once.
+    pub constants: Constants,
+    /// Φ: one result a row.
+    pub residual: Straight,
+    /// Φ_q: one result for each entry that is not identically zero, row by row.
+    pub jacobian: Straight,
+    /// Φ_t: one result a row.
+    pub time_derivative: Straight,
+    /// γ: one result a row.
+    pub gamma: Straight,
+    /// The motion of each point: position, velocity, acceleration, x and y each.
+    pub points: Vec<Straight>,
+}

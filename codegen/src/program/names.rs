@@ -1,0 +1,54 @@
+//! Names of local values.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::expr::{ExprId, Node};
+use crate::system::{SymbolRole, System};
+
+/// The names given so far in one function.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Names {
+    taken: HashSet<String>,
+    /// The last number given to each base name.
+    numbers: HashMap<&'static str, usize>,
+}
+
+impl Names {
+    pub(super) fn new() -> Names {
+        Names::default()
+    }
+
+    /// `shared_1` for a value that is used again, `exponential_1` for the value of a function.
+    pub(super) fn value(&mut self, node: &Node) -> String {
+        let base = match node {
+            Node::Atan2(..) => "angle",
+            Node::Exp(_) => "exponential",
+            Node::Ln(_) => "logarithm",
+            _ => "shared",
+        };
+        self.numbered(base)
+    }
+
+    fn numbered(&mut self, base: &'static str) -> String {
+        let number = self.numbers.entry(base).or_insert(0);
+        *number += 1;
+        let name = format!("{base}_{number}");
+        self.taken.insert(name.clone());
+        name
+    }
+
+    /// `sin_phi1` and `cos_phi1`; the names of other angles are numbered.
+    pub(super) fn sine_and_cosine(&mut self, angle: ExprId, system: &System) -> (String, String) {
+        let base = match system.mechanism.graph.node(angle) {
+            Node::Symbol(symbol) => match system.roles[symbol.index()] {
+                SymbolRole::Position(coordinate) => Some(system.coordinates[coordinate].name.clone()),
+                SymbolRole::Time => Some("t".to_string()),
+                SymbolRole::Rate(_) | SymbolRole::Acceleration(_) => None,
+            },
+            _ => None,
+        };
+        let base = base.filter(|base| self.taken.insert(format!("sin_{base}")));
+        let base = base.unwrap_or_else(|| self.numbered("argument"));
+        (format!("sin_{base}"), format!("cos_{base}"))
+    }
+}

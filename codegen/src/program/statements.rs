@@ -1,0 +1,251 @@
+//! Results → the statements that compute them.
+
+use std::collections::{HashMap, HashSet};
+
+use super::addends::{Addend, addends};
+use super::constants::Constants;
+use super::names::Names;
+use super::operations::{Operations, is_function, is_symbol};
+use crate::expr::{ExprId, Graph, Node};
+use crate::system::{SymbolRole, System, WrittenOrder};
+
+/// Straight-line code for one function.
+#[derive(Clone, Debug)]
+pub struct Straight {
+    /// What it reads.
+    pub inputs: Inputs,
+    /// Definitions, each before its first use.
+    pub statements: Vec<Statement>,
+    /// What it returns, and the bodies in whose order each result is written.
+    pub results: Vec<(ExprId, Vec<usize>)>,
+    /// What it costs.
+    pub operations: Operations,
+    /// Only looked up, never iterated.
+    names: HashMap<ExprId, String>,
+}
+
+/// Which arguments a function reads.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Inputs {
+    /// q.
+    pub position: bool,
+    /// q̇.
+    pub rate: bool,
+    /// q̈.
+    pub acceleration: bool,
+    /// t.
+    pub time: bool,
+}
+
+/// One definition.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Statement {
+    /// The sine and the cosine of an angle, together.
+    SineCosine {
+        /// The name of the sine.
+        sine: String,
+        /// The name of the cosine.
+        cosine: String,
+        /// Their argument.
+        angle: ExprId,
+    },
+    /// A value that is used more than once, or the value of a function.
+    Value {
+        /// Its name.
+        name: String,
+        /// What it is.
+        expr: ExprId,
+    },
+}
+
+impl Straight {
+    /// The name that an expression was given in this function.
+    pub fn name_of(&self, expr: ExprId) -> Option<&str> {
+        self.names.get(&expr).map(String::as_str)
+    }
+
+    /// How an expression is computed here, in written order.
+    pub fn addends(&self, expr: ExprId, system: &System, bodies: &[usize]) -> Vec<Addend> {
+        let graph = &system.mechanism.graph;
+        let order = WrittenOrder::new(system, bodies);
+        addends(expr, graph, &order, &|other| self.names.contains_key(&other))
+    }
+
+    /// The statements for these results.
+    pub(super) fn new(
+        results: Vec<(ExprId, Vec<usize>)>,
+        system: &System,
+        constants: &mut Constants,
+    ) -> Straight {
+        let graph = &system.mechanism.graph;
+        let usage = Usage::of(&results, graph);
+        let mut straight = Straight {
+            inputs: Inputs::default(),
+            statements: Vec::new(),
+            results: Vec::new(),
+            operations: Operations::default(),
+            names: HashMap::new(),
+        };
+        let mut names = Names::new();
+        for &expr in &usage.ordered {
+            if let Node::Symbol(symbol) = graph.node(expr) {
+                straight.inputs.note(system.roles[symbol.index()]);
+                continue;
+            }
+            if usage.deserves_name(expr, graph) && straight.name_of(expr).is_none() {
+                straight.define(expr, &usage, system, &mut names);
+            }
+        }
+        for expr in straight.computed(&results, system) {
+            let bodies: &[usize] = &[];
+            let parts = straight.addends(expr, system, bodies);
+            straight.operations += Operations::of_addends(&parts);
+            for constant in parts.iter().filter_map(|part| part.constant.as_ref()) {
+                constants.add(constant, graph);
+            }
+        }
+        straight.results = results;
+        straight
+    }
+
+    fn define(&mut self, expr: ExprId, usage: &Usage, system: &System, names: &mut Names) {
+        let graph = &system.mechanism.graph;
+        let node = graph.node(expr);
+        self.operations += Operations::of_function(node);
+        if let Node::Sin(angle) | Node::Cos(angle) = *node {
+            let (sine, cosine) = names.sine_and_cosine(angle, system);
+            let other = usage.sine_cosine.get(&angle);
+            if let Some(&(Some(sine_expr), Some(cosine_expr))) = other {
+                let second = graph.node(if expr == sine_expr { cosine_expr } else { sine_expr });
+                self.operations += Operations::of_function(second);
+                self.names.insert(sine_expr, sine.clone());
+                self.names.insert(cosine_expr, cosine.clone());
+                self.statements.push(Statement::SineCosine { sine, cosine, angle });
+                return;
+            }
+            let name = if matches!(node, Node::Sin(_)) { sine } else { cosine };
+            self.names.insert(expr, name.clone());
+            self.statements.push(Statement::Value { name, expr });
+            return;
+        }
+        let name = names.value(node);
+        self.names.insert(expr, name.clone());
+        self.statements.push(Statement::Value { name, expr });
+    }
+
+    /// Every expression that this function takes apart into additions and multiplications, each as often as it is written.
+    fn computed(&self, results: &[(ExprId, Vec<usize>)], system: &System) -> Vec<ExprId> {
+        let graph = &system.mechanism.graph;
+        let mut stack: Vec<ExprId> = Vec::new();
+        for statement in &self.statements {
+            match statement {
+                Statement::SineCosine { angle, .. } => stack.push(*angle),
+                Statement::Value { expr, .. } => match *graph.node(*expr) {
+                    Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => stack.push(x),
+                    Node::Atan2(y, x) => stack.extend([y, x]),
+                    _ => stack.push(*expr),
+                },
+            }
+        }
+        let unnamed = |expr: ExprId| self.name_of(expr).is_none() && !is_symbol(expr, graph);
+        // A named expression is computed at its definition; wherever else it stands it costs nothing.
+        let defined: HashSet<ExprId> = self.names.keys().copied().collect();
+        stack.retain(|expr| !is_symbol(*expr, graph));
+        stack.extend(results.iter().map(|(expr, _)| *expr).filter(|expr| !defined.contains(expr)));
+        let mut computed = Vec::new();
+        while let Some(expr) = stack.pop() {
+            if is_function(graph.node(expr)) {
+                continue;
+            }
+            computed.push(expr);
+            for part in self.addends(expr, system, &[]) {
+                let operands = part.factors.iter().chain(&part.divisors).map(|power| power.base);
+                stack.extend(operands.filter(|&operand| operand != expr && unnamed(operand)));
+            }
+        }
+        computed
+    }
+}
+
+impl Inputs {
+    fn note(&mut self, role: SymbolRole) {
+        match role {
+            SymbolRole::Position(_) => self.position = true,
+            SymbolRole::Rate(_) => self.rate = true,
+            SymbolRole::Acceleration(_) => self.acceleration = true,
+            SymbolRole::Time => self.time = true,
+        }
+    }
+}
+
+/// The sine and the cosine node of an angle, as far as both occur.
+type Pair = (Option<ExprId>, Option<ExprId>);
+
+/// What the results use, and how often.
+struct Usage {
+    /// Every expression that is not constant, operands first.
+    ordered: Vec<ExprId>,
+    uses: HashMap<ExprId, usize>,
+    sine_cosine: HashMap<ExprId, Pair>,
+}
+
+impl Usage {
+    fn of(results: &[(ExprId, Vec<usize>)], graph: &Graph) -> Usage {
+        let mut usage = Usage { ordered: Vec::new(), uses: HashMap::new(), sine_cosine: HashMap::new() };
+        for (result, _) in results {
+            usage.visit(*result, 1, graph);
+        }
+        for &expr in &usage.ordered {
+            match *graph.node(expr) {
+                Node::Sin(angle) => usage.sine_cosine.entry(angle).or_default().0 = Some(expr),
+                Node::Cos(angle) => usage.sine_cosine.entry(angle).or_default().1 = Some(expr),
+                _ => {}
+            }
+        }
+        usage
+    }
+
+    fn visit(&mut self, expr: ExprId, weight: usize, graph: &Graph) {
+        if graph.is_constant(expr) {
+            return;
+        }
+        if let Some(uses) = self.uses.get_mut(&expr) {
+            *uses += weight;
+            return;
+        }
+        self.uses.insert(expr, weight);
+        match graph.node(expr) {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
+            Node::Sum(terms) => terms.iter().for_each(|term| self.visit(term.expr, 1, graph)),
+            Node::Product(factors) => {
+                for factor in factors {
+                    // A power is written as a product, so its base is used as often.
+                    let exponent = factor.exponent;
+                    let whole = if exponent.denominator() == 1 { exponent.numerator().unsigned_abs() } else { 1 };
+                    self.visit(factor.base, usize::try_from(whole).unwrap_or(usize::MAX), graph);
+                }
+            }
+            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => self.visit(*x, 1, graph),
+            Node::Atan2(y, x) => {
+                self.visit(*y, 1, graph);
+                self.visit(*x, 1, graph);
+            }
+        }
+        self.ordered.push(expr);
+    }
+
+    /// Functions always get a name; other expressions when they are used again and take more than one operation.
+    fn deserves_name(&self, expr: ExprId, graph: &Graph) -> bool {
+        let node = graph.node(expr);
+        let operations = match node {
+            Node::Sum(terms) => terms.len() - 1 + terms.iter().filter(|term| scaled(term)).count(),
+            Node::Product(factors) => factors.len(),
+            _ => 0,
+        };
+        is_function(node) || (operations >= 2 && self.uses.get(&expr).is_some_and(|&uses| uses >= 2))
+    }
+}
+
+fn scaled(term: &crate::expr::Term) -> bool {
+    !term.coefficient.is_one() && !term.coefficient.neg().is_one()
+}

@@ -1,0 +1,304 @@
+//! *Lexemes → balanced brackets.* Finds brackets that are never closed or close nothing, says where each was opened, and edits the
+//! text so that `syn` sees them balanced and never deeper than [`DEEPEST`].
+//!
+//! Where a bracket should have been closed is judged by the shape of the text: `;` and braces never stand in parentheses, and a
+//! line that [starts a statement](StatementStarts) does not stand inside the braces of a body.
+
+use super::scan::{Fill, Kind, Lexeme, Scan};
+use super::{DEEPEST, KEYWORDS};
+use crate::diagnostic::{Code, Diagnostic, Span};
+
+/// Words that continue the head of a body on a new line.
+const CONTINUATIONS: [&str; 4] = ["at", "facing", "turned", "along"];
+
+/// Offsets at which a line starts a statement, ascending.
+pub(super) struct StatementStarts(Vec<usize>);
+
+impl StatementStarts {
+    pub(super) fn contains(&self, offset: usize) -> bool {
+        self.0.binary_search(&offset).is_ok()
+    }
+}
+
+/// A bracket that waits for its other half.
+struct Opener {
+    bracket: u8,
+    at: usize,
+    /// Too deep: hidden from `syn`, and so will its other half be.
+    hidden: bool,
+}
+
+/// Balances the brackets of a scan, adding findings and edits to it.
+pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
+    let lexemes = std::mem::take(&mut scan.lexemes);
+    let mut balance = Balance {
+        scan,
+        open: Vec::new(),
+        too_deep: false,
+    };
+    let excess = excess_of_closing_braces(&lexemes);
+    let mut starts = Vec::new();
+    for (index, lexeme) in lexemes.iter().enumerate() {
+        let previous = index.checked_sub(1).map(|before| &lexemes[before]);
+        let end_of_previous = previous.map_or(lexeme.start, |it| it.end);
+        if looks_like_statement(text, &lexemes[index..]) {
+            let continues = previous.is_some_and(|it| continues_after(it.kind));
+            if !continues {
+                starts.push(lexeme.start);
+            }
+            balance.before_statement(end_of_previous, continues);
+        }
+        match lexeme.kind {
+            Kind::Open(bracket) => {
+                if bracket == b'{' {
+                    balance.close_parentheses(end_of_previous);
+                }
+                balance.open(bracket, lexeme.start);
+            }
+            Kind::Mark(b';') => balance.close_parentheses(end_of_previous),
+            Kind::Close(bracket) => {
+                if bracket == b'}' {
+                    balance.close_parentheses(end_of_previous);
+                }
+                let more_follows = excess[index + 1] > 0
+                    && lexemes
+                        .get(index + 1)
+                        .is_some_and(|next| word(text, next) != Some("mechanism"));
+                balance.close(bracket, lexeme.start, more_follows);
+            }
+            Kind::Word | Kind::Number | Kind::Mark(_) => {}
+        }
+    }
+    balance.end(text);
+    scan.lexemes = lexemes;
+    StatementStarts(starts)
+}
+
+struct Balance<'a> {
+    scan: &'a mut Scan,
+    open: Vec<Opener>,
+    too_deep: bool,
+}
+
+impl Balance<'_> {
+    fn open(&mut self, bracket: u8, at: usize) {
+        let hidden = self.open.len() >= DEEPEST;
+        if hidden {
+            self.scan.edit(at, at + 1, Fill::Blank);
+            self.scan.damage.push(at);
+            if !self.too_deep {
+                self.too_deep = true;
+                self.scan.report(too_deep(Span::new(at, at + 1)));
+            }
+        }
+        self.open.push(Opener {
+            bracket,
+            at,
+            hidden,
+        });
+    }
+
+    /// Closes every parenthesis and square bracket that is open above the innermost brace.
+    fn close_parentheses(&mut self, place: usize) {
+        while let Some(opener) = self.open.pop_if(|opener| opener.bracket != b'{') {
+            self.insert(&opener, place);
+        }
+    }
+
+    /// A line that starts a statement: what is still open inside the braces of the mechanism was meant to be closed before it.
+    fn before_statement(&mut self, place: usize, continues: bool) {
+        if !continues {
+            self.close_parentheses(place);
+        }
+        let braces = self
+            .open
+            .iter()
+            .filter(|opener| opener.bracket == b'{')
+            .count();
+        if braces >= 2
+            && let Some(opener) = self.open.pop_if(|opener| opener.bracket == b'{')
+        {
+            self.insert(&opener, place);
+        }
+    }
+
+    /// Reports a bracket that should have been closed at `place`, and closes it there.
+    fn insert(&mut self, opener: &Opener, place: usize) {
+        let closing = closing(opener.bracket);
+        self.scan.damage.push(place);
+        if opener.hidden {
+            return;
+        }
+        self.scan
+            .edit(place, place, Fill::Text(closing.to_string()));
+        let opening = opener.bracket as char;
+        let message = format!("unclosed `{opening}`");
+        let finding = Diagnostic::error(Code::UnbalancedBracket, Span::empty(place), message)
+            .label(format!("expected `{closing}`"))
+            .also(
+                Span::new(opener.at, opener.at + 1),
+                format!("`{opening}` opened here"),
+            );
+        self.scan.report(finding);
+    }
+
+    fn close(&mut self, bracket: u8, at: usize, more_follows: bool) {
+        let superfluous = bracket == b'}' && self.open.len() == 1 && more_follows;
+        if let Some(opener) = self
+            .open
+            .pop_if(|opener| !superfluous && closing(opener.bracket) == bracket as char)
+        {
+            if opener.hidden {
+                self.scan.edit(at, at + 1, Fill::Blank);
+            }
+            return;
+        }
+        let span = Span::new(at, at + 1);
+        self.scan.damage.push(at);
+        // `(` closed by `]`: one mistake, not two.
+        if let Some(opener) = self
+            .open
+            .pop_if(|opener| opener.bracket != b'{' && bracket != b'}')
+        {
+            let (opening, wanted) = (opener.bracket as char, closing(opener.bracket));
+            let fill = if opener.hidden {
+                Fill::Blank
+            } else {
+                Fill::Text(wanted.to_string())
+            };
+            self.scan.edit(at, at + 1, fill);
+            let message = format!("`{opening}` closed by `{}`", bracket as char);
+            let finding = Diagnostic::error(Code::UnbalancedBracket, span, message)
+                .label(format!("expected `{wanted}`"))
+                .also(
+                    Span::new(opener.at, opener.at + 1),
+                    format!("`{opening}` opened here"),
+                );
+            self.scan.report(finding);
+            return;
+        }
+        self.scan.edit(at, at + 1, Fill::Blank);
+        let message = format!("unmatched `{}`", bracket as char);
+        let label = if superfluous {
+            "the mechanism would end here, but more follows"
+        } else {
+            "closes nothing"
+        };
+        let finding = Diagnostic::error(Code::UnbalancedBracket, span, message)
+            .label(label)
+            .help(format!(
+                "remove the `{}`, or add the missing `{}`",
+                bracket as char,
+                opening(bracket)
+            ));
+        self.scan.report(finding);
+    }
+
+    /// The end of the file: one finding, however much is open.
+    fn end(&mut self, text: &str) {
+        let Some(innermost) = self.open.last() else {
+            return;
+        };
+        let end = text.trim_end().len();
+        let mut missing = String::new();
+        for opener in self.open.iter().rev().filter(|opener| !opener.hidden) {
+            missing.push(closing(opener.bracket));
+        }
+        let bracket = closing(innermost.bracket);
+        let mut finding = Diagnostic::error(
+            Code::UnexpectedEnd,
+            Span::empty(end),
+            "the file ends inside brackets",
+        )
+        .label(format!("expected `{bracket}`"));
+        for opener in self.open.iter().rev().take(3) {
+            let label = format!("`{}` opened here", opener.bracket as char);
+            finding = finding.also(Span::new(opener.at, opener.at + 1), label);
+        }
+        if missing.len() <= 8 {
+            finding = finding.help(format!("close what is open with `{missing}`"));
+        }
+        // A comment left open has swallowed the brackets: that is said already.
+        if self
+            .scan
+            .findings
+            .iter()
+            .all(|it| it.code != Code::UnexpectedEnd)
+        {
+            self.scan.report(finding);
+        }
+        self.scan.damage.push(end);
+        self.scan.edit(text.len(), text.len(), Fill::Text(missing));
+    }
+}
+
+/// The finding for anything nested too deeply.
+pub(super) fn too_deep(span: Span) -> Diagnostic {
+    Diagnostic::error(
+        Code::NestedTooDeeply,
+        span,
+        format!("nested more than {DEEPEST} levels deep"),
+    )
+    .help("name a part of the formula with `const`, or write a chain without brackets")
+}
+
+fn closing(bracket: u8) -> char {
+    match bracket {
+        b'(' => ')',
+        b'[' => ']',
+        _ => '}',
+    }
+}
+
+fn opening(bracket: u8) -> char {
+    match bracket {
+        b')' => '(',
+        b']' => '[',
+        _ => '{',
+    }
+}
+
+/// For every lexeme and the end: how many more braces close than open from there on.
+fn excess_of_closing_braces(lexemes: &[Lexeme]) -> Vec<isize> {
+    let mut excess = vec![0; lexemes.len() + 1];
+    for (index, lexeme) in lexemes.iter().enumerate().rev() {
+        let change = match lexeme.kind {
+            Kind::Open(b'{') => -1,
+            Kind::Close(b'}') => 1,
+            _ => 0,
+        };
+        excess[index] = excess[index + 1] + change;
+    }
+    excess
+}
+
+fn word<'a>(text: &'a str, lexeme: &Lexeme) -> Option<&'a str> {
+    (lexeme.kind == Kind::Word).then(|| &text[lexeme.start..lexeme.end])
+}
+
+/// Whether a line starts here that reads like a statement: a keyword and a name, or `word name? (`.
+fn looks_like_statement(text: &str, lexemes: &[Lexeme]) -> bool {
+    let [first, second, rest @ ..] = lexemes else {
+        return false;
+    };
+    let Some(name) = word(text, first) else {
+        return false;
+    };
+    if !first.first_on_line || second.first_on_line || CONTINUATIONS.contains(&name) {
+        return false;
+    }
+    let is_name = |it: &Lexeme| matches!(it.kind, Kind::Word | Kind::Number);
+    let opens = |it: &Lexeme| it.kind == Kind::Open(b'(') && !it.first_on_line;
+    KEYWORDS.contains(&name) && is_name(second)
+        || opens(second)
+        || is_name(second) && rest.first().is_some_and(opens)
+}
+
+/// Whether a line after this lexeme continues what stands before it.
+fn continues_after(kind: Kind) -> bool {
+    match kind {
+        Kind::Open(bracket) => bracket != b'{',
+        Kind::Mark(mark) => mark != b';',
+        Kind::Word | Kind::Number | Kind::Close(_) => false,
+    }
+}

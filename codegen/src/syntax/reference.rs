@@ -1,0 +1,151 @@
+//! *Tokens → names, references and directions.* `A`, `c1.A`, `1.P`, `N -> M`, and lists of references in parentheses.
+
+use proc_macro2::Delimiter;
+
+use super::document::{Direction, Name, Reference};
+use super::tokens::{Outcome, Tokens};
+use crate::diagnostic::{Code, Diagnostic, Span};
+
+/// An identifier; `wanted` says what of.
+pub(super) fn identifier(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name> {
+    let mut ahead = *tokens;
+    if let Some(number) = ahead.number() {
+        let message = format!("expected {wanted}, found `{}`", number.text);
+        let finding = Diagnostic::error(Code::NameNotAllowed, number.span, message)
+            .label("a name starts with a letter or `_`")
+            .note("only bodies may be named by an integer");
+        return Err(Box::new(finding));
+    }
+    let Some(name) = tokens.word() else {
+        return Err(tokens.unexpected(wanted));
+    };
+    check_word(name)
+}
+
+/// An identifier, or an integer.
+pub(super) fn body_name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name> {
+    if let Some(name) = tokens.word() {
+        return check_word(name);
+    }
+    let Some(name) = tokens.number() else {
+        return Err(tokens.unexpected(wanted));
+    };
+    integer(name)
+}
+
+fn check_word(name: Name) -> Outcome<Name> {
+    if name.text.bytes().all(|byte| byte == b'_') {
+        let finding = Diagnostic::error(
+            Code::NameNotAllowed,
+            name.span,
+            format!("`{}` is no name", name.text),
+        )
+        .label("a name has a letter or a digit");
+        return Err(Box::new(finding));
+    }
+    Ok(name)
+}
+
+/// The integer that names a body: plain digits, so that one body has one name.
+fn integer(name: Name) -> Outcome<Name> {
+    let plain = name.text.bytes().all(|byte| byte.is_ascii_digit());
+    if plain && (name.text == "0" || !name.text.starts_with('0')) {
+        return Ok(name);
+    }
+    let finding = Diagnostic::error(
+        Code::NameNotAllowed,
+        name.span,
+        format!("`{}` does not name a body", name.text),
+    )
+    .label("a body is named by an identifier or a plain integer");
+    Err(Box::new(finding))
+}
+
+/// `NAME` or `BODY.NAME`; `wanted` says what of.
+pub(super) fn reference(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Reference> {
+    let mut ahead = *tokens;
+    if let Some(number) = ahead.number()
+        && let Some(text) = number.text.strip_suffix('.')
+        && ahead.peek_word().is_some()
+    {
+        // `1. P` with a blank is the number `1.` and a word.
+        *tokens = ahead;
+        let span = Span {
+            start: number.span.start,
+            end: number.span.end - 1,
+        };
+        let body = integer(Name {
+            text: text.to_string(),
+            span,
+        })?;
+        return member_of(tokens, body);
+    }
+    let name = body_name(tokens, wanted)?;
+    if tokens.mark('.').is_some() {
+        return member_of(tokens, name);
+    }
+    let span = name.span;
+    Ok(Reference {
+        body: None,
+        name,
+        span,
+    })
+}
+
+fn member_of(tokens: &mut Tokens<'_>, body: Name) -> Outcome<Reference> {
+    let name = identifier(tokens, "the name of a point")?;
+    let span = body.span.to(name.span);
+    if tokens.peek_mark('.') {
+        let finding = tokens.unexpected("no second `.`");
+        return Err(Box::new(finding.help("a point is written `body.point`")));
+    }
+    Ok(Reference {
+        body: Some(body),
+        name,
+        span,
+    })
+}
+
+/// `A -> B`
+pub(super) fn direction(tokens: &mut Tokens<'_>) -> Outcome<Direction> {
+    let from = reference(tokens, "a point")?;
+    if tokens.arrow().is_none() {
+        return Err(Box::new(
+            tokens
+                .unexpected("`->`")
+                .help("a direction is written `A -> B`"),
+        ));
+    }
+    let to = reference(tokens, "a point")?;
+    let span = from.span.to(to.span);
+    Ok(Direction { from, to, span })
+}
+
+/// `(A, 1.P, …)`
+pub(super) fn operands(tokens: &mut Tokens<'_>) -> Outcome<Vec<Reference>> {
+    let Some((mut inner, _)) = tokens.group(Delimiter::Parenthesis) else {
+        return Err(tokens.unexpected("`(`"));
+    };
+    let mut operands = Vec::new();
+    while !inner.at_end() {
+        operands.push(reference(&mut inner, "a body or a point")?);
+        if inner.mark(',').is_none() && !inner.at_end() {
+            return Err(separator(&inner, "`,` or `)`"));
+        }
+    }
+    Ok(operands)
+}
+
+/// The finding that two things of a list are not separated by a comma.
+pub(super) fn separator(tokens: &Tokens<'_>, wanted: &str) -> Box<Diagnostic> {
+    if tokens.peek_word().is_none() && !tokens.peek_number() {
+        return tokens.unexpected(wanted);
+    }
+    let place = Span {
+        start: tokens.previous().end,
+        end: tokens.previous().end,
+    };
+    let message = format!("expected {wanted}, found {}", tokens.found());
+    let finding = Diagnostic::error(Code::UnexpectedToken, place, message).label("missing `,`");
+    Box::new(finding.help("separate them with `,`"))
+}

@@ -1,0 +1,199 @@
+//! *Tokens → statements.* Constants, points, joints and drivers with their semicolons; bodies have a [file of their own](super::body).
+//!
+//! Which joints and quantities exist is not known here: `word name? ( … )` is a joint, whatever the word.
+
+use proc_macro2::Delimiter;
+
+use super::KEYWORDS;
+use super::body::body;
+use super::document::{Constant, DrawnPoint, Drive, Joint, Name, Points, Statement};
+use super::expression::{after_expression, coordinates, expression};
+use super::reference::{body_name, direction, identifier, operands, separator};
+use super::tokens::{Outcome, Tokens};
+use crate::diagnostic::{Code, Diagnostic, Span, nearest};
+
+/// One statement with what ends it.
+pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
+    let docs = tokens.reader.docs(tokens.next_span().start, false);
+    let Some(first) = tokens.word() else {
+        return Err(tokens.unexpected("a statement"));
+    };
+    match first.text.as_str() {
+        "const" => constant(tokens, docs, first.span),
+        "point" => points(tokens, docs, first.span),
+        "body" => body(tokens, docs, first.span).map(Statement::Body),
+        "drive" => drive(tokens, docs, first.span),
+        _ => joint(tokens, docs, first),
+    }
+}
+
+fn constant(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
+    let name = identifier(tokens, "the name of a constant")?;
+    equals(tokens)?;
+    let value = expression(tokens)?;
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Constant(Constant {
+        docs,
+        name,
+        value,
+        span,
+    }))
+}
+
+fn points(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
+    let mut points = Vec::new();
+    loop {
+        let name = identifier(tokens, "the name of a point")?;
+        equals(tokens)?;
+        let (position, _) = coordinates(tokens, 2)?;
+        points.push(DrawnPoint { name, position });
+        if tokens.mark(',').is_some() {
+            if tokens.peek_mark(';') {
+                break;
+            }
+            continue;
+        }
+        let mut ahead = *tokens;
+        if !tokens.at_statement() && ahead.word().is_some() && ahead.peek_mark('=') {
+            // `A = (1, 2) B = (3, 4)`: the next point is read all the same.
+            let failure = separator(tokens, "`,` or `;`");
+            tokens
+                .reader
+                .report(*failure, start.start, tokens.previous().end);
+            continue;
+        }
+        break;
+    }
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Points(Points { docs, points, span }))
+}
+
+fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
+    let first = identifier(tokens, "the driven quantity")?;
+    let (name, quantity) = match tokens.mark(':') {
+        Some(_) => (Some(first), identifier(tokens, "the driven quantity")?),
+        None => (None, first),
+    };
+    if !tokens.peek_group(Delimiter::Parenthesis) {
+        let finding = tokens.unexpected("`(`");
+        return Err(Box::new(
+            finding.help("a driver is written `drive phi(BODY) = FORMULA;`"),
+        ));
+    }
+    let operands = operands(tokens)?;
+    equals(tokens)?;
+    let value = expression(tokens)?;
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Drive(Drive {
+        docs,
+        name,
+        quantity,
+        operands,
+        value,
+        span,
+    }))
+}
+
+fn joint(tokens: &mut Tokens<'_>, docs: Vec<String>, kind: Name) -> Outcome<Statement> {
+    let mut ahead = *tokens;
+    let named = ahead.word().is_some() || ahead.number().is_some();
+    if !ahead.peek_group(Delimiter::Parenthesis) {
+        return Err(unknown_statement(&kind));
+    }
+    let name = if named {
+        Some(body_name(tokens, "the name of a joint")?)
+    } else {
+        None
+    };
+    let start = kind.span;
+    let operands = operands(tokens)?;
+    let along = match tokens.keyword("along") {
+        Some(_) => Some(direction(tokens)?),
+        None => None,
+    };
+    let value = match tokens.mark('=') {
+        Some(_) => Some(expression(tokens)?),
+        None => None,
+    };
+    if value.is_some() && tokens.peek_word() == Some("along") {
+        let finding = Diagnostic::error(
+            Code::WrongForm,
+            tokens.next_span(),
+            "`along` stands behind the value",
+        )
+        .help("write `along A -> B` before the `=`");
+        return Err(Box::new(finding));
+    }
+    let end = if value.is_some() {
+        semicolon(tokens, start)?
+    } else {
+        semicolon_after_operands(tokens, start)?
+    };
+    Ok(Statement::Joint(Joint {
+        docs,
+        kind,
+        name,
+        operands,
+        along,
+        value,
+        span: start.to(end),
+    }))
+}
+
+fn unknown_statement(word: &Name) -> Box<Diagnostic> {
+    let message = format!("unknown statement `{}`", word.text);
+    let finding = Diagnostic::error(Code::UnknownStatement, word.span, message)
+        .label("not a statement of this language");
+    let list: Vec<String> = KEYWORDS
+        .iter()
+        .map(|keyword| format!("`{keyword}`"))
+        .collect();
+    let note = format!(
+        "a statement starts with {}, or is a joint such as `revolute P(a, b);`",
+        list.join(", ")
+    );
+    Box::new(match nearest(&word.text, KEYWORDS) {
+        Some(meant) => finding.help(format!("did you mean `{meant}`?")),
+        None => finding.help(note),
+    })
+}
+
+fn equals(tokens: &mut Tokens<'_>) -> Outcome<()> {
+    tokens
+        .mark('=')
+        .map(|_| ())
+        .ok_or_else(|| tokens.unexpected("`=`"))
+}
+
+/// The semicolon after a formula. A missing one is reported without giving up the statement, if it is clear where it ends.
+fn semicolon(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
+    missing_semicolon(tokens, start).ok_or_else(|| after_expression(tokens, "an operation or `;`"))
+}
+
+/// The semicolon after a joint without a value.
+fn semicolon_after_operands(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
+    missing_semicolon(tokens, start).ok_or_else(|| tokens.unexpected("`;`"))
+}
+
+fn missing_semicolon(tokens: &mut Tokens<'_>, start: Span) -> Option<Span> {
+    if let Some(semicolon) = tokens.mark(';') {
+        return Some(semicolon);
+    }
+    let keyword = tokens
+        .peek_word()
+        .is_some_and(|word| KEYWORDS.contains(&word));
+    let next_is_word = tokens.at_line_start() && (tokens.at_end() || tokens.peek_word().is_some());
+    if !(tokens.at_statement() || keyword || next_is_word) {
+        return None;
+    }
+    let end = tokens.previous().end;
+    let finding = Diagnostic::error(
+        Code::MissingSemicolon,
+        Span { start: end, end },
+        "missing `;`",
+    )
+    .label("expected `;`")
+    .help("end the statement with `;`");
+    tokens.reader.report(finding, start.start, end);
+    Some(tokens.previous())
+}

@@ -1,0 +1,297 @@
+//! *`syn`'s tokens → names, marks, numbers and groups with our spans.* The only place that touches a span of `syn`: those are bound
+//! to the thread, and at the end of the input they are empty and at offset 0. Here the end of a group is its closing bracket.
+
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+
+use proc_macro2::Delimiter;
+use syn::buffer::Cursor;
+
+use super::brackets::StatementStarts;
+use super::document::Name;
+use super::repair::Repaired;
+use super::scan::{Documentation, MOST_FINDINGS};
+use crate::diagnostic::{Code, Diagnostic, Span};
+
+/// What a rule gives: its node, or the one finding that stopped it.
+pub(super) type Outcome<T> = Result<T, Box<Diagnostic>>;
+
+/// What every rule may ask about the text.
+pub(super) struct Reader<'a> {
+    pub text: &'a str,
+    pub repaired: &'a Repaired,
+    pub starts: &'a StatementStarts,
+    pub documentation: &'a [Documentation],
+    /// Offsets near which errors say nothing new, ascending.
+    pub damage: &'a [usize],
+    findings: RefCell<Vec<Diagnostic>>,
+    /// Where documentation has been taken from.
+    documented: RefCell<BTreeSet<u32>>,
+}
+
+impl<'a> Reader<'a> {
+    pub(super) fn new(
+        text: &'a str,
+        repaired: &'a Repaired,
+        starts: &'a StatementStarts,
+        documentation: &'a [Documentation],
+        damage: &'a [usize],
+    ) -> Self {
+        let findings = RefCell::default();
+        Self {
+            text,
+            repaired,
+            starts,
+            documentation,
+            damage,
+            findings,
+            documented: RefCell::default(),
+        }
+    }
+
+    /// Keeps a finding, unless what was found by the scan explains it.
+    pub(super) fn report(&self, finding: Diagnostic, from: u32, to: u32) {
+        let first = self.damage.partition_point(|place| *place < from as usize);
+        let damaged = self
+            .damage
+            .get(first)
+            .is_some_and(|place| *place <= to as usize);
+        let mut findings = self.findings.borrow_mut();
+        if !damaged && findings.len() < MOST_FINDINGS {
+            findings.push(finding);
+        }
+    }
+
+    /// Whether so much was found that going on is pointless.
+    pub(super) fn is_full(&self) -> bool {
+        self.findings.borrow().len() >= MOST_FINDINGS
+    }
+
+    pub(super) fn into_findings(self) -> Vec<Diagnostic> {
+        self.findings.into_inner()
+    }
+
+    /// The text of a span.
+    pub(super) fn written(&self, span: Span) -> &'a str {
+        self.text.get(span.range()).unwrap_or("")
+    }
+
+    /// The end of the last thing written.
+    pub(super) fn end_of_text(&self) -> Span {
+        Span::empty(self.text.trim_end().len())
+    }
+
+    /// The lines of the documentation directly before an offset.
+    pub(super) fn docs(&self, offset: u32, inner: bool) -> Vec<String> {
+        let first = self
+            .documentation
+            .partition_point(|it| it.before < offset as usize);
+        let mut lines = Vec::new();
+        for comment in self.documentation[first..]
+            .iter()
+            .take_while(|it| it.before == offset as usize)
+        {
+            if comment.inner == inner {
+                self.documented.borrow_mut().insert(comment.span.start);
+                lines.extend(comment.lines.iter().cloned());
+            }
+        }
+        lines
+    }
+
+    /// Documentation that no rule has asked for.
+    pub(super) fn idle_documentation(&self) -> Vec<Span> {
+        let documented = self.documented.borrow();
+        let spans = self.documentation.iter().map(|it| it.span);
+        spans
+            .filter(|span| !documented.contains(&span.start))
+            .collect()
+    }
+
+    fn span(&self, span: proc_macro2::Span) -> Span {
+        // Brackets that are missing at the end of the file are inserted behind the last line break.
+        let (span, end) = (self.repaired.span(span.byte_range()), self.end_of_text());
+        if span.start >= end.start { end } else { span }
+    }
+}
+
+/// A place between two tokens of one group. Copies are cheap: a rule that looks ahead works on a copy.
+#[derive(Clone, Copy)]
+pub(super) struct Tokens<'a> {
+    pub reader: &'a Reader<'a>,
+    cursor: Cursor<'a>,
+    /// The bracket that closes the group, or the end of the file.
+    close: Span,
+    /// The token before this place, or the opening bracket.
+    previous: Span,
+}
+
+impl<'a> Tokens<'a> {
+    /// All tokens of a file.
+    pub(super) fn all(reader: &'a Reader<'a>, cursor: Cursor<'a>) -> Self {
+        Self {
+            reader,
+            cursor,
+            close: reader.end_of_text(),
+            previous: Span::empty(0),
+        }
+    }
+
+    pub(super) fn at_end(&self) -> bool {
+        self.cursor.eof()
+    }
+
+    /// The next token, the opening bracket of the next group, or what closes this group.
+    pub(super) fn next_span(&self) -> Span {
+        if self.at_end() {
+            return self.close;
+        }
+        match self.cursor.any_group() {
+            Some((_, _, span, _)) => self.reader.span(span.open()),
+            None => self.reader.span(self.cursor.span()),
+        }
+    }
+
+    pub(super) fn previous(&self) -> Span {
+        self.previous
+    }
+
+    /// Whether the next token is on another line than the previous one, or there is none.
+    pub(super) fn at_line_start(&self) -> bool {
+        let between = Span {
+            start: self.previous.end,
+            end: self.next_span().start,
+        };
+        self.at_end() || self.reader.written(between).contains('\n')
+    }
+
+    /// Whether a statement starts here, judged by the shape of the line.
+    pub(super) fn at_statement(&self) -> bool {
+        !self.at_end() && self.reader.starts.contains(self.next_span().start as usize)
+    }
+
+    pub(super) fn peek_word(&self) -> Option<&'a str> {
+        let (ident, _) = self.cursor.ident()?;
+        Some(self.reader.written(self.reader.span(ident.span())))
+    }
+
+    /// The word, if it is this one.
+    pub(super) fn keyword(&mut self, word: &str) -> Option<Span> {
+        if self.peek_word() != Some(word) {
+            return None;
+        }
+        self.word().map(|name| name.span)
+    }
+
+    pub(super) fn word(&mut self) -> Option<Name> {
+        let (ident, rest) = self.cursor.ident()?;
+        let span = self.reader.span(ident.span());
+        self.advance(span, rest);
+        Some(Name {
+            text: self.reader.written(span).to_string(),
+            span,
+        })
+    }
+
+    /// A number as written, with its unit.
+    pub(super) fn number(&mut self) -> Option<Name> {
+        let (literal, rest) = self.cursor.literal()?;
+        let span = self.reader.span(literal.span());
+        self.advance(span, rest);
+        Some(Name {
+            text: self.reader.written(span).to_string(),
+            span,
+        })
+    }
+
+    pub(super) fn peek_number(&self) -> bool {
+        self.cursor.literal().is_some()
+    }
+
+    pub(super) fn peek_mark(&self, mark: char) -> bool {
+        self.cursor
+            .punct()
+            .is_some_and(|(punct, _)| punct.as_char() == mark)
+    }
+
+    pub(super) fn mark(&mut self, mark: char) -> Option<Span> {
+        let (punct, rest) = self
+            .cursor
+            .punct()
+            .filter(|(punct, _)| punct.as_char() == mark)?;
+        let span = self.reader.span(punct.span());
+        self.advance(span, rest);
+        Some(span)
+    }
+
+    /// `->`
+    pub(super) fn arrow(&mut self) -> Option<Span> {
+        let mut ahead = *self;
+        let minus = ahead.mark('-')?;
+        let greater = ahead
+            .mark('>')
+            .filter(|greater| greater.start == minus.end)?;
+        *self = ahead;
+        Some(minus.to(greater))
+    }
+
+    pub(super) fn peek_group(&self, delimiter: Delimiter) -> bool {
+        self.cursor.group(delimiter).is_some()
+    }
+
+    /// The inside of a group, and its span with the brackets.
+    pub(super) fn group(&mut self, delimiter: Delimiter) -> Option<(Tokens<'a>, Span)> {
+        let (inside, brackets, rest) = self.cursor.group(delimiter)?;
+        let (open, close) = (
+            self.reader.span(brackets.open()),
+            self.reader.span(brackets.close()),
+        );
+        let inner = Tokens {
+            reader: self.reader,
+            cursor: inside,
+            close,
+            previous: open,
+        };
+        self.advance(open.to(close), rest);
+        Some((inner, open.to(close)))
+    }
+
+    /// Passes one token or group.
+    pub(super) fn skip(&mut self) {
+        if let Some((tree, rest)) = self.cursor.token_tree() {
+            let span = self.reader.span(tree.span());
+            self.advance(span, rest);
+        }
+    }
+
+    fn advance(&mut self, span: Span, rest: Cursor<'a>) {
+        self.previous = span;
+        self.cursor = rest;
+    }
+
+    /// What stands here, for a message.
+    pub(super) fn found(&self) -> String {
+        let span = self.next_span();
+        match self.reader.written(span) {
+            "" => "the end of the file".to_string(),
+            written if written.chars().count() > 40 => "this".to_string(),
+            written => format!("`{written}`"),
+        }
+    }
+
+    /// The finding that something else is wanted here.
+    pub(super) fn unexpected(&self, wanted: &str) -> Box<Diagnostic> {
+        self.unexpected_with_code(Code::UnexpectedToken, wanted)
+    }
+
+    pub(super) fn unexpected_with_code(&self, code: Code, wanted: &str) -> Box<Diagnostic> {
+        let span = self.next_span();
+        let code = if span == self.reader.end_of_text() {
+            Code::UnexpectedEnd
+        } else {
+            code
+        };
+        let message = format!("expected {wanted}, found {}", self.found());
+        Box::new(Diagnostic::error(code, span, message).label(format!("expected {wanted}")))
+    }
+}

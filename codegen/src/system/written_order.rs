@@ -1,0 +1,80 @@
+//! In which order the terms of a sum and the factors of a product are written.
+//!
+//! The arena sorts operands by id, so that equal expressions are one node. A person writes the coordinates of the first body of
+//! a joint before those of the second, constants after them, and functions of time last.
+
+use crate::expr::{ExprId, Factor, Graph, Node, Term};
+use super::{SymbolRole, System};
+
+/// The written order of one formula.
+#[derive(Clone, Copy, Debug)]
+pub struct WrittenOrder<'a> {
+    system: &'a System,
+    /// The bodies in the order in which the formula should mention them.
+    bodies: &'a [usize],
+}
+
+/// Sorts first by class, then by the first symbol, then as the arena does.
+type Key = (u8, usize, ExprId);
+
+impl<'a> WrittenOrder<'a> {
+    /// The order in which a joint between these bodies is written.
+    pub fn new(system: &'a System, bodies: &'a [usize]) -> WrittenOrder<'a> {
+        WrittenOrder { system, bodies }
+    }
+
+    fn graph(&self) -> &'a Graph {
+        &self.system.mechanism.graph
+    }
+
+    /// A smaller number for what is written earlier.
+    fn rank(&self, role: SymbolRole) -> usize {
+        let (coordinate, level) = match role {
+            SymbolRole::Position(coordinate) => (coordinate, 0),
+            SymbolRole::Rate(coordinate) => (coordinate, 1),
+            SymbolRole::Acceleration(coordinate) => (coordinate, 2),
+            SymbolRole::Time => return usize::MAX,
+        };
+        let body = self.system.coordinates[coordinate].body;
+        let place = self.bodies.iter().position(|&named| named == body).unwrap_or(self.bodies.len() + body);
+        (3 * place + coordinate % 3) * 3 + level
+    }
+
+    fn first_symbol(&self, expr: ExprId) -> Option<usize> {
+        let symbols = self.graph().symbols(expr);
+        symbols.iter().map(|symbol| self.rank(self.system.roles[symbol.index()])).min()
+    }
+
+    fn term_key(&self, expr: ExprId) -> Key {
+        match self.first_symbol(expr) {
+            Some(usize::MAX) => (2, 0, expr),
+            Some(rank) => (0, rank, expr),
+            None => (1, 0, expr),
+        }
+    }
+
+    fn factor_key(&self, expr: ExprId) -> Key {
+        // Constants first, then what is short, then sums in parentheses.
+        match self.first_symbol(expr) {
+            None => (0, 0, expr),
+            Some(rank) => match self.graph().node(expr) {
+                Node::Sum(terms) if terms.len() > 1 => (2, rank, expr),
+                _ => (1, rank, expr),
+            },
+        }
+    }
+
+    /// The terms as they are written.
+    pub fn terms(&self, terms: &[Term]) -> Vec<Term> {
+        let mut sorted = terms.to_vec();
+        sorted.sort_by_cached_key(|term| self.term_key(term.expr));
+        sorted
+    }
+
+    /// The factors as they are written.
+    pub fn factors(&self, factors: &[Factor]) -> Vec<Factor> {
+        let mut sorted = factors.to_vec();
+        sorted.sort_by_cached_key(|factor| self.factor_key(factor.base));
+        sorted
+    }
+}
