@@ -67,9 +67,10 @@ fn generate_file(file: &Path) -> Option<(String, String)> {
             return None;
         }
     };
-    let source = match Source::from_bytes(&name, bytes) {
+    let source = match Source::from_bytes(&name, &bytes) {
         Ok(source) => source,
-        Err((source, diagnostic)) => {
+        Err(unreadable) => {
+            let (source, diagnostic) = *unreadable;
             print_error(&diagnostic.render(&source));
             return None;
         }

@@ -1,2 +1,35 @@
-//! Generated mechanisms.
+//! The described mechanisms of the repository, generated at build time.
+//!
+//! Each `.mech` file beside this package's manifest becomes a module. The modules need neither the standard library nor an
+//! allocator.
+//!
+//! ```
+//! use linkwright_mechanisms::excavator::Excavator;
+//!
+//! let mut arm = Excavator::assemble(0.0)?;
+//! let frame = arm.advance(0.01)?;
+//! let tool = frame.point_k();
+//! assert!((tool.position[0] + 1.2).abs() < 0.01);
+//! # Ok::<(), linkwright::Failure>(())
+//! ```
 #![no_std]
+
+/// The two-body mechanism of the ME 451 midterm.
+pub mod two_body {
+    linkwright::include_mechanism!(two_body);
+}
+
+/// The excavator-like arm with ten bodies and two actuators, frames at the centers of mass.
+pub mod excavator {
+    linkwright::include_mechanism!(excavator);
+}
+
+/// The same arm with every body's frame at one of its pins.
+pub mod excavator_pins {
+    linkwright::include_mechanism!(excavator_pins);
+}
+
+/// The ten-body arm whose motion MSC ADAMS has computed.
+pub mod arm {
+    linkwright::include_mechanism!(arm);
+}

@@ -95,7 +95,14 @@ impl Graph {
     }
 
     /// The expression that is this symbol.
+    ///
+    /// # Panics
+    /// Where the symbol belongs to another graph and has no name in this one.
     pub fn variable(&mut self, symbol: SymbolId) -> ExprId {
+        assert!(
+            symbol.index() < self.symbol_count(),
+            "a symbol belongs to the graph that named it"
+        );
         self.intern(Node::Symbol(symbol))
     }
 

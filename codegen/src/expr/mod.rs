@@ -29,6 +29,9 @@ mod symbols;
 mod tape;
 mod trigonometry;
 
+#[cfg(test)]
+mod tests;
+
 pub use graph::Graph;
 pub use node::{ExprId, Factor, Node, SymbolId, Term};
 pub use number::Number;

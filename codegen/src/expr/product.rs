@@ -76,6 +76,9 @@ impl Graph {
         if exponent == Rational::ONE {
             return base;
         }
+        if !self.is_finite(base) {
+            return self.not_a_number();
+        }
         if let Some(value) = self.as_number(base) {
             return self.number(value.pow(exponent));
         }
@@ -125,7 +128,10 @@ impl Graph {
             positive_root(content.absolute(), exponent)
         };
         if removed.is_one() {
-            return monomial.push(base, exponent);
+            return match self.node(base) {
+                Node::Sum(terms) if terms.len() > 1 => monomial.push(base, exponent),
+                _ => self.push_root(monomial, base, exponent),
+            };
         }
         let rest = match *self.node(base) {
             // Divided without rounding, which a float coefficient would not survive.
@@ -139,7 +145,8 @@ impl Graph {
         monomial.scale(removed.pow(exponent));
         match self.node(rest) {
             // What cannot leave the root stays in it; the content of a primitive sum has been taken out.
-            Node::Sum(_) => monomial.push(rest, exponent),
+            Node::Sum(terms) if terms.len() > 1 => monomial.push(rest, exponent),
+            Node::Sum(_) => self.push_root(monomial, rest, exponent),
             _ => self.push_power(monomial, rest, exponent),
         }
     }
@@ -158,7 +165,7 @@ impl Graph {
             _ => false,
         };
         if !splits {
-            return monomial.push(base, exponent);
+            return self.push_root(monomial, base, exponent);
         }
         for factor in factors {
             match factor.exponent.checked_mul(exponent) {
@@ -172,9 +179,27 @@ impl Graph {
         }
     }
 
+    /// Multiplies by a power, not a whole one, of a base that comes apart under a whole power. The whole part of the
+    /// exponent is taken apart, so that x·y·√(x·y) and (x·y)^(3/2) are the same.
+    fn push_root(&mut self, monomial: &mut Monomial, base: ExprId, exponent: Rational) {
+        let whole = exponent.numerator().div_euclid(exponent.denominator());
+        let fraction = exponent.numerator().rem_euclid(exponent.denominator());
+        match (
+            Rational::new(whole, 1),
+            Rational::new(fraction, exponent.denominator()),
+        ) {
+            (Some(whole), Some(fraction)) => {
+                monomial.push(base, fraction);
+                self.push_power(monomial, base, whole);
+            }
+            _ => monomial.overflow = true,
+        }
+    }
+
     /// The expression of a product; NaN where it is undefined or an exponent does not fit.
     pub(super) fn finish(&mut self, mut monomial: Monomial) -> ExprId {
         while self.merge_powers(&mut monomial) {}
+        self.join_roots(&mut monomial);
         if monomial.overflow || !monomial.coefficient.is_finite() {
             return self.not_a_number();
         }
@@ -208,6 +233,34 @@ impl Graph {
         merged_roots
     }
 
+    /// Joins whole powers of a primitive sum to a root of its multiple, (x - y)·√(y - x) = -(y - x)^(3/2): then a root and
+    /// its derivatives need one sum, not two.
+    ///
+    /// Among several roots of multiples of one primitive sum the whole powers go to that of the sum itself, if there is one,
+    /// otherwise to the first.
+    fn join_roots(&mut self, monomial: &mut Monomial) {
+        let mut roots = Vec::new();
+        for (place, factor) in monomial.factors.iter().enumerate() {
+            let content = match self.node(factor.base) {
+                Node::Sum(terms) if terms.len() > 1 && !factor.exponent.is_integer() => {
+                    self.content(terms)
+                }
+                _ => continue,
+            };
+            if !content.is_one() {
+                let primitive = self.scale(content.recip(), factor.base);
+                roots.push((primitive, place, content));
+            }
+        }
+        roots.sort_unstable_by_key(|&(primitive, place, _)| (primitive, place));
+        for same_primitive in roots.chunk_by(|left, right| left.0 == right.0) {
+            if join_same_primitive(monomial, same_primitive).is_none() {
+                monomial.overflow = true;
+            }
+        }
+        monomial.factors.retain(|factor| !factor.exponent.is_zero());
+    }
+
     /// The expression of canonical factors.
     pub(super) fn monomial(&mut self, factors: Vec<Factor>) -> ExprId {
         match factors[..] {
@@ -216,6 +269,36 @@ impl Graph {
             _ => self.intern(Node::Product(factors.into_boxed_slice())),
         }
     }
+}
+
+/// Gives the whole powers of these roots, and those of their primitive sum, to one of them. `None` where an exponent does
+/// not fit.
+fn join_same_primitive(monomial: &mut Monomial, roots: &[(ExprId, usize, Number)]) -> Option<()> {
+    let (primitive, first, first_content) = roots[0];
+    let own = monomial
+        .factors
+        .binary_search_by_key(&primitive, |factor| factor.base)
+        .ok();
+    let mut total = own.map_or(Rational::ZERO, |own| monomial.factors[own].exponent);
+    for &(_, place, content) in roots {
+        let exponent = monomial.factors[place].exponent;
+        let whole = Rational::new(exponent.numerator().div_euclid(exponent.denominator()), 1)?;
+        monomial.factors[place].exponent = exponent.checked_sub(whole)?;
+        monomial.scale(content.pow(whole));
+        total = total.checked_add(whole)?;
+    }
+    if total.is_integer() {
+        let exponent = &mut monomial.factors[first].exponent;
+        *exponent = exponent.checked_add(total)?;
+        monomial.scale(first_content.pow(-total));
+        total = Rational::ZERO;
+    }
+    // A zero marks a factor that is removed later: places must not move yet. Without a factor of its own the primitive sum
+    // has a whole total, which has been given away.
+    if let Some(own) = own {
+        monomial.factors[own].exponent = total;
+    }
+    Some(())
 }
 
 /// The largest part of a positive number whose power is exact: all of it, or its rational factor, or nothing. A float has

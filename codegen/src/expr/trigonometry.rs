@@ -26,9 +26,6 @@ impl Graph {
         if !self.is_finite(angle) {
             return self.not_a_number();
         }
-        if let Some((y, x)) = self.constant_direction(angle) {
-            return self.over_length(y, y, x);
-        }
         let angle = self.take_apart(angle);
         let sine = self.sine_of(&angle, angle.quarters);
         if angle.negative {
@@ -42,9 +39,6 @@ impl Graph {
     pub fn cos(&mut self, angle: ExprId) -> ExprId {
         if !self.is_finite(angle) {
             return self.not_a_number();
-        }
-        if let Some((y, x)) = self.constant_direction(angle) {
-            return self.over_length(x, y, x);
         }
         let angle = self.take_apart(angle);
         self.sine_of(&angle, angle.quarters + 1)
@@ -157,7 +151,7 @@ impl Graph {
                 twelfths: (core == self.zero()).then_some(0),
             };
         };
-        if quarters != 0 {
+        if rest != phase {
             let pi = self.pi();
             let removed = match rest.checked_sub(phase) {
                 Some(difference) => Number::rational(difference),
@@ -201,10 +195,14 @@ impl Graph {
     /// sin(core + quarters·π/2).
     fn sine_of(&mut self, angle: &Angle, quarters: i128) -> ExprId {
         let is_sine = quarters.rem_euclid(2) == 0;
-        let value = match angle.twelfths {
-            Some(twelfths) => self.table(if is_sine { twelfths } else { 6 - twelfths }),
-            None if is_sine => self.intern(Node::Sin(angle.core)),
-            None => self.intern(Node::Cos(angle.core)),
+        let value = if let Some(twelfths) = angle.twelfths {
+            self.table(if is_sine { twelfths } else { 6 - twelfths })
+        } else if let Some((y, x)) = self.constant_direction(angle.core) {
+            self.over_length(if is_sine { y } else { x }, y, x)
+        } else if is_sine {
+            self.intern(Node::Sin(angle.core))
+        } else {
+            self.intern(Node::Cos(angle.core))
         };
         if quarters.rem_euclid(4) >= 2 {
             self.negate(value)

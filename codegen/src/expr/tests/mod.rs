@@ -1,0 +1,10 @@
+//! Tests of the symbolic core. All random input comes from a fixed seed, named in every message.
+
+mod canonical;
+mod estimate;
+mod exactness;
+mod generator;
+mod identities;
+mod numbers;
+mod scale;
+mod tree;

@@ -1,0 +1,5 @@
+//! Generates a module for every description in this folder.
+
+fn main() {
+    linkwright_codegen::build(".");
+}
