@@ -1,7 +1,7 @@
 //! *The motion of a point → a table of a readable number of times.*
 //!
 //! Columns are aligned at the decimal point; a column is in exponents only where six decimals would not show it. Numbers
-//! below [`NOISE`] of the mechanism's size count as zero. The module does not know what is to be said beside the table.
+//! below 1e-12 of the mechanism's size count as zero. The module does not know what is to be said beside the table.
 
 use linkwright::Motion;
 
