@@ -197,6 +197,7 @@ impl Inputs {
             SymbolRole::Rate(_) => self.rate = true,
             SymbolRole::Acceleration(_) => self.acceleration = true,
             SymbolRole::Time => self.time = true,
+            SymbolRole::Arm(_) | SymbolRole::Intermediate => {}
         }
     }
 }

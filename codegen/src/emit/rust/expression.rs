@@ -95,10 +95,14 @@ impl Writer<'_> {
             SymbolRole::Rate(coordinate) => ("qd", coordinate),
             SymbolRole::Acceleration(coordinate) => ("qdd", coordinate),
             SymbolRole::Time => return Some(quote!(t)),
+            SymbolRole::Arm(_) | SymbolRole::Intermediate => {
+                let name = identifier(self.system.local_name(*symbol));
+                return Some(quote!(#name));
+            }
         };
         let (vector, field) = (
             format_ident!("{vector}"),
-            identifier(&self.system.coordinates[coordinate].name),
+            identifier(self.system.unknown_name(coordinate)),
         );
         Some(quote!(#vector.#field))
     }
