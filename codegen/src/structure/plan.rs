@@ -47,6 +47,8 @@ pub enum Step {
         sine: ExprId,
         /// The rest of the equation.
         rest: ExprId,
+        /// The equation as it was, in arms.
+        equation: ExprId,
     },
     /// R(φ_a) p + R(φ_b) q + closure = 0: the dyad with three revolute joints, where two circles meet.
     TwoRotations {
@@ -150,25 +152,47 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
     {
         return None;
     }
-    let mut blocks: Vec<SolvedBlock> = Vec::new();
+    // The first block holds what follows from t and constants alone.
+    let mut blocks = vec![SolvedBlock {
+        joints: Vec::new(),
+        steps: Vec::new(),
+        definitions: Vec::new(),
+    }];
+    let mut home = vec![0; form.unknowns.len()];
     for rows in components(&incidence, &matching) {
         let mut unknowns: Vec<usize> = rows
             .iter()
             .filter_map(|&row| matching.column_of[row])
             .collect();
         unknowns.sort_unstable();
-        let mut joints: Vec<usize> = rows.iter().map(|&row| form.rows[row].joint).collect();
-        joints.dedup();
+        let joints: Vec<usize> = rows.iter().map(|&row| form.rows[row].joint).collect();
+        let mentioned = rows
+            .iter()
+            .flat_map(|&row| incidence.rows[row].iter().copied());
+        let latest = mentioned
+            .filter(|column| !unknowns.contains(column))
+            .map(|column| home[column])
+            .max();
         let residuals = rows.iter().map(|&row| form.rows[row].residual).collect();
-        let block = block(residuals, &unknowns, joints, form, graph);
-        match blocks.last_mut() {
-            // What follows without a step belongs to the solution before it, as a person would write it down.
-            Some(last) if block.steps.is_empty() && last.definitions.len() < LONGEST_TAIL => {
-                last.joints.extend(block.joints);
-                last.definitions.extend(block.definitions);
-            }
-            _ => blocks.push(block),
+        let mut block = block(residuals, &unknowns, joints, form, graph);
+        // What follows without a step belongs to the block that it follows from, as a person would write it down.
+        let place = if block.steps.is_empty() {
+            latest.unwrap_or(0)
+        } else {
+            blocks.len()
+        };
+        if place < blocks.len() {
+            blocks[place].joints.append(&mut block.joints);
+            blocks[place].definitions.append(&mut block.definitions);
+        } else {
+            blocks.push(block);
         }
+        for &unknown in &unknowns {
+            home[unknown] = place;
+        }
+    }
+    if blocks[0].definitions.is_empty() {
+        blocks.remove(0);
     }
     for block in &mut blocks {
         block.joints.sort_unstable();
@@ -176,9 +200,6 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
     }
     Some(SolvedPlan { blocks })
 }
-
-/// How many definitions may follow one step before a new block begins.
-const LONGEST_TAIL: usize = 16;
 
 /// Which row mentions which unknown, through arms or directly.
 fn incidence(form: &VectorForm, graph: &Graph) -> Incidence {

@@ -59,6 +59,7 @@ fn single(residual: ExprId, unknown: usize, form: &VectorForm, graph: &mut Graph
         cosine: turned.cosine,
         sine: turned.sine,
         rest: turned.rest,
+        equation: residual,
     })
 }
 

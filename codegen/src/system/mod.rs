@@ -117,6 +117,15 @@ pub struct Output {
 }
 
 impl System {
+    /// A new symbol for a value that is computed on the way. Equal names are told apart by what follows the space.
+    pub fn intermediate(&mut self, name: &str) -> SymbolId {
+        let number = self.mechanism.graph.symbol_count();
+        let symbol = self.mechanism.graph.symbol(&format!("{name} {number}"));
+        self.roles
+            .resize(symbol.index() + 1, SymbolRole::Intermediate);
+        symbol
+    }
+
     /// The name of an unknown: a coordinate, or a displacement of the vector form.
     pub fn unknown_name(&self, unknown: usize) -> &str {
         &self.vector_form.unknowns[unknown].name

@@ -132,12 +132,17 @@ impl VectorForm {
         let mut terms = Vec::with_capacity(symbols.len());
         for symbol in symbols {
             let Some(&rate) = self.rates.get(&symbol) else {
-                continue;
+                unreachable!("`{}` has no rule of motion", graph.symbol_name(symbol))
             };
             let partial = graph.derivative(expr, symbol);
             terms.push(graph.multiply(partial, rate));
         }
         graph.sum(&terms)
+    }
+
+    /// States how a symbol that was made later moves.
+    pub fn set_rate(&mut self, symbol: SymbolId, rate: ExprId) {
+        self.rates.insert(symbol, rate);
     }
 
     /// The unknown angle of a body.
