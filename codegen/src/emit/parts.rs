@@ -48,7 +48,7 @@ pub(super) fn terms(expr: ExprId, graph: &Graph, order: &WrittenOrder<'_>) -> Ve
 pub(super) fn fraction(term: &Term, graph: &Graph, order: &WrittenOrder<'_>) -> Fraction {
     let mut fraction = Fraction::default();
     let magnitude = if term.coefficient.is_negative() { term.coefficient.neg() } else { term.coefficient };
-    push_number(magnitude, &mut fraction);
+    push_number(magnitude, holds_pi(term.expr, graph), &mut fraction);
     if term.expr == graph.one() {
         return fraction;
     }
@@ -63,12 +63,22 @@ pub(super) fn fraction(term: &Term, graph: &Graph, order: &WrittenOrder<'_>) -> 
     fraction
 }
 
-fn push_number(number: Number, fraction: &mut Fraction) {
+/// Whether π is a factor: multiples of π are written as fractions.
+fn holds_pi(expr: ExprId, graph: &Graph) -> bool {
+    match graph.node(expr) {
+        Node::Pi => true,
+        Node::Product(factors) => factors.iter().any(|factor| *graph.node(factor.base) == Node::Pi),
+        _ => false,
+    }
+}
+
+fn push_number(number: Number, beside_pi: bool, fraction: &mut Fraction) {
     match number {
         Number::Float(value) => fraction.numerators.push(Part::Digits(format!("{value:?}"))),
         Number::Exact { rational, radicand } => {
             let (numerator, denominator) = (rational.numerator(), rational.denominator());
-            if let Some(decimal) = decimal(numerator, denominator) {
+            let short = if beside_pi || radicand != 1 { None } else { decimal(numerator, denominator) };
+            if let Some(decimal) = short {
                 fraction.numerators.push(Part::Digits(decimal));
             } else {
                 if numerator != 1 {
@@ -85,16 +95,15 @@ fn push_number(number: Number, fraction: &mut Fraction) {
     }
 }
 
-/// The decimal digits of a fraction whose denominator has a factor five, where they end soon: such numbers were written as
-/// decimals. Halves, thirds and the like stay fractions.
+/// The decimal digits of a fraction, where they end soon and it is no whole number.
 fn decimal(numerator: i128, denominator: i128) -> Option<String> {
     const LONGEST: usize = 12;
-    if denominator % 5 != 0 {
+    if denominator == 1 {
         return None;
     }
     let digits = (1..=LONGEST).find(|&digits| 10_i128.pow(digits as u32) % denominator == 0)?;
-    let scaled = numerator.checked_mul(10_i128.pow(digits as u32) / denominator)?;
     let unit = 10_i128.pow(digits as u32);
+    let scaled = numerator.checked_mul(unit / denominator)?;
     Some(format!("{}.{:0digits$}", scaled / unit, scaled % unit))
 }
 
@@ -106,7 +115,8 @@ mod tests {
     fn decimals_come_back_as_written() {
         assert_eq!(decimal(1, 20).as_deref(), Some("0.05"));
         assert_eq!(decimal(7, 5).as_deref(), Some("1.4"));
-        assert_eq!(decimal(1, 2), None);
+        assert_eq!(decimal(3, 2).as_deref(), Some("1.5"));
+        assert_eq!(decimal(2, 1), None);
         assert_eq!(decimal(1, 3), None);
         assert_eq!(decimal(1, 15), None);
     }

@@ -10,10 +10,14 @@ use super::rational::{Rational, greatest_common_divisor};
 
 impl Graph {
     /// The content, such that the primitive part has whole coefficients without a common divisor, the leading one positive.
-    /// A common square root belongs to the content. Where a float takes part, or the numbers get too large, only the sign
-    /// does.
+    /// A common square root belongs to the content. Only the sign is taken out of rational coefficients of different size,
+    /// which keeps the sums of a mechanism as they are written (x + 3/20·cos φ, not 20·x + 3·cos φ), where a float takes
+    /// part, and where the numbers get too large.
     pub(super) fn content(&self, terms: &[Term]) -> Number {
-        let magnitude = common_divisor(terms).unwrap_or(Number::ONE);
+        let first = terms.first().map(|term| term.coefficient.absolute());
+        let equal = terms.iter().all(|term| Some(term.coefficient.absolute()) == first);
+        let divisor = common_divisor(terms).filter(|divisor| equal || !divisor.is_rational());
+        let magnitude = divisor.unwrap_or(Number::ONE);
         if self.is_negative_lead(terms) {
             magnitude.neg()
         } else {
@@ -44,7 +48,7 @@ impl Graph {
 }
 
 /// The largest positive number of which all coefficients are whole multiples, `None` where it is not exact.
-fn common_divisor(terms: &[Term]) -> Option<Number> {
+pub(super) fn common_divisor(terms: &[Term]) -> Option<Number> {
     let (mut above, mut below) = (0, 1u128);
     let mut shared_radicand = None;
     let mut same_radicand = true;

@@ -22,6 +22,7 @@ mod node;
 mod number;
 mod product;
 mod pythagoras;
+mod radical;
 mod rational;
 mod substitute;
 mod sum;

@@ -3,6 +3,7 @@
 //! A result that an exact number cannot hold becomes the nearest computed float: nothing wraps and nothing panics. This
 //! file does not know expressions.
 
+use super::radical::{exact_root, extract_squares};
 use super::rational::{Decimal, Rational, greatest_common_divisor};
 use std::hash::{Hash, Hasher};
 
@@ -165,6 +166,11 @@ impl Number {
         exact.unwrap_or_else(|| Number::float(self.to_f64() * other.to_f64()))
     }
 
+    /// Whether it is exact and free of square roots.
+    pub fn is_rational(&self) -> bool {
+        matches!(self, Number::Exact { radicand: 1, .. })
+    }
+
     /// The negated number.
     pub fn neg(&self) -> Number {
         match *self {
@@ -224,14 +230,13 @@ impl Number {
         // x = r√d = √(r²d), hence x^(p/n) is the p-th power of √((r²d)^(1/n)), exact where that n-th root is rational. For a
         // rational x and an even n half of the root is already under the square root.
         let order = exponent.denominator();
-        let rational_order = if radicand == 1 && order % 2 == 0 {
-            Some((rational, order / 2))
+        let (under, order) = if radicand == 1 && order % 2 == 0 {
+            (rational, order / 2)
         } else {
-            let square = rational.checked_mul(rational)?;
             let radicand = Rational::new(i128::try_from(radicand).ok()?, 1)?;
-            square.checked_mul(radicand).map(|squared| (squared, order))
+            let square = rational.checked_mul(rational)?;
+            (square.checked_mul(radicand)?, order)
         };
-        let (under, order) = rational_order?;
         let above = exact_root(under.numerator().unsigned_abs(), order)?;
         let below = exact_root(under.denominator().unsigned_abs(), order)?;
         let (above_root, above_rest) = extract_squares(above);
@@ -343,46 +348,4 @@ fn integer_power(rational: Rational, radicand: u128, exponent: i128) -> Option<N
         rational: scale,
         radicand: if exponent % 2 == 0 { 1 } else { radicand },
     })
-}
-
-/// The root of this order where it is a whole number.
-fn exact_root(value: u128, order: i128) -> Option<u128> {
-    if order == 1 || value <= 1 {
-        return Some(value);
-    }
-    let order = u32::try_from(order).ok()?;
-    if order == 2 {
-        let root = value.isqrt();
-        return (root * root == value).then_some(root);
-    }
-    // A root of order three or more has at most 43 bits: the float is off by less than one.
-    let estimate = (value as f64).powf(1.0 / f64::from(order)).round() as u128;
-    (estimate.saturating_sub(1)..=estimate + 1).find(|root| root.checked_pow(order) == Some(value))
-}
-
-/// `(s, t)` with `value = s²·t` and no square left in t as far as it is found.
-fn extract_squares(value: u128) -> (u128, u128) {
-    if value < 4 {
-        return (1, value);
-    }
-    let (mut root, mut kept, mut rest) = (1, 1, value);
-    let mut divisor = 2u128;
-    // What has no divisor below d and is less than d³ is a prime, a product of two primes or the square of one.
-    while divisor <= 1000 && divisor * divisor * divisor <= rest {
-        while rest % (divisor * divisor) == 0 {
-            rest /= divisor * divisor;
-            root *= divisor;
-        }
-        if rest % divisor == 0 {
-            rest /= divisor;
-            kept *= divisor;
-        }
-        divisor += if divisor == 2 { 1 } else { 2 };
-    }
-    let square = rest.isqrt();
-    if square * square == rest {
-        (root * square, kept)
-    } else {
-        (root, kept * rest)
-    }
 }

@@ -5,7 +5,8 @@
 //!
 //! `(x^a)^b` becomes `x^(ab)` where both agree for every real x at which the left side has a value: for a whole b, and
 //! for any b unless a is a whole even number (`√(x²)` is |x|). `(x·y)^b` is split for a whole b only: x and y may both
-//! be negative. A positive number leaves a root where its own root is exact.
+//! be negative. A positive number leaves a root where its own root is exact; where it is not, as 3 in a fourth root, roots of
+//! different multiples of one expression stay apart, and not every equality between them is seen.
 
 use super::graph::Graph;
 use super::node::{ExprId, Factor, Node};

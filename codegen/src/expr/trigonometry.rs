@@ -5,6 +5,7 @@
 //! vectors are exact on the axes and at multiples of 30° and 45°. Tangent, arcsine, arccosine and arctangent are written
 //! with sine, cosine and the angle of a vector: there are no further node kinds.
 
+use super::content::common_divisor;
 use super::graph::Graph;
 use super::node::{ExprId, Node, Term};
 use super::number::Number;
@@ -88,7 +89,7 @@ impl Graph {
             coefficient,
             expr: self.one(),
         });
-        let shrink = self.content(&terms).absolute().recip();
+        let shrink = common_divisor(&terms).unwrap_or(Number::ONE).recip();
         let (y, x) = (
             self.number(y_value.mul(shrink)),
             self.number(x_value.mul(shrink)),
@@ -143,7 +144,8 @@ impl Graph {
             .iter()
             .find_map(|term| self.as_phase(term))
             .map(|phase| if negative { -phase } else { phase });
-        let Some((phase, quarters, rest)) = phase.and_then(reduce_phase) else {
+        let Some((phase, quarters, rest)) = phase.and_then(|phase| reduce_phase(phase, terms.len() == 1))
+        else {
             return Angle {
                 negative,
                 core,
@@ -230,15 +232,26 @@ impl Graph {
     }
 }
 
-/// `(phase, quarters, rest)` with phase = quarters/2 + rest and the rest in (-1/4, 1/4], all in units of π; the quarters
-/// modulo 4.
-fn reduce_phase(phase: Rational) -> Option<(Rational, i128, Rational)> {
-    let halves = phase.checked_mul(Rational::integer(2))?;
-    let shifted = halves.checked_sub(Rational::HALF)?;
+/// `(phase, quarters, rest)` with phase = quarters/2 + rest, all in units of π; the quarters modulo 4.
+///
+/// Beside a variable only a whole number of quarter turns is taken out, or else of half turns, so that sin(u - π/3) is not
+/// rewritten as a cosine; then the rest is in (-1/2, 1/2]. A phase that is `alone` is reduced to (-1/4, 1/4].
+fn reduce_phase(phase: Rational, alone: bool) -> Option<(Rational, i128, Rational)> {
+    let (quarters, rest) = reduce_by(phase, Rational::HALF)?;
+    if alone || rest.is_zero() {
+        return Some((phase, quarters.rem_euclid(4), rest));
+    }
+    let (halves, rest) = reduce_by(phase, Rational::ONE)?;
+    Some((phase, halves.checked_mul(2)?.rem_euclid(4), rest))
+}
+
+/// `(count, rest)` with phase = count·step + rest and the rest in (-step/2, step/2].
+fn reduce_by(phase: Rational, step: Rational) -> Option<(i128, Rational)> {
+    let shifted = phase.checked_div(step)?.checked_sub(Rational::HALF)?;
     // The ceiling, through the floor of the negated value.
-    let quarters = -(-shifted.numerator()).div_euclid(shifted.denominator());
-    let rest = phase.checked_sub(Rational::new(quarters, 2)?)?;
-    Some((phase, quarters.rem_euclid(4), rest))
+    let count = -(-shifted.numerator()).div_euclid(shifted.denominator());
+    let rest = phase.checked_sub(step.checked_mul(Rational::integer(i64::try_from(count).ok()?))?)?;
+    Some((count, rest))
 }
 
 /// The angle of (x, y) as a fraction of π, numerator and denominator, where it is exact; 0/0 for the zero vector.

@@ -417,11 +417,13 @@ fn label(given: &Given<'_>) -> String {
     let operands: Vec<String> = given.operands.iter().map(reference).collect();
     let operands = operands.join(", ");
     let keyword = given.kind.keyword();
-    let name = given.name.map(|name| name.text.as_str());
-    match (given.role, name) {
+    let along = given.along.map(|along| format!(" along {} -> {}", reference(&along.from), reference(&along.to)));
+    let along = along.unwrap_or_default();
+    match (given.role, given.name.map(|name| name.text.as_str())) {
         (Role::Driver, Some(name)) => format!("drive {name}: {keyword}({operands})"),
         (Role::Driver, None) => format!("drive {keyword}({operands})"),
-        (Role::Constraint, Some(name)) => format!("{keyword} {name}({operands})"),
-        (Role::Constraint, None) => format!("{keyword}({operands})"),
+        (Role::Constraint, Some(name)) => format!("{keyword} {name}({operands}){along}"),
+        (Role::Constraint, None) if along.is_empty() => format!("{keyword}({operands})"),
+        (Role::Constraint, None) => format!("{keyword} ({operands}){along}"),
     }
 }

@@ -64,10 +64,13 @@ impl<'a> WrittenOrder<'a> {
         }
     }
 
-    /// The terms as they are written.
+    /// The terms as they are written: a sum does not begin with a minus where it can be avoided.
     pub fn terms(&self, terms: &[Term]) -> Vec<Term> {
         let mut sorted = terms.to_vec();
         sorted.sort_by_cached_key(|term| self.term_key(term.expr));
+        if let Some(first) = sorted.iter().position(|term| !term.coefficient.is_negative()) {
+            sorted[..=first].rotate_right(1);
+        }
         sorted
     }
 

@@ -25,7 +25,15 @@ impl Estimate {
 
     /// A result with a propagated error and its own rounding.
     fn with(self, value: f64, propagated: f64) -> Estimate {
-        let error = propagated + 4.0 * ROUNDING * value.abs();
+        // The smallest normal number covers what is lost below the range of floats.
+        let error = propagated + 4.0 * ROUNDING * value.abs() + f64::MIN_POSITIVE;
+        // Far from 1 an equal expression may overflow on its way, as x/√(1 + x²) does where sin(atan x) does not.
+        let in_range = value == 0.0 || (1e-50..1e50).contains(&value.abs());
+        let error = if in_range && !error.is_nan() {
+            error
+        } else {
+            f64::INFINITY
+        };
         Estimate { value, error }
     }
 
