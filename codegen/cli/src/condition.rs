@@ -102,9 +102,7 @@ impl Weakness {
         }
         // QR sweeps need two or three per singular value; the limit only bounds what cannot happen.
         let sweeps = 100 * matrix.nrows();
-        let decomposition = matrix
-            .clone()
-            .try_svd(true, true, f64::EPSILON, sweeps)?;
+        let decomposition = matrix.clone().try_svd(true, true, f64::EPSILON, sweeps)?;
         let (smallest, _) = decomposition.singular_values.argmin();
         Some(Weakness {
             equations: decomposition.u?.column(smallest).into_owned(),
@@ -126,7 +124,10 @@ mod tests {
         assert_eq!(condition.reciprocal, 1.0 / 16.0);
         let weakness = Weakness::of(&matrix).expect("the matrix is finite");
         assert_eq!(weakness.equations.map(f64::abs).as_slice(), [0.0, 0.0, 1.0]);
-        assert_eq!(weakness.coordinates.map(f64::abs).as_slice(), [0.0, 0.0, 1.0]);
+        assert_eq!(
+            weakness.coordinates.map(f64::abs).as_slice(),
+            [0.0, 0.0, 1.0]
+        );
     }
 
     #[test]

@@ -191,7 +191,10 @@ mod tests {
             (0.0, 1.0, 1e-9),
             (1e16, 1e16 + 4.0, 0.5),
         ] {
-            assert!(Schedule::range(from, to, step).is_err(), "{from} {to} {step}");
+            assert!(
+                Schedule::range(from, to, step).is_err(),
+                "{from} {to} {step}"
+            );
         }
     }
 }
