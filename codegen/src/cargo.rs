@@ -23,25 +23,36 @@ pub fn build(folder: impl AsRef<Path>) {
 }
 
 fn build_folder(folder: &Path) -> Result<(), String> {
-    let output = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: `build` is called from a build script")?;
+    let output = env::var_os("OUT_DIR")
+        .ok_or("OUT_DIR is not set: `build` is called from a build script")?;
     let output = PathBuf::from(output).join("linkwright");
-    let unreadable = |error: io::Error| format!("cannot read the folder `{}`: {error}", folder.display());
+    let unreadable =
+        |error: io::Error| format!("cannot read the folder `{}`: {error}", folder.display());
     let mut files = Vec::new();
     for entry in fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
-        if path.extension().is_some_and(|extension| extension == "mech") {
+        if path
+            .extension()
+            .is_some_and(|extension| extension == "mech")
+        {
             files.push(path);
         }
     }
     // The order of a folder is not the same everywhere.
     files.sort();
     if files.is_empty() {
-        return Err(format!("the folder `{}` holds no `.mech` file", folder.display()));
+        return Err(format!(
+            "the folder `{}` holds no `.mech` file",
+            folder.display()
+        ));
     }
-    fs::create_dir_all(&output).map_err(|error| format!("cannot create `{}`: {error}", output.display()))?;
+    fs::create_dir_all(&output)
+        .map_err(|error| format!("cannot create `{}`: {error}", output.display()))?;
     let mut names: Vec<(String, PathBuf)> = Vec::new();
     for file in files {
-        let Some((name, code)) = generate_file(&file) else { continue };
+        let Some((name, code)) = generate_file(&file) else {
+            continue;
+        };
         if let Some((_, earlier)) = names.iter().find(|(other, _)| *other == name) {
             print_error(&format!(
                 "`{}` and `{}` both describe a mechanism named `{name}`",
@@ -51,7 +62,8 @@ fn build_folder(folder: &Path) -> Result<(), String> {
             continue;
         }
         let target = output.join(format!("{name}.rs"));
-        write_if_changed(&target, &code).map_err(|error| format!("cannot write `{}`: {error}", target.display()))?;
+        write_if_changed(&target, &code)
+            .map_err(|error| format!("cannot write `{}`: {error}", target.display()))?;
         names.push((name, file));
     }
     Ok(())

@@ -8,16 +8,17 @@
 //! linkwright_codegen::build("descriptions");
 //! ```
 
+mod cargo;
+mod consequences;
 pub mod diagnostic;
-pub mod syntax;
+pub mod emit;
 pub mod expr;
 pub mod joint;
 pub mod model;
-pub mod system;
-pub mod structure;
 pub mod program;
-pub mod emit;
-mod cargo;
+pub mod structure;
+pub mod syntax;
+pub mod system;
 
 pub use cargo::build;
 
@@ -51,13 +52,22 @@ pub struct Generated {
 /// Every error of the text and of its names, values and forms.
 pub fn read(source: &Source) -> Result<Read, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
-    let document = syntax::parse(source, &mut diagnostics);
-    let mechanism = document.and_then(|document| model::resolve(&document, &mut diagnostics));
+    let Some(document) = syntax::parse(source, &mut diagnostics) else {
+        return Err(diagnostics);
+    };
+    let mut resolving = Diagnostics::new();
+    let mechanism = model::resolve(&document, &mut resolving);
+    if diagnostics.has_errors() {
+        consequences::add_independent(resolving, &document, source, &mut diagnostics);
+        return Err(diagnostics);
+    }
+    diagnostics.extend(resolving);
     match mechanism {
-        Some(mechanism) if !diagnostics.has_errors() => {
-            Ok(Read { system: system::assemble(mechanism), warnings: diagnostics })
-        }
-        _ => Err(diagnostics),
+        Some(mechanism) => Ok(Read {
+            system: system::assemble(mechanism),
+            warnings: diagnostics,
+        }),
+        None => Err(diagnostics),
     }
 }
 
@@ -79,5 +89,9 @@ pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
     let plan = check(&system)?;
     let program = program::lower(&system, plan);
     let code = emit::rust::module(&system, &program);
-    Ok(Generated { name: system.mechanism.name.clone(), code, warnings })
+    Ok(Generated {
+        name: system.mechanism.name.clone(),
+        code,
+        warnings,
+    })
 }

@@ -1,6 +1,5 @@
 //! A term of a sum → the parts of the fraction that a person writes for it.
 
-
 use crate::expr::{ExprId, Factor, Graph, Node, Number, Rational, Term};
 use crate::system::WrittenOrder;
 
@@ -17,9 +16,11 @@ impl Fraction {
     /// Multiplies by a power; a negative one goes below the bar.
     pub(super) fn push(&mut self, factor: Factor) {
         if factor.exponent.is_negative() {
-            self.denominators.push(Part::Power(factor.base, -factor.exponent));
+            self.denominators
+                .push(Part::Power(factor.base, -factor.exponent));
         } else {
-            self.numerators.push(Part::Power(factor.base, factor.exponent));
+            self.numerators
+                .push(Part::Power(factor.base, factor.exponent));
         }
     }
 }
@@ -39,15 +40,25 @@ pub(super) enum Part {
 pub(super) fn terms(expr: ExprId, graph: &Graph, order: &WrittenOrder<'_>) -> Vec<Term> {
     match graph.node(expr) {
         Node::Sum(terms) => order.terms(terms),
-        Node::Number(number) => vec![Term { coefficient: *number, expr: graph.one() }],
-        _ => vec![Term { coefficient: Number::ONE, expr }],
+        Node::Number(number) => vec![Term {
+            coefficient: *number,
+            expr: graph.one(),
+        }],
+        _ => vec![Term {
+            coefficient: Number::ONE,
+            expr,
+        }],
     }
 }
 
 /// The absolute value of a term as a fraction.
 pub(super) fn fraction(term: &Term, graph: &Graph, order: &WrittenOrder<'_>) -> Fraction {
     let mut fraction = Fraction::default();
-    let magnitude = if term.coefficient.is_negative() { term.coefficient.neg() } else { term.coefficient };
+    let magnitude = if term.coefficient.is_negative() {
+        term.coefficient.neg()
+    } else {
+        term.coefficient
+    };
     push_number(magnitude, holds_pi(term.expr, graph), &mut fraction);
     if term.expr == graph.one() {
         return fraction;
@@ -58,7 +69,9 @@ pub(super) fn fraction(term: &Term, graph: &Graph, order: &WrittenOrder<'_>) -> 
                 fraction.push(factor);
             }
         }
-        _ => fraction.numerators.push(Part::Power(term.expr, Rational::ONE)),
+        _ => fraction
+            .numerators
+            .push(Part::Power(term.expr, Rational::ONE)),
     }
     fraction
 }
@@ -67,7 +80,9 @@ pub(super) fn fraction(term: &Term, graph: &Graph, order: &WrittenOrder<'_>) -> 
 fn holds_pi(expr: ExprId, graph: &Graph) -> bool {
     match graph.node(expr) {
         Node::Pi => true,
-        Node::Product(factors) => factors.iter().any(|factor| *graph.node(factor.base) == Node::Pi),
+        Node::Product(factors) => factors
+            .iter()
+            .any(|factor| *graph.node(factor.base) == Node::Pi),
         _ => false,
     }
 }
@@ -77,15 +92,23 @@ fn push_number(number: Number, beside_pi: bool, fraction: &mut Fraction) {
         Number::Float(value) => fraction.numerators.push(Part::Digits(format!("{value:?}"))),
         Number::Exact { rational, radicand } => {
             let (numerator, denominator) = (rational.numerator(), rational.denominator());
-            let short = if beside_pi || radicand != 1 { None } else { decimal(numerator, denominator) };
+            let short = if beside_pi || radicand != 1 {
+                None
+            } else {
+                decimal(numerator, denominator)
+            };
             if let Some(decimal) = short {
                 fraction.numerators.push(Part::Digits(decimal));
             } else {
                 if numerator != 1 {
-                    fraction.numerators.push(Part::Digits(numerator.to_string()));
+                    fraction
+                        .numerators
+                        .push(Part::Digits(numerator.to_string()));
                 }
                 if denominator != 1 {
-                    fraction.denominators.push(Part::Digits(denominator.to_string()));
+                    fraction
+                        .denominators
+                        .push(Part::Digits(denominator.to_string()));
                 }
             }
             if radicand != 1 {

@@ -15,7 +15,9 @@ impl Graph {
     /// part, and where the numbers get too large.
     pub(super) fn content(&self, terms: &[Term]) -> Number {
         let first = terms.first().map(|term| term.coefficient.absolute());
-        let equal = terms.iter().all(|term| Some(term.coefficient.absolute()) == first);
+        let equal = terms
+            .iter()
+            .all(|term| Some(term.coefficient.absolute()) == first);
         let divisor = common_divisor(terms).filter(|divisor| equal || !divisor.is_rational());
         let magnitude = divisor.unwrap_or(Number::ONE);
         if self.is_negative_lead(terms) {

@@ -144,7 +144,8 @@ impl Graph {
             .iter()
             .find_map(|term| self.as_phase(term))
             .map(|phase| if negative { -phase } else { phase });
-        let Some((phase, quarters, rest)) = phase.and_then(|phase| reduce_phase(phase, terms.len() == 1))
+        let Some((phase, quarters, rest)) =
+            phase.and_then(|phase| reduce_phase(phase, terms.len() == 1))
         else {
             return Angle {
                 negative,
@@ -250,7 +251,8 @@ fn reduce_by(phase: Rational, step: Rational) -> Option<(i128, Rational)> {
     let shifted = phase.checked_div(step)?.checked_sub(Rational::HALF)?;
     // The ceiling, through the floor of the negated value.
     let count = -(-shifted.numerator()).div_euclid(shifted.denominator());
-    let rest = phase.checked_sub(step.checked_mul(Rational::integer(i64::try_from(count).ok()?))?)?;
+    let rest =
+        phase.checked_sub(step.checked_mul(Rational::integer(i64::try_from(count).ok()?))?)?;
     Some((count, rest))
 }
 

@@ -8,9 +8,15 @@ pub struct AbsoluteAngle;
 
 /// φ_i − value, which the angle driver shares.
 pub(super) fn angle_row(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-    let Some(value) = operands.value else { return Vec::new() };
+    let Some(value) = operands.value else {
+        return Vec::new();
+    };
     let residual = graph.subtract(operands.marks[0].frame.angle, value);
-    vec![Row { residual, quantity: Quantity::Angle, component: "" }]
+    vec![Row {
+        residual,
+        quantity: Quantity::Angle,
+        component: "",
+    }]
 }
 
 impl Kind for AbsoluteAngle {

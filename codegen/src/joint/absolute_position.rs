@@ -11,10 +11,16 @@ pub struct AbsoluteY;
 
 /// The row that holds component `axis` of the mark at the value.
 fn held(operands: &Resolved, axis: usize, graph: &mut Graph) -> Vec<Row> {
-    let Some(value) = operands.value else { return Vec::new() };
+    let Some(value) = operands.value else {
+        return Vec::new();
+    };
     let position = operands.marks[0].position(graph);
     let residual = graph.subtract(position[axis], value);
-    vec![Row { residual, quantity: Quantity::Length, component: "" }]
+    vec![Row {
+        residual,
+        quantity: Quantity::Length,
+        component: "",
+    }]
 }
 
 impl Kind for AbsoluteX {

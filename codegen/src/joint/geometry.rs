@@ -49,7 +49,10 @@ impl Frame {
 
     /// Rᵀ(φ) v: the global vector `v` in the components of this frame.
     pub fn unrotate(&self, v: Vector, graph: &mut Graph) -> Vector {
-        let opposite = Frame { angle: graph.negate(self.angle), ..*self };
+        let opposite = Frame {
+            angle: graph.negate(self.angle),
+            ..*self
+        };
         opposite.rotate(v, graph)
     }
 }

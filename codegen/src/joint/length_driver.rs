@@ -27,9 +27,20 @@ impl Kind for LengthDriver {
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let (Some(axis), Some(value)) = (operands.axis, operands.value) else { return Vec::new() };
-        let length = offset_along(axis.direction, &operands.marks[0], &operands.marks[1], graph);
+        let (Some(axis), Some(value)) = (operands.axis, operands.value) else {
+            return Vec::new();
+        };
+        let length = offset_along(
+            axis.direction,
+            &operands.marks[0],
+            &operands.marks[1],
+            graph,
+        );
         let residual = graph.subtract(length, value);
-        vec![Row { residual, quantity: Quantity::Length, component: "" }]
+        vec![Row {
+            residual,
+            quantity: Quantity::Length,
+            component: "",
+        }]
     }
 }

@@ -29,9 +29,16 @@ impl Kind for Revolute {
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let positions = [operands.marks[0].position(graph), operands.marks[1].position(graph)];
+        let positions = [
+            operands.marks[0].position(graph),
+            operands.marks[1].position(graph),
+        ];
         let gap = subtract(positions[0], positions[1], graph);
-        let row = |residual, component| Row { residual, quantity: Quantity::Length, component };
+        let row = |residual, component| Row {
+            residual,
+            quantity: Quantity::Length,
+            component,
+        };
         vec![row(gap[0], "x"), row(gap[1], "y")]
     }
 }

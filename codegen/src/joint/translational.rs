@@ -27,14 +27,24 @@ impl Kind for Translational {
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let [i, j] = [operands.marks[0], operands.marks[1]];
-        let Some(axis) = operands.axis else { return Vec::new() };
+        let Some(axis) = operands.axis else {
+            return Vec::new();
+        };
         let turned = graph.subtract(i.frame.angle, j.frame.angle);
         let angle = graph.subtract(turned, axis.relative_angle);
         let across = perpendicular(axis.direction, graph);
         let lateral = offset_along(across, &i, &j, graph);
         vec![
-            Row { residual: angle, quantity: Quantity::Angle, component: "angle" },
-            Row { residual: lateral, quantity: Quantity::Length, component: "lateral" },
+            Row {
+                residual: angle,
+                quantity: Quantity::Angle,
+                component: "angle",
+            },
+            Row {
+                residual: lateral,
+                quantity: Quantity::Length,
+                component: "lateral",
+            },
         ]
     }
 }

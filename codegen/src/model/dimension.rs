@@ -41,31 +41,45 @@ impl Dimension {
 
     /// The dimension of a sum whose terms fit one another.
     pub fn joined(self, other: Dimension) -> Dimension {
-        if self == Dimension::Unmarked { other } else { self }
+        if self == Dimension::Unmarked {
+            other
+        } else {
+            self
+        }
     }
 
     /// The dimension of a product, or of a quotient with `sign` −1.
     pub fn times(self, other: Dimension, sign: i32) -> Dimension {
         match (self, other) {
-            (Dimension::Marked { length: l, time: t }, Dimension::Marked { length: m, time: u }) => {
-                Dimension::Marked {
-                    length: l.saturating_add(m.saturating_mul(sign)),
-                    time: t.saturating_add(u.saturating_mul(sign)),
-                }
-            }
+            (
+                Dimension::Marked { length: l, time: t },
+                Dimension::Marked { length: m, time: u },
+            ) => Dimension::Marked {
+                length: l.saturating_add(m.saturating_mul(sign)),
+                time: t.saturating_add(u.saturating_mul(sign)),
+            },
             _ => Dimension::Unmarked,
         }
     }
 
     /// The dimension of a power with the exponent `numerator`/`denominator`; `None` where a unit would get a broken power.
     pub fn power(self, numerator: i128, denominator: i128) -> Option<Dimension> {
-        let Dimension::Marked { length, time } = self else { return Some(Dimension::Unmarked) };
+        let Dimension::Marked { length, time } = self else {
+            return Some(Dimension::Unmarked);
+        };
         let raised = |exponent: i32| {
             let scaled = i128::from(exponent).checked_mul(numerator)?;
             let whole = scaled % denominator == 0;
-            if whole { i32::try_from(scaled / denominator).ok() } else { None }
+            if whole {
+                i32::try_from(scaled / denominator).ok()
+            } else {
+                None
+            }
         };
-        Some(Dimension::Marked { length: raised(length)?, time: raised(time)? })
+        Some(Dimension::Marked {
+            length: raised(length)?,
+            time: raised(time)?,
+        })
     }
 
     /// How messages name it.
@@ -75,8 +89,14 @@ impl Dimension {
             Dimension::Marked { length: 0, time: 0 } => "an angle".to_string(),
             Dimension::Marked { length: 1, time: 0 } => "a length".to_string(),
             Dimension::Marked { length: 0, time: 1 } => "a time".to_string(),
-            Dimension::Marked { length: 0, time: -1 } => "a frequency".to_string(),
-            Dimension::Marked { length: 1, time: -1 } => "a speed".to_string(),
+            Dimension::Marked {
+                length: 0,
+                time: -1,
+            } => "a frequency".to_string(),
+            Dimension::Marked {
+                length: 1,
+                time: -1,
+            } => "a speed".to_string(),
             Dimension::Marked { length: 2, time: 0 } => "an area".to_string(),
             Dimension::Marked { length, time } => {
                 let part = |unit: &str, exponent: i32| match exponent {
@@ -85,7 +105,11 @@ impl Dimension {
                     _ => format!("{unit}^{exponent}"),
                 };
                 let parts = [part("m", length), part("s", time)];
-                let shown: Vec<_> = parts.iter().filter(|part| !part.is_empty()).map(String::as_str).collect();
+                let shown: Vec<_> = parts
+                    .iter()
+                    .filter(|part| !part.is_empty())
+                    .map(String::as_str)
+                    .collect();
                 format!("a quantity in {}", shown.join("*"))
             }
         }
@@ -94,7 +118,8 @@ impl Dimension {
 
 /// The suffixes of the language, for help lines.
 pub const UNITS: &[&str] = &[
-    "m", "cm", "mm", "um", "km", "inch", "ft", "rad", "mrad", "deg", "turn", "s", "ms", "min", "Hz", "rpm",
+    "m", "cm", "mm", "um", "km", "inch", "ft", "rad", "mrad", "deg", "turn", "s", "ms", "min",
+    "Hz", "rpm",
 ];
 
 /// A unit: how many SI units it is, exactly, and its dimension.
@@ -103,7 +128,10 @@ pub fn unit(suffix: &str, graph: &mut Graph) -> Option<(ExprId, Dimension)> {
         (graph.rational(numerator, denominator), Dimension::LENGTH)
     };
     let seconds = Dimension::Marked { length: 0, time: 1 };
-    let per_second = Dimension::Marked { length: 0, time: -1 };
+    let per_second = Dimension::Marked {
+        length: 0,
+        time: -1,
+    };
     Some(match suffix {
         "m" => metres(1, 1, graph),
         "cm" => metres(1, 100, graph),

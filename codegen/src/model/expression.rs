@@ -14,8 +14,9 @@ use crate::syntax::{Expression, ExpressionKind, Name, Operation, Reference, Sign
 pub(super) type Value = (ExprId, Dimension);
 
 /// The functions of the language, for help lines.
-const FUNCTIONS: &[&str] =
-    &["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "distance"];
+const FUNCTIONS: &[&str] = &[
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "distance",
+];
 
 /// The names that are always declared.
 pub(super) const BUILT_IN: &[&str] = &["t", "pi"];
@@ -26,9 +27,13 @@ impl Resolver<'_> {
         let value = self.quantity(written, expected)?;
         if self.graph.depends_on(value, self.time) {
             self.diagnostics.push(
-                Diagnostic::error(Code::NotConstant, written.span, "a constant is wanted here, but this depends on `t`")
-                    .label("changes with time")
-                    .help("only the right-hand side of a `drive` statement may depend on `t`"),
+                Diagnostic::error(
+                    Code::NotConstant,
+                    written.span,
+                    "a constant is wanted here, but this depends on `t`",
+                )
+                .label("changes with time")
+                .help("only the right-hand side of a `drive` statement may depend on `t`"),
             );
             return None;
         }
@@ -47,7 +52,9 @@ impl Resolver<'_> {
                 )
                 .label(format!("this is {}", found.name()))
                 .help(match expected {
-                    Dimension::LENGTH => "lengths end in `m`, `cm`, `mm`, … or in no unit for metres",
+                    Dimension::LENGTH => {
+                        "lengths end in `m`, `cm`, `mm`, … or in no unit for metres"
+                    }
                     _ => "angles end in `deg`, `rad`, `turn` or in no unit for radians",
                 }),
             );
@@ -59,7 +66,9 @@ impl Resolver<'_> {
     /// Any expression.
     pub(super) fn value(&mut self, written: &Expression) -> Option<Value> {
         let value = match &written.kind {
-            ExpressionKind::Number { digits, unit } => self.number(digits, unit.as_ref(), written.span)?,
+            ExpressionKind::Number { digits, unit } => {
+                self.number(digits, unit.as_ref(), written.span)?
+            }
             ExpressionKind::Reference(reference) => self.named_value(reference)?,
             ExpressionKind::Sum(terms) => self.sum(terms)?,
             ExpressionKind::Product(factors) => self.product(factors)?,
@@ -68,14 +77,20 @@ impl Resolver<'_> {
                 (self.graph.negate(inner), dimension)
             }
             ExpressionKind::Power(base, exponent) => self.raised(base, exponent)?,
-            ExpressionKind::Call { function, arguments } => self.call(function, arguments, written.span)?,
+            ExpressionKind::Call {
+                function,
+                arguments,
+            } => self.call(function, arguments, written.span)?,
         };
         self.finite(value, written.span)
     }
 
     /// Passes a value on unless it is infinite or undefined.
     fn finite(&mut self, value: Value, span: Span) -> Option<Value> {
-        let evaluates = self.graph.constant_value(value.0).is_none_or(f64::is_finite);
+        let evaluates = self
+            .graph
+            .constant_value(value.0)
+            .is_none_or(f64::is_finite);
         if evaluates && self.graph.is_finite(value.0) {
             return Some(value);
         }
@@ -90,22 +105,32 @@ impl Resolver<'_> {
     fn number(&mut self, digits: &str, suffix: Option<&Name>, span: Span) -> Option<Value> {
         let Some(number) = Number::parse(digits) else {
             self.diagnostics.push(
-                Diagnostic::error(Code::OutsideGrammar, span, format!("`{digits}` is not a decimal number"))
-                    .help("write numbers like `12`, `0.05` or `1.5e-3`"),
+                Diagnostic::error(
+                    Code::OutsideGrammar,
+                    span,
+                    format!("`{digits}` is not a decimal number"),
+                )
+                .help("write numbers like `12`, `0.05` or `1.5e-3`"),
             );
             return None;
         };
         let number = self.graph.number(number);
-        let Some(suffix) = suffix else { return Some((number, Dimension::Unmarked)) };
+        let Some(suffix) = suffix else {
+            return Some((number, Dimension::Unmarked));
+        };
         let Some((factor, dimension)) = unit(&suffix.text, &mut self.graph) else {
             let help = match nearest(&suffix.text, UNITS.iter().copied()) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("the units are {}", listed(UNITS)),
             };
             self.diagnostics.push(
-                Diagnostic::error(Code::UnknownUnit, suffix.span, format!("no unit is named `{}`", suffix.text))
-                    .label("not a unit of this language")
-                    .help(help),
+                Diagnostic::error(
+                    Code::UnknownUnit,
+                    suffix.span,
+                    format!("no unit is named `{}`", suffix.text),
+                )
+                .label("not a unit of this language")
+                .help(help),
             );
             return None;
         };
@@ -161,13 +186,20 @@ impl Resolver<'_> {
                 marked = Some(term.span);
             }
             dimension = dimension.joined(found);
-            signed.push(if *sign == Sign::Minus { self.graph.negate(value) } else { value });
+            signed.push(if *sign == Sign::Minus {
+                self.graph.negate(value)
+            } else {
+                value
+            });
         }
         Some((self.graph.sum(&signed), dimension))
     }
 
     fn product(&mut self, factors: &[(Operation, Expression)]) -> Option<Value> {
-        let values: Vec<Option<Value>> = factors.iter().map(|(_, factor)| self.value(factor)).collect();
+        let values: Vec<Option<Value>> = factors
+            .iter()
+            .map(|(_, factor)| self.value(factor))
+            .collect();
         let mut parts = Vec::with_capacity(factors.len());
         let mut dimension: Option<Dimension> = None;
         for ((operation, _), value) in factors.iter().zip(values) {
@@ -179,19 +211,31 @@ impl Resolver<'_> {
                 Some(so_far) => so_far.times(found, sign),
             });
             let one = self.graph.one();
-            parts.push(if sign < 0 { self.graph.divide(one, value) } else { value });
+            parts.push(if sign < 0 {
+                self.graph.divide(one, value)
+            } else {
+                value
+            });
         }
-        Some((self.graph.product(&parts), dimension.unwrap_or(Dimension::Unmarked)))
+        Some((
+            self.graph.product(&parts),
+            dimension.unwrap_or(Dimension::Unmarked),
+        ))
     }
 
     fn raised(&mut self, base: &Expression, exponent: &Expression) -> Option<Value> {
         let (base_value, exponent_value) = (self.value(base), self.value(exponent));
-        let ((base_value, dimension), (exponent_value, exponent_dimension)) = (base_value?, exponent_value?);
+        let ((base_value, dimension), (exponent_value, exponent_dimension)) =
+            (base_value?, exponent_value?);
         if !exponent_dimension.fits(Dimension::ANGLE) {
             self.report_argument("an exponent cannot be", exponent, exponent_dimension);
             return None;
         }
-        if let Node::Number(Number::Exact { rational, radicand: 1 }) = *self.graph.node(exponent_value) {
+        if let Node::Number(Number::Exact {
+            rational,
+            radicand: 1,
+        }) = *self.graph.node(exponent_value)
+        {
             let (numerator, denominator) = (rational.numerator(), rational.denominator());
             let Some(raised) = dimension.power(numerator, denominator) else {
                 self.report_argument("this power cannot take", base, dimension);
@@ -203,7 +247,10 @@ impl Resolver<'_> {
             self.report_argument("a power with this exponent cannot take", base, dimension);
             return None;
         }
-        Some((self.graph.raise(base_value, exponent_value), Dimension::Unmarked))
+        Some((
+            self.graph.raise(base_value, exponent_value),
+            Dimension::Unmarked,
+        ))
     }
 
     fn call(&mut self, function: &Name, arguments: &[Expression], span: Span) -> Option<Value> {
@@ -214,31 +261,46 @@ impl Resolver<'_> {
                 None => format!("the functions are {}", listed(FUNCTIONS)),
             };
             self.diagnostics.push(
-                Diagnostic::error(Code::UnknownFunction, function.span, format!("unknown function `{name}`"))
-                    .label("not a function of this language")
-                    .help(help),
+                Diagnostic::error(
+                    Code::UnknownFunction,
+                    function.span,
+                    format!("unknown function `{name}`"),
+                )
+                .label("not a function of this language")
+                .help(help),
             );
             return None;
         }
-        let wanted = if matches!(name, "atan2" | "distance") { 2 } else { 1 };
+        let wanted = if matches!(name, "atan2" | "distance") {
+            2
+        } else {
+            1
+        };
         if arguments.len() != wanted {
             let given = arguments.len();
             let noun = if wanted == 1 { "argument" } else { "arguments" };
             self.diagnostics.push(
-                Diagnostic::error(Code::WrongArgumentCount, span, format!("`{name}` takes {wanted} {noun}, not {given}"))
-                    .label(format!("{given} given"))
-                    .help(match name {
-                        "atan2" => "`atan2(y, x)` is the angle of the vector (x, y)".to_string(),
-                        "distance" => "`distance(A, B)` measures two points in the drawing".to_string(),
-                        _ => format!("write `{name}(…)` with one expression"),
-                    }),
+                Diagnostic::error(
+                    Code::WrongArgumentCount,
+                    span,
+                    format!("`{name}` takes {wanted} {noun}, not {given}"),
+                )
+                .label(format!("{given} given"))
+                .help(match name {
+                    "atan2" => "`atan2(y, x)` is the angle of the vector (x, y)".to_string(),
+                    "distance" => "`distance(A, B)` measures two points in the drawing".to_string(),
+                    _ => format!("write `{name}(…)` with one expression"),
+                }),
             );
             return None;
         }
         if name == "distance" {
             return self.distance(arguments);
         }
-        let values: Vec<Option<Value>> = arguments.iter().map(|argument| self.value(argument)).collect();
+        let values: Vec<Option<Value>> = arguments
+            .iter()
+            .map(|argument| self.value(argument))
+            .collect();
         let values: Vec<Value> = values.into_iter().collect::<Option<_>>()?;
         let (x, dimension) = values[0];
         match name {
@@ -252,7 +314,11 @@ impl Resolver<'_> {
             "atan2" => {
                 let (other, other_dimension) = values[1];
                 if !dimension.fits(other_dimension) {
-                    self.report_argument(&format!("`atan2` of {} cannot take", dimension.name()), &arguments[1], other_dimension);
+                    self.report_argument(
+                        &format!("`atan2` of {} cannot take", dimension.name()),
+                        &arguments[1],
+                        other_dimension,
+                    );
                     return None;
                 }
                 return Some((self.graph.atan2(x, other), Dimension::ANGLE));
@@ -284,9 +350,13 @@ impl Resolver<'_> {
                 ExpressionKind::Reference(reference) => self.drawn_point(reference),
                 _ => {
                     self.diagnostics.push(
-                        Diagnostic::error(Code::OutsideGrammar, argument.span, "`distance` measures points")
-                            .label("not the name of a point")
-                            .help("write `distance(A, B)` or `distance(c1.A, c2.B)`"),
+                        Diagnostic::error(
+                            Code::OutsideGrammar,
+                            argument.span,
+                            "`distance` measures points",
+                        )
+                        .label("not the name of a point")
+                        .help("write `distance(A, B)` or `distance(c1.A, c2.B)`"),
                     );
                     None
                 }
@@ -300,9 +370,13 @@ impl Resolver<'_> {
 
     fn report_argument(&mut self, of: &str, argument: &Expression, found: Dimension) {
         self.diagnostics.push(
-            Diagnostic::error(Code::WrongDimension, argument.span, format!("{of} {}", found.name()))
-                .label(format!("this is {}", found.name()))
-                .help("divide by a quantity of the same unit, or write bare numbers for SI units"),
+            Diagnostic::error(
+                Code::WrongDimension,
+                argument.span,
+                format!("{of} {}", found.name()),
+            )
+            .label(format!("this is {}", found.name()))
+            .help("divide by a quantity of the same unit, or write bare numbers for SI units"),
         );
     }
 }

@@ -20,25 +20,31 @@ pub(super) struct Names<T> {
 
 impl<T> Names<T> {
     pub(super) fn new(sort: &'static str) -> Names<T> {
-        Names { sort, declared: Vec::new(), index: HashMap::new() }
+        Names {
+            sort,
+            declared: Vec::new(),
+            index: HashMap::new(),
+        }
     }
 
-    /// Declares a name; the error points at a first declaration.
-    pub(super) fn declare(&mut self, name: &Name, value: T) -> Result<(), Diagnostic> {
+    /// Declares a name. Where it is declared already the error is returned and the first declaration stays.
+    pub(super) fn declare(&mut self, name: &Name, value: T) -> Option<Diagnostic> {
         if let Some(&first) = self.index.get(&name.text) {
             let earlier = &self.declared[first].0;
-            return Err(Diagnostic::error(
-                Code::DuplicateName,
-                name.span,
-                format!("the {} `{}` is declared twice", self.sort, name.text),
-            )
-            .label("declared again here")
-            .also(earlier.span, "first declared here")
-            .help("give one of them another name"));
+            return Some(
+                Diagnostic::error(
+                    Code::DuplicateName,
+                    name.span,
+                    format!("the {} `{}` is declared twice", self.sort, name.text),
+                )
+                .label("declared again here")
+                .also(earlier.span, "first declared here")
+                .help("give one of them another name"),
+            );
         }
         self.index.insert(name.text.clone(), self.declared.len());
         self.declared.push((name.clone(), value));
-        Ok(())
+        None
     }
 
     pub(super) fn get(&self, text: &str) -> Option<&T> {
@@ -52,8 +58,12 @@ impl<T> Names<T> {
     /// The error for a name that is not declared, with the nearest one that is.
     pub(super) fn unknown(&self, text: &str, span: Span) -> Diagnostic {
         let message = format!("no {} is named `{text}`", self.sort);
-        let diagnostic = Diagnostic::error(Code::UnknownName, span, message).label("not declared above");
-        match nearest(text, self.declared.iter().map(|(name, _)| name.text.as_str())) {
+        let diagnostic =
+            Diagnostic::error(Code::UnknownName, span, message).label("not declared above");
+        match nearest(
+            text,
+            self.declared.iter().map(|(name, _)| name.text.as_str()),
+        ) {
             Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
             None => diagnostic.help(format!("declare the {} above this line", self.sort)),
         }

@@ -55,14 +55,24 @@ impl Resolver<'_> {
             Operands::BodiesAlong => self.sliding_pair(given)?,
             Operands::AxisOf => self.existing_axis(given)?,
         };
-        Some(Resolved { marks, axis, value: value? })
+        Some(Resolved {
+            marks,
+            axis,
+            value: value?,
+        })
     }
 
     fn report_form(&mut self, given: &Given<'_>, count: usize) {
         let keyword = given.kind.keyword();
         let (problem, span) = if given.operands.len() != count {
             let noun = if count == 1 { "operand" } else { "operands" };
-            (format!("`{keyword}` takes {count} {noun}, not {}", given.operands.len()), given.span)
+            (
+                format!(
+                    "`{keyword}` takes {count} {noun}, not {}",
+                    given.operands.len()
+                ),
+                given.span,
+            )
         } else if given.value.is_some() != given.kind.value().is_some() {
             match given.value {
                 Some(value) => (format!("`{keyword}` takes no value"), value.span),
@@ -71,11 +81,15 @@ impl Resolver<'_> {
         } else {
             match given.along {
                 Some(along) => (format!("`{keyword}` takes no `along`"), along.span),
-                None => (format!("`{keyword}` needs the line to slide on: `along P -> Q`"), given.span),
+                None => (
+                    format!("`{keyword}` needs the line to slide on: `along P -> Q`"),
+                    given.span,
+                ),
             }
         };
         self.diagnostics.push(
-            Diagnostic::error(Code::WrongForm, span, problem).help(format!("write {}", given.kind.example())),
+            Diagnostic::error(Code::WrongForm, span, problem)
+                .help(format!("write {}", given.kind.example())),
         );
     }
 
@@ -84,7 +98,8 @@ impl Resolver<'_> {
         match self.body_ids.get(&name.text) {
             Some(&body) => Some(body),
             None => {
-                self.diagnostics.push(self.body_ids.unknown(&name.text, name.span));
+                self.diagnostics
+                    .push(self.body_ids.unknown(&name.text, name.span));
                 None
             }
         }
@@ -94,15 +109,25 @@ impl Resolver<'_> {
     fn origin_mark(&mut self, reference: &Reference) -> Option<Mark> {
         if reference.body.is_some() {
             self.diagnostics.push(
-                Diagnostic::error(Code::WrongForm, reference.span, "a body is wanted here, not one of its points")
-                    .help(format!("write `{}`", reference.body.as_ref().map_or("", |body| &body.text))),
+                Diagnostic::error(
+                    Code::WrongForm,
+                    reference.span,
+                    "a body is wanted here, not one of its points",
+                )
+                .help(format!(
+                    "write `{}`",
+                    reference.body.as_ref().map_or("", |body| &body.text)
+                )),
             );
             return None;
         }
         let body = self.body(&reference.name)?;
         let frame = self.bodies[body.0].frame;
         let zero = self.graph.zero();
-        Some(Mark { frame, local: [zero, zero] })
+        Some(Mark {
+            frame,
+            local: [zero, zero],
+        })
     }
 
     /// `BODY` for its origin or `BODY.POINT`.
@@ -124,21 +149,41 @@ impl Resolver<'_> {
         }
         let drawn = self.drawn.get(&name.text);
         if let (BodyId::GROUND, Some(point)) = (body, drawn) {
-            return Some(Mark { frame: carrier.frame, local: point.position });
+            return Some(Mark {
+                frame: carrier.frame,
+                local: point.position,
+            });
         }
-        let carried_elsewhere = self.bodies.iter().any(|body| body.marks.iter().any(|mark| mark.name == name.text));
+        let carried_elsewhere = self
+            .bodies
+            .iter()
+            .any(|body| body.marks.iter().any(|mark| mark.name == name.text));
         let diagnostic = if body == BodyId::GROUND {
-            Diagnostic::error(Code::PointNotOnBody, name.span, format!("point `{}` is not on the ground", name.text))
-                .label("no drawn point has this name")
-                .help(format!("declare where it is: `point {} = (x, y);`", name.text))
+            Diagnostic::error(
+                Code::PointNotOnBody,
+                name.span,
+                format!("point `{}` is not on the ground", name.text),
+            )
+            .label("no drawn point has this name")
+            .help(format!(
+                "declare where it is: `point {} = (x, y);`",
+                name.text
+            ))
         } else if drawn.is_some() || carried_elsewhere {
-            let add = if drawn.is_some() { name.text.clone() } else { format!("{}: (x, y)", name.text) };
+            let add = if drawn.is_some() {
+                name.text.clone()
+            } else {
+                format!("{}: (x, y)", name.text)
+            };
             Diagnostic::error(
                 Code::PointNotOnBody,
                 name.span,
                 format!("point `{}` is not on body `{}`", name.text, carrier.name),
             )
-            .also(carrier.span, format!("body `{}` does not list it", carrier.name))
+            .also(
+                carrier.span,
+                format!("body `{}` does not list it", carrier.name),
+            )
             .help(format!("if the body carries it, add `{add}` to its braces"))
         } else {
             self.drawn.unknown(&name.text, name.span)
@@ -160,8 +205,12 @@ impl Resolver<'_> {
                 }
                 (None, None) => {
                     self.diagnostics.push(
-                        Diagnostic::error(Code::WrongForm, operand.span, "the point of this body is not named")
-                            .help(format!("write {}", given.kind.example())),
+                        Diagnostic::error(
+                            Code::WrongForm,
+                            operand.span,
+                            "the point of this body is not named",
+                        )
+                        .help(format!("write {}", given.kind.example())),
                     );
                     None
                 }
@@ -178,8 +227,12 @@ impl Resolver<'_> {
         }
         let name = &self.bodies[marks[0].frame.body.0].name;
         self.diagnostics.push(
-            Diagnostic::error(Code::JointOnOneBody, given.span, format!("this joins body `{name}` to itself"))
-                .help("a joint needs two bodies; the fixed frame is called `ground`"),
+            Diagnostic::error(
+                Code::JointOnOneBody,
+                given.span,
+                format!("this joins body `{name}` to itself"),
+            )
+            .help("a joint needs two bodies; the fixed frame is called `ground`"),
         );
         None
     }
@@ -187,7 +240,10 @@ impl Resolver<'_> {
     /// `(1, 2) along P -> Q`: P on the first body, Q on the second, the line as drawn.
     fn sliding_pair(&mut self, given: &Given<'_>) -> Option<(Vec<Mark>, Option<Axis>)> {
         let along = given.along?;
-        let ends = [(&given.operands[0], &along.from), (&given.operands[1], &along.to)];
+        let ends = [
+            (&given.operands[0], &along.from),
+            (&given.operands[1], &along.to),
+        ];
         let marks: Vec<Option<Mark>> = ends
             .iter()
             .map(|(operand, end)| {
@@ -205,17 +261,32 @@ impl Resolver<'_> {
         let frames = [0, 1].map(|side| self.bodies[marks[side].frame.body.0].drawn);
         let direction = frames[0].unrotate(direction, &mut self.graph);
         let relative_angle = self.graph.subtract(frames[0].angle, frames[1].angle);
-        Some((marks, Some(Axis { direction, relative_angle })))
+        Some((
+            marks,
+            Some(Axis {
+                direction,
+                relative_angle,
+            }),
+        ))
     }
 
     /// Where a mark is in the drawing.
     fn drawn_mark(&mut self, mark: &Mark) -> Vector {
         let frame = self.bodies[mark.frame.body.0].drawn;
-        Mark { frame, local: mark.local }.position(&mut self.graph)
+        Mark {
+            frame,
+            local: mark.local,
+        }
+        .position(&mut self.graph)
     }
 
     /// The unit vector from one drawn point to another.
-    pub(super) fn unit_direction(&mut self, from: Vector, to: Vector, span: Span) -> Option<Vector> {
+    pub(super) fn unit_direction(
+        &mut self,
+        from: Vector,
+        to: Vector,
+        span: Span,
+    ) -> Option<Vector> {
         let graph = &mut self.graph;
         let gap = subtract(to, from, graph);
         let square = dot(gap, gap, graph);
@@ -225,9 +296,13 @@ impl Resolver<'_> {
             return Some([graph.divide(gap[0], length), graph.divide(gap[1], length)]);
         }
         self.diagnostics.push(
-            Diagnostic::error(Code::DegenerateGeometry, span, "this direction has no length in the drawing")
-                .label("both points are at the same place")
-                .help("name two points that are apart in the drawing"),
+            Diagnostic::error(
+                Code::DegenerateGeometry,
+                span,
+                "this direction has no length in the drawing",
+            )
+            .label("both points are at the same place")
+            .help("name two points that are apart in the drawing"),
         );
         None
     }
@@ -242,9 +317,14 @@ impl Resolver<'_> {
             };
             bodies && written.name.text == end.name.text
         };
-        let matching = |from: &Reference, to: &Reference, joints: &[(Joint, Option<Direction>)]| -> Vec<usize> {
+        let matching = |from: &Reference,
+                        to: &Reference,
+                        joints: &[(Joint, Option<Direction>)]|
+         -> Vec<usize> {
             let fits = |along: &Direction| same(from, &along.from) && same(to, &along.to);
-            (0..joints.len()).filter(|&at| joints[at].1.as_ref().is_some_and(fits)).collect()
+            (0..joints.len())
+                .filter(|&at| joints[at].1.as_ref().is_some_and(fits))
+                .collect()
         };
         let found = matching(wanted[0], wanted[1], &self.joints);
         if let [only] = found[..] {
@@ -254,16 +334,31 @@ impl Resolver<'_> {
         let span = wanted[0].span.to(wanted[1].span);
         let [p, q] = [&wanted[0].name.text, &wanted[1].name.text];
         let diagnostic = if let Some(&first) = found.first() {
-            Diagnostic::error(Code::WrongForm, span, format!("several joints slide along {p} -> {q}"))
-                .also(self.joints[first].0.span, "one of them")
-                .help("name the points with their bodies: `length(1.P, 2.Q)`")
+            Diagnostic::error(
+                Code::WrongForm,
+                span,
+                format!("several joints slide along {p} -> {q}"),
+            )
+            .also(self.joints[first].0.span, "one of them")
+            .help("name the points with their bodies: `length(1.P, 2.Q)`")
         } else if let Some(&reverse) = matching(wanted[1], wanted[0], &self.joints).first() {
-            Diagnostic::error(Code::WrongForm, span, format!("no joint slides along {p} -> {q}"))
-                .also(self.joints[reverse].0.span, format!("this one slides along {q} -> {p}"))
-                .help(format!("write `{}({q}, {p})`", given.kind.keyword()))
+            Diagnostic::error(
+                Code::WrongForm,
+                span,
+                format!("no joint slides along {p} -> {q}"),
+            )
+            .also(
+                self.joints[reverse].0.span,
+                format!("this one slides along {q} -> {p}"),
+            )
+            .help(format!("write `{}({q}, {p})`", given.kind.keyword()))
         } else {
-            Diagnostic::error(Code::WrongForm, span, format!("no joint above slides along {p} -> {q}"))
-                .help(format!("write {}", given.kind.example()))
+            Diagnostic::error(
+                Code::WrongForm,
+                span,
+                format!("no joint above slides along {p} -> {q}"),
+            )
+            .help(format!("write {}", given.kind.example()))
         };
         self.diagnostics.push(diagnostic);
         None
@@ -280,7 +375,9 @@ impl Resolver<'_> {
             None => {
                 let diagnostic = self.drawn.unknown(&reference.name.text, reference.span);
                 let local = self.bodies.iter().find(|body| {
-                    body.marks.iter().any(|mark| mark.name == reference.name.text)
+                    body.marks
+                        .iter()
+                        .any(|mark| mark.name == reference.name.text)
                 });
                 self.diagnostics.push(match local {
                     Some(body) => diagnostic.help(format!(

@@ -12,8 +12,11 @@ use crate::syntax::Name;
 impl Resolver<'_> {
     /// Every point once: the drawn ones first, then those that only bodies declare, each sort in written order.
     pub(super) fn output_points(&mut self) -> Vec<Point> {
-        let drawn: Vec<(String, DrawnPoint, Span)> =
-            self.drawn.iter().map(|(name, point)| (name.text.clone(), point.clone(), name.span)).collect();
+        let drawn: Vec<(String, DrawnPoint, Span)> = self
+            .drawn
+            .iter()
+            .map(|(name, point)| (name.text.clone(), point.clone(), name.span))
+            .collect();
         let mut names: Vec<String> = drawn.iter().map(|(name, ..)| name.clone()).collect();
         for body in &self.bodies {
             for mark in &body.marks {
@@ -27,16 +30,33 @@ impl Resolver<'_> {
             let groups = self.carriers_of(name);
             let several = groups.len() > 1;
             if let (true, Some((_, point, span))) = (groups.is_empty(), drawn.get(position)) {
-                let mark = Mark { frame: self.bodies[0].frame, local: point.position };
-                points.push(Point { name: name.clone(), docs: point.docs.clone(), mark, span: *span });
+                let mark = Mark {
+                    frame: self.bodies[0].frame,
+                    local: point.position,
+                };
+                points.push(Point {
+                    name: name.clone(),
+                    docs: point.docs.clone(),
+                    mark,
+                    span: *span,
+                });
             }
             for (body, carried) in groups {
-                let full = if several { format!("{name}_{}", self.bodies[body.0].name) } else { name.clone() };
+                let full = if several {
+                    format!("{name}_{}", self.bodies[body.0].name)
+                } else {
+                    name.clone()
+                };
                 let mut docs = carried.docs;
                 if let (true, Some((_, point, _))) = (docs.is_empty(), drawn.get(position)) {
                     docs.clone_from(&point.docs);
                 }
-                points.push(Point { name: full, docs, mark: carried.mark, span: carried.span });
+                points.push(Point {
+                    name: full,
+                    docs,
+                    mark: carried.mark,
+                    span: carried.span,
+                });
             }
         }
         self.reject_equal_lowercase(&points);
@@ -71,21 +91,31 @@ impl Resolver<'_> {
             }
         }
         let firsts = (0..carried.len()).filter(|&at| group[at] == at);
-        firsts.map(|at| (carried[at].0, carried[at].1.clone())).collect()
+        firsts
+            .map(|at| (carried[at].0, carried[at].1.clone()))
+            .collect()
     }
 
     /// Generated functions are named in lower case, so two points must not differ by case alone.
     fn reject_equal_lowercase(&mut self, points: &[Point]) {
         for (at, point) in points.iter().enumerate() {
             let lowercase = point.name.to_lowercase();
-            if let Some(earlier) = points[..at].iter().find(|earlier| earlier.name.to_lowercase() == lowercase) {
+            if let Some(earlier) = points[..at]
+                .iter()
+                .find(|earlier| earlier.name.to_lowercase() == lowercase)
+            {
                 self.diagnostics.push(
                     Diagnostic::error(
                         Code::NameNotAllowed,
                         point.span,
-                        format!("points `{}` and `{}` differ only in case", earlier.name, point.name),
+                        format!(
+                            "points `{}` and `{}` differ only in case",
+                            earlier.name, point.name
+                        ),
                     )
-                    .label(format!("both would be `point_{lowercase}` in the generated code"))
+                    .label(format!(
+                        "both would be `point_{lowercase}` in the generated code"
+                    ))
                     .also(earlier.span, "the other one")
                     .help("give one of them another name"),
                 );
@@ -95,7 +125,7 @@ impl Resolver<'_> {
 
     /// Adds a drawn point.
     pub(super) fn declare_drawn(&mut self, name: &Name, point: DrawnPoint) {
-        if let Err(duplicate) = self.drawn.declare(name, point) {
+        if let Some(duplicate) = self.drawn.declare(name, point) {
             self.diagnostics.push(duplicate);
         }
     }

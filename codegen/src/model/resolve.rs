@@ -31,8 +31,19 @@ pub(super) struct Resolver<'a> {
 }
 
 /// Generated items that a mechanism's type must not be named like.
-const TAKEN_TYPE_NAMES: &[&str] =
-    &["Coordinates", "Frame", "Textbook", "Motion", "Failure", "Settings", "Step", "Self", "Result", "Ok", "Err"];
+const TAKEN_TYPE_NAMES: &[&str] = &[
+    "Coordinates",
+    "Frame",
+    "Textbook",
+    "Motion",
+    "Failure",
+    "Settings",
+    "Step",
+    "Self",
+    "Result",
+    "Ok",
+    "Err",
+];
 
 /// Resolves a document. `None` after an error; all errors of the document are in `diagnostics`.
 ///
@@ -50,10 +61,13 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
     let mut graph = Graph::new();
     let item = &document.mechanism;
     // Coordinates are numbered before t, so that they come first wherever symbols are ordered.
-    let written_bodies = item.statements.iter().filter_map(|statement| match statement {
-        syntax::Statement::Body(body) => Some(body),
-        _ => None,
-    });
+    let written_bodies = item
+        .statements
+        .iter()
+        .filter_map(|statement| match statement {
+            syntax::Statement::Body(body) => Some(body),
+            _ => None,
+        });
     for body in written_bodies {
         for name in coordinate_names(&body.name.text) {
             graph.symbol(&name);
@@ -61,7 +75,11 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
     }
     let time = graph.symbol("t");
     let zero = graph.zero();
-    let ground_frame = Frame { body: BodyId::GROUND, origin: [zero, zero], angle: zero };
+    let ground_frame = Frame {
+        body: BodyId::GROUND,
+        origin: [zero, zero],
+        angle: zero,
+    };
     let mut resolver = Resolver {
         graph,
         time,
@@ -80,7 +98,10 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
         joints: Vec::new(),
         diagnostics,
     };
-    let ground = syntax::Name { text: "ground".to_string(), span: Span::default() };
+    let ground = syntax::Name {
+        text: "ground".to_string(),
+        span: Span::default(),
+    };
     // The first declaration of a fresh table cannot be a duplicate.
     let _ = resolver.body_ids.declare(&ground, BodyId::GROUND);
     resolver.check_mechanism_name(&item.name);
@@ -95,8 +116,12 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
     }
     if resolver.bodies.len() == 1 && !resolver.diagnostics.has_errors() {
         resolver.diagnostics.push(
-            Diagnostic::error(Code::NoBodies, item.name.span, format!("mechanism `{}` has no bodies", item.name.text))
-                .help("declare one: `body 1 at (0, 0) { P: (1, 0) }`"),
+            Diagnostic::error(
+                Code::NoBodies,
+                item.name.span,
+                format!("mechanism `{}` has no bodies", item.name.text),
+            )
+            .help("declare one: `body 1 at (0, 0) { P: (1, 0) }`"),
         );
     }
     let points = resolver.output_points();
@@ -109,7 +134,11 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
         graph: resolver.graph,
         time,
         bodies: resolver.bodies,
-        joints: resolver.joints.into_iter().map(|(joint, _)| joint).collect(),
+        joints: resolver
+            .joints
+            .into_iter()
+            .map(|(joint, _)| joint)
+            .collect(),
         points,
         characteristic_length,
     }
@@ -117,7 +146,11 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
 
 /// `x1, y1, phi1` of body `1`; `x_c1, y_c1, phi_c1` of body `c1`.
 fn coordinate_names(body: &str) -> [String; 3] {
-    let separator = if body.starts_with(|first: char| first.is_ascii_digit()) { "" } else { "_" };
+    let separator = if body.starts_with(|first: char| first.is_ascii_digit()) {
+        ""
+    } else {
+        "_"
+    };
     ["x", "y", "phi"].map(|coordinate| format!("{coordinate}{separator}{body}"))
 }
 
@@ -138,12 +171,16 @@ impl Resolver<'_> {
         let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
             format!("`{}` gives no name for a type", name.text)
         } else if TAKEN_TYPE_NAMES.contains(&type_name.as_str()) {
-            format!("`{}` would become the type `{type_name}`, which every generated module has already", name.text)
+            format!(
+                "`{}` would become the type `{type_name}`, which every generated module has already",
+                name.text
+            )
         } else {
             return;
         };
         self.diagnostics.push(
-            Diagnostic::error(Code::NameNotAllowed, name.span, problem).help("give the mechanism another name"),
+            Diagnostic::error(Code::NameNotAllowed, name.span, problem)
+                .help("give the mechanism another name"),
         );
     }
 
@@ -151,8 +188,15 @@ impl Resolver<'_> {
         let name = &constant.name;
         if BUILT_IN.contains(&name.text.as_str()) {
             self.diagnostics.push(
-                Diagnostic::error(Code::NameNotAllowed, name.span, format!("`{}` has a fixed meaning", name.text))
-                    .help(format!("{} cannot be declared; choose another name", listed(BUILT_IN))),
+                Diagnostic::error(
+                    Code::NameNotAllowed,
+                    name.span,
+                    format!("`{}` has a fixed meaning", name.text),
+                )
+                .help(format!(
+                    "{} cannot be declared; choose another name",
+                    listed(BUILT_IN)
+                )),
             );
             return;
         }
@@ -161,13 +205,17 @@ impl Resolver<'_> {
             && self.graph.depends_on(value, self.time)
         {
             self.diagnostics.push(
-                Diagnostic::error(Code::NotConstant, constant.value.span, "a constant cannot depend on `t`")
-                    .label("changes with time")
-                    .help("write the expression where it is used, in a `drive` statement"),
+                Diagnostic::error(
+                    Code::NotConstant,
+                    constant.value.span,
+                    "a constant cannot depend on `t`",
+                )
+                .label("changes with time")
+                .help("write the expression where it is used, in a `drive` statement"),
             );
         }
         let value = value.unwrap_or((self.graph.one(), Dimension::Unmarked));
-        if let Err(duplicate) = self.constants.declare(name, value) {
+        if let Some(duplicate) = self.constants.declare(name, value) {
             self.diagnostics.push(duplicate);
         }
     }
@@ -175,14 +223,22 @@ impl Resolver<'_> {
     fn add_points(&mut self, points: &syntax::Points) {
         for point in &points.points {
             let position = self.pair(&point.position);
-            self.declare_drawn(&point.name, DrawnPoint { position, docs: points.docs.clone() });
+            self.declare_drawn(
+                &point.name,
+                DrawnPoint {
+                    position,
+                    docs: points.docs.clone(),
+                },
+            );
         }
     }
 
     /// A pair of lengths; an erroneous component counts as zero, so that the name it belongs to is still declared.
     fn pair(&mut self, pair: &syntax::Pair) -> Vector {
         let zero = self.graph.zero();
-        let mut component = |written: &syntax::Expression| self.constant(written, Dimension::LENGTH).unwrap_or(zero);
+        let mut component = |written: &syntax::Expression| {
+            self.constant(written, Dimension::LENGTH).unwrap_or(zero)
+        };
         [component(&pair.x), component(&pair.y)]
     }
 
@@ -190,23 +246,33 @@ impl Resolver<'_> {
         let name = &body.name;
         if name.text == "ground" {
             self.diagnostics.push(
-                Diagnostic::error(Code::NameNotAllowed, name.span, "`ground` is the fixed frame and is always there")
-                    .help("joints may name it: `revolute A(ground, 1);`"),
+                Diagnostic::error(
+                    Code::NameNotAllowed,
+                    name.span,
+                    "`ground` is the fixed frame and is always there",
+                )
+                .help("joints may name it: `revolute A(ground, 1);`"),
             );
             return;
         }
         let id = BodyId(self.bodies.len());
-        if let Err(duplicate) = self.body_ids.declare(name, id) {
+        if let Some(duplicate) = self.body_ids.declare(name, id) {
             self.diagnostics.push(duplicate);
             return;
         }
         let symbols = coordinate_names(&name.text).map(|name| self.graph.symbol(&name));
         let [x, y, phi] = symbols.map(|symbol| self.graph.variable(symbol));
         let drawn = self.drawn_pose(body, id);
-        let frame = Frame { body: id, origin: [x, y], angle: phi };
+        let frame = Frame {
+            body: id,
+            origin: [x, y],
+            angle: phi,
+        };
         let mut marks: Vec<NamedMark> = Vec::new();
         for member in &body.members {
-            let Some(mark) = self.member(member, frame, drawn) else { continue };
+            let Some(mark) = self.member(member, frame, drawn) else {
+                continue;
+            };
             match marks.iter().find(|earlier| earlier.name == mark.name) {
                 Some(earlier) => self.diagnostics.push(
                     Diagnostic::error(
@@ -241,22 +307,35 @@ impl Resolver<'_> {
         };
         let angle = match &body.orientation {
             syntax::Orientation::Aligned => zero,
-            syntax::Orientation::Angle(angle) => self.constant(angle, Dimension::ANGLE).unwrap_or(zero),
+            syntax::Orientation::Angle(angle) => {
+                self.constant(angle, Dimension::ANGLE).unwrap_or(zero)
+            }
             syntax::Orientation::Facing(direction) => self.facing(direction).unwrap_or(zero),
         };
-        Frame { body: id, origin, angle }
+        Frame {
+            body: id,
+            origin,
+            angle,
+        }
     }
 
     /// The angle of the direction from one drawn point to another.
     fn facing(&mut self, direction: &syntax::Direction) -> Option<ExprId> {
-        let (from, to) = (self.drawn_point(&direction.from), self.drawn_point(&direction.to));
+        let (from, to) = (
+            self.drawn_point(&direction.from),
+            self.drawn_point(&direction.to),
+        );
         let [along_x, along_y] = self.unit_direction(from?, to?, direction.span)?;
         Some(self.graph.atan2(along_y, along_x))
     }
 
     fn member(&mut self, member: &syntax::Member, frame: Frame, drawn: Frame) -> Option<NamedMark> {
         match member {
-            syntax::Member::Local { docs, name, position } => {
+            syntax::Member::Local {
+                docs,
+                name,
+                position,
+            } => {
                 let local = self.pair(position);
                 Some(NamedMark {
                     name: name.text.clone(),
@@ -298,13 +377,15 @@ impl Resolver<'_> {
             )
             .label("not a statement of this language");
             let all = ["const", "point", "body", "drive"];
-            self.diagnostics.push(match nearest(keyword, keywords.iter().chain(&all).copied()) {
-                Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
-                None if kind_named(keyword, DRIVERS).is_some() => {
-                    diagnostic.help(format!("a driver begins with `drive`: `drive {keyword}(…) = …;`"))
-                }
-                None => diagnostic.help(format!("the joints are {}", listed(&keywords))),
-            });
+            self.diagnostics.push(
+                match nearest(keyword, keywords.iter().chain(&all).copied()) {
+                    Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
+                    None if kind_named(keyword, DRIVERS).is_some() => diagnostic.help(format!(
+                        "a driver begins with `drive`: `drive {keyword}(…) = …;`"
+                    )),
+                    None => diagnostic.help(format!("the joints are {}", listed(&keywords))),
+                },
+            );
             return;
         };
         let given = Given {
@@ -325,7 +406,10 @@ impl Resolver<'_> {
             let quantities: Vec<&str> = DRIVERS.iter().map(|kind| kind.keyword()).collect();
             let help = match nearest(quantity, quantities.iter().copied()) {
                 Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the quantities that can be driven are {}", listed(&quantities)),
+                None => format!(
+                    "the quantities that can be driven are {}",
+                    listed(&quantities)
+                ),
             };
             self.diagnostics.push(
                 Diagnostic::error(
@@ -350,7 +434,9 @@ impl Resolver<'_> {
     }
 
     fn add_rows_of(&mut self, given: &Given<'_>, docs: &[String]) {
-        let Some(operands) = self.operands(given) else { return };
+        let Some(operands) = self.operands(given) else {
+            return;
+        };
         let label = label(given);
         let slug = self.unique_slug(given);
         let joint = Joint {
@@ -385,22 +471,36 @@ impl Resolver<'_> {
         let base = words.join("_").to_lowercase();
         // Row names share their functions with `q`, `qd` and `t`, and must not begin with a digit.
         let reserved = matches!(base.as_str(), "q" | "qd" | "qdd" | "t");
-        let base = if reserved { format!("{}_{base}", given.kind.keyword()) } else { base };
+        let base = if reserved {
+            format!("{}_{base}", given.kind.keyword())
+        } else {
+            base
+        };
         let taken = |slug: &str| self.joints.iter().any(|(joint, _)| joint.slug == slug);
         let numbered = (2..).map(|number| format!("{base}_{number}"));
-        std::iter::once(base.clone()).chain(numbered).find(|slug| !taken(slug)).unwrap_or(base)
+        std::iter::once(base.clone())
+            .chain(numbered)
+            .find(|slug| !taken(slug))
+            .unwrap_or(base)
     }
 
     /// The largest coordinate in the drawing, which lengths are measured against.
     fn characteristic_length(&self) -> f64 {
-        let marks = self.bodies.iter().flat_map(|body| body.marks.iter().map(|mark| mark.mark.local));
+        let marks = self
+            .bodies
+            .iter()
+            .flat_map(|body| body.marks.iter().map(|mark| mark.mark.local));
         let origins = self.bodies.iter().map(|body| body.drawn.origin);
         let drawn = self.drawn.iter().map(|(_, point)| point.position);
         let components = marks.chain(origins).chain(drawn).flatten();
         let largest = components
             .filter_map(|component| self.graph.constant_value(component))
             .fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        if largest > 0.0 && largest.is_finite() { largest } else { 1.0 }
+        if largest > 0.0 && largest.is_finite() {
+            largest
+        } else {
+            1.0
+        }
     }
 }
 
@@ -417,7 +517,13 @@ fn label(given: &Given<'_>) -> String {
     let operands: Vec<String> = given.operands.iter().map(reference).collect();
     let operands = operands.join(", ");
     let keyword = given.kind.keyword();
-    let along = given.along.map(|along| format!(" along {} -> {}", reference(&along.from), reference(&along.to)));
+    let along = given.along.map(|along| {
+        format!(
+            " along {} -> {}",
+            reference(&along.from),
+            reference(&along.to)
+        )
+    });
     let along = along.unwrap_or_default();
     match (given.role, given.name.map(|name| name.text.as_str())) {
         (Role::Driver, Some(name)) => format!("drive {name}: {keyword}({operands})"),

@@ -38,11 +38,20 @@ pub fn addends(
 ) -> Vec<Addend> {
     let terms = match graph.node(expr) {
         Node::Sum(terms) => order.terms(terms),
-        Node::Number(number) => vec![Term { coefficient: *number, expr: graph.one() }],
-        _ => vec![Term { coefficient: Number::ONE, expr }],
+        Node::Number(number) => vec![Term {
+            coefficient: *number,
+            expr: graph.one(),
+        }],
+        _ => vec![Term {
+            coefficient: Number::ONE,
+            expr,
+        }],
     };
-    let constant_terms: Vec<Term> =
-        terms.iter().copied().filter(|term| graph.is_constant(term.expr)).collect();
+    let constant_terms: Vec<Term> = terms
+        .iter()
+        .copied()
+        .filter(|term| graph.is_constant(term.expr))
+        .collect();
     let mut addends = Vec::with_capacity(terms.len());
     let mut constants_placed = false;
     for term in &terms {
@@ -62,34 +71,62 @@ pub fn addends(
 fn constant_addend(terms: &[Term]) -> Addend {
     let negative = terms[0].coefficient.is_negative();
     let signed = |term: &Term| Term {
-        coefficient: if negative { term.coefficient.neg() } else { term.coefficient },
+        coefficient: if negative {
+            term.coefficient.neg()
+        } else {
+            term.coefficient
+        },
         expr: term.expr,
     };
     let part = ConstantPart::Sum(terms.iter().map(signed).collect());
-    Addend { negative, constant: Some(part), factors: Vec::new(), divisors: Vec::new() }
+    Addend {
+        negative,
+        constant: Some(part),
+        factors: Vec::new(),
+        divisors: Vec::new(),
+    }
 }
 
 fn variable_addend(term: &Term, whole: bool, graph: &Graph, order: &WrittenOrder<'_>) -> Addend {
     let negative = term.coefficient.is_negative();
-    let magnitude = if negative { term.coefficient.neg() } else { term.coefficient };
+    let magnitude = if negative {
+        term.coefficient.neg()
+    } else {
+        term.coefficient
+    };
     let factors = match graph.node(term.expr) {
         Node::Product(factors) if !whole => order.factors(factors),
-        _ => vec![Factor { base: term.expr, exponent: Rational::ONE }],
+        _ => vec![Factor {
+            base: term.expr,
+            exponent: Rational::ONE,
+        }],
     };
-    let (constant, variable): (Vec<Factor>, Vec<Factor>) =
-        factors.into_iter().partition(|factor| graph.is_constant(factor.base));
+    let (constant, variable): (Vec<Factor>, Vec<Factor>) = factors
+        .into_iter()
+        .partition(|factor| graph.is_constant(factor.base));
     let constant = match constant.as_slice() {
         [] if magnitude == Number::ONE => None,
-        [only] if only.exponent == Rational::ONE => {
-            Some(ConstantPart::Sum(vec![Term { coefficient: magnitude, expr: only.base }]))
-        }
-        [] => Some(ConstantPart::Sum(vec![Term { coefficient: magnitude, expr: graph.one() }])),
+        [only] if only.exponent == Rational::ONE => Some(ConstantPart::Sum(vec![Term {
+            coefficient: magnitude,
+            expr: only.base,
+        }])),
+        [] => Some(ConstantPart::Sum(vec![Term {
+            coefficient: magnitude,
+            expr: graph.one(),
+        }])),
         _ => Some(ConstantPart::Product(magnitude, constant)),
     };
-    let (below, above): (Vec<Factor>, Vec<Factor>) =
-        variable.into_iter().partition(|factor| factor.exponent.is_negative());
-    let power = |factor: &Factor| Power { base: factor.base, exponent: factor.exponent };
-    let reciprocal = |factor: &Factor| Power { base: factor.base, exponent: -factor.exponent };
+    let (below, above): (Vec<Factor>, Vec<Factor>) = variable
+        .into_iter()
+        .partition(|factor| factor.exponent.is_negative());
+    let power = |factor: &Factor| Power {
+        base: factor.base,
+        exponent: factor.exponent,
+    };
+    let reciprocal = |factor: &Factor| Power {
+        base: factor.base,
+        exponent: -factor.exponent,
+    };
     Addend {
         negative,
         constant,

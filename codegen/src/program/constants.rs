@@ -50,7 +50,10 @@ impl ConstantPart {
     pub fn literal(&self, graph: &Graph) -> Option<f64> {
         match self.number(graph)? {
             Number::Float(value) => Some(value),
-            number @ Number::Exact { rational, radicand: 1 } => {
+            number @ Number::Exact {
+                rational,
+                radicand: 1,
+            } => {
                 let mut rest = rational.denominator();
                 for prime in [2, 5] {
                     while rest % prime == 0 {
@@ -68,7 +71,10 @@ impl ConstantPart {
         // Every constant was found to be finite when it was read.
         let of = |expr: ExprId| graph.constant_value(expr).unwrap_or(f64::NAN);
         match self {
-            ConstantPart::Sum(terms) => terms.iter().map(|term| term.coefficient.to_f64() * of(term.expr)).sum(),
+            ConstantPart::Sum(terms) => terms
+                .iter()
+                .map(|term| term.coefficient.to_f64() * of(term.expr))
+                .sum(),
             ConstantPart::Product(number, factors) => factors
                 .iter()
                 .map(|factor| of(factor.base).powf(factor.exponent.to_f64()))
@@ -81,13 +87,17 @@ impl ConstantPart {
         let (number, pi) = match self {
             ConstantPart::Sum(terms) => match terms.as_slice() {
                 [Term { coefficient, expr }] if *expr == graph.one() => (*coefficient, false),
-                [Term { coefficient, expr }] if *graph.node(*expr) == Node::Pi => (*coefficient, true),
+                [Term { coefficient, expr }] if *graph.node(*expr) == Node::Pi => {
+                    (*coefficient, true)
+                }
                 _ => return None,
             },
             ConstantPart::Product(number, factors) if factors.is_empty() => (*number, false),
             ConstantPart::Product(..) => return None,
         };
-        let Number::Exact { rational, radicand } = number else { return None };
+        let Number::Exact { rational, radicand } = number else {
+            return None;
+        };
         let (numerator, denominator) = (rational.numerator(), rational.denominator());
         let mut words = Vec::new();
         if pi {
@@ -117,7 +127,9 @@ impl Constants {
 
     /// The name of a part that is no literal.
     pub fn name_of(&self, part: &ConstantPart) -> Option<&str> {
-        self.places.get(part).map(|&place| self.list[place].name.as_str())
+        self.places
+            .get(part)
+            .map(|&place| self.list[place].name.as_str())
     }
 
     /// Gives a part its name, unless it is a literal or has one.
@@ -125,13 +137,19 @@ impl Constants {
         if self.places.contains_key(part) || part.literal(graph).is_some() {
             return;
         }
-        let speaking = part.speaking_name(graph).filter(|name| !self.names.contains(name));
+        let speaking = part
+            .speaking_name(graph)
+            .filter(|name| !self.names.contains(name));
         let name = speaking.unwrap_or_else(|| {
             self.unnamed += 1;
             format!("CONSTANT_{}", self.unnamed)
         });
         self.names.insert(name.clone());
         self.places.insert(part.clone(), self.list.len());
-        self.list.push(Constant { name, part: part.clone(), value: part.value(graph) });
+        self.list.push(Constant {
+            name,
+            part: part.clone(),
+            value: part.value(graph),
+        });
     }
 }

@@ -11,12 +11,20 @@ use crate::system::{Row, System};
 pub fn lower(system: &System, plan: Plan) -> Program {
     let mut constants = Constants::default();
     let by_row = |of: &dyn Fn(&Row) -> ExprId| -> Vec<(ExprId, Vec<usize>)> {
-        system.rows.iter().map(|row| (of(row), row.bodies.clone())).collect()
+        system
+            .rows
+            .iter()
+            .map(|row| (of(row), row.bodies.clone()))
+            .collect()
     };
     let entries = system
         .rows
         .iter()
-        .flat_map(|row| row.jacobian.iter().map(|entry| (entry.value, row.bodies.clone())))
+        .flat_map(|row| {
+            row.jacobian
+                .iter()
+                .map(|entry| (entry.value, row.bodies.clone()))
+        })
         .collect();
     let residual = Straight::new(by_row(&|row| row.residual), system, &mut constants);
     let jacobian = Straight::new(entries, system, &mut constants);
@@ -27,9 +35,20 @@ pub fn lower(system: &System, plan: Plan) -> Program {
         .iter()
         .map(|output| {
             let components = [output.position, output.velocity, output.acceleration].concat();
-            let results = components.into_iter().map(|component| (component, Vec::new())).collect();
+            let results = components
+                .into_iter()
+                .map(|component| (component, Vec::new()))
+                .collect();
             Straight::new(results, system, &mut constants)
         })
         .collect();
-    Program { plan, constants, residual, jacobian, time_derivative, gamma, points }
+    Program {
+        plan,
+        constants,
+        residual,
+        jacobian,
+        time_derivative,
+        gamma,
+        points,
+    }
 }

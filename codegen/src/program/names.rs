@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::expr::{ExprId, Node};
+use crate::expr::{ExprId, Node, Number};
 use crate::system::{SymbolRole, System};
 
 /// The names given so far in one function.
@@ -41,14 +41,49 @@ impl Names {
     pub(super) fn sine_and_cosine(&mut self, angle: ExprId, system: &System) -> (String, String) {
         let base = match system.mechanism.graph.node(angle) {
             Node::Symbol(symbol) => match system.roles[symbol.index()] {
-                SymbolRole::Position(coordinate) => Some(system.coordinates[coordinate].name.clone()),
+                SymbolRole::Position(coordinate) => {
+                    Some(system.coordinates[coordinate].name.clone())
+                }
                 SymbolRole::Time => Some("t".to_string()),
                 SymbolRole::Rate(_) | SymbolRole::Acceleration(_) => None,
             },
-            _ => None,
+            _ => multiple_of_time(angle, system),
         };
         let base = base.filter(|base| self.taken.insert(format!("sin_{base}")));
         let base = base.unwrap_or_else(|| self.numbered("argument"));
         (format!("sin_{base}"), format!("cos_{base}"))
     }
+}
+
+/// `2t` of 2·t, `3t_over_2` of 3/2·t.
+fn multiple_of_time(angle: ExprId, system: &System) -> Option<String> {
+    let Node::Sum(terms) = system.mechanism.graph.node(angle) else {
+        return None;
+    };
+    let [term] = &**terms else { return None };
+    let Node::Symbol(symbol) = system.mechanism.graph.node(term.expr) else {
+        return None;
+    };
+    let Number::Exact {
+        rational,
+        radicand: 1,
+    } = term.coefficient
+    else {
+        return None;
+    };
+    let (numerator, denominator) = (rational.numerator(), rational.denominator());
+    let short = (1..1000).contains(&numerator) && denominator < 1000;
+    if system.roles[symbol.index()] != SymbolRole::Time || !short {
+        return None;
+    }
+    let multiple = if numerator == 1 {
+        "t".to_string()
+    } else {
+        format!("{numerator}t")
+    };
+    Some(if denominator == 1 {
+        multiple
+    } else {
+        format!("{multiple}_over_{denominator}")
+    })
 }

@@ -45,9 +45,13 @@ impl Operations {
 
     /// What the addends of one expression take, its operands not counted.
     pub(super) fn of_addends(addends: &[Addend]) -> Operations {
-        let mut operations = Operations { additions: addends.len().saturating_sub(1), ..Operations::default() };
+        let mut operations = Operations {
+            additions: addends.len().saturating_sub(1),
+            ..Operations::default()
+        };
         for addend in addends {
-            let above = operations.product(&addend.factors) + usize::from(addend.constant.is_some());
+            let above =
+                operations.product(&addend.factors) + usize::from(addend.constant.is_some());
             operations.multiplications += above.saturating_sub(1);
             if !addend.divisors.is_empty() {
                 let below = operations.product(&addend.divisors);
@@ -95,7 +99,10 @@ pub const LARGEST_PRODUCT: i128 = 8;
 
 /// Whether an expression is a function call, which always gets a name.
 pub(super) fn is_function(node: &Node) -> bool {
-    matches!(node, Node::Sin(_) | Node::Cos(_) | Node::Atan2(..) | Node::Exp(_) | Node::Ln(_))
+    matches!(
+        node,
+        Node::Sin(_) | Node::Cos(_) | Node::Atan2(..) | Node::Exp(_) | Node::Ln(_)
+    )
 }
 
 /// Whether an expression is a variable read from the inputs.

@@ -68,7 +68,9 @@ impl Straight {
     pub fn addends(&self, expr: ExprId, system: &System, bodies: &[usize]) -> Vec<Addend> {
         let graph = &system.mechanism.graph;
         let order = WrittenOrder::new(system, bodies);
-        addends(expr, graph, &order, &|other| self.names.contains_key(&other))
+        addends(expr, graph, &order, &|other| {
+            self.names.contains_key(&other)
+        })
     }
 
     /// The statements for these results.
@@ -116,14 +118,26 @@ impl Straight {
             let (sine, cosine) = names.sine_and_cosine(angle, system);
             let other = usage.sine_cosine.get(&angle);
             if let Some(&(Some(sine_expr), Some(cosine_expr))) = other {
-                let second = graph.node(if expr == sine_expr { cosine_expr } else { sine_expr });
+                let second = graph.node(if expr == sine_expr {
+                    cosine_expr
+                } else {
+                    sine_expr
+                });
                 self.operations += Operations::of_function(second);
                 self.names.insert(sine_expr, sine.clone());
                 self.names.insert(cosine_expr, cosine.clone());
-                self.statements.push(Statement::SineCosine { sine, cosine, angle });
+                self.statements.push(Statement::SineCosine {
+                    sine,
+                    cosine,
+                    angle,
+                });
                 return;
             }
-            let name = if matches!(node, Node::Sin(_)) { sine } else { cosine };
+            let name = if matches!(node, Node::Sin(_)) {
+                sine
+            } else {
+                cosine
+            };
             self.names.insert(expr, name.clone());
             self.statements.push(Statement::Value { name, expr });
             return;
@@ -151,7 +165,12 @@ impl Straight {
         // A named expression is computed at its definition; wherever else it stands it costs nothing.
         let defined: HashSet<ExprId> = self.names.keys().copied().collect();
         stack.retain(|expr| !is_symbol(*expr, graph));
-        stack.extend(results.iter().map(|(expr, _)| *expr).filter(|expr| !defined.contains(expr)));
+        stack.extend(
+            results
+                .iter()
+                .map(|(expr, _)| *expr)
+                .filter(|expr| !defined.contains(expr)),
+        );
         let mut computed = Vec::new();
         while let Some(expr) = stack.pop() {
             if is_function(graph.node(expr)) {
@@ -159,7 +178,11 @@ impl Straight {
             }
             computed.push(expr);
             for part in self.addends(expr, system, &[]) {
-                let operands = part.factors.iter().chain(&part.divisors).map(|power| power.base);
+                let operands = part
+                    .factors
+                    .iter()
+                    .chain(&part.divisors)
+                    .map(|power| power.base);
                 stack.extend(operands.filter(|&operand| operand != expr && unnamed(operand)));
             }
         }
@@ -191,7 +214,11 @@ struct Usage {
 
 impl Usage {
     fn of(results: &[(ExprId, Vec<usize>)], graph: &Graph) -> Usage {
-        let mut usage = Usage { ordered: Vec::new(), uses: HashMap::new(), sine_cosine: HashMap::new() };
+        let mut usage = Usage {
+            ordered: Vec::new(),
+            uses: HashMap::new(),
+            sine_cosine: HashMap::new(),
+        };
         for (result, _) in results {
             usage.visit(*result, 1, graph);
         }
@@ -216,13 +243,23 @@ impl Usage {
         self.uses.insert(expr, weight);
         match graph.node(expr) {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
-            Node::Sum(terms) => terms.iter().for_each(|term| self.visit(term.expr, 1, graph)),
+            Node::Sum(terms) => terms
+                .iter()
+                .for_each(|term| self.visit(term.expr, 1, graph)),
             Node::Product(factors) => {
                 for factor in factors {
                     // A power is written as a product, so its base is used as often.
                     let exponent = factor.exponent;
-                    let whole = if exponent.denominator() == 1 { exponent.numerator().unsigned_abs() } else { 1 };
-                    self.visit(factor.base, usize::try_from(whole).unwrap_or(usize::MAX), graph);
+                    let whole = if exponent.denominator() == 1 {
+                        exponent.numerator().unsigned_abs()
+                    } else {
+                        1
+                    };
+                    self.visit(
+                        factor.base,
+                        usize::try_from(whole).unwrap_or(usize::MAX),
+                        graph,
+                    );
                 }
             }
             Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => self.visit(*x, 1, graph),
@@ -242,7 +279,8 @@ impl Usage {
             Node::Product(factors) => factors.len(),
             _ => 0,
         };
-        is_function(node) || (operations >= 2 && self.uses.get(&expr).is_some_and(|&uses| uses >= 2))
+        is_function(node)
+            || (operations >= 2 && self.uses.get(&expr).is_some_and(|&uses| uses >= 2))
     }
 }
 

@@ -27,11 +27,18 @@ fn listed<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
     let more = names.len().saturating_sub(SHOWN);
     let shown: Vec<String> = names.take(SHOWN).map(|name| format!("`{name}`")).collect();
     let shown = shown.join(", ");
-    if more == 0 { shown } else { format!("{shown} and {more} more") }
+    if more == 0 {
+        shown
+    } else {
+        format!("{shown} and {more} more")
+    }
 }
 
 fn balance(system: &System) -> String {
-    let constraints = system.rows.iter().filter(|row| system.mechanism.joints[row.joint].role == Role::Constraint);
+    let constraints = system
+        .rows
+        .iter()
+        .filter(|row| system.mechanism.joints[row.joint].role == Role::Constraint);
     let constraints = constraints.count();
     let drivers = system.rows.len() - constraints;
     format!(
@@ -44,10 +51,16 @@ fn balance(system: &System) -> String {
 }
 
 fn too_few(system: &System, parts: &Parts) -> Diagnostic {
-    let mut bodies: Vec<usize> =
-        parts.under_columns.iter().map(|&column| system.coordinates[column].body).collect();
+    let mut bodies: Vec<usize> = parts
+        .under_columns
+        .iter()
+        .map(|&column| system.coordinates[column].body)
+        .collect();
     bodies.dedup();
-    let bodies: Vec<_> = bodies.iter().map(|&body| &system.mechanism.bodies[body]).collect();
+    let bodies: Vec<_> = bodies
+        .iter()
+        .map(|&body| &system.mechanism.bodies[body])
+        .collect();
     let left = parts.free_columns.len();
     let names = listed(bodies.iter().map(|body| body.name.as_str()));
     let noun = if bodies.len() == 1 { "body" } else { "bodies" };
@@ -71,27 +84,48 @@ fn too_few(system: &System, parts: &Parts) -> Diagnostic {
 }
 
 fn too_many(system: &System, parts: &Parts) -> Diagnostic {
-    let mut joints: Vec<usize> = parts.over_rows.iter().map(|&row| system.rows[row].joint).collect();
+    let mut joints: Vec<usize> = parts
+        .over_rows
+        .iter()
+        .map(|&row| system.rows[row].joint)
+        .collect();
     joints.dedup();
-    let mut bodies: Vec<usize> =
-        parts.over_rows.iter().flat_map(|&row| system.rows[row].bodies.iter().copied()).filter(|&body| body > 0).collect();
+    let mut bodies: Vec<usize> = parts
+        .over_rows
+        .iter()
+        .flat_map(|&row| system.rows[row].bodies.iter().copied())
+        .filter(|&body| body > 0)
+        .collect();
     bodies.sort_unstable();
     bodies.dedup();
     let surplus = parts.free_rows.len();
-    let names = listed(bodies.iter().map(|&body| system.mechanism.bodies[body].name.as_str()));
+    let names = listed(
+        bodies
+            .iter()
+            .map(|&body| system.mechanism.bodies[body].name.as_str()),
+    );
     let noun = if bodies.len() == 1 { "body" } else { "bodies" };
     let first = system.rows[parts.free_rows[0]].joint;
     let joint = |at: usize| -> &Joint { &system.mechanism.joints[at] };
     let mut diagnostic = Diagnostic::error(
         Code::TooManyEquations,
         joint(first).span,
-        format!("{} too many on {noun} {names}", count(surplus, "equation", "equations")),
+        format!(
+            "{} too many on {noun} {names}",
+            count(surplus, "equation", "equations")
+        ),
     )
-    .label(format!("`{}` has no coordinate left to determine", joint(first).label));
+    .label(format!(
+        "`{}` has no coordinate left to determine",
+        joint(first).label
+    ));
     for &other in joints.iter().filter(|&&other| other != first).take(SHOWN) {
         diagnostic = diagnostic.also(joint(other).span, "acts on the same coordinates");
     }
     diagnostic
-        .help(format!("remove {} among these joints and drivers", count(surplus, "equation", "equations")))
+        .help(format!(
+            "remove {} among these joints and drivers",
+            count(surplus, "equation", "equations")
+        ))
         .note(balance(system))
 }

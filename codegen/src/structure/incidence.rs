@@ -14,8 +14,12 @@ pub struct Incidence {
 impl Incidence {
     /// The pattern of Φ_q.
     pub fn of(system: &System) -> Incidence {
-        let pattern = |row: &crate::system::Row| row.jacobian.iter().map(|entry| entry.coordinate).collect();
-        Incidence { rows: system.rows.iter().map(pattern).collect(), columns: system.coordinates.len() }
+        let pattern =
+            |row: &crate::system::Row| row.jacobian.iter().map(|entry| entry.coordinate).collect();
+        Incidence {
+            rows: system.rows.iter().map(pattern).collect(),
+            columns: system.coordinates.len(),
+        }
     }
 
     /// The rows of each column, ascending.

@@ -19,10 +19,16 @@ pub struct Matching {
 /// The matching with the most pairs.
 pub fn maximum_matching(incidence: &Incidence) -> Matching {
     let row_count = incidence.rows.len();
-    let mut matching = Matching { column_of: vec![None; row_count], row_of: vec![None; incidence.columns] };
+    let mut matching = Matching {
+        column_of: vec![None; row_count],
+        row_of: vec![None; incidence.columns],
+    };
     // Most rows find a free column at once; the phases below repair the rest.
     for (row, pattern) in incidence.rows.iter().enumerate() {
-        if let Some(&column) = pattern.iter().find(|&&column| matching.row_of[column].is_none()) {
+        if let Some(&column) = pattern
+            .iter()
+            .find(|&&column| matching.row_of[column].is_none())
+        {
             matching.pair(row, column);
         }
     }
@@ -101,7 +107,9 @@ fn augment(
                 }
                 return true;
             }
-            Some(next) if layers[next].is_some() && layers[next] == layers[row].map(|layer| layer + 1) => {
+            Some(next)
+                if layers[next].is_some() && layers[next] == layers[row].map(|layer| layer + 1) =>
+            {
                 path.push(next);
             }
             Some(_) => {}
@@ -129,7 +137,10 @@ mod tests {
         // Row 0 takes column 0 first, and must give it to row 1; row 1 in turn needs it more than row 0.
         assert_eq!(matched(&[&[0, 1], &[0]], 2), [Some(1), Some(0)]);
         // A chain of exchanges through three rows.
-        assert_eq!(matched(&[&[0, 1], &[1, 2], &[0]], 3), [Some(1), Some(2), Some(0)]);
+        assert_eq!(
+            matched(&[&[0, 1], &[1, 2], &[0]], 3),
+            [Some(1), Some(2), Some(0)]
+        );
     }
 
     #[test]

@@ -53,7 +53,9 @@ pub fn analyze(system: &System, diagnostics: &mut Diagnostics) -> Option<Plan> {
             unknowns: (0..system.coordinates.len()).collect(),
             method: Method::Newton,
         };
-        return Some(Plan { blocks: vec![block] });
+        return Some(Plan {
+            blocks: vec![block],
+        });
     }
     diagnose::report(system, &parts, diagnostics);
     None

@@ -34,7 +34,12 @@ pub fn coarse_parts(incidence: &Incidence, matching: &Matching) -> Parts {
     let (free_rows, free_columns) = (free(&matching.column_of), free(&matching.row_of));
     let over_rows = reached(&free_rows, &incidence.rows, &matching.row_of);
     let under_columns = reached(&free_columns, &incidence.transposed(), &matching.column_of);
-    Parts { free_rows, free_columns, over_rows, under_columns }
+    Parts {
+        free_rows,
+        free_columns,
+        over_rows,
+        under_columns,
+    }
 }
 
 /// What alternating paths reach from `starts` on its own side: along any edge to the other side, back along its pair.
@@ -63,7 +68,10 @@ mod tests {
     use super::*;
 
     fn parts(rows: &[&[usize]], columns: usize) -> Parts {
-        let incidence = Incidence { rows: rows.iter().map(|row| row.to_vec()).collect(), columns };
+        let incidence = Incidence {
+            rows: rows.iter().map(|row| row.to_vec()).collect(),
+            columns,
+        };
         coarse_parts(&incidence, &maximum_matching(&incidence))
     }
 

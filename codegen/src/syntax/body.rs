@@ -60,7 +60,15 @@ pub(super) fn body(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
             tokens.reader.report(finding, start.start, place.end);
             Vec::new()
         }
-        None => return Err(after_expression(tokens, "`{`")),
+        None => {
+            let failure = after_expression(tokens, "`{` or `;`");
+            let comma = tokens.peek_mark(',');
+            return Err(if comma {
+                Box::new(failure.help("write the angle as `turned ANGLE`"))
+            } else {
+                failure
+            });
+        }
     };
     Ok(Body {
         docs,

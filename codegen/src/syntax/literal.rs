@@ -48,10 +48,16 @@ pub(super) fn number(written: &Name) -> Outcome<ExpressionKind> {
         .help(format!("write `{digits}e3`, or `{digits}` without the `e`"));
         return Err(Box::new(finding));
     }
-    let start = written.span.start as usize + end;
+    let place = written.span.range();
+    // A number that was repaired is longer or shorter than what was written, and its unit has no place of its own.
+    let span = if place.len() == text.len() {
+        Span::new(place.start + end, place.end)
+    } else {
+        written.span
+    };
     let unit = (!unit.is_empty()).then(|| Name {
         text: unit.to_string(),
-        span: Span::new(start, start + unit.len()),
+        span,
     });
     Ok(ExpressionKind::Number { digits, unit })
 }

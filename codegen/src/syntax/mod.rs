@@ -3,8 +3,8 @@
 //! ```text
 //! text ── scan ──> lexemes ── brackets ──> edits ── repair ──> text for syn ── tokens, statement, … ──> Document
 //! ```
-//! `syn` only says that tokenising failed, so a [scan](scan) of the text first finds unreadable characters and unbalanced
-//! [brackets](brackets), and hides them from `syn`: the rest of the file is then parsed as if they had not been there, and all
+//! `syn` only says that tokenizing failed, so a scan of the text first finds unreadable characters and unbalanced
+//! brackets, and hides them from `syn`: the rest of the file is then parsed as if they had not been there, and all
 //! errors of a file are reported at once. `syn` lexes, pairs the brackets and holds the tokens; the grammar is in the files below,
 //! one per kind of node.
 //!
@@ -120,12 +120,13 @@ fn file(mut tokens: Tokens<'_>) -> Option<Document> {
             let statements = recovery::statements(&mut inner);
             (statements, start.to(braces))
         }
+        // The file ends where the name should be: said already.
+        None if tokens.at_end() && name.text.is_empty() => return None,
         None => {
-            reader.report(
-                *tokens.unexpected("`{`"),
-                start.start,
-                tokens.next_span().end,
-            );
+            let finding = tokens
+                .unexpected("`{`")
+                .help("a file is `mechanism NAME { … }`");
+            reader.report(finding, start.start, tokens.next_span().end);
             let statements = recovery::statements(&mut tokens);
             (statements, start.to(tokens.previous()))
         }

@@ -39,6 +39,8 @@ fn pass(tokens: &mut Tokens<'_>) {
             if is_body {
                 body::members(inner);
             }
+            // Where braces do not belong, the statement still ends in a semicolon.
+            let _ = tokens.mark(';');
             return;
         }
         tokens.skip();

@@ -1,4 +1,4 @@
-//! *Text and edits → ASCII text that `syn` tokenises, and the way back.* Offsets of the repaired text are turned into offsets of
+//! *Text and edits → ASCII text that `syn` tokenizes, and the way back.* Offsets of the repaired text are turned into offsets of
 //! the written text here and nowhere else.
 
 use super::scan::{Edit, Fill};

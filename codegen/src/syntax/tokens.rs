@@ -24,6 +24,8 @@ pub(super) struct Reader<'a> {
     pub documentation: &'a [Documentation],
     /// Offsets near which errors say nothing new, ascending.
     pub damage: &'a [usize],
+    /// The place after the last thing written.
+    end: Span,
     findings: RefCell<Vec<Diagnostic>>,
     /// Where documentation has been taken from.
     documented: RefCell<BTreeSet<u32>>,
@@ -37,14 +39,14 @@ impl<'a> Reader<'a> {
         documentation: &'a [Documentation],
         damage: &'a [usize],
     ) -> Self {
-        let findings = RefCell::default();
         Self {
             text,
             repaired,
             starts,
             documentation,
             damage,
-            findings,
+            end: Span::empty(text.trim_end().len()),
+            findings: RefCell::default(),
             documented: RefCell::default(),
         }
     }
@@ -78,7 +80,7 @@ impl<'a> Reader<'a> {
 
     /// The end of the last thing written.
     pub(super) fn end_of_text(&self) -> Span {
-        Span::empty(self.text.trim_end().len())
+        self.end
     }
 
     /// The lines of the documentation directly before an offset.
@@ -193,15 +195,18 @@ impl<'a> Tokens<'a> {
         })
     }
 
-    /// A number as written, with its unit.
+    /// A number with its unit, as written or, where that is not ASCII, as it was repaired.
     pub(super) fn number(&mut self) -> Option<Name> {
         let (literal, rest) = self.cursor.literal()?;
         let span = self.reader.span(literal.span());
         self.advance(span, rest);
-        Some(Name {
-            text: self.reader.written(span).to_string(),
-            span,
-        })
+        let written = self.reader.written(span);
+        let text = if written.is_ascii() {
+            written.to_string()
+        } else {
+            literal.to_string()
+        };
+        Some(Name { text, span })
     }
 
     pub(super) fn peek_number(&self) -> bool {

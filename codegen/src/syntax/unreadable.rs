@@ -30,8 +30,12 @@ pub(super) fn read(text: &str, character: char, number: Option<&str>) -> Reading
         };
     }
     if character == '"' {
-        let line = text.find('\n').unwrap_or(text.len());
-        let length = text[1..line].find('"').map_or(line, |closing| closing + 2);
+        let end = text[1..].find(['"', '\n']).map_or(text.len(), |at| at + 1);
+        let length = if text[end..].starts_with('"') {
+            end + 1
+        } else {
+            end
+        };
         return Reading {
             length,
             message: "this language has no texts in quotes".to_string(),

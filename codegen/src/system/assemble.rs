@@ -11,16 +11,32 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
     let coordinates = coordinates(&mut mechanism);
     let by_body = |body: usize| &coordinates[3 * (body - 1)..3 * body];
     let mut rows = Vec::new();
-    let Mechanism { graph, joints, time, points, .. } = &mut mechanism;
+    let Mechanism {
+        graph,
+        joints,
+        time,
+        points,
+        ..
+    } = &mut mechanism;
     for (index, joint) in joints.iter().enumerate() {
-        let bodies: Vec<usize> = joint.operands.marks.iter().map(|mark| mark.frame.body.0).collect();
-        let mut involved: Vec<&Coordinate> =
-            bodies.iter().filter(|&&body| body > 0).flat_map(|&body| by_body(body)).collect();
+        let bodies: Vec<usize> = joint
+            .operands
+            .marks
+            .iter()
+            .map(|mark| mark.frame.body.0)
+            .collect();
+        let mut involved: Vec<&Coordinate> = bodies
+            .iter()
+            .filter(|&&body| body > 0)
+            .flat_map(|&body| by_body(body))
+            .collect();
         involved.sort_by_key(|coordinate| coordinate.position);
         involved.dedup_by_key(|coordinate| coordinate.position);
         for stated in joint.kind.rows(&joint.operands, graph) {
             let name = row_name(joint, &stated);
-            rows.push(differentiate(stated, index, name, &bodies, &involved, *time, graph));
+            rows.push(differentiate(
+                stated, index, name, &bodies, &involved, *time, graph,
+            ));
         }
     }
     let outputs = points
@@ -33,11 +49,22 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             };
             let velocity = position.map(|component| rate(component, &moving, graph));
             let acceleration = velocity.map(|component| rate(component, &moving, graph));
-            Output { name: point.name.clone(), position, velocity, acceleration }
+            Output {
+                name: point.name.clone(),
+                position,
+                velocity,
+                acceleration,
+            }
         })
         .collect();
     let roles = roles(&mechanism, &coordinates);
-    System { mechanism, coordinates, rows, outputs, roles }
+    System {
+        mechanism,
+        coordinates,
+        rows,
+        outputs,
+        roles,
+    }
 }
 
 fn roles(mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<SymbolRole> {
@@ -53,7 +80,10 @@ fn roles(mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<SymbolRole> {
 fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
     let Mechanism { graph, bodies, .. } = mechanism;
     let mut coordinates = Vec::with_capacity(3 * bodies.len());
-    let moving = |(index, body): (usize, &Body)| body.coordinates.map(|symbols| (index, symbols, body.estimate()));
+    let moving = |(index, body): (usize, &Body)| {
+        body.coordinates
+            .map(|symbols| (index, symbols, body.estimate()))
+    };
     for (body, symbols, estimate) in bodies.iter().enumerate().filter_map(moving) {
         for (axis, position) in symbols.into_iter().enumerate() {
             let name = graph.symbol_name(position).to_string();
@@ -63,7 +93,11 @@ fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
                 name,
                 position,
                 body,
-                quantity: if axis == 2 { Quantity::Angle } else { Quantity::Length },
+                quantity: if axis == 2 {
+                    Quantity::Angle
+                } else {
+                    Quantity::Length
+                },
                 estimate: estimate[axis],
             });
         }
@@ -82,8 +116,10 @@ fn differentiate(
     graph: &mut Graph,
 ) -> Row {
     let residual = stated.residual;
-    let derivatives: Vec<ExprId> =
-        involved.iter().map(|coordinate| graph.derivative(residual, coordinate.position)).collect();
+    let derivatives: Vec<ExprId> = involved
+        .iter()
+        .map(|coordinate| graph.derivative(residual, coordinate.position))
+        .collect();
     let time_derivative = graph.derivative(residual, time);
     // Φ_q q̇, whose derivative along q̇ is (Φ_q q̇)_q q̇ and whose partial derivative in t is Φ_qt q̇.
     let products: Vec<ExprId> = involved
@@ -111,17 +147,32 @@ fn differentiate(
         .iter()
         .zip(derivatives)
         .filter(|(_, value)| *value != zero)
-        .map(|(coordinate, value)| Entry { coordinate: coordinate.position.index(), value })
+        .map(|(coordinate, value)| Entry {
+            coordinate: coordinate.position.index(),
+            value,
+        })
         .collect();
     let quantity = stated.quantity;
-    Row { joint, name, quantity, residual, jacobian, time_derivative, gamma, bodies: bodies.to_vec() }
+    Row {
+        joint,
+        name,
+        quantity,
+        residual,
+        jacobian,
+        time_derivative,
+        gamma,
+        bodies: bodies.to_vec(),
+    }
 }
 
 /// d/dt of an expression of the coordinates and rates in `moving`.
 fn rate(expr: ExprId, moving: &[&Coordinate], graph: &mut Graph) -> ExprId {
     let mut terms = Vec::with_capacity(2 * moving.len());
     for coordinate in moving {
-        for (of, with) in [(coordinate.position, coordinate.rate), (coordinate.rate, coordinate.acceleration)] {
+        for (of, with) in [
+            (coordinate.position, coordinate.rate),
+            (coordinate.rate, coordinate.acceleration),
+        ] {
             let partial = graph.derivative(expr, of);
             let with = graph.variable(with);
             terms.push(graph.multiply(partial, with));

@@ -3,8 +3,8 @@
 //! The arena sorts operands by id, so that equal expressions are one node. A person writes the coordinates of the first body of
 //! a joint before those of the second, constants after them, and functions of time last.
 
-use crate::expr::{ExprId, Factor, Graph, Node, Term};
 use super::{SymbolRole, System};
+use crate::expr::{ExprId, Factor, Graph, Node, Term};
 
 /// The written order of one formula.
 #[derive(Clone, Copy, Debug)]
@@ -36,13 +36,20 @@ impl<'a> WrittenOrder<'a> {
             SymbolRole::Time => return usize::MAX,
         };
         let body = self.system.coordinates[coordinate].body;
-        let place = self.bodies.iter().position(|&named| named == body).unwrap_or(self.bodies.len() + body);
+        let place = self
+            .bodies
+            .iter()
+            .position(|&named| named == body)
+            .unwrap_or(self.bodies.len() + body);
         (3 * place + coordinate % 3) * 3 + level
     }
 
     fn first_symbol(&self, expr: ExprId) -> Option<usize> {
         let symbols = self.graph().symbols(expr);
-        symbols.iter().map(|symbol| self.rank(self.system.roles[symbol.index()])).min()
+        symbols
+            .iter()
+            .map(|symbol| self.rank(self.system.roles[symbol.index()]))
+            .min()
     }
 
     fn term_key(&self, expr: ExprId) -> Key {
@@ -68,7 +75,10 @@ impl<'a> WrittenOrder<'a> {
     pub fn terms(&self, terms: &[Term]) -> Vec<Term> {
         let mut sorted = terms.to_vec();
         sorted.sort_by_cached_key(|term| self.term_key(term.expr));
-        if let Some(first) = sorted.iter().position(|term| !term.coefficient.is_negative()) {
+        if let Some(first) = sorted
+            .iter()
+            .position(|term| !term.coefficient.is_negative())
+        {
             sorted[..=first].rotate_right(1);
         }
         sorted

@@ -1,6 +1,5 @@
 //! One expression → LaTeX for math mode.
 
-
 use super::super::parts::{Fraction, Part, fraction, terms};
 use crate::expr::{ExprId, Graph, Node, Rational};
 use crate::system::{SymbolRole, System, WrittenOrder};
@@ -15,7 +14,10 @@ pub(crate) struct Printer<'a> {
 impl<'a> Printer<'a> {
     /// A printer that mentions the bodies in this order.
     pub(crate) fn new(system: &'a System, bodies: &'a [usize]) -> Printer<'a> {
-        Printer { system, order: WrittenOrder::new(system, bodies) }
+        Printer {
+            system,
+            order: WrittenOrder::new(system, bodies),
+        }
     }
 
     fn graph(&self) -> &'a Graph {
@@ -45,13 +47,30 @@ impl<'a> Printer<'a> {
             };
         }
         // Only short numerators go over the bar; a long one stands beside its coefficient.
-        let (above, beside): (Vec<Part>, Vec<Part>) = fraction.numerators.iter().cloned().partition(|part| match part {
-            Part::Power(base, _) => matches!(self.graph().node(*base), Node::Symbol(_) | Node::Pi),
-            _ => true,
-        });
-        let above = if above.is_empty() { "1".to_string() } else { self.product(&above) };
-        let bar = format!("\\frac{{{above}}}{{{}}}", self.product(&fraction.denominators));
-        if beside.is_empty() { bar } else { format!("{bar} {}", self.product(&beside)) }
+        let (above, beside): (Vec<Part>, Vec<Part>) = fraction
+            .numerators
+            .iter()
+            .cloned()
+            .partition(|part| match part {
+                Part::Power(base, _) => {
+                    matches!(self.graph().node(*base), Node::Symbol(_) | Node::Pi)
+                }
+                _ => true,
+            });
+        let above = if above.is_empty() {
+            "1".to_string()
+        } else {
+            self.product(&above)
+        };
+        let bar = format!(
+            "\\frac{{{above}}}{{{}}}",
+            self.product(&fraction.denominators)
+        );
+        if beside.is_empty() {
+            bar
+        } else {
+            format!("{bar} {}", self.product(&beside))
+        }
     }
 
     fn product(&self, parts: &[Part]) -> String {
@@ -79,7 +98,11 @@ impl<'a> Printer<'a> {
                 if (numerator, denominator) == (1, 2) {
                     return format!("\\sqrt{{{}}}", self.expression(*base));
                 }
-                let power = if denominator == 1 { numerator.to_string() } else { format!("{numerator}/{denominator}") };
+                let power = if denominator == 1 {
+                    numerator.to_string()
+                } else {
+                    format!("{numerator}/{denominator}")
+                };
                 // The exponent of a function stands between its name and its argument.
                 match self.graph().node(*base) {
                     Node::Sin(angle) => format!("\\sin^{{{power}}} {}", self.argument(*angle)),
@@ -97,7 +120,11 @@ impl<'a> Printer<'a> {
             Node::Sin(angle) => format!("\\sin {}", self.argument(*angle)),
             Node::Cos(angle) => format!("\\cos {}", self.argument(*angle)),
             Node::Atan2(y, x) => {
-                format!("\\operatorname{{atan2}}({}, {})", self.expression(*y), self.expression(*x))
+                format!(
+                    "\\operatorname{{atan2}}({}, {})",
+                    self.expression(*y),
+                    self.expression(*x)
+                )
             }
             Node::Exp(exponent) => format!("e^{{{}}}", self.expression(*exponent)),
             Node::Ln(argument) => format!("\\ln {}", self.argument(*argument)),

@@ -10,10 +10,14 @@ const LARGEST_MATRIX: usize = 9;
 /// Φ, Φ_q, Φ_t and γ of a system as display equations.
 pub fn inspect(system: &System) -> String {
     let names = Printer::new(system, &[]);
-    let coordinates: Vec<String> =
-        (0..system.coordinates.len()).map(|index| names.symbol(SymbolRole::Position(index))).collect();
+    let coordinates: Vec<String> = (0..system.coordinates.len())
+        .map(|index| names.symbol(SymbolRole::Position(index)))
+        .collect();
     let mut text = format!("% mechanism {}\n", escaped(&system.mechanism.name));
-    text.push_str(&format!("\\[ \\mathbf{{q}} = ({})^T \\]\n", coordinates.join(", ")));
+    text.push_str(&format!(
+        "\\[ \\mathbf{{q}} = ({})^T \\]\n",
+        coordinates.join(", ")
+    ));
     text.push_str(&rows(system, "\\Phi", |row| row.residual, " = 0"));
     text.push_str(&jacobian(system, &coordinates));
     text.push_str(&rows(system, "\\Phi_{t}", |row| row.time_derivative, ""));
@@ -30,16 +34,25 @@ fn rows(system: &System, symbol: &str, of: impl Fn(&Row) -> ExprId, end: &str) -
         .map(|(index, row)| {
             let formula = Printer::new(system, &row.bodies).expression(of(row));
             let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
-            format!("  ({symbol})_{{{}}} &= {formula}{end} && \\text{{{joint}}}", index + 1)
+            format!(
+                "  ({symbol})_{{{}}} &= {formula}{end} && \\text{{{joint}}}",
+                index + 1
+            )
         })
         .collect();
-    format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", lines.join(" \\\\\n"))
+    format!(
+        "\\begin{{align*}}\n{}\n\\end{{align*}}\n",
+        lines.join(" \\\\\n")
+    )
 }
 
 fn jacobian(system: &System, coordinates: &[String]) -> String {
     let entries = |row: &Row| -> Vec<(usize, String)> {
         let printer = Printer::new(system, &row.bodies);
-        row.jacobian.iter().map(|entry| (entry.coordinate, printer.expression(entry.value))).collect()
+        row.jacobian
+            .iter()
+            .map(|entry| (entry.coordinate, printer.expression(entry.value)))
+            .collect()
     };
     if coordinates.len() <= LARGEST_MATRIX {
         let lines: Vec<String> = system
@@ -54,7 +67,9 @@ fn jacobian(system: &System, coordinates: &[String]) -> String {
             })
             .collect();
         let body = lines.join(" \\\\\n");
-        return format!("\\[ \\Phi_{{\\mathbf{{q}}}} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}} \\]\n");
+        return format!(
+            "\\[ \\Phi_{{\\mathbf{{q}}}} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}} \\]\n"
+        );
     }
     let lines: Vec<String> = system
         .rows
@@ -62,9 +77,16 @@ fn jacobian(system: &System, coordinates: &[String]) -> String {
         .enumerate()
         .flat_map(|(index, row)| {
             entries(row).into_iter().map(move |(coordinate, entry)| {
-                format!("  \\frac{{\\partial \\Phi_{{{}}}}}{{\\partial {}}} &= {entry}", index + 1, coordinates[coordinate])
+                format!(
+                    "  \\frac{{\\partial \\Phi_{{{}}}}}{{\\partial {}}} &= {entry}",
+                    index + 1,
+                    coordinates[coordinate]
+                )
             })
         })
         .collect();
-    format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", lines.join(" \\\\\n"))
+    format!(
+        "\\begin{{align*}}\n{}\n\\end{{align*}}\n",
+        lines.join(" \\\\\n")
+    )
 }

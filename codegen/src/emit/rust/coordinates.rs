@@ -5,44 +5,50 @@ use quote::quote;
 
 use super::docs::docs;
 use super::expression::{Writer, identifier};
+use super::lints;
 use super::literal::{count, float};
 use crate::program::{Program, Straight};
 use crate::system::{Coordinate, System};
 
 /// The fields' identifiers, in order.
 fn fields(system: &System) -> Vec<Ident> {
-    system.coordinates.iter().map(|coordinate| identifier(&coordinate.name)).collect()
-}
-
-/// An attribute where a body's name has capitals, which the coordinates keep.
-pub(super) fn allow_capitals(system: &System) -> TokenStream {
-    let capitals = system.coordinates.iter().any(|coordinate| coordinate.name.contains(|c: char| c.is_uppercase()));
-    if capitals { quote!(#[allow(non_snake_case)]) } else { TokenStream::new() }
+    system
+        .coordinates
+        .iter()
+        .map(|coordinate| identifier(&coordinate.name))
+        .collect()
 }
 
 /// `struct Coordinates` with its names, the drawn pose, and its array form.
 pub(super) fn coordinates(system: &System) -> TokenStream {
     let fields = fields(system);
     let number = count(fields.len());
-    let field_docs = system.coordinates.iter().map(|coordinate| docs([field_text(coordinate, system)]));
-    let names = system.coordinates.iter().map(|coordinate| coordinate.name.as_str());
+    let field_docs = system
+        .coordinates
+        .iter()
+        .map(|coordinate| docs([field_text(coordinate, system)]));
+    let names = system
+        .coordinates
+        .iter()
+        .map(|coordinate| coordinate.name.as_str());
     let drawn = system.coordinates.iter().map(|coordinate| {
         // The estimates were found to be finite constants when they were read.
-        float(system.mechanism.graph.constant_value(coordinate.estimate).unwrap_or(0.0))
+        float(
+            system
+                .mechanism
+                .graph
+                .constant_value(coordinate.estimate)
+                .unwrap_or(0.0),
+        )
     });
-    let allow = allow_capitals(system);
-    quote! {
-        /// The coordinates of all bodies: position of the origin in m, angle in rad. Also their rates (m/s, rad/s) and
-        /// accelerations (m/s², rad/s²).
-        #allow
+    let structure = quote! {
         #[repr(C)]
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         pub struct Coordinates {
             #(#field_docs pub #fields: f64,)*
         }
-
-        #allow
-        #[allow(dead_code)]
+    };
+    let implementation = quote! {
         impl Coordinates {
             /// How many coordinates there are.
             pub const COUNT: usize = #number;
@@ -62,6 +68,19 @@ pub(super) fn coordinates(system: &System) -> TokenStream {
                 Self { #(#fields),* }
             }
         }
+    };
+    let (capitals, allow) = (
+        lints::capitals(&structure),
+        lints::unused_item(&implementation),
+    );
+    quote! {
+        /// The coordinates of all bodies: position of the origin in m, angle in rad. Also their rates (m/s, rad/s) and
+        /// accelerations (m/s², rad/s²).
+        #capitals
+        #structure
+
+        #allow
+        #implementation
     }
 }
 
@@ -77,20 +96,35 @@ fn field_text(coordinate: &Coordinate, system: &System) -> String {
 
 /// `struct Frame` with a method for the motion of each point.
 pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
-    let methods = system.outputs.iter().zip(&program.points).enumerate().map(|(index, (output, straight))| {
-        let name = identifier(&format!("point_{}", output.name.to_lowercase()));
-        let point = &system.mechanism.points[index];
-        let body = &system.mechanism.bodies[point.mark.frame.body.0].name;
-        let carrier = if body == "ground" { "the ground".to_string() } else { format!("body {body}") };
-        let mut lines = vec![format!("Motion of the point {} of {carrier}, in m, m/s and m/s².", output.name)];
-        if !point.docs.is_empty() {
-            lines.push(String::new());
-            lines.extend(point.docs.iter().cloned());
+    let methods = system.outputs.iter().zip(&program.points).enumerate().map(
+        |(index, (output, straight))| {
+            let name = identifier(&format!("point_{}", output.name.to_lowercase()));
+            let point = &system.mechanism.points[index];
+            let body = &system.mechanism.bodies[point.mark.frame.body.0].name;
+            let carrier = if body == "ground" {
+                "the ground".to_string()
+            } else {
+                format!("body {body}")
+            };
+            let mut lines = vec![format!(
+                "Motion of the point {} of {carrier}, in m, m/s and m/s².",
+                output.name
+            )];
+            if !point.docs.is_empty() {
+                lines.push(String::new());
+                lines.extend(point.docs.iter().cloned());
+            }
+            let text = docs(lines);
+            let body = motion(system, program, straight);
+            quote!(#text pub fn #name(&self) -> Motion { #body })
+        },
+    );
+    let implementation = quote! {
+        impl Frame {
+            #(#methods)*
         }
-        let text = docs(lines);
-        let body = motion(system, program, straight);
-        quote!(#text pub fn #name(&self) -> Motion { #body })
-    });
+    };
+    let allow = lints::unused_item(&implementation);
     quote! {
         /// One solved instant.
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -105,20 +139,34 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
             pub qdd: Coordinates,
         }
 
-        #[allow(dead_code)]
-        impl Frame {
-            #(#methods)*
-        }
+        #allow
+        #implementation
     }
 }
 
 fn motion(system: &System, program: &Program, straight: &Straight) -> TokenStream {
-    let writer = Writer { system, constants: &program.constants, straight };
+    let writer = Writer {
+        system,
+        constants: &program.constants,
+        straight,
+    };
     let (statements, results) = (writer.statements(), writer.results());
     let inputs = straight.inputs;
-    let read = [(inputs.position, quote!(q)), (inputs.rate, quote!(qd)), (inputs.acceleration, quote!(qdd))];
-    let read: Vec<TokenStream> = read.into_iter().filter(|(used, _)| *used).map(|(_, name)| name).collect();
-    let take = if read.is_empty() { TokenStream::new() } else { quote!(let Self { #(#read,)* .. } = self;) };
+    let read = [
+        (inputs.position, quote!(q)),
+        (inputs.rate, quote!(qd)),
+        (inputs.acceleration, quote!(qdd)),
+    ];
+    let read: Vec<TokenStream> = read
+        .into_iter()
+        .filter(|(used, _)| *used)
+        .map(|(_, name)| name)
+        .collect();
+    let take = if read.is_empty() {
+        TokenStream::new()
+    } else {
+        quote!(let Self { #(#read,)* .. } = self;)
+    };
     let [x, y, vx, vy, ax, ay] = results.as_slice() else {
         unreachable!("a point has two components of position, velocity and acceleration each")
     };

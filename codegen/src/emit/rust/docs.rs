@@ -9,7 +9,11 @@ pub(super) fn docs<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> TokenSt
     for line in lines {
         // A space after the slashes, as a person writes it.
         let line = line.as_ref().trim();
-        let line = if line.is_empty() { String::new() } else { format!(" {line}") };
+        let line = if line.is_empty() {
+            String::new()
+        } else {
+            format!(" {line}")
+        };
         tokens.extend(quote!(#[doc = #line]));
     }
     tokens

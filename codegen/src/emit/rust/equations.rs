@@ -3,9 +3,10 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::coordinates::allow_capitals;
 use super::docs::docs;
 use super::expression::{Writer, identifier};
+use super::layout::comment;
+use super::lints;
 use super::literal::count;
 use crate::emit::Notation;
 use crate::emit::text;
@@ -45,7 +46,11 @@ pub(super) fn equations(system: &System, program: &Program) -> TokenStream {
 
 /// The parameters of a function; one that is not read begins with an underscore.
 fn parameters(inputs: Inputs, with_rates: bool) -> TokenStream {
-    let q = if inputs.position { quote!(q) } else { quote!(_q) };
+    let q = if inputs.position {
+        quote!(q)
+    } else {
+        quote!(_q)
+    };
     let t = if inputs.time { quote!(t) } else { quote!(_t) };
     let qd = if inputs.rate { quote!(qd) } else { quote!(_qd) };
     if with_rates {
@@ -65,7 +70,10 @@ fn row_list(system: &System, of: &dyn Fn(&Row) -> ExprId) -> Vec<String> {
         .filter(|(_, row)| of(row) != zero)
         .map(|(index, row)| {
             let formula = text::formula(system, &row.bodies, Notation::Ascii, of(row));
-            format!("- {index}, {}: `{formula}`", system.mechanism.joints[row.joint].label)
+            format!(
+                "- {index}, {}: `{formula}`",
+                system.mechanism.joints[row.joint].label
+            )
         })
         .collect()
 }
@@ -78,7 +86,11 @@ fn vector(
     meaning: &str,
     of: impl Fn(&Row) -> ExprId,
 ) -> TokenStream {
-    let writer = Writer { system, constants: &program.constants, straight };
+    let writer = Writer {
+        system,
+        constants: &program.constants,
+        straight,
+    };
     let (statements, results) = (writer.statements(), writer.results());
     let size = count(system.rows.len());
     let mut lines = vec![meaning.to_string(), String::new()];
@@ -86,33 +98,59 @@ fn vector(
     let text = docs(lines);
     let function = identifier(name);
     let parameters = parameters(straight.inputs, name == "gamma");
-    let allow = allow_capitals(system);
     let zero = system.mechanism.graph.zero();
     // Rows that are zero need no name; those that are not are named after their joint.
-    let rows: Vec<_> = system.rows.iter().map(|row| identifier(&row.name)).collect();
-    let named = system.rows.iter().zip(&rows).zip(&results).filter(|((row, _), _)| of(row) != zero);
+    let rows: Vec<_> = system
+        .rows
+        .iter()
+        .map(|row| identifier(&row.name))
+        .collect();
+    let named = system
+        .rows
+        .iter()
+        .zip(&rows)
+        .zip(&results)
+        .filter(|((row, _), _)| of(row) != zero);
     let bindings = named.map(|((_, name), value)| quote!(let #name = #value;));
-    let entries = system.rows.iter().zip(&rows).map(|(row, name)| if of(row) == zero { quote!(0.0) } else { quote!(#name) });
-    quote! {
-        #text
-        #allow
-        #[allow(dead_code)]
+    let entries = system.rows.iter().zip(&rows).map(|(row, name)| {
+        if of(row) == zero {
+            quote!(0.0)
+        } else {
+            quote!(#name)
+        }
+    });
+    let function = quote! {
         pub fn #function(#parameters) -> SVector<f64, #size> {
             #(#statements)*
             #(#bindings)*
             SVector::from([#(#entries),*])
         }
-    }
+    };
+    let allow = lints::unused_item(&function);
+    quote!(#text #allow #function)
 }
 
 fn matrix(system: &System, program: &Program) -> TokenStream {
-    let writer = Writer { system, constants: &program.constants, straight: &program.jacobian };
+    let writer = Writer {
+        system,
+        constants: &program.constants,
+        straight: &program.jacobian,
+    };
     let (statements, results) = (writer.statements(), writer.results());
     let size = count(system.rows.len());
-    let places = system.rows.iter().enumerate().flat_map(|(index, row)| {
-        row.jacobian.iter().map(move |entry| (count(index), count(entry.coordinate)))
-    });
-    let entries = places.zip(&results).map(|((row, column), value)| quote!(phi_q[(#row, #column)] = #value;));
+    let mut values = results.iter();
+    let mut entries = Vec::with_capacity(results.len());
+    for (index, row) in system.rows.iter().enumerate() {
+        entries.push(comment(&format!(
+            "{}: {}",
+            row.name, system.mechanism.joints[row.joint].label
+        )));
+        let row_number = count(index);
+        for (entry, value) in row.jacobian.iter().zip(values.by_ref()) {
+            let column = count(entry.coordinate);
+            entries.push(quote!(phi_q[(#row_number, #column)] = #value;));
+        }
+    }
     let mut lines = vec![
         "Φ_q(q, t): the Jacobian, one row per equation and one column per coordinate. What is not assigned is zero."
             .to_string(),
@@ -123,22 +161,23 @@ fn matrix(system: &System, program: &Program) -> TokenStream {
     ];
     let text = docs(lines.drain(..));
     let parameters = parameters(program.jacobian.inputs, false);
-    let allow = allow_capitals(system);
-    quote! {
-        #text
-        #allow
-        #[allow(dead_code)]
+    let function = quote! {
         pub fn phi_q(#parameters) -> SMatrix<f64, #size, #size> {
             #(#statements)*
             let mut phi_q = SMatrix::zeros();
             #(#entries)*
             phi_q
         }
-    }
+    };
+    let allow = lints::unused_item(&function);
+    quote!(#text #allow #function)
 }
 
 /// `0 x1, 1 y1, …`
 fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> String {
-    let names: Vec<String> = names.enumerate().map(|(index, name)| format!("{index} `{name}`")).collect();
+    let names: Vec<String> = names
+        .enumerate()
+        .map(|(index, name)| format!("{index} `{name}`"))
+        .collect();
     names.join(", ")
 }

@@ -5,7 +5,9 @@ use quote::{format_ident, quote};
 
 use super::literal::float;
 use crate::expr::{ExprId, Node};
-use crate::program::{Addend, ConstantPart, Constants, LARGEST_PRODUCT, Power, Statement, Straight};
+use crate::program::{
+    Addend, ConstantPart, Constants, LARGEST_PRODUCT, Power, Statement, Straight,
+};
 use crate::system::{SymbolRole, System};
 
 /// Writes the code of one function.
@@ -18,7 +20,11 @@ pub(super) struct Writer<'a> {
 
 /// A name as an identifier; words that Rust reserves get an underscore.
 pub(super) fn identifier(name: &str) -> Ident {
-    if syn::parse_str::<Ident>(name).is_ok() { format_ident!("{name}") } else { format_ident!("{name}_") }
+    if syn::parse_str::<Ident>(name).is_ok() {
+        format_ident!("{name}")
+    } else {
+        format_ident!("{name}_")
+    }
 }
 
 impl Writer<'_> {
@@ -26,8 +32,16 @@ impl Writer<'_> {
     pub(super) fn statements(&self) -> Vec<TokenStream> {
         let graph = &self.system.mechanism.graph;
         let statement = |statement: &Statement| match statement {
-            Statement::SineCosine { sine, cosine, angle } => {
-                let (sine, cosine, angle) = (identifier(sine), identifier(cosine), self.expression(*angle, &[]));
+            Statement::SineCosine {
+                sine,
+                cosine,
+                angle,
+            } => {
+                let (sine, cosine, angle) = (
+                    identifier(sine),
+                    identifier(cosine),
+                    self.expression(*angle, &[]),
+                );
                 quote!(let (#sine, #cosine) = math::sin_cos(#angle);)
             }
             Statement::Value { name, expr } => {
@@ -48,13 +62,19 @@ impl Writer<'_> {
 
     fn call(&self, function: &str, arguments: &[ExprId]) -> TokenStream {
         let function = format_ident!("{function}");
-        let arguments = arguments.iter().map(|argument| self.expression(*argument, &[]));
+        let arguments = arguments
+            .iter()
+            .map(|argument| self.expression(*argument, &[]));
         quote!(math::#function(#(#arguments),*))
     }
 
     /// The results in order, each with its terms in the order of its row.
     pub(super) fn results(&self) -> Vec<TokenStream> {
-        self.straight.results.iter().map(|(expr, bodies)| self.expression(*expr, bodies)).collect()
+        self.straight
+            .results
+            .iter()
+            .map(|(expr, bodies)| self.expression(*expr, bodies))
+            .collect()
     }
 
     fn expression(&self, expr: ExprId, bodies: &[usize]) -> TokenStream {
@@ -67,14 +87,19 @@ impl Writer<'_> {
             let name = identifier(name);
             return Some(quote!(#name));
         }
-        let Node::Symbol(symbol) = self.system.mechanism.graph.node(expr) else { return None };
+        let Node::Symbol(symbol) = self.system.mechanism.graph.node(expr) else {
+            return None;
+        };
         let (vector, coordinate) = match self.system.roles[symbol.index()] {
             SymbolRole::Position(coordinate) => ("q", coordinate),
             SymbolRole::Rate(coordinate) => ("qd", coordinate),
             SymbolRole::Acceleration(coordinate) => ("qdd", coordinate),
             SymbolRole::Time => return Some(quote!(t)),
         };
-        let (vector, field) = (format_ident!("{vector}"), identifier(&self.system.coordinates[coordinate].name));
+        let (vector, field) = (
+            format_ident!("{vector}"),
+            identifier(&self.system.coordinates[coordinate].name),
+        );
         Some(quote!(#vector.#field))
     }
 
@@ -91,15 +116,29 @@ impl Writer<'_> {
             });
         }
         // A sum without terms is the number zero.
-        if addends.is_empty() { quote!(0.0) } else { tokens }
+        if addends.is_empty() {
+            quote!(0.0)
+        } else {
+            tokens
+        }
     }
 
     /// An addend without its sign.
     fn addend(&self, addend: &Addend) -> TokenStream {
         let constant = addend.constant.iter().map(|part| self.constant(part));
-        let factors: Vec<TokenStream> = constant.chain(addend.factors.iter().flat_map(|power| self.power(power))).collect();
-        let numerator = if factors.is_empty() { quote!(1.0) } else { product(&factors) };
-        let divisors: Vec<TokenStream> = addend.divisors.iter().flat_map(|power| self.power(power)).collect();
+        let factors: Vec<TokenStream> = constant
+            .chain(addend.factors.iter().flat_map(|power| self.power(power)))
+            .collect();
+        let numerator = if factors.is_empty() {
+            quote!(1.0)
+        } else {
+            product(&factors)
+        };
+        let divisors: Vec<TokenStream> = addend
+            .divisors
+            .iter()
+            .flat_map(|power| self.power(power))
+            .collect();
         match divisors.as_slice() {
             [] => numerator,
             [only] => quote!(#numerator / #only),
@@ -131,7 +170,10 @@ impl Writer<'_> {
                 vec![quote!(math::sqrt(#radicand))]
             }
             _ => {
-                let (base, exponent) = (self.expression(power.base, &[]), float(power.exponent.to_f64()));
+                let (base, exponent) = (
+                    self.expression(power.base, &[]),
+                    float(power.exponent.to_f64()),
+                );
                 vec![quote!(math::powf(#base, #exponent))]
             }
         }
@@ -149,7 +191,11 @@ impl Writer<'_> {
 fn product(factors: &[TokenStream]) -> TokenStream {
     let mut tokens = TokenStream::new();
     for (position, factor) in factors.iter().enumerate() {
-        tokens.extend(if position == 0 { factor.clone() } else { quote!(* #factor) });
+        tokens.extend(if position == 0 {
+            factor.clone()
+        } else {
+            quote!(* #factor)
+        });
     }
     tokens
 }

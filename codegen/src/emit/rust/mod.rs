@@ -6,6 +6,8 @@ mod coordinates;
 mod docs;
 mod equations;
 mod expression;
+mod layout;
+mod lints;
 mod literal;
 mod module;
 mod solver;

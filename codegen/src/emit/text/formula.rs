@@ -18,7 +18,11 @@ pub(crate) struct Printer<'a> {
 impl<'a> Printer<'a> {
     /// A printer that mentions the bodies in this order.
     pub(crate) fn new(system: &'a System, bodies: &'a [usize], notation: Notation) -> Printer<'a> {
-        Printer { system, order: WrittenOrder::new(system, bodies), notation }
+        Printer {
+            system,
+            order: WrittenOrder::new(system, bodies),
+            notation,
+        }
     }
 
     fn graph(&self) -> &'a Graph {
@@ -43,7 +47,10 @@ impl<'a> Printer<'a> {
         match part {
             ConstantPart::Sum(terms) => self.sum(terms),
             ConstantPart::Product(number, factors) => {
-                let number = Term { coefficient: *number, expr: self.graph().one() };
+                let number = Term {
+                    coefficient: *number,
+                    expr: self.graph().one(),
+                };
                 let mut whole = fraction(&number, self.graph(), &self.order);
                 for factor in factors {
                     whole.push(*factor);
@@ -88,10 +95,17 @@ impl<'a> Printer<'a> {
     fn part(&self, part: &Part) -> String {
         match part {
             Part::Digits(digits) => digits.clone(),
-            Part::Root(radicand) => self.either(format!("sqrt({radicand})"), format!("√{radicand}")),
+            Part::Root(radicand) => {
+                self.either(format!("sqrt({radicand})"), format!("√{radicand}"))
+            }
             Part::Power(base, exponent) if *exponent == Rational::ONE => self.operand(*base),
-            Part::Power(base, exponent) if (exponent.numerator(), exponent.denominator()) == (1, 2) => {
-                self.either(format!("sqrt({})", self.expression(*base)), format!("√({})", self.expression(*base)))
+            Part::Power(base, exponent)
+                if (exponent.numerator(), exponent.denominator()) == (1, 2) =>
+            {
+                self.either(
+                    format!("sqrt({})", self.expression(*base)),
+                    format!("√({})", self.expression(*base)),
+                )
             }
             Part::Power(base, exponent) => {
                 let base = self.operand(*base);
@@ -115,7 +129,9 @@ impl<'a> Printer<'a> {
             Node::Atan2(y, x) => self.function("atan2", &[*y, *x]),
             Node::Exp(exponent) => self.function("exp", &[*exponent]),
             Node::Ln(argument) => self.function("ln", &[*argument]),
-            Node::Number(_) | Node::Sum(_) | Node::Product(_) => format!("({})", self.expression(expr)),
+            Node::Number(_) | Node::Sum(_) | Node::Product(_) => {
+                format!("({})", self.expression(expr))
+            }
         }
     }
 
@@ -126,7 +142,10 @@ impl<'a> Printer<'a> {
         {
             return format!("{name} {}", self.operand(*only));
         }
-        let arguments: Vec<String> = arguments.iter().map(|argument| self.expression(*argument)).collect();
+        let arguments: Vec<String> = arguments
+            .iter()
+            .map(|argument| self.expression(*argument))
+            .collect();
         format!("{name}({})", arguments.join(", "))
     }
 
@@ -142,7 +161,8 @@ impl<'a> Printer<'a> {
         match self.notation {
             Notation::Ascii => format!("{name}{}", &"''"[..level]),
             Notation::Unicode => {
-                let body = &self.system.mechanism.bodies[self.system.coordinates[coordinate].body].name;
+                let body =
+                    &self.system.mechanism.bodies[self.system.coordinates[coordinate].body].name;
                 let letter = ["x", "y", "φ"][coordinate % 3];
                 let dots = ["", "\u{307}", "\u{308}"][level];
                 let index: Option<String> = body.chars().map(lowered).collect();
@@ -163,6 +183,10 @@ fn raised(exponent: i128) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let text = exponent.to_string();
     text.chars()
-        .map(|character| character.to_digit(10).map_or('⁻', |digit| digits[digit as usize]))
+        .map(|character| {
+            character
+                .to_digit(10)
+                .map_or('⁻', |digit| digits[digit as usize])
+        })
         .collect()
 }

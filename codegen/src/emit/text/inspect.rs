@@ -34,15 +34,26 @@ struct Page<'a> {
 impl Page<'_> {
     fn summary(&self) -> String {
         let mechanism = &self.system.mechanism;
-        let drivers =
-            self.system.rows.iter().filter(|row| mechanism.joints[row.joint].role == Role::Driver).count();
+        let drivers = self
+            .system
+            .rows
+            .iter()
+            .filter(|row| mechanism.joints[row.joint].role == Role::Driver)
+            .count();
         let coordinates = self.system.coordinates.len();
         let constraints = self.system.rows.len() - drivers;
         let freedom = coordinates as i64 - constraints as i64;
         let printer = Printer::new(self.system, &[], self.notation);
-        let names: Vec<String> =
-            self.system.coordinates.iter().enumerate().map(|(index, _)| printer.symbol(crate::system::SymbolRole::Position(index))).collect();
-        let plural = |number: i64, one: &str, several: &str| format!("{number} {}", if number == 1 { one } else { several });
+        let names: Vec<String> = self
+            .system
+            .coordinates
+            .iter()
+            .enumerate()
+            .map(|(index, _)| printer.symbol(crate::system::SymbolRole::Position(index)))
+            .collect();
+        let plural = |number: i64, one: &str, several: &str| {
+            format!("{number} {}", if number == 1 { one } else { several })
+        };
         format!(
             "mechanism {}: {}, {}, {} of joints, {} of drivers, {}\n\nq = ({})\n",
             mechanism.name,
@@ -59,7 +70,11 @@ impl Page<'_> {
     fn label(&self, index: usize) -> Vec<String> {
         let row = &self.system.rows[index];
         let first = index == 0 || self.system.rows[index - 1].joint != row.joint;
-        let joint = if first { self.system.mechanism.joints[row.joint].label.as_str() } else { "" };
+        let joint = if first {
+            self.system.mechanism.joints[row.joint].label.as_str()
+        } else {
+            ""
+        };
         vec![format!("{}", index + 1), joint.to_string()]
     }
 
@@ -75,7 +90,9 @@ impl Page<'_> {
             .enumerate()
             .map(|(index, row)| {
                 let mut line = self.label(index);
-                line.push(Printer::new(self.system, &row.bodies, self.notation).expression(of(row)));
+                line.push(
+                    Printer::new(self.system, &row.bodies, self.notation).expression(of(row)),
+                );
                 line
             })
             .collect();
@@ -89,14 +106,22 @@ impl Page<'_> {
             .iter()
             .map(|row| {
                 let printer = Printer::new(self.system, &row.bodies, self.notation);
-                row.jacobian.iter().map(|entry| (entry.coordinate, printer.expression(entry.value))).collect()
+                row.jacobian
+                    .iter()
+                    .map(|entry| (entry.coordinate, printer.expression(entry.value)))
+                    .collect()
             })
             .collect();
         let names = Printer::new(self.system, &[], self.notation);
         let name = |coordinate| names.symbol(crate::system::SymbolRole::Position(coordinate));
         let columns = self.system.coordinates.len();
         let mut matrix: Vec<Vec<String>> = Vec::with_capacity(entries.len() + 1);
-        matrix.push([String::new(), String::new()].into_iter().chain((0..columns).map(name)).collect());
+        matrix.push(
+            [String::new(), String::new()]
+                .into_iter()
+                .chain((0..columns).map(name))
+                .collect(),
+        );
         for (index, row) in entries.iter().enumerate() {
             let mut line = self.label(index);
             line.resize(columns + 2, "0".to_string());
@@ -114,13 +139,18 @@ impl Page<'_> {
             .enumerate()
             .map(|(index, row)| {
                 let mut line = self.label(index);
-                let listed: Vec<String> =
-                    row.iter().map(|(coordinate, entry)| format!("{}: {entry}", name(*coordinate))).collect();
+                let listed: Vec<String> = row
+                    .iter()
+                    .map(|(coordinate, entry)| format!("{}: {entry}", name(*coordinate)))
+                    .collect();
                 line.push(listed.join(",  "));
                 line
             })
             .collect();
-        format!("\n{heading}, entries that are not zero\n{}", aligned(&lines))
+        format!(
+            "\n{heading}, entries that are not zero\n{}",
+            aligned(&lines)
+        )
     }
 
     fn points(&self) -> String {
@@ -129,7 +159,11 @@ impl Page<'_> {
         }
         let printer = Printer::new(self.system, &[], self.notation);
         let pair = |pair: [ExprId; 2]| {
-            format!("({}, {})", printer.expression(pair[0]), printer.expression(pair[1]))
+            format!(
+                "({}, {})",
+                printer.expression(pair[0]),
+                printer.expression(pair[1])
+            )
         };
         let line = |output: &Output| vec![output.name.clone(), pair(output.position)];
         let positions: Vec<Vec<String>> = self.system.outputs.iter().map(line).collect();

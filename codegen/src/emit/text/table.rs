@@ -4,7 +4,12 @@
 pub(super) fn aligned(lines: &[Vec<String>]) -> String {
     let columns = lines.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
-        lines.iter().filter_map(|line| line.get(column)).map(|cell| shown_width(cell)).max().unwrap_or(0)
+        lines
+            .iter()
+            .filter_map(|line| line.get(column))
+            .map(|cell| shown_width(cell))
+            .max()
+            .unwrap_or(0)
     };
     let widths: Vec<usize> = (0..columns).map(width).collect();
     let mut text = String::new();
@@ -23,5 +28,7 @@ pub(super) fn aligned(lines: &[Vec<String>]) -> String {
 
 /// How many columns of a terminal a text takes; combining dots take none.
 pub(super) fn shown_width(text: &str) -> usize {
-    text.chars().filter(|character| !matches!(character, '\u{300}'..='\u{36f}')).count()
+    text.chars()
+        .filter(|character| !matches!(character, '\u{300}'..='\u{36f}'))
+        .count()
 }

@@ -97,12 +97,9 @@ fn precedence() {
         ("f(a, -b, g(c),)", "f(a, (-b), g(c))"),
         ("f()", "f()"),
         ("c1.A + 1.P * 1 .Q - 1. R", "{+c1.A +{*1.P *1.Q} -1.R}"),
+        ("2. * 1.5", "{*2. *1.5}"),
         ("30deg + 1_000.5e-3mm", "{+30'deg +1000.5e-3'mm}"),
-        ("2. + .5", "{+2. +0.5}"),
     ] {
-        if text.contains(" .5") {
-            continue;
-        }
         assert_eq!(formula(text), (expected.to_string(), text.to_string()));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::{DEEPEST, parse};
 use super::{EXCAVATOR, TWO_BODY, codes, good};
-use crate::diagnostic::{Diagnostics, Source};
+use crate::diagnostic::{Code, Diagnostics, Source};
 
 /// Parses and renders; a text without a document has an error.
 fn survives(text: &str) {
@@ -13,13 +13,27 @@ fn survives(text: &str) {
         document.is_some() || found.has_errors(),
         "silence about {text:?}"
     );
-    if found.has_errors() {
+    for finding in found.iter() {
         assert!(
-            found.render(&source).contains("error[K0")
-                || found.render(&source).contains("error[K1")
-                || found.render(&source).contains("error[K3")
+            finding.code < Code::UnknownName || finding.code == Code::WrongForm,
+            "{finding:?}"
         );
+        // The scan leaves nothing that `syn` cannot tokenize.
+        assert_ne!(finding.message, "unreadable text", "{text:?}");
+        for label in finding.secondary.iter().chain([&finding.primary]) {
+            let (start, end) = (label.span.start as usize, label.span.end as usize);
+            assert!(
+                start <= end && text.is_char_boundary(start) && text.is_char_boundary(end),
+                "{finding:?}"
+            );
+        }
     }
+    let rendered = found.render(&source);
+    assert_eq!(
+        found.has_errors(),
+        rendered.ends_with("in any.mech\n"),
+        "{rendered}"
+    );
 }
 
 #[test]
@@ -87,6 +101,27 @@ fn long_chains_are_flat_and_deep_nesting_is_an_error() {
         codes(&inside(format!("1{}", "^1".repeat(DEEPEST + 1)))).len(),
         1
     );
+}
+
+/// The time is linear in the length: these took minutes when it was not.
+#[test]
+fn large_texts() {
+    for piece in [
+        "\"",
+        "a.",
+        "²x",
+        "((",
+        "}",
+        "body a at (0, 0) {}\n",
+        "///\n",
+        "\r",
+    ] {
+        survives(&format!(
+            "mechanism m {{{}",
+            piece.repeat(100_000 / piece.len())
+        ));
+        survives(&piece.repeat(100_000 / piece.len()));
+    }
 }
 
 #[test]

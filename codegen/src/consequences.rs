@@ -1,0 +1,86 @@
+//! Errors of a document that was only partly read → those that do not merely follow from the unread parts.
+//!
+//! A body whose statement could not be read is missing below; saying so at each of its uses would bury the one error that
+//! matters. An unknown name is therefore only reported when it does not stand anywhere in the unread text.
+
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
+use crate::syntax::{Document, Statement};
+
+/// Adds the errors of `resolving` to those of the syntax, without those that the unread text explains.
+pub(crate) fn add_independent(
+    resolving: Diagnostics,
+    document: &Document,
+    source: &Source,
+    diagnostics: &mut Diagnostics,
+) {
+    let unread = unread_text(document, source, diagnostics);
+    let words: Vec<&str> = unread.iter().flat_map(|text| words(text)).collect();
+    for diagnostic in resolving.into_sorted() {
+        if !may_follow(&diagnostic, source, &words) {
+            diagnostics.push(diagnostic);
+        }
+    }
+}
+
+/// Whether an error may be there only because something was not read.
+fn may_follow(diagnostic: &Diagnostic, source: &Source, unread_words: &[&str]) -> bool {
+    match diagnostic.code {
+        Code::UnknownName | Code::PointNotOnBody => {
+            text_of(diagnostic.primary.span, source).is_none_or(|word| unread_words.contains(&word))
+        }
+        // The joint or the body that is asked for may be among the unread statements.
+        Code::WrongForm | Code::NoBodies => true,
+        _ => false,
+    }
+}
+
+/// The text between the statements that were read, and every line with an error on it.
+fn unread_text<'a>(document: &Document, source: &'a Source, syntax: &Diagnostics) -> Vec<&'a str> {
+    let mut texts = Vec::new();
+    let mut position = document.mechanism.span.start;
+    for statement in &document.mechanism.statements {
+        let span = match statement {
+            Statement::Constant(statement) => statement.span,
+            Statement::Points(statement) => statement.span,
+            Statement::Body(statement) => statement.span,
+            Statement::Joint(statement) => statement.span,
+            Statement::Drive(statement) => statement.span,
+        };
+        texts.extend(text_of(
+            Span {
+                start: position,
+                end: span.start.max(position),
+            },
+            source,
+        ));
+        position = span.end.max(position);
+    }
+    let rest = Span {
+        start: position,
+        end: u32::try_from(source.text.len()).unwrap_or(u32::MAX),
+    };
+    texts.extend(text_of(rest, source));
+    for diagnostic in syntax.iter() {
+        let at = (diagnostic.primary.span.start as usize).min(source.text.len());
+        let bytes = source.text.as_bytes();
+        let start = bytes[..at]
+            .iter()
+            .rposition(|&byte| byte == b'\n')
+            .map_or(0, |found| found + 1);
+        let end = bytes[at..]
+            .iter()
+            .position(|&byte| byte == b'\n')
+            .map_or(bytes.len(), |found| at + found);
+        texts.extend(source.text.get(start..end));
+    }
+    texts
+}
+
+fn text_of(span: Span, source: &Source) -> Option<&str> {
+    source.text.get(span.start as usize..span.end as usize)
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|character: char| !character.is_alphanumeric() && character != '_')
+        .filter(|word| !word.is_empty())
+}

@@ -1,0 +1,78 @@
+//! Which lints an item of generated code must allow, so that it is clean wherever it is included.
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::quote;
+use std::f64::consts;
+
+/// The constants of the standard library that clippy looks for among literals.
+const KNOWN: [f64; 19] = [
+    consts::E,
+    consts::FRAC_1_PI,
+    consts::FRAC_1_SQRT_2,
+    consts::FRAC_2_PI,
+    consts::FRAC_2_SQRT_PI,
+    consts::FRAC_PI_2,
+    consts::FRAC_PI_3,
+    consts::FRAC_PI_4,
+    consts::FRAC_PI_6,
+    consts::FRAC_PI_8,
+    consts::LN_2,
+    consts::LN_10,
+    consts::LOG10_2,
+    consts::LOG10_E,
+    consts::LOG2_10,
+    consts::LOG2_E,
+    consts::PI,
+    consts::SQRT_2,
+    consts::TAU,
+];
+
+/// What an item that a user may leave unused must allow; `tokens` is what it is made of.
+pub(super) fn unused_item(tokens: &TokenStream) -> TokenStream {
+    let approximate = approximate(tokens);
+    let capitals = capitals(tokens);
+    quote!(#capitals #[allow(dead_code)] #approximate)
+}
+
+/// An attribute where a literal is close to a constant of the standard library: it is an exact value of the mechanism.
+pub(super) fn approximate(tokens: &TokenStream) -> TokenStream {
+    let suspect = any(tokens, &|tree| match tree {
+        TokenTree::Literal(literal) => literal.to_string().parse::<f64>().is_ok_and(|value| {
+            KNOWN
+                .iter()
+                .any(|known| (value - known).abs() < 1e-3 * known)
+        }),
+        _ => false,
+    });
+    if suspect {
+        quote!(#[allow(clippy::approx_constant)])
+    } else {
+        TokenStream::new()
+    }
+}
+
+/// An attribute where a body's name has capitals, which the coordinates keep.
+pub(super) fn capitals(tokens: &TokenStream) -> TokenStream {
+    let suspect = any(tokens, &|tree| match tree {
+        TokenTree::Ident(name) => {
+            let name = name.to_string();
+            let coordinate = ["x_", "y_", "phi_", "sin_", "cos_"]
+                .iter()
+                .any(|start| name.starts_with(start));
+            coordinate && name.contains(|letter: char| letter.is_ascii_uppercase())
+        }
+        _ => false,
+    });
+    if suspect {
+        quote!(#[allow(non_snake_case)])
+    } else {
+        TokenStream::new()
+    }
+}
+
+fn any(tokens: &TokenStream, suspect: &dyn Fn(&TokenTree) -> bool) -> bool {
+    tokens.clone().into_iter().any(|tree| match &tree {
+        TokenTree::Group(group) => any(&group.stream(), suspect),
+        other => suspect(other),
+    })
+}
