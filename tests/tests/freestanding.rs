@@ -17,7 +17,8 @@ const ALLOWED: [&str; 5] = ["memcpy", "memmove", "memset", "memcmp", "bcmp"];
 /// Builds the library in release and gives its path.
 fn build(features: &[&str]) -> PathBuf {
     // A folder per set of features: cargo would overwrite the library of another test.
-    let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("freestanding{}", features.concat()));
+    let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+        .join(format!("freestanding{}", features.concat()));
     let output = Command::new(env!("CARGO"))
         .args(["build", "--release", "--manifest-path"])
         .arg(files::package("freestanding/Cargo.toml"))
@@ -26,40 +27,68 @@ fn build(features: &[&str]) -> PathBuf {
         .arg(&target)
         .output()
         .expect("cargo runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
     target.join("release/liblinkwright_freestanding.a")
 }
 
-/// The symbols of a library that `nm` lists with this option.
-fn symbols(library: &Path, option: &str) -> BTreeSet<String> {
-    let output = Command::new("nm").arg(option).arg(library).output().expect("nm runs (binutils)");
+/// The symbols that `nm` lists with this option: of all objects in the archive, or of those whose name starts with a prefix.
+fn symbols(library: &Path, option: &str, object: &str) -> BTreeSet<String> {
+    let output = Command::new("nm")
+        .args([option, "--print-file-name"])
+        .arg(library)
+        .output()
+        .expect("nm runs (binutils)");
     let listed = String::from_utf8(output.stdout).expect("names in UTF-8");
-    listed.lines().filter_map(|line| line.split_whitespace().last()).map(str::to_string).collect()
-}
-
-/// The library's own object, without what cargo links in from compiler_builtins.
-fn own_undefined(library: &Path) -> BTreeSet<String> {
-    let output = Command::new("nm").args(["--undefined-only", "-A"]).arg(library).output().expect("nm runs (binutils)");
-    let listed = String::from_utf8(output.stdout).expect("names in UTF-8");
-    let own = listed.lines().filter(|line| line.contains("linkwright_freestanding"));
-    own.filter_map(|line| line.split_whitespace().last()).map(str::to_string).collect()
+    let mut symbols = BTreeSet::new();
+    // `archive:object:address kind symbol`
+    for line in listed.lines() {
+        let member = line.rsplit_once(".a:").map(|(_, member)| member);
+        if member.is_some_and(|member| member.starts_with(object)) {
+            symbols.extend(line.split_whitespace().last().map(str::to_string));
+        }
+    }
+    assert!(
+        !symbols.is_empty(),
+        "nm lists nothing for {}",
+        library.display()
+    );
+    symbols
 }
 
 fn is_allocator(symbol: &str) -> bool {
-    let names = ["__rust_alloc", "__rust_realloc", "__rust_dealloc", "__rdl_", "__rg_", "handle_alloc_error"];
-    ["malloc", "calloc", "realloc", "free"].contains(&symbol) || names.iter().any(|name| symbol.contains(name))
+    let names = [
+        "__rust_alloc",
+        "__rust_realloc",
+        "__rust_dealloc",
+        "__rdl_",
+        "__rg_",
+        "handle_alloc_error",
+    ];
+    ["malloc", "calloc", "realloc", "free"].contains(&symbol)
+        || names.iter().any(|name| symbol.contains(name))
 }
 
 #[test]
 fn no_panic_path_and_no_allocator_survives_and_nothing_of_std_is_needed() {
     let library = build(&[]);
-    let undefined = symbols(&library, "--undefined-only");
-    let defined = symbols(&library, "--defined-only");
+    let undefined = symbols(&library, "--undefined-only", "");
+    let defined = symbols(&library, "--defined-only", "");
     assert!(!undefined.contains("PANIC_PATH"), "a panic path survives");
-    let allocators: Vec<&String> = undefined.union(&defined).filter(|symbol| is_allocator(symbol)).collect();
+    let allocators: Vec<&String> = undefined
+        .union(&defined)
+        .filter(|symbol| is_allocator(symbol))
+        .collect();
     assert!(allocators.is_empty(), "{allocators:?}");
-    let own = own_undefined(&library);
-    let needed: Vec<&String> = own.iter().filter(|symbol| !ALLOWED.contains(&symbol.as_str())).collect();
+    // The other objects are compiler_builtins, which cargo adds to every static library.
+    let own = symbols(&library, "--undefined-only", "linkwright_freestanding-");
+    let needed: Vec<&String> = own
+        .iter()
+        .filter(|symbol| !ALLOWED.contains(&symbol.as_str()))
+        .collect();
     assert!(needed.is_empty(), "the library needs {needed:?}");
     for name in description::names() {
         assert!(defined.contains(&name), "{name} is not in the library");
@@ -70,10 +99,13 @@ fn no_panic_path_and_no_allocator_survives_and_nothing_of_std_is_needed() {
 /// All points are exported too, not only the mechanisms.
 #[test]
 fn every_point_is_in_the_library() {
-    let text = fs::read_to_string(files::package("freestanding/src/mechanisms.rs")).expect("the list");
+    let text =
+        fs::read_to_string(files::package("freestanding/src/mechanisms.rs")).expect("the list");
     let list = text.split("export! {").nth(1).expect("the list");
     for name in description::names() {
-        let start = list.find(&format!("{name}: ")).unwrap_or_else(|| panic!("{name} is not listed"));
+        let start = list
+            .find(&format!("{name}: "))
+            .unwrap_or_else(|| panic!("{name} is not listed"));
         let block = list[start..].split('}').next().unwrap_or_default();
         for output in description::system(&name).outputs {
             let motion = format!("point_{}", output.name.to_lowercase());
@@ -84,5 +116,5 @@ fn every_point_is_in_the_library() {
 
 #[test]
 fn a_planted_panic_is_found() {
-    assert!(symbols(&build(&["planted"]), "--undefined-only").contains("PANIC_PATH"));
+    assert!(symbols(&build(&["planted"]), "--undefined-only", "").contains("PANIC_PATH"));
 }
