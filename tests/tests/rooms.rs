@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 11] = [
+const ORDER: [&str; 12] = [
     "diagnostic",
     "syntax",
+    "consequences",
     "expr",
     "joint",
     "model",

@@ -31,8 +31,11 @@ fn typeset(name: &str) -> String {
     latex::inspect(&description::system(name))
 }
 
-/// Prints, by file name.
-const PRINTINGS: [(&str, fn(&str) -> String); 4] = [
+/// The equations of the mechanism of this name in one form.
+type Print = fn(&str) -> String;
+
+/// The forms by the ends of their file names.
+const PRINTINGS: [(&str, Print); 4] = [
     ("rust", rust),
     ("ascii", ascii),
     ("unicode", unicode),
