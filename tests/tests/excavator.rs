@@ -38,6 +38,16 @@ fn coordinates_agree_with_the_reference_at_all_times() {
     let table = Table::read("excavator.csv");
     for mut solver in both("excavator_pins") {
         let deviations = deviations(&mut *solver, &table);
+        let moving: Vec<_> = deviations
+            .iter()
+            .filter(|it| it.magnitude > 0.0)
+            .cloned()
+            .collect();
+        println!(
+            "{}, what moves: relative {:.1e}",
+            solver.kind(),
+            worst(&moving).relative()
+        );
         let worst = worst(&deviations);
         println!(
             "{}: {worst:?}, relative {:.1e}",

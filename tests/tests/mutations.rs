@@ -240,15 +240,17 @@ enum Outcome {
     Generated,
 }
 
-fn good_files() -> Vec<Vec<u8>> {
-    let mut good: Vec<Vec<u8>> = description::names()
+/// The descriptions to start from: those that are right, then those of the diagnostics.
+fn originals() -> [Vec<Vec<u8>>; 2] {
+    let right = description::names();
+    let right = right
         .iter()
-        .map(|name| description::source(name).text.into_bytes())
-        .collect();
-    for path in files::with_extension(&files::package("cases/errors"), "mech") {
-        good.push(fs::read(path).expect("a case file"));
-    }
-    good
+        .map(|name| description::source(name).text.into_bytes());
+    let wrong = files::with_extension(&files::package("cases/errors"), "mech");
+    let wrong = wrong
+        .iter()
+        .map(|path| fs::read(path).expect("a case file"));
+    [right.collect(), wrong.collect()]
 }
 
 /// The same cases on every machine and run; a failure can be repeated as it is.
@@ -263,14 +265,18 @@ fn runner() -> TestRunner {
 
 #[test]
 fn edited_descriptions_never_panic_the_generator() {
-    let good = good_files();
-    // Seeds are short and come often; the excavator takes longer and comes as often as any other.
-    let strategy = (any::<usize>(), prop::collection::vec(edit(), 1..5));
+    let originals = originals();
+    let all = originals.concat();
+    let strategy = (
+        0_usize..2,
+        any::<usize>(),
+        prop::collection::vec(edit(), 1..5),
+    );
     let outcomes = std::cell::RefCell::new(Vec::new());
-    let result = runner().run(&strategy, |(index, edits)| {
-        let mut bytes = good[index % good.len()].clone();
+    let result = runner().run(&strategy, |(kind, index, edits)| {
+        let mut bytes = originals[kind][index % originals[kind].len()].clone();
         for edit in &edits {
-            edit.apply(&mut bytes, &good);
+            edit.apply(&mut bytes, &all);
         }
         outcomes.borrow_mut().push(digest(&bytes));
         Ok(())
