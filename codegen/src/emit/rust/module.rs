@@ -122,11 +122,20 @@ fn imports(program: &Program) -> TokenStream {
     } else {
         quote!(use ::linkwright::closed_form::{#(#closed),*};)
     };
+    let has_branches = program
+        .solved
+        .iter()
+        .any(|solved| !solved.branches.is_empty());
+    let branch = if has_branches {
+        quote!(Branch,)
+    } else {
+        TokenStream::new()
+    };
     quote! {
         #closed
         #math
         use ::linkwright::nalgebra::{Const, SMatrix, SVector};
-        use ::linkwright::{Equations, Failure, #kind Motion, Settings, Step, #kinematics newton};
+        use ::linkwright::{#branch Equations, Failure, #kind Motion, Settings, Step, #kinematics newton};
     }
 }
 

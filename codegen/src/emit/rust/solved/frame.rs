@@ -54,16 +54,7 @@ pub(in crate::emit::rust) fn branches(solved: &SolvedProgram) -> TokenStream {
             quote!(Branch::Negative)
         }
     });
-    let import = if names.is_empty() {
-        TokenStream::new()
-    } else {
-        quote!(
-            use ::linkwright::Branch;
-        )
-    };
     quote! {
-        #import
-
         /// The assembly mode of every loop that is solved in closed form.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub struct Branches {

@@ -95,8 +95,17 @@ pub(in crate::emit::rust) fn mechanism(system: &System, solved: &SolvedProgram) 
                 Self::assemble_with(&Coordinates::DRAWN, branches, t, Settings::default())
             }
 
-            /// Assembles the mechanism at time `t` (s) with angles near those of `estimate`, a measured pose for example, from
-            /// which Newton-Raphson starts where it is needed.
+            /// Assembles the mechanism at time `t` (s) in the drawing's modes, with angles near those of `estimate`, a measured pose
+            /// for example.
+            ///
+            /// # Errors
+            /// A [`Failure`] where it cannot be assembled so.
+            pub fn assemble_from(estimate: &Coordinates, t: f64, settings: Settings) -> Result<Self, Failure> {
+                Self::assemble_with(estimate, Branches::DRAWN, t, settings)
+            }
+
+            /// Assembles the mechanism at time `t` (s) in these modes, with angles near those of `estimate`. Where a block needs
+            /// Newton-Raphson, it starts from there.
             ///
             /// # Errors
             /// A [`Failure`] where it cannot be assembled so.
