@@ -1,9 +1,11 @@
 //! The vector form → blocks in solve order, each with its steps.
 
+use std::collections::HashMap;
+
 use super::elimination::{Definition, eliminate, mentions};
 use super::recognition::recognize;
 use super::{Incidence, components, maximum_matching};
-use crate::expr::{ExprId, Graph};
+use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::Vector;
 use crate::system::{System, VectorForm};
 
@@ -159,6 +161,8 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
         definitions: Vec::new(),
     }];
     let mut home = vec![0; form.unknowns.len()];
+    // Unknowns that turned out constant, which later equations need not carry along.
+    let mut constants: HashMap<SymbolId, ExprId> = HashMap::new();
     for rows in components(&incidence, &matching) {
         let mut unknowns: Vec<usize> = rows
             .iter()
@@ -173,8 +177,16 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
             .filter(|column| !unknowns.contains(column))
             .map(|column| home[column])
             .max();
-        let residuals = rows.iter().map(|&row| form.rows[row].residual).collect();
+        let residuals = rows
+            .iter()
+            .map(|&row| with_constants(form.rows[row].residual, &constants, graph))
+            .collect();
         let mut block = block(residuals, &unknowns, joints, form, graph);
+        for definition in &block.definitions {
+            if graph.is_constant(definition.value) {
+                constants.insert(form.unknowns[definition.unknown].position, definition.value);
+            }
+        }
         // What follows without a step belongs to the block that it follows from, as a person would write it down.
         let place = if block.steps.is_empty() {
             latest.unwrap_or(0)
@@ -199,6 +211,24 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
         block.joints.dedup();
     }
     Some(SolvedPlan { blocks })
+}
+
+/// An equation with the constant unknowns put in.
+fn with_constants(
+    residual: ExprId,
+    constants: &HashMap<SymbolId, ExprId>,
+    graph: &mut Graph,
+) -> ExprId {
+    let found: Vec<(SymbolId, ExprId)> = graph
+        .symbols(residual)
+        .iter()
+        .filter_map(|symbol| Some((*symbol, *constants.get(symbol)?)))
+        .collect();
+    if found.is_empty() {
+        residual
+    } else {
+        graph.substitute(residual, &found)
+    }
 }
 
 /// Which row mentions which unknown, through arms or directly.

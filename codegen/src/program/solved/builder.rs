@@ -1,6 +1,6 @@
 //! What the steps of all kinds are written with.
 
-use super::{Action, Branch};
+use super::{Action, Branch, Level};
 use crate::expr::{ExprId, Graph, Node, Number, Rational, SymbolId, Tape};
 use crate::joint::geometry::{Vector, dot};
 use crate::system::System;
@@ -79,6 +79,26 @@ impl Builder<'_> {
         self.system
             .vector_form
             .rate(expr, &mut self.system.mechanism.graph)
+    }
+
+    /// The first or the second rate of an expression.
+    pub(super) fn rate_at(&mut self, expr: ExprId, level: Level) -> ExprId {
+        let first = self.rate(expr);
+        if level == Level::Velocity {
+            first
+        } else {
+            self.rate(first)
+        }
+    }
+
+    /// The rate or the acceleration of an unknown.
+    pub(super) fn target(&self, unknown: usize, level: Level) -> SymbolId {
+        let (rate, acceleration) = self.rates_of(unknown);
+        if level == Level::Velocity {
+            rate
+        } else {
+            acceleration
+        }
     }
 
     /// The rate and the acceleration of an unknown.

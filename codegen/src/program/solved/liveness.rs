@@ -23,7 +23,7 @@ pub(super) fn needed(
             Action::SineCosine { sine, cosine, .. } => [sine, cosine]
                 .into_iter()
                 .any(|part| live.contains(part) || kept(*part)),
-            Action::Comment(_) => std::mem::take(&mut followed),
+            Action::Section(_) | Action::Comment(_) => std::mem::take(&mut followed),
             Action::Angle { .. }
             | Action::Reach { .. }
             | Action::Nonzero { .. }
@@ -32,7 +32,7 @@ pub(super) fn needed(
         if !keep {
             continue;
         }
-        followed |= !matches!(action, Action::Comment(_));
+        followed |= !matches!(action, Action::Section(_) | Action::Comment(_));
         for expr in action.values() {
             live.extend(system.mechanism.graph.symbols(expr));
         }

@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use super::fields::fields;
 use super::liveness::needed;
-use super::{Action, BlockProgram, SolvedProgram};
+use super::{Action, BlockProgram, Level, SolvedProgram};
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::program::constants::Constants;
 use crate::program::operations::is_function;
@@ -66,7 +66,7 @@ fn drawn_values(system: &System) -> Vec<f64> {
     values
 }
 
-/// How a step's rates are found, kept until all positions of the block are.
+/// What a step's rates are found from, kept until all positions of the block are.
 enum Pending {
     TwoRotations(super::two_rotations::Triangle),
     OneAngle(super::one_angle::Root),
@@ -77,6 +77,60 @@ enum Pending {
         coefficient: ExprId,
         equation: ExprId,
     },
+}
+
+/// The same with what both levels share.
+enum Motion {
+    TwoRotations(super::two_rotations::DyadMotion),
+    OneAngle(super::one_angle::Root),
+    Slide(super::slides::SlideMotion),
+    TwoSlides(super::slides::Lines, super::two_rotations::Closing),
+    Linear {
+        unknown: usize,
+        coefficient: ExprId,
+        equation: ExprId,
+    },
+}
+
+impl Builder<'_> {
+    fn motion(&mut self, pending: Pending) -> Motion {
+        match pending {
+            Pending::TwoRotations(triangle) => {
+                Motion::TwoRotations(self.two_rotation_motion(&triangle))
+            }
+            Pending::OneAngle(root) => Motion::OneAngle(root),
+            Pending::Slide(slide) => Motion::Slide(self.slide_motion(&slide)),
+            Pending::TwoSlides(lines) => {
+                let (lines, closing) = self.two_slide_motion(&lines);
+                Motion::TwoSlides(lines, closing)
+            }
+            Pending::Linear {
+                unknown,
+                coefficient,
+                equation,
+            } => Motion::Linear {
+                unknown,
+                coefficient,
+                equation,
+            },
+        }
+    }
+
+    fn rates(&mut self, motion: &Motion, level: Level) {
+        match motion {
+            Motion::TwoRotations(dyad) => self.two_rotation_rates(dyad, level),
+            Motion::OneAngle(root) => self.one_angle_rates(root, level),
+            Motion::Slide(slide) => self.slide_rates(slide, level),
+            Motion::TwoSlides(lines, closing) => self.two_slide_rates(lines, closing, level),
+            Motion::Linear {
+                unknown,
+                coefficient,
+                equation,
+            } => {
+                self.linear_rates(*unknown, *coefficient, *equation, level);
+            }
+        }
+    }
 }
 
 fn lower_block(
@@ -194,34 +248,28 @@ fn lower_block(
             } => newton = Some(builder.newton(unknowns, residuals)),
         }
     }
-    if !block.steps.is_empty() && !block.definitions.is_empty() {
-        builder.comment("What follows from it.");
-    }
     for definition in &block.definitions {
         let symbol = builder.system.vector_form.unknowns[definition.unknown].position;
         builder.assign(symbol, definition.value);
         builder.explicit_angle(definition.unknown);
     }
-    builder.comment("Rates and accelerations.");
-    for step in &pending {
-        match step {
-            Pending::TwoRotations(triangle) => builder.two_rotation_rates(triangle),
-            Pending::OneAngle(root) => builder.one_angle_rates(root),
-            Pending::Slide(slide) => builder.slide_rates(slide),
-            Pending::TwoSlides(lines) => builder.two_slide_rates(lines),
-            Pending::Linear {
-                unknown,
-                coefficient,
-                equation,
-            } => builder.linear_rates(*unknown, *coefficient, *equation),
+    builder.actions.push(Action::Section(Level::Velocity));
+    let motions: Vec<Motion> = pending
+        .into_iter()
+        .map(|step| builder.motion(step))
+        .collect();
+    for level in [Level::Velocity, Level::Acceleration] {
+        if level == Level::Acceleration {
+            builder.actions.push(Action::Section(level));
         }
-    }
-    for definition in &block.definitions {
-        let (rate, acceleration) = builder.rates_of(definition.unknown);
-        let first = builder.rate(definition.value);
-        builder.assign(rate, first);
-        let second = builder.rate(first);
-        builder.assign(acceleration, second);
+        for motion in &motions {
+            builder.rates(motion, level);
+        }
+        for definition in &block.definitions {
+            let target = builder.target(definition.unknown, level);
+            let rate = builder.rate_at(definition.value, level);
+            builder.assign(target, rate);
+        }
     }
     let actions = builder.actions;
     let mut expressions: Vec<ExprId> = actions.iter().flat_map(Action::values).collect();

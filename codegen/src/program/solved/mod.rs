@@ -51,9 +51,22 @@ pub struct BlockProgram {
     pub operations: Operations,
 }
 
+/// Position, velocity or acceleration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// The pose.
+    Position,
+    /// First rates.
+    Velocity,
+    /// Second rates.
+    Acceleration,
+}
+
 /// One statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
+    /// What follows belongs to this level.
+    Section(Level),
     /// A line of comment.
     Comment(String),
     /// target = value.
@@ -123,7 +136,7 @@ impl Action {
                 vec![*excess, *scale, *distance, *longest, *shortest]
             }
             Action::Nonzero { value, scale } => vec![*value, *scale],
-            Action::Comment(_) | Action::Newton => Vec::new(),
+            Action::Section(_) | Action::Comment(_) | Action::Newton => Vec::new(),
         }
     }
 
@@ -132,7 +145,8 @@ impl Action {
         match self {
             Action::Let { target, .. } => vec![*target],
             Action::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
-            Action::Comment(_)
+            Action::Section(_)
+            | Action::Comment(_)
             | Action::Angle { .. }
             | Action::Reach { .. }
             | Action::Nonzero { .. }

@@ -4,8 +4,8 @@
 //! which is minus the derivative of the equation in φ. Near the fold k = ±ρ the product keeps all digits of ρ − k, where an
 //! arccosine would lose half of them.
 
-use super::Action;
 use super::builder::{Builder, Direction};
+use super::{Action, Level};
 use crate::expr::ExprId;
 
 /// What the rates need of the position.
@@ -81,15 +81,12 @@ impl Builder<'_> {
         }
     }
 
-    /// The rate and the acceleration: the derivative of the equation in φ is minus the root.
-    pub(super) fn one_angle_rates(&mut self, root: &Root) {
-        let (rate, acceleration) = self.rates_of(root.unknown);
-        let first = self.rate(root.equation);
-        let second = self.rate(first);
-        for (held, target, whole) in [(rate, rate, first), (acceleration, acceleration, second)] {
-            let drift = self.without(whole, &[held]);
-            let value = self.graph().divide(drift, root.root);
-            self.assign(target, value);
-        }
+    /// The rate or the acceleration: the derivative of the equation in φ is minus the root.
+    pub(super) fn one_angle_rates(&mut self, root: &Root, level: Level) {
+        let target = self.target(root.unknown, level);
+        let whole = self.rate_at(root.equation, level);
+        let drift = self.without(whole, &[target]);
+        let value = self.graph().divide(drift, root.root);
+        self.assign(target, value);
     }
 }

@@ -1,7 +1,8 @@
 //! Steps with displacements: linear ones, a circle and a line, a line through a point, two lines.
 
-use super::Action;
 use super::builder::{Builder, Stretch};
+use super::two_rotations::Closing;
+use super::{Action, Level};
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 
@@ -40,17 +41,20 @@ impl Builder<'_> {
         coefficient
     }
 
-    /// The rates of a linear step, from its equation.
-    pub(super) fn linear_rates(&mut self, unknown: usize, coefficient: ExprId, equation: ExprId) {
-        let (rate, acceleration) = self.rates_of(unknown);
-        let first = self.rate(equation);
-        let second = self.rate(first);
-        for (target, whole) in [(rate, first), (acceleration, second)] {
-            let drift = self.without(whole, &[target]);
-            let ratio = self.graph().divide(drift, coefficient);
-            let value = self.graph().negate(ratio);
-            self.assign(target, value);
-        }
+    /// The rate or the acceleration of a linear step, from its equation.
+    pub(super) fn linear_rates(
+        &mut self,
+        unknown: usize,
+        coefficient: ExprId,
+        equation: ExprId,
+        level: Level,
+    ) {
+        let target = self.target(unknown, level);
+        let whole = self.rate_at(equation, level);
+        let drift = self.without(whole, &[target]);
+        let ratio = self.graph().divide(drift, coefficient);
+        let value = self.graph().negate(ratio);
+        self.assign(target, value);
     }
 
     /// R(φ) p + ℓ d + c = 0 with a known direction d: a circle of radius |p| meets a line.
@@ -216,31 +220,40 @@ impl Builder<'_> {
         }
     }
 
-    /// The rates of a rotation and a slide.
-    pub(super) fn slide_rates(&mut self, slide: &Slide) {
+    /// What the rates of a rotation and a slide need.
+    pub(super) fn slide_motion(&mut self, slide: &Slide) -> SlideMotion {
         let one = self.graph().one();
         let inverse = self.graph().divide(one, slide.k);
         let inverse = self.value("inverse_along", inverse);
-        let rates = [slide.angle, slide.slide].map(|unknown| self.rates_of(unknown));
         let closing = self.closing_rates(
             &[slide.angle, slide.slide],
             &[],
             &[slide.stretch],
             slide.chain,
         );
-        for (level, targets) in [rates.map(|(rate, _)| rate), rates.map(|(_, second)| second)]
-            .into_iter()
-            .enumerate()
-        {
-            let v = self.closing_vector(&closing, level);
-            let across = self.cross(v, slide.d);
-            let turning = self.graph().multiply(across, inverse);
-            self.assign(targets[0], turning);
-            let along = self.dot(slide.w, v);
-            let sliding = self.graph().multiply(along, inverse);
-            let sliding = self.graph().negate(sliding);
-            self.assign(targets[1], sliding);
+        SlideMotion {
+            slide: *slide,
+            inverse,
+            closing,
         }
+    }
+
+    /// The rates of a rotation and a slide, or their accelerations.
+    pub(super) fn slide_rates(&mut self, motion: &SlideMotion, level: Level) {
+        let SlideMotion {
+            slide,
+            inverse,
+            closing,
+        } = motion;
+        let v = self.closing_vector(closing, level);
+        let targets = [slide.angle, slide.slide].map(|unknown| self.target(unknown, level));
+        let across = self.cross(v, slide.d);
+        let turning = self.graph().multiply(across, *inverse);
+        self.assign(targets[0], turning);
+        let along = self.dot(slide.w, v);
+        let sliding = self.graph().multiply(along, *inverse);
+        let sliding = self.graph().negate(sliding);
+        self.assign(targets[1], sliding);
     }
 
     /// ℓ_a d_a + ℓ_b d_b + c = 0: two lines meet. Returns the determinant.
@@ -278,17 +291,19 @@ impl Builder<'_> {
         }
     }
 
-    /// The rates of two slides.
-    pub(super) fn two_slide_rates(&mut self, lines: &Lines) {
-        let rates = lines.unknowns.map(|unknown| self.rates_of(unknown));
-        let closing = self.closing_rates(&lines.unknowns, &[], &[], lines.chain);
-        for (level, targets) in [rates.map(|(rate, _)| rate), rates.map(|(_, second)| second)]
-            .into_iter()
-            .enumerate()
-        {
-            let v = self.closing_vector(&closing, level);
-            self.meet(lines.directions, v, lines.determinant, targets);
-        }
+    /// What the rates of two slides need.
+    pub(super) fn two_slide_motion(&mut self, lines: &Lines) -> (Lines, Closing) {
+        (
+            *lines,
+            self.closing_rates(&lines.unknowns, &[], &[], lines.chain),
+        )
+    }
+
+    /// The rates of two slides, or their accelerations.
+    pub(super) fn two_slide_rates(&mut self, lines: &Lines, closing: &Closing, level: Level) {
+        let targets = lines.unknowns.map(|unknown| self.target(unknown, level));
+        let v = self.closing_vector(closing, level);
+        self.meet(lines.directions, v, lines.determinant, targets);
     }
 
     /// u_a d_a + u_b d_b + v = 0 by Cramer's rule.
@@ -327,4 +342,13 @@ pub(super) struct Lines {
     directions: [Vector; 2],
     determinant: ExprId,
     chain: Vector,
+}
+
+/// What the rates of a rotation and a slide need.
+#[derive(Clone, Debug)]
+pub(super) struct SlideMotion {
+    slide: Slide,
+    /// 1/(w · d).
+    inverse: ExprId,
+    closing: Closing,
 }

@@ -6,8 +6,8 @@
 //! the rates cost one division. Nothing here loses digits where the links are nearly in line: the radicand is a difference
 //! of squares of what is given, and its relative error is that of the given distance, magnified as geometry magnifies it.
 
-use super::Action;
 use super::builder::{Builder, Direction, Stretch};
+use super::{Action, Level};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::Vector;
 
@@ -149,8 +149,8 @@ impl Builder<'_> {
         });
     }
 
-    /// The rates of the dyad's angles, and their accelerations.
-    pub(super) fn two_rotation_rates(&mut self, triangle: &Triangle) {
+    /// What the rates of the dyad's angles need.
+    pub(super) fn two_rotation_motion(&mut self, triangle: &Triangle) -> DyadMotion {
         let one = self.graph().one();
         let inverse = self.graph().divide(one, triangle.cross);
         let inverse = self.value("inverse_cross", inverse);
@@ -160,23 +160,31 @@ impl Builder<'_> {
             &triangle.stretches,
             triangle.closure,
         );
-        let rates = triangle.angles.map(|angle| self.rates_of(angle));
-        for (level, targets) in [rates.map(|(rate, _)| rate), rates.map(|(_, second)| second)]
-            .into_iter()
-            .enumerate()
-        {
-            let v = self.closing_vector(&closing, level);
-            // [Ω w_a, Ω w_b] (φ̇_a, φ̇_b) = −v, by Cramer's rule.
-            let (with_second, with_first) = (
-                self.dot(v, triangle.links[1]),
-                self.dot(v, triangle.links[0]),
-            );
-            let first = self.graph().multiply(with_second, inverse);
-            let first = self.graph().negate(first);
-            let second = self.graph().multiply(with_first, inverse);
-            self.assign(targets[0], first);
-            self.assign(targets[1], second);
+        DyadMotion {
+            triangle: *triangle,
+            inverse,
+            closing,
         }
+    }
+
+    /// The rates of the dyad's angles, or their accelerations: [Ω w_a, Ω w_b] (φ̇_a, φ̇_b) = −v, by Cramer's rule.
+    pub(super) fn two_rotation_rates(&mut self, motion: &DyadMotion, level: Level) {
+        let DyadMotion {
+            triangle,
+            inverse,
+            closing,
+        } = motion;
+        let v = self.closing_vector(closing, level);
+        let targets = triangle.angles.map(|angle| self.target(angle, level));
+        let (with_second, with_first) = (
+            self.dot(v, triangle.links[1]),
+            self.dot(v, triangle.links[0]),
+        );
+        let first = self.graph().multiply(with_second, *inverse);
+        let first = self.graph().negate(first);
+        let second = self.graph().multiply(with_first, *inverse);
+        self.assign(targets[0], first);
+        self.assign(targets[1], second);
     }
 
     /// The rate and the second rate of a closed chain of links and its closure, with the unknowns' own rates, or only their
@@ -209,19 +217,21 @@ impl Builder<'_> {
     }
 
     /// The vector of one level as local values, after what it needs.
-    pub(super) fn closing_vector(&mut self, closing: &Closing, level: usize) -> Vector {
+    pub(super) fn closing_vector(&mut self, closing: &Closing, level: Level) -> Vector {
         for stretch in &closing.stretches {
-            let (targets, values) = if level == 0 {
-                (stretch.stretch, stretch.first)
-            } else {
-                (stretch.pull, stretch.second)
+            let (targets, values) = match level {
+                Level::Velocity => (stretch.stretch, stretch.first),
+                _ => (stretch.pull, stretch.second),
             };
             for (target, value) in targets.into_iter().zip(values) {
                 self.assign(target, value);
             }
         }
-        let name = if level == 0 { "drift" } else { "drift_rate" };
-        self.vector(name, closing.levels[level])
+        let (name, vector) = match level {
+            Level::Velocity => ("drift", closing.levels[0]),
+            _ => ("drift_rate", closing.levels[1]),
+        };
+        self.vector(name, vector)
     }
 }
 
@@ -230,4 +240,13 @@ impl Builder<'_> {
 pub(super) struct Closing {
     levels: [Vector; 2],
     stretches: Vec<Stretch>,
+}
+
+/// What the rates of a dyad's angles need.
+#[derive(Clone, Debug)]
+pub(super) struct DyadMotion {
+    triangle: Triangle,
+    /// 1/(w_a × w_b).
+    inverse: ExprId,
+    closing: Closing,
 }

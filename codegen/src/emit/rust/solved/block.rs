@@ -13,7 +13,7 @@ use crate::emit::rust::lints;
 use crate::emit::rust::literal::count;
 use crate::expr::{ExprId, SymbolId};
 use crate::program::Program;
-use crate::program::solved::{Action, BlockProgram, SolvedProgram};
+use crate::program::solved::{Action, BlockProgram, Level, SolvedProgram};
 use crate::system::{SymbolRole, System};
 
 /// What a block's function needs to be given.
@@ -138,6 +138,9 @@ pub(super) fn statement(
 ) -> TokenStream {
     let number = count(index);
     match action {
+        Action::Section(Level::Position) => comment("Position."),
+        Action::Section(Level::Velocity) => comment("Velocity."),
+        Action::Section(Level::Acceleration) => comment("Acceleration."),
         Action::Comment(text) => comment(text),
         Action::Let { target, value } => assignment(*target, writer.expression(*value, &[]), names),
         Action::SineCosine {
