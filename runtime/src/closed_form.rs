@@ -93,6 +93,25 @@ pub fn nearest_turn<T: Real>(angle: T, near: T) -> T {
     angle + turns * T::from_f64(core::f64::consts::TAU)
 }
 
+/// Whether every value is a finite number.
+///
+/// Zero times anything else is no number, and neither is a sum with it. Eight sums that do not wait for one another let the
+/// processor work on several values at once.
+#[inline]
+pub fn all_finite<T: Real, const N: usize>(values: &[T; N]) -> bool {
+    let mut sums = [T::ZERO; 8];
+    let mut chunks = values.chunks_exact(8);
+    for chunk in &mut chunks {
+        for (sum, value) in sums.iter_mut().zip(chunk) {
+            *sum += T::ZERO * *value;
+        }
+    }
+    for (sum, value) in sums.iter_mut().zip(chunks.remainder()) {
+        *sum += T::ZERO * *value;
+    }
+    sums.iter().all(|sum| *sum == T::ZERO)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -104,6 +123,19 @@ mod tests {
         assert_eq!(nearest_turn(-3.0_f64, 3.1), -3.0 + tau);
         assert_eq!(nearest_turn(0.1_f64, 10.0 * tau), 0.1 + 10.0 * tau);
         assert_eq!(nearest_turn(0.1_f64, -3.0 * tau), 0.1 - 3.0 * tau);
+    }
+
+    #[test]
+    fn one_value_that_is_no_number_is_found_at_every_place() {
+        let numbers = [1.5_f64; 19];
+        assert!(all_finite(&numbers) && all_finite::<f32, 0>(&[]));
+        for place in 0..19 {
+            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                let mut values = numbers;
+                values[place] = bad;
+                assert!(!all_finite(&values), "{bad} at {place}");
+            }
+        }
     }
 
     #[test]

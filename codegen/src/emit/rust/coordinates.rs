@@ -136,9 +136,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
 
             /// Whether every coordinate, rate and acceleration is a number.
             fn is_finite(&self) -> bool {
-                // Zero times anything else than a number is no number, and so is a sum with it.
-                let zeros = |values: &Coordinates| values.to_array().iter().fold(0.0, |sum, value| sum + 0.0 * value);
-                zeros(&self.q) + zeros(&self.qd) + zeros(&self.qdd) == 0.0
+                [self.q, self.qd, self.qdd].iter().all(|values| all_finite(&values.to_array()))
             }
         },
         None => TokenStream::new(),

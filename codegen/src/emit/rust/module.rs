@@ -96,6 +96,7 @@ fn imports(program: &Program) -> TokenStream {
         |wanted: fn(&Action) -> bool| blocks.clone().flat_map(|block| &block.actions).any(wanted);
     if program.solved.is_some() {
         kinematics = has(|action| *action == Action::Newton);
+        closed.push(quote!(all_finite));
         closed.push(quote!(failed));
         if has(|action| matches!(action, Action::Angle { .. })) {
             closed.push(quote!(nearest_turn));
