@@ -80,6 +80,15 @@ pub fn check(system: &System) -> Result<Plan, Diagnostics> {
     structure::analyze(system, &mut diagnostics).ok_or(diagnostics)
 }
 
+/// What the solved view of a system computes and leaves out, with counts of operations; `None` where the equations do not
+/// determine the motion.
+pub fn report(system: &System) -> Option<program::solved::Report> {
+    let mut system = system.clone();
+    let plan = structure::plan(&mut system)?;
+    let mut constants = program::Constants::default();
+    Some(program::solved::lower(&mut system, &plan, &mut constants).report)
+}
+
 /// Writes the Rust module of a description.
 ///
 /// # Errors

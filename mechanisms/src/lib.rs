@@ -29,6 +29,11 @@ pub mod excavator_pins {
     linkwright::include_mechanism!(excavator_pins);
 }
 
+/// The same arm, asked for the motion of its tool alone.
+pub mod excavator_tool {
+    linkwright::include_mechanism!(excavator_tool);
+}
+
 /// The ten-body arm whose motion MSC ADAMS has computed.
 pub mod arm {
     linkwright::include_mechanism!(arm);

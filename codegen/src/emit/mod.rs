@@ -6,6 +6,7 @@
 pub mod latex;
 mod notation;
 mod parts;
+pub mod report;
 pub mod rust;
 pub mod text;
 

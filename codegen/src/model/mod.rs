@@ -9,6 +9,7 @@ mod expression;
 mod names;
 mod operands;
 mod points;
+mod request;
 mod resolve;
 
 pub use dimension::Dimension;
@@ -39,6 +40,8 @@ pub struct Mechanism {
     pub joints: Vec<Joint>,
     /// The declared points whose motion can be asked for, each once.
     pub points: Vec<Point>,
+    /// What the generated code is asked for; empty means everything.
+    pub requests: Vec<Request>,
     /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }
@@ -114,6 +117,29 @@ pub struct Point {
     pub mark: Mark,
     /// Where it is declared.
     pub span: Span,
+}
+
+/// One quantity that an `output` statement asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Request {
+    /// What is wanted.
+    pub quantity: Requested,
+    /// Up to which level: 0 position, 1 velocity, 2 acceleration.
+    pub level: usize,
+}
+
+/// What an `output` statement can name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Requested {
+    /// The motion of a point: an index into the mechanism's points.
+    Point(usize),
+    /// A coordinate: the number of the body, and 0 for x, 1 for y, 2 for φ.
+    Coordinate {
+        /// Index into the bodies.
+        body: usize,
+        /// 0 for x, 1 for y, 2 for φ.
+        axis: usize,
+    },
 }
 
 impl Mechanism {

@@ -94,7 +94,7 @@ impl Resolver<'_> {
     }
 
     /// The body of this name.
-    fn body(&mut self, name: &Name) -> Option<BodyId> {
+    pub(super) fn body(&mut self, name: &Name) -> Option<BodyId> {
         match self.body_ids.get(&name.text) {
             Some(&body) => Some(body),
             None => {
@@ -128,7 +128,7 @@ impl Resolver<'_> {
     }
 
     /// `BODY` for its origin or `BODY.POINT`.
-    fn point_mark(&mut self, reference: &Reference) -> Option<Mark> {
+    pub(super) fn point_mark(&mut self, reference: &Reference) -> Option<Mark> {
         match &reference.body {
             None => self.origin_mark(reference),
             Some(body) => {

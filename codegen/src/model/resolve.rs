@@ -112,6 +112,8 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
             syntax::Statement::Body(body) => resolver.add_body(body),
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
+            // Points are known once all bodies are.
+            syntax::Statement::Output(_) => {}
         }
     }
     if resolver.bodies.len() == 1 && !resolver.diagnostics.has_errors() {
@@ -125,6 +127,11 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
         );
     }
     let points = resolver.output_points();
+    let statements = item.statements.iter().filter_map(|statement| match statement {
+        syntax::Statement::Output(output) => Some(output),
+        _ => None,
+    });
+    let requests = statements.flat_map(|output| resolver.requests(output, &points)).collect();
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
     Mechanism {
@@ -140,6 +147,7 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
             .map(|(joint, _)| joint)
             .collect(),
         points,
+        requests,
         characteristic_length,
     }
 }
@@ -378,7 +386,7 @@ impl Resolver<'_> {
                 format!("no joint is named `{keyword}`"),
             )
             .label("not a statement of this language");
-            let all = ["const", "point", "body", "drive"];
+            let all = syntax::KEYWORDS;
             self.diagnostics.push(
                 match nearest(keyword, keywords.iter().chain(&all).copied()) {
                     Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),

@@ -36,6 +36,28 @@ impl AddAssign for Operations {
     }
 }
 
+impl std::fmt::Display for Operations {
+    /// `12 additions, 1 square root`; `none` for none.
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let counts = [
+            (self.additions, "addition", "additions"),
+            (self.multiplications, "multiplication", "multiplications"),
+            (self.divisions, "division", "divisions"),
+            (self.square_roots, "square root", "square roots"),
+            (self.sines, "sine or cosine", "sines and cosines"),
+            (self.arctangents, "arctangent", "arctangents"),
+            (self.exponentials, "exponential", "exponentials"),
+        ];
+        let parts: Vec<String> = counts
+            .into_iter()
+            .filter(|(count, ..)| *count > 0)
+            .map(|(count, one, several)| format!("{count} {}", if count == 1 { one } else { several }))
+            .collect();
+        formatter.write_str(if parts.is_empty() { "none" } else { "" })?;
+        formatter.write_str(&parts.join(", "))
+    }
+}
+
 impl Operations {
     /// All of them.
     pub fn total(&self) -> usize {

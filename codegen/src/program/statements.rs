@@ -59,6 +59,18 @@ pub enum Statement {
 }
 
 impl Straight {
+    /// What the statements cost, their arguments and the results not counted.
+    pub fn operations(&self, graph: &Graph) -> Operations {
+        let mut operations = Operations::default();
+        for statement in &self.statements {
+            match statement {
+                Statement::SineCosine { .. } => operations.sines += 2,
+                Statement::Value { expr, .. } => operations += Operations::of_function(graph.node(*expr)),
+            }
+        }
+        operations
+    }
+
     /// The name that an expression was given in this function.
     pub fn name_of(&self, expr: ExprId) -> Option<&str> {
         self.names.get(&expr).map(String::as_str)

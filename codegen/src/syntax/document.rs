@@ -49,6 +49,8 @@ pub enum Statement {
     Joint(Joint),
     /// `drive phi(1) = EXPRESSION;`
     Drive(Drive),
+    /// `output K, phi(1);`
+    Output(Output),
 }
 
 /// `const NAME = EXPRESSION;`
@@ -265,4 +267,33 @@ pub enum Operation {
     Times,
     /// `/`
     Over,
+}
+
+/// `output velocity K, phi(1);`: what the generated code is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// Up to which level, if not all: one of [`LEVELS`](super::LEVELS).
+    pub level: Option<Name>,
+    /// What is wanted; at least one.
+    pub items: Vec<OutputItem>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// One wanted quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub enum OutputItem {
+    /// The motion of a point.
+    Point(Reference),
+    /// `phi(1)`: a coordinate of a body.
+    Coordinate {
+        /// `x`, `y` or `phi`, as far as the parser knows any word.
+        axis: Name,
+        /// What stands in the parentheses: one body, if it is right.
+        bodies: Vec<Reference>,
+        /// The whole item.
+        span: Span,
+    },
 }

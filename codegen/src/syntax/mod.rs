@@ -16,6 +16,7 @@ mod brackets;
 mod document;
 mod expression;
 mod literal;
+mod output;
 mod recovery;
 mod reference;
 mod repair;
@@ -27,6 +28,7 @@ mod tokens;
 mod unreadable;
 
 pub use document::*;
+pub use output::LEVELS;
 
 use proc_macro2::Delimiter;
 use syn::buffer::TokenBuffer;
@@ -38,7 +40,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 4] = ["const", "point", "body", "drive"];
+pub const KEYWORDS: [&str; 5] = ["const", "point", "body", "drive", "output"];
 
 /// Reads a description. Never panics and never overflows the stack, whatever the text.
 ///

@@ -7,6 +7,7 @@ use proc_macro2::Delimiter;
 use super::KEYWORDS;
 use super::body::body;
 use super::document::{Constant, DrawnPoint, Drive, Joint, Name, Points, Statement};
+use super::output::output;
 use super::expression::{after_expression, coordinates, expression};
 use super::reference::{body_name, direction, identifier, operands, separator};
 use super::tokens::{Outcome, Tokens};
@@ -23,6 +24,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "point" => points(tokens, docs, first.span),
         "body" => body(tokens, docs, first.span).map(Statement::Body),
         "drive" => drive(tokens, docs, first.span),
+        "output" => output(tokens, docs, first.span),
         _ => joint(tokens, docs, first),
     }
 }
@@ -171,7 +173,7 @@ fn semicolon(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
 }
 
 /// The semicolon after a joint without a value.
-fn semicolon_after_operands(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
+pub(super) fn semicolon_after_operands(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
     missing_semicolon(tokens, start).ok_or_else(|| tokens.unexpected("`;`"))
 }
 

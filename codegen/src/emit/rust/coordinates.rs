@@ -97,6 +97,11 @@ fn field_text(coordinate: &Coordinate, system: &System) -> String {
 
 /// `struct Frame` with a method for the motion of each point.
 pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
+    if let Some(solved) = &program.solved
+        && let Some(outputs) = &solved.outputs
+    {
+        return solved::output_frame(system, solved, outputs);
+    }
     let methods = system.outputs.iter().zip(&program.points).enumerate().map(
         |(index, (output, straight))| {
             let name = identifier(&format!("point_{}", output.name.to_lowercase()));

@@ -7,6 +7,6 @@ mod newton;
 mod solver;
 
 pub(super) use block::blocks;
-pub(super) use frame::{branches, frame_fields, frame_values};
+pub(super) use frame::{branches, frame_fields, frame_values, output_frame};
 pub(super) use newton::newton_blocks;
 pub(super) use solver::mechanism;

@@ -6,8 +6,9 @@ use super::{Action, BlockProgram};
 use crate::expr::{ExprId, SymbolId};
 use crate::system::{SymbolRole, System};
 
-/// Arms and displacements, with their rates, that another function than their own reads, in order of definition.
-pub(super) fn fields(blocks: &[BlockProgram], system: &System) -> Vec<SymbolId> {
+/// Values that another function than their own reads, and those in `outputs`, in order of definition. Where `whole`, the
+/// coordinates are not among them: they have their own place.
+pub(super) fn fields(blocks: &[BlockProgram], outputs: &HashSet<SymbolId>, whole: bool, system: &System) -> Vec<SymbolId> {
     let mut home: HashMap<SymbolId, usize> = HashMap::new();
     let mut order: Vec<SymbolId> = Vec::new();
     for (index, block) in blocks.iter().enumerate() {
@@ -22,6 +23,7 @@ pub(super) fn fields(blocks: &[BlockProgram], system: &System) -> Vec<SymbolId> 
                 Action::SineCosine { sine, cosine, .. } => {
                     [*sine, *cosine].into_iter().for_each(&mut define)
                 }
+                Action::Angle { unknown, .. } => define(system.vector_form.unknowns[*unknown].position),
                 _ => {}
             }
         }
@@ -43,13 +45,7 @@ pub(super) fn fields(blocks: &[BlockProgram], system: &System) -> Vec<SymbolId> 
     for (index, block) in blocks.iter().enumerate() {
         let mut read: Vec<ExprId> = block.actions.iter().flat_map(Action::values).collect();
         if let Some(newton) = &block.newton {
-            let lists = [
-                &newton.residuals,
-                &newton.jacobian,
-                &newton.time_derivative,
-                &newton.gamma,
-            ];
-            read.extend(lists.into_iter().flatten());
+            read.extend(newton.expressions());
         }
         for symbol in read
             .into_iter()
@@ -60,17 +56,17 @@ pub(super) fn fields(blocks: &[BlockProgram], system: &System) -> Vec<SymbolId> 
             }
         }
     }
-    // Displacements that Newton-Raphson finds start from their last values, so they are kept.
-    for &unknown in blocks
-        .iter()
-        .flat_map(|block| &block.newton)
-        .flat_map(|newton| &newton.unknowns)
-    {
+    // What Newton-Raphson finds starts from its last values, and an angle is wound up from its last one.
+    for &unknown in blocks.iter().flat_map(|block| &block.newton).flat_map(|newton| &newton.unknowns) {
         let unknown = &system.vector_form.unknowns[unknown];
-        for symbol in [unknown.position, unknown.rate, unknown.acceleration] {
-            shared.insert(symbol);
+        shared.extend([unknown.position, unknown.rate, unknown.acceleration]);
+    }
+    for action in blocks.iter().flat_map(|block| &block.actions) {
+        if let Action::Angle { unknown, .. } = action {
+            shared.insert(system.vector_form.unknowns[*unknown].position);
         }
     }
-    order.retain(|&symbol| shared.contains(&symbol) && !is_coordinate(symbol));
+    shared.extend(outputs);
+    order.retain(|&symbol| shared.contains(&symbol) && !(whole && is_coordinate(symbol)));
     order
 }

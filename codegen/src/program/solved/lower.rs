@@ -2,8 +2,11 @@
 
 use super::builder::Builder;
 use super::fields::fields;
-use super::liveness::needed;
-use super::{Action, BlockProgram, Level, SolvedProgram};
+use super::liveness::prune;
+use super::outputs::outputs;
+use super::{Action, BlockProgram, Level, Output, Report, SolvedProgram};
+use std::collections::HashSet;
+
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::program::constants::Constants;
 use crate::program::operations::is_function;
@@ -29,22 +32,100 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         names.push(lowered.name.clone());
         blocks.push(lowered);
     }
-    let fields = fields(&blocks, system);
+    let coordinates = system.coordinates.len();
+    let is_coordinate = |symbol: SymbolId, system: &System| match system.roles[symbol.index()] {
+        SymbolRole::Position(unknown) | SymbolRole::Rate(unknown) | SymbolRole::Acceleration(unknown) => {
+            unknown < coordinates
+        }
+        _ => false,
+    };
+    let wanted = outputs(system, constants);
+    let system = &*system;
+    let mut report = Report::default();
+    let mut all = blocks.clone();
+    prune(&mut all, &|symbol| is_coordinate(symbol, system), system);
+    report.all_operations = operations(&all, system);
+    let (outputs, asked) = match wanted {
+        None => {
+            blocks = all;
+            (None, HashSet::new())
+        }
+        Some((outputs, last)) => {
+            note_constants(&last.actions.iter().flat_map(Action::values).collect::<Vec<_>>(), system, &last.time, constants);
+            blocks.push(last);
+            let asked: HashSet<SymbolId> = outputs.iter().flat_map(Output::fields).collect();
+            prune(&mut blocks, &|symbol| asked.contains(&symbol), system);
+            (Some(outputs), asked)
+        }
+    };
+    let is_empty = |block: &BlockProgram| block.actions.is_empty();
+    report.left_out = blocks.iter().filter(|block| is_empty(block)).map(|block| block.name.clone()).collect();
+    blocks.retain(|block| !is_empty(block));
+    report.kept = blocks.iter().map(|block| block.name.clone()).collect();
+    report.operations = operations(&blocks, system);
+    let angles = |blocks: &[BlockProgram]| -> HashSet<usize> {
+        let actions = blocks.iter().flat_map(|block| &block.actions);
+        actions
+            .filter_map(|action| match action {
+                Action::Angle { unknown, .. } => Some(*unknown),
+                _ => None,
+            })
+            .collect()
+    };
+    let computed = angles(&blocks);
+    let closed = plan.blocks.iter().flat_map(|block| &block.steps).filter(|step| !matches!(step, Step::Newton { .. }));
+    let left_out = closed.flat_map(Step::unknowns).filter(|unknown| {
+        let is_angle = system.vector_form.unknowns[*unknown].quantity == crate::joint::Quantity::Angle;
+        is_angle && !computed.contains(unknown)
+    });
+    report.angles_left_out = left_out.map(|unknown| system.unknown_name(unknown).to_string()).collect();
     for block in &mut blocks {
-        let kept = |symbol: SymbolId| {
-            fields.contains(&symbol)
-                || matches!(system.roles[symbol.index()], SymbolRole::Position(unknown) | SymbolRole::Rate(unknown) | SymbolRole::Acceleration(unknown) if unknown < system.coordinates.len())
-        };
-        block.actions = needed(std::mem::take(&mut block.actions), [], kept, system);
+        let actions = &block.actions;
+        let time = block.time.for_results(&evaluated(actions, block.newton.as_ref()), system);
+        block.time = time;
+    }
+    let used: HashSet<SymbolId> = blocks
+        .iter()
+        .flat_map(|block| evaluated(&block.actions, block.newton.as_ref()))
+        .flat_map(|expr| system.mechanism.graph.symbols(expr).to_vec())
+        .collect();
+    branches.retain(|branch| used.contains(&branch.symbol));
+    let fields = fields(&blocks, &asked, outputs.is_none(), system);
+    for block in &mut blocks {
+        let reads_branch = evaluated(&block.actions, None)
+            .into_iter()
+            .any(|expr| branches.iter().any(|branch| system.mechanism.graph.depends_on(expr, branch.symbol)));
+        block.reads_branch = reads_branch;
+    }
+    SolvedProgram { blocks, fields, branches, outputs, report }
+}
+
+/// Every expression that a block writes out.
+fn evaluated(actions: &[Action], newton: Option<&super::NewtonBlock>) -> Vec<ExprId> {
+    let mut expressions: Vec<ExprId> = actions.iter().flat_map(Action::values).collect();
+    if let Some(newton) = newton {
+        expressions.extend(newton.geometry.iter().flat_map(Action::values));
+        expressions.extend(newton.expressions());
+    }
+    expressions
+}
+
+/// The operations of each level in all blocks.
+fn operations(blocks: &[BlockProgram], system: &System) -> [Operations; 3] {
+    let mut levels = [Operations::default(); 3];
+    for block in blocks {
+        let mut level = 0;
+        let time = block.time.for_results(&evaluated(&block.actions, None), system);
+        // Functions of time serve all levels; they count with the first.
+        levels[0] += time.operations(&system.mechanism.graph);
         for action in &block.actions {
-            block.operations += operations_of(action, system, &block.time);
+            if let Action::Section(section) = action {
+                level = *section as usize;
+            }
+            levels[level] += operations_of(action, system, &block.time);
         }
     }
-    SolvedProgram {
-        blocks,
-        fields,
-        branches,
-    }
+    levels
 }
 
 /// The drawing's value of every unknown and arm, by symbol.
@@ -272,19 +353,8 @@ fn lower_block(
         }
     }
     let actions = builder.actions;
-    let mut expressions: Vec<ExprId> = actions.iter().flat_map(Action::values).collect();
-    if let Some(newton) = &newton {
-        expressions.extend(newton.geometry.iter().flat_map(Action::values));
-        let lists = [
-            &newton.residuals,
-            &newton.jacobian,
-            &newton.time_derivative,
-            &newton.gamma,
-        ];
-        expressions.extend(lists.into_iter().flatten());
-    }
+    let expressions = evaluated(&actions, newton.as_ref());
     let time = functions_of_time(&expressions, system, constants);
-    let operations = time.operations;
     note_constants(&expressions, system, &time, constants);
     let joints: Vec<&str> = block
         .joints
@@ -307,8 +377,7 @@ fn lower_block(
         time,
         actions,
         newton,
-        branch: (branches.len() > first_branch).then_some(first_branch),
-        operations,
+        reads_branch: branches.len() > first_branch,
     }
 }
 
@@ -349,7 +418,7 @@ fn functions_of_time(
             .all(|symbol: &SymbolId| system.roles[symbol.index()] == SymbolRole::Time)
     };
     let mut found = Vec::new();
-    let mut seen = std::collections::HashSet::new();
+    let mut seen = HashSet::new();
     let mut stack: Vec<ExprId> = expressions.iter().rev().copied().collect();
     while let Some(expr) = stack.pop() {
         if graph.is_constant(expr) || !seen.insert(expr) {

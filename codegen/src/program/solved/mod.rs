@@ -10,10 +10,12 @@ mod liveness;
 mod lower;
 mod newton;
 mod one_angle;
+mod outputs;
 mod slides;
 mod two_rotations;
 
 pub use lower::lower;
+pub use outputs::Output;
 
 use super::{Operations, Straight};
 use crate::expr::{ExprId, SymbolId};
@@ -28,6 +30,25 @@ pub struct SolvedProgram {
     pub fields: Vec<SymbolId>,
     /// The assembly modes of all blocks that have one.
     pub branches: Vec<Branch>,
+    /// What is asked for; `None` where everything is.
+    pub outputs: Option<Vec<Output>>,
+    /// What was kept and left out.
+    pub report: Report,
+}
+
+/// What the solved view computes.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Report {
+    /// The blocks that are kept, in solve order.
+    pub kept: Vec<String>,
+    /// The blocks that nothing asks for.
+    pub left_out: Vec<String>,
+    /// Angles whose sine and cosine suffice.
+    pub angles_left_out: Vec<String>,
+    /// The operations of each level: position, velocity, acceleration. Those inside Newton-Raphson are not counted.
+    pub operations: [Operations; 3],
+    /// The same with nothing left out.
+    pub all_operations: [Operations; 3],
 }
 
 /// The function of one block.
@@ -45,10 +66,8 @@ pub struct BlockProgram {
     pub actions: Vec<Action>,
     /// The equations of its Newton-Raphson, where it needs it.
     pub newton: Option<NewtonBlock>,
-    /// Its assembly mode: an index into the program's.
-    pub branch: Option<usize>,
-    /// What it costs, without the iterations of Newton-Raphson.
-    pub operations: Operations,
+    /// Whether it reads an assembly mode.
+    pub reads_branch: bool,
 }
 
 /// Position, velocity or acceleration.
@@ -195,6 +214,13 @@ impl NewtonBlock {
             .flat_map(|&expr| system.mechanism.graph.symbols(expr))
             .copied()
             .collect();
-        liveness::needed(self.geometry.clone(), read, |_| false, system)
+        let mut live = read.into_iter().collect();
+        liveness::needed(self.geometry.clone(), None, &mut live, &|_| false, system)
+    }
+
+    /// Everything that it evaluates but its geometry.
+    pub fn expressions(&self) -> impl Iterator<Item = ExprId> {
+        let lists = [&self.residuals, &self.jacobian, &self.time_derivative, &self.gamma];
+        lists.into_iter().flatten().copied()
     }
 }

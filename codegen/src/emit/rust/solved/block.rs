@@ -14,7 +14,7 @@ use crate::emit::rust::literal::count;
 use crate::expr::{ExprId, SymbolId};
 use crate::program::Program;
 use crate::program::solved::{Action, BlockProgram, Level, SolvedProgram};
-use crate::system::{SymbolRole, System};
+use crate::system::{SymbolRole, System, Unknown};
 
 /// What a block's function needs to be given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,7 +29,7 @@ pub(super) struct Needs {
 impl Needs {
     pub(super) fn of(block: &BlockProgram, system: &System) -> Needs {
         let mut needs = Needs {
-            branches: block.branch.is_some(),
+            branches: block.reads_branch,
             ..Needs::default()
         };
         for action in &block.actions {
@@ -113,7 +113,7 @@ pub(in crate::emit::rust) fn blocks(
         let names = BlockNames { system, solved, time: &block.time, local: HashSet::new() };
         let writer = Writer { system, constants: &program.constants, names: &names };
         let time = writer.statements(&block.time);
-        let actions = block.actions.iter().map(|action| statement(action, index, block, &writer, &names, solved));
+        let actions = block.actions.iter().map(|action| statement(action, index, block, &writer, &names));
         let (name, parameters) = (identifier(&block.name), needs.parameters());
         let title = docs([block.title.as_str()]);
         let body = if needs.fails {
@@ -134,7 +134,6 @@ pub(super) fn statement(
     block: &BlockProgram,
     writer: &Writer<'_>,
     names: &BlockNames<'_>,
-    solved: &SolvedProgram,
 ) -> TokenStream {
     let number = count(index);
     match action {
@@ -161,8 +160,9 @@ pub(super) fn statement(
                 writer.expression(*sine, &[]),
                 writer.expression(*cosine, &[]),
             );
-            let field = identifier(names.system.unknown_name(*unknown));
-            quote!(at.q.#field = nearest_turn(math::atan2(#sine, #cosine), last.q.#field);)
+            let symbol = names.system.vector_form.unknowns[*unknown].position;
+            let [angle, near] = ["at", "last"].map(|frame| names.field(symbol, frame));
+            quote!(#angle = nearest_turn(math::atan2(#sine, #cosine), #near);)
         }
         Action::Reach {
             excess,
@@ -192,7 +192,7 @@ pub(super) fn statement(
                 }
             }
         }
-        Action::Newton => newton_call(index, block, names, solved),
+        Action::Newton => newton_call(index, block, names),
     }
 }
 
@@ -208,42 +208,20 @@ fn assignment(target: SymbolId, value: TokenStream, names: &BlockNames<'_>) -> T
 }
 
 /// The call of the runtime that finds the tears with their rates.
-fn newton_call(
-    index: usize,
-    block: &BlockProgram,
-    names: &BlockNames<'_>,
-    _solved: &SolvedProgram,
-) -> TokenStream {
+fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> TokenStream {
     let Some(newton) = &block.newton else {
         return TokenStream::new();
     };
     let number = count(index);
     let type_name = equations_name(block);
-    let of = |which: &str| -> Vec<TokenStream> {
-        newton
-            .unknowns
-            .iter()
-            .map(|&unknown| {
-                let unknown = &names.system.vector_form.unknowns[unknown];
-                names.symbol(match which {
-                    "q" => unknown.position,
-                    "qd" => unknown.rate,
-                    _ => unknown.acceleration,
-                })
-            })
-            .collect()
+    let unknowns: Vec<_> = newton.unknowns.iter().map(|&unknown| &names.system.vector_form.unknowns[unknown]).collect();
+    let fields = |of: fn(&Unknown) -> SymbolId, frame: &str| -> Vec<TokenStream> {
+        unknowns.iter().map(|unknown| names.field(of(unknown), frame)).collect()
     };
-    let (q, qd, qdd) = (of("q"), of("qd"), of("qdd"));
-    let from_last = |fields: &[TokenStream]| -> Vec<TokenStream> {
-        fields
-            .iter()
-            .map(|field| {
-                let text = field.to_string().replacen("at", "last", 1);
-                text.parse().unwrap_or_else(|_| field.clone())
-            })
-            .collect()
-    };
-    let (last_q, last_qd, last_qdd) = (from_last(&q), from_last(&qd), from_last(&qdd));
+    let of: [fn(&Unknown) -> SymbolId; 3] =
+        [|unknown| unknown.position, |unknown| unknown.rate, |unknown| unknown.acceleration];
+    let [q, qd, qdd] = of.map(|of| fields(of, "at"));
+    let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
     let places: Vec<_> = (0..q.len()).map(count).collect();
     quote! {
         let tears = kinematics::Frame {

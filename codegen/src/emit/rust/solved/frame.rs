@@ -6,8 +6,10 @@ use quote::quote;
 use super::names::plain_name;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::identifier;
+use crate::emit::rust::lints;
 use crate::emit::rust::literal::float;
-use crate::program::solved::SolvedProgram;
+use crate::expr::SymbolId;
+use crate::program::solved::{Output, SolvedProgram};
 use crate::system::{SymbolRole, System};
 
 /// The private fields of the frame, with a comma after each.
@@ -75,4 +77,102 @@ fn sentence(text: &str) -> String {
     first.map_or(String::new(), |first| {
         first.chain(characters).chain(['.']).collect()
     })
+}
+
+/// `struct Frame` that holds what is asked for and what the solution carries along.
+pub(in crate::emit::rust) fn output_frame(system: &System, solved: &SolvedProgram, outputs: &[Output]) -> TokenStream {
+    let methods = outputs.iter().map(|output| method(output, system));
+    let (fields, drawn) = (frame_fields(system, solved), frame_values(system, solved));
+    let checked = outputs.iter().flat_map(Output::fields).map(|symbol| {
+        let name = plain_name(symbol, system);
+        quote!(self.#name)
+    });
+    let implementation = quote! {
+        impl Frame {
+            #(#methods)*
+
+            /// The drawing at rest, which the solution starts from.
+            const DRAWN: Self = Self { t: 0.0, #drawn };
+
+            /// Whether everything that is asked for is a number.
+            fn is_finite(&self) -> bool {
+                all_finite(&[#(#checked),*])
+            }
+        }
+    };
+    let allow = lints::unused_item(&implementation);
+    let structure = quote! {
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct Frame {
+            /// The time t, in s.
+            pub t: f64,
+            #fields
+        }
+    };
+    let capitals = lints::capitals(&structure);
+    quote! {
+        /// One solved instant: what the description asks for.
+        #capitals
+        #structure
+
+        #allow
+        #implementation
+    }
+}
+
+fn method(output: &Output, system: &System) -> TokenStream {
+    let own = |symbol: SymbolId| {
+        let name = plain_name(symbol, system);
+        quote!(self.#name)
+    };
+    let pair = |fields: &[SymbolId; 2]| {
+        let [x, y] = fields.map(own);
+        quote!([#x, #y])
+    };
+    match output {
+        Output::Point { name, fields } => match fields.as_slice() {
+            [position, velocity, acceleration] => {
+                let (function, text) = (identifier(&format!("point_{name}")), docs([format!("Motion of the point {name}, in m, m/s and m/s².")]));
+                let [position, velocity, acceleration] = [position, velocity, acceleration].map(pair);
+                quote! {
+                    #text
+                    pub fn #function(&self) -> Motion {
+                        Motion { position: #position, velocity: #velocity, acceleration: #acceleration }
+                    }
+                }
+            }
+            fields => {
+                let methods = fields.iter().zip([("position", "m"), ("velocity", "m/s")]).map(|(field, (level, unit))| {
+                    let function = identifier(&format!("point_{name}_{level}"));
+                    let (text, value) = (docs([format!("The {level} of the point {name}, in {unit}.")]), pair(field));
+                    quote!(#text pub fn #function(&self) -> [f64; 2] { #value })
+                });
+                quote!(#(#methods)*)
+            }
+        },
+        Output::Coordinate { name, fields } => {
+            let levels = [("", "coordinate"), ("_rate", "rate of the coordinate"), ("_acceleration", "acceleration of the coordinate")];
+            let methods = fields.iter().zip(levels).map(|(&field, (suffix, what))| {
+                let function = identifier(&format!("{name}{suffix}"));
+                let (text, value) = (docs([format!("The {what} {name}, in SI units.")]), own(field));
+                quote!(#text pub fn #function(&self) -> f64 { #value })
+            });
+            quote!(#(#methods)*)
+        }
+    }
+}
+
+/// The frame before the first one: the drawing, with what `estimate` says of the coordinates.
+pub(in crate::emit::rust) fn estimated_frame(system: &System, solved: &SolvedProgram) -> TokenStream {
+    if solved.outputs.is_none() {
+        return quote!(Frame { t, q: *estimate, ..Frame::DRAWN });
+    }
+    let coordinates = solved.fields.iter().filter_map(|symbol| match system.roles[symbol.index()] {
+        SymbolRole::Position(unknown) if unknown < system.coordinates.len() => {
+            let name = plain_name(*symbol, system);
+            Some(quote!(#name: estimate.#name,))
+        }
+        _ => None,
+    });
+    quote!(Frame { t, #(#coordinates)* ..Frame::DRAWN })
 }

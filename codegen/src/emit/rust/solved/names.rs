@@ -26,15 +26,35 @@ impl BlockNames<'_> {
         if self.local.contains(&symbol) {
             return false;
         }
-        match self.system.roles[symbol.index()] {
-            SymbolRole::Position(unknown)
-            | SymbolRole::Rate(unknown)
-            | SymbolRole::Acceleration(unknown)
-                if unknown < self.system.coordinates.len() =>
-            {
-                true
+        self.coordinate(symbol).is_some() || self.solved.fields.contains(&symbol)
+    }
+
+    /// `q`, `qd` or `qdd` and the coordinate, where the frame holds all of them.
+    fn coordinate(&self, symbol: SymbolId) -> Option<(&'static str, usize)> {
+        if self.solved.outputs.is_some() {
+            return None;
+        }
+        let (vector, unknown) = match self.system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => ("q", unknown),
+            SymbolRole::Rate(unknown) => ("qd", unknown),
+            SymbolRole::Acceleration(unknown) => ("qdd", unknown),
+            _ => return None,
+        };
+        (unknown < self.system.coordinates.len()).then_some((vector, unknown))
+    }
+
+    /// A field of a frame.
+    pub(super) fn field(&self, symbol: SymbolId, frame: &str) -> TokenStream {
+        let frame = format_ident!("{frame}");
+        match self.coordinate(symbol) {
+            Some((vector, unknown)) => {
+                let (vector, field) = (format_ident!("{vector}"), identifier(self.system.unknown_name(unknown)));
+                quote!(#frame.#vector.#field)
             }
-            _ => self.solved.fields.contains(&symbol),
+            None => {
+                let name = plain_name(symbol, self.system);
+                quote!(#frame.#name)
+            }
         }
     }
 }
@@ -72,20 +92,6 @@ impl Names for BlockNames<'_> {
             let name = plain_name(symbol, self.system);
             return quote!(#name);
         }
-        let coordinates = self.system.coordinates.len();
-        let (vector, unknown) = match self.system.roles[symbol.index()] {
-            SymbolRole::Position(unknown) if unknown < coordinates => ("q", unknown),
-            SymbolRole::Rate(unknown) if unknown < coordinates => ("qd", unknown),
-            SymbolRole::Acceleration(unknown) if unknown < coordinates => ("qdd", unknown),
-            _ => {
-                let name = plain_name(symbol, self.system);
-                return quote!(at.#name);
-            }
-        };
-        let (vector, field) = (
-            format_ident!("{vector}"),
-            identifier(self.system.unknown_name(unknown)),
-        );
-        quote!(at.#vector.#field)
+        self.field(symbol, "at")
     }
 }

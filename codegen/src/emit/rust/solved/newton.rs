@@ -77,7 +77,7 @@ fn equations(
         let time = writer.statements(&block.time.for_results(results, system));
         let actions: Vec<TokenStream> = needed
             .iter()
-            .map(|action| statement(action, index, block, &writer, &names, solved))
+            .map(|action| statement(action, index, block, &writer, &names))
             .collect();
         let values: Vec<TokenStream> = results
             .iter()

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::block::Needs;
+use super::frame::estimated_frame;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::identifier;
 use crate::emit::rust::literal::count;
@@ -20,6 +21,7 @@ pub(in crate::emit::rust) fn mechanism(system: &System, solved: &SolvedProgram) 
         lines.push(format!("The mechanism `{}`.", system.mechanism.name));
     }
     let text = docs(lines);
+    let estimated = estimated_frame(system, solved);
     let mut all = Needs::default();
     let calls: Vec<TokenStream> = solved
         .blocks
@@ -115,7 +117,7 @@ pub(in crate::emit::rust) fn mechanism(system: &System, solved: &SolvedProgram) 
                 t: f64,
                 settings: Settings,
             ) -> Result<Self, Failure> {
-                let last = Frame { t, q: *estimate, ..Frame::DRAWN };
+                let last = #estimated;
                 let mut at = last;
                 solve(&mut at, &last, &branches, &settings, t)?;
                 Ok(Self { frames: [at, last], second_is_last: false, branches, settings })

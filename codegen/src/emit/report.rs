@@ -1,0 +1,28 @@
+//! What the solved view computes and leaves out → lines of text, for the generated header and for people.
+
+use crate::program::Operations;
+use crate::program::solved::Report;
+
+/// One fact a line.
+pub fn lines(report: &Report) -> Vec<String> {
+    let mut lines = vec![format!("Blocks in solve order: {}.", report.kept.join(", "))];
+    if !report.left_out.is_empty() {
+        lines.push(format!("Left out, since no output needs it: {}.", report.left_out.join(", ")));
+    }
+    if !report.angles_left_out.is_empty() {
+        let angles = report.angles_left_out.join(", ");
+        lines.push(format!("Angles left out, since their sines and cosines suffice: {angles}."));
+    }
+    for (level, operations) in ["Position", "Velocity", "Acceleration"].iter().zip(report.operations) {
+        lines.push(format!("{level}: {operations}."));
+    }
+    if report.operations != report.all_operations {
+        let total = |levels: [Operations; 3]| levels.iter().map(Operations::total).sum::<usize>();
+        lines.push(format!(
+            "All in all {} operations of {} that everything would take.",
+            total(report.operations),
+            total(report.all_operations)
+        ));
+    }
+    lines
+}

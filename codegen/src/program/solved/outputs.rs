@@ -1,0 +1,94 @@
+//! What `output` statements ask for → a last block that computes it.
+
+use super::{Action, BlockProgram, Level};
+use crate::expr::{ExprId, SymbolId};
+use crate::model::Requested;
+use crate::program::Straight;
+use crate::program::constants::Constants;
+use crate::system::System;
+
+/// A quantity that the frame offers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Output {
+    /// A point, with the fields of its position, velocity and acceleration as far as they are wanted.
+    Point {
+        /// Its name.
+        name: String,
+        /// x and y of each level.
+        fields: Vec<[SymbolId; 2]>,
+    },
+    /// A coordinate with its rate and acceleration as far as they are wanted.
+    Coordinate {
+        /// Its name.
+        name: String,
+        /// One field a level.
+        fields: Vec<SymbolId>,
+    },
+}
+
+impl Output {
+    /// The fields of all levels.
+    pub fn fields(&self) -> Vec<SymbolId> {
+        match self {
+            Output::Point { fields, .. } => fields.concat(),
+            Output::Coordinate { fields, .. } => fields.clone(),
+        }
+    }
+}
+
+/// The outputs that are asked for, and the block that computes those of points; nothing where everything is wanted.
+pub(super) fn outputs(system: &mut System, constants: &mut Constants) -> Option<(Vec<Output>, BlockProgram)> {
+    if system.mechanism.requests.is_empty() {
+        return None;
+    }
+    let mut sections: [Vec<Action>; 3] = [const { Vec::new() }; 3];
+    let mut found: Vec<Output> = Vec::new();
+    for request in system.mechanism.requests.clone() {
+        let output = match request.quantity {
+            Requested::Coordinate { body, axis } => {
+                let unknown = &system.vector_form.unknowns[3 * (body - 1) + axis];
+                let all = [unknown.position, unknown.rate, unknown.acceleration];
+                Output::Coordinate { name: unknown.name.clone(), fields: all[..=request.level].to_vec() }
+            }
+            Requested::Point(place) => {
+                let name = system.mechanism.points[place].name.to_lowercase();
+                let mut expressions = system.vector_form.points[place];
+                let mut fields = Vec::new();
+                for (level, section) in sections.iter_mut().enumerate().take(request.level + 1) {
+                    let suffix = ["", "_rate", "_acceleration"][level];
+                    let symbols = ["x", "y"].map(|axis| system.intermediate(&format!("point_{name}_{axis}{suffix}")));
+                    for (target, value) in symbols.into_iter().zip(expressions) {
+                        section.push(Action::Let { target, value });
+                    }
+                    fields.push(symbols);
+                    if level < request.level {
+                        let graph = &mut system.mechanism.graph;
+                        expressions = expressions.map(|expr: ExprId| system.vector_form.rate(expr, graph));
+                    }
+                }
+                Output::Point { name, fields }
+            }
+        };
+        if !found.contains(&output) {
+            found.push(output);
+        }
+    }
+    let levels = [Level::Position, Level::Velocity, Level::Acceleration];
+    let mut actions = Vec::new();
+    for (level, mut section) in levels.into_iter().zip(sections) {
+        if !section.is_empty() {
+            actions.push(Action::Section(level));
+            actions.append(&mut section);
+        }
+    }
+    let block = BlockProgram {
+        name: "outputs".to_string(),
+        title: "What is asked for.".to_string(),
+        joints: Vec::new(),
+        time: Straight::new(Vec::new(), system, constants),
+        actions,
+        newton: None,
+        reads_branch: false,
+    };
+    Some((found, block))
+}

@@ -1,0 +1,50 @@
+//! *Tokens → what a mechanism is asked for:* `output K;`, `output velocity K, phi(c1);`.
+
+use proc_macro2::Delimiter;
+
+use super::document::{Output, OutputItem, Statement};
+use super::reference::{identifier, operands, reference};
+use super::statement::semicolon_after_operands;
+use super::tokens::{Outcome, Tokens};
+use crate::diagnostic::Span;
+
+/// The words that limit the level, in their order.
+pub const LEVELS: [&str; 3] = ["position", "velocity", "acceleration"];
+
+/// The statement after its first word.
+pub(super) fn output(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
+    let level = match tokens.peek_word() {
+        Some(word) if LEVELS.contains(&word) => {
+            // A point may be called like a level; then nothing that could be an item follows it.
+            let mut ahead = *tokens;
+            let level = ahead.word();
+            let item_follows = ahead.peek_word().is_some() || ahead.peek_number();
+            if item_follows {
+                *tokens = ahead;
+            }
+            level.filter(|_| item_follows)
+        }
+        _ => None,
+    };
+    let mut items = vec![item(tokens)?];
+    while tokens.mark(',').is_some() {
+        if tokens.peek_mark(';') {
+            break;
+        }
+        items.push(item(tokens)?);
+    }
+    let span = start.to(semicolon_after_operands(tokens, start)?);
+    Ok(Statement::Output(Output { docs, level, items, span }))
+}
+
+/// A point, or a coordinate of a body.
+fn item(tokens: &mut Tokens<'_>) -> Outcome<OutputItem> {
+    let mut ahead = *tokens;
+    if ahead.word().is_some() && ahead.peek_group(Delimiter::Parenthesis) {
+        let axis = identifier(tokens, "`x`, `y` or `phi`")?;
+        let bodies = operands(tokens)?;
+        let span = axis.span.to(tokens.previous());
+        return Ok(OutputItem::Coordinate { axis, bodies, span });
+    }
+    Ok(OutputItem::Point(reference(tokens, "a point, or a coordinate such as `phi(1)`")?))
+}
