@@ -1,1 +1,15 @@
-//! What the tests share.
+//! What the tests share: descriptions, solvers, reference tables, random numbers and error bounds.
+//!
+//! One thing per module. Nothing here asserts what a test is about; the files under `tests/` do.
+
+pub mod description;
+pub mod deviation;
+pub mod files;
+pub mod generated;
+pub mod magnitude;
+pub mod majorant;
+pub mod random;
+pub mod sample;
+pub mod solver;
+pub mod stencil;
+pub mod table;

@@ -1,0 +1,145 @@
+//! *The command line → typed arguments.* Numbers are finite and steps positive afterwards; files are not opened here.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Reads descriptions of planar mechanisms: solves them, shows their equations, writes them as Rust.
+#[derive(Parser, Debug)]
+#[command(name = "linkwright", version, after_help = EXAMPLES)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  linkwright solve mechanisms/excavator.mech
+  linkwright solve mechanisms/two_body.mech --to 1 --step 0.1 --points Q
+  linkwright inspect mechanisms/two_body.mech --format unicode
+  linkwright generate mechanisms/two_body.mech -o two_body.rs
+
+Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` found a difference), 2 bad input.";
+
+/// The commands.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Solve the motion: print it, write CSV and plots
+    Solve(Solve),
+    /// Write the equations as a Rust module
+    Generate(Generate),
+    /// Show Φ, Φ_q, Φ_t and γ
+    Inspect(Inspect),
+}
+
+/// Solves the motion of a mechanism without a compile step.
+///
+/// The mechanism is assembled from its drawing at the start and advanced step by step, so that it stays in the assembly mode
+/// in which it is drawn. All quantities are in m, rad and s.
+#[derive(Args, Debug)]
+#[command(after_help = SOLVE_EXAMPLES)]
+pub struct Solve {
+    /// The description, a `.mech` file
+    pub file: PathBuf,
+    /// When the motion starts, in s; the mechanism is assembled there
+    #[arg(long, value_name = "T0", default_value = "0", value_parser = finite, allow_hyphen_values = true)]
+    pub from: f64,
+    /// When the motion ends, in s
+    #[arg(long, value_name = "T1", default_value = "5", value_parser = finite, allow_hyphen_values = true)]
+    pub to: f64,
+    /// The time between frames, in s; the last frame is the last whole step up to T1
+    #[arg(long, value_name = "H", default_value = "0.01", value_parser = positive, allow_hyphen_values = true)]
+    pub step: f64,
+    /// Only this instant, in s, followed from T0 by steps of H; may be repeated. Files are then written only on request
+    #[arg(long, value_name = "T", value_delimiter = ',', value_parser = finite, allow_hyphen_values = true, conflicts_with_all = ["to", "plot"])]
+    pub at: Vec<f64>,
+    /// Only these points, separated by commas [default: all]
+    #[arg(long, value_name = "A,K", value_delimiter = ',')]
+    pub points: Vec<String>,
+    /// Where to write the frames; `-` is stdout, and the summary then goes to stderr [default: target/linkwright/NAME/motion.csv]
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// The folder for one SVG per point [default: target/linkwright/NAME]
+    #[arg(long, value_name = "DIR")]
+    pub plot: Option<PathBuf>,
+    /// Print one JSON object instead of the summary; files are then written only on request
+    #[arg(long)]
+    pub json: bool,
+}
+
+const SOLVE_EXAMPLES: &str = "\
+Examples:
+  linkwright solve mechanisms/excavator.mech                     summary, CSV and plots of five seconds
+  linkwright solve mechanisms/excavator.mech --at 2.5 --points K one instant of one point
+  linkwright solve mechanisms/two_body.mech --csv - > motion.csv
+  linkwright solve mechanisms/two_body.mech --json | jq '.frames[-1].points.Q'
+
+Exit codes: 0 solved, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.
+Frames before the end of a motion that ends early are printed and written all the same.";
+
+/// Writes the equations as a Rust module that needs only the crate `linkwright`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  linkwright generate mechanisms/two_body.mech                       the module on stdout
+  linkwright generate mechanisms/two_body.mech -o src/two_body.rs    written only if it changes
+  linkwright generate mechanisms/two_body.mech -o src/two_body.rs --check")]
+pub struct Generate {
+    /// The description, a `.mech` file
+    pub file: PathBuf,
+    /// Where to write the module [default: stdout]
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Write nothing; exit with 1 if FILE is not what would be written
+    #[arg(long, requires = "output")]
+    pub check: bool,
+}
+
+/// Shows the equations, also those of a mechanism whose motion they do not determine.
+#[derive(Args, Debug)]
+pub struct Inspect {
+    /// The description, a `.mech` file
+    pub file: PathBuf,
+    /// How formulas are written
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// How formulas are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// As one types them: x1 + cos(phi1)
+    Text,
+    /// As one prints them: x₁ + cos φ₁
+    Unicode,
+    /// For a LaTeX document
+    Latex,
+    /// The generated module
+    Rust,
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(_) => Err("not a finite number".to_string()),
+        Err(_) => Err("not a number".to_string()),
+    }
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match finite(text)? {
+        value if value > 0.0 => Ok(value),
+        _ => Err("a step must be positive".to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        super::Arguments::command().debug_assert();
+    }
+}

@@ -1,0 +1,73 @@
+//! *Arguments → what is printed, what is written, and an exit code.* One file per command.
+//!
+//! Results go to stdout, findings and errors to stderr. A reader of stdout that goes away early is no error. What cannot
+//! be done because of the input ends as a [`Problem`], printed once, with exit code 2.
+
+pub mod description;
+pub mod generate;
+pub mod inspect;
+pub mod solve;
+
+use std::io::{self, BufWriter, Write};
+use std::process::ExitCode;
+
+use crate::arguments::{Arguments, Command};
+use crate::file::FileError;
+
+/// How a command ended; the discriminant is the exit code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Everything was done.
+    Done = 0,
+    /// The mechanism cannot be solved, or a file is not what it should be.
+    Failed = 1,
+}
+
+/// Input that a command cannot work with: what is printed about it, without a closing line break.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem(pub String);
+
+impl From<FileError> for Problem {
+    fn from(error: FileError) -> Self {
+        Problem(format!("error: {error}"))
+    }
+}
+
+/// Runs a command and prints why it cannot be done, if so.
+pub fn run(arguments: Arguments) -> ExitCode {
+    let outcome = match arguments.command {
+        Command::Solve(solve) => solve::run(&solve),
+        Command::Generate(generate) => generate::run(&generate),
+        Command::Inspect(inspect) => inspect::run(&inspect),
+    };
+    match outcome {
+        Ok(outcome) => ExitCode::from(outcome as u8),
+        Err(Problem(text)) => {
+            say(&text);
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Writes to stdout.
+///
+/// # Errors
+/// Those of stdout, but not that nobody reads it any more.
+pub fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Problem> {
+    let mut output = BufWriter::new(io::stdout().lock());
+    match write(&mut output).and_then(|()| output.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Problem(format!("error: cannot write to stdout: {error}")))
+        }
+        _ => {
+            // What is still buffered for a reader that is gone must not be tried again.
+            let _ = output.into_parts();
+            Ok(())
+        }
+    }
+}
+
+/// Writes a line to stderr; if that is closed there is nobody to tell.
+pub fn say(text: &str) {
+    let _ = writeln!(io::stderr(), "{}", text.trim_end_matches('\n'));
+}

@@ -1,0 +1,242 @@
+//! *A [`System`] → its functions, evaluated without a compile step.*
+//!
+//! [`Interpreter`] implements [`Equations`] by walking instruction lists ([`Tape`]), one list per function, so that
+//! whatever solves generated mechanisms also solves a description that was read a moment ago. Afterwards Φ_q holds zeros
+//! wherever the system lists no entry, and no evaluation allocates: buffers grow on first use and are then kept.
+//!
+//! The module does not know how the equations are solved. It is slower than generated code by a factor of about ten, and
+//! serves as its oracle: both evaluate the same expressions, by different means.
+
+use std::cell::RefCell;
+
+use linkwright::{Equations, Frame, Motion};
+use linkwright_codegen::expr::{ExprId, SymbolId, Tape};
+use linkwright_codegen::system::System;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+/// A mechanism as functions of pose and time, in SI units: m, rad, s.
+///
+/// Vectors follow the order of [`System::coordinates`] and [`System::rows`]; both have n entries. The functions borrow
+/// internal buffers while they run, so an interpreter belongs to one thread; clone it for another.
+#[derive(Clone, Debug)]
+pub struct Interpreter {
+    dimension: usize,
+    residual: Tape,
+    jacobian: Tape,
+    /// Where each result of `jacobian` belongs in the column-major n × n matrix.
+    places: Vec<usize>,
+    time_derivative: Tape,
+    gamma: Tape,
+    /// Six results per output: position, velocity, acceleration.
+    outputs: Tape,
+    output_names: Vec<String>,
+    estimate: DVector<f64>,
+    row_scales: Vec<f64>,
+    coordinate_scales: Vec<f64>,
+    /// The symbols of q, q̇, q̈ and t.
+    positions: Vec<SymbolId>,
+    rates: Vec<SymbolId>,
+    accelerations: Vec<SymbolId>,
+    time: SymbolId,
+    scratch: RefCell<Scratch>,
+}
+
+/// What an evaluation writes into and the next one overwrites.
+#[derive(Clone, Debug)]
+struct Scratch {
+    /// A value per symbol.
+    symbols: Vec<f64>,
+    /// What the tapes keep intermediate values in.
+    workspace: Vec<f64>,
+    /// Results that are not a vector of n entries.
+    results: Vec<f64>,
+}
+
+impl Interpreter {
+    /// The functions of `system`, which must have as many rows as coordinates: `linkwright_codegen::check` says so.
+    ///
+    /// # Panics
+    /// If the system is not square.
+    pub fn new(system: &System) -> Interpreter {
+        let dimension = system.coordinates.len();
+        assert_eq!(
+            system.rows.len(),
+            dimension,
+            "a system must pass `check` before it is solved"
+        );
+        let graph = &system.mechanism.graph;
+        let rows = |pick: fn(&linkwright_codegen::system::Row) -> ExprId| {
+            let roots: Vec<ExprId> = system.rows.iter().map(pick).collect();
+            Tape::new(graph, &roots)
+        };
+        let mut entries = Vec::new();
+        let mut places = Vec::new();
+        for (index, row) in system.rows.iter().enumerate() {
+            for entry in &row.jacobian {
+                entries.push(entry.value);
+                places.push(entry.coordinate * dimension + index);
+            }
+        }
+        let motions: Vec<ExprId> = system
+            .outputs
+            .iter()
+            .flat_map(|output| [output.position, output.velocity, output.acceleration])
+            .flatten()
+            .collect();
+        let coordinates = &system.coordinates;
+        Interpreter {
+            dimension,
+            residual: rows(|row| row.residual),
+            jacobian: Tape::new(graph, &entries),
+            time_derivative: rows(|row| row.time_derivative),
+            gamma: rows(|row| row.gamma),
+            outputs: Tape::new(graph, &motions),
+            output_names: system
+                .outputs
+                .iter()
+                .map(|output| output.name.clone())
+                .collect(),
+            // A drawing that is not constant has been rejected before; NaN would be reported as not finite.
+            estimate: DVector::from_iterator(
+                dimension,
+                coordinates
+                    .iter()
+                    .map(|it| graph.constant_value(it.estimate).unwrap_or(f64::NAN)),
+            ),
+            row_scales: system
+                .rows
+                .iter()
+                .map(|row| system.scale(row.quantity))
+                .collect(),
+            coordinate_scales: coordinates
+                .iter()
+                .map(|it| system.scale(it.quantity))
+                .collect(),
+            positions: coordinates.iter().map(|it| it.position).collect(),
+            rates: coordinates.iter().map(|it| it.rate).collect(),
+            accelerations: coordinates.iter().map(|it| it.acceleration).collect(),
+            time: system.mechanism.time,
+            scratch: RefCell::new(Scratch {
+                symbols: vec![0.0; graph.symbol_count()],
+                workspace: Vec::new(),
+                results: vec![0.0; places.len().max(motions.len())],
+            }),
+            places,
+        }
+    }
+
+    /// The pose q (n) in which the mechanism is drawn: an estimate that need not satisfy the equations.
+    pub fn estimate(&self) -> &DVector<f64> {
+        &self.estimate
+    }
+
+    /// The names of the points, in the order of [`Interpreter::points`].
+    pub fn point_names(&self) -> &[String] {
+        &self.output_names
+    }
+
+    /// The motion of every declared point at `frame`, in the order of [`System::outputs`].
+    pub fn points(&self, frame: &Frame<f64, Dyn>) -> Vec<Motion<f64>> {
+        let scratch = &mut *self.scratch.borrow_mut();
+        self.fill(&mut scratch.symbols, &self.positions, frame.q.as_slice());
+        self.fill(&mut scratch.symbols, &self.rates, frame.qd.as_slice());
+        self.fill(
+            &mut scratch.symbols,
+            &self.accelerations,
+            frame.qdd.as_slice(),
+        );
+        scratch.symbols[self.time.index()] = frame.t;
+        let results = &mut scratch.results[..6 * self.output_names.len()];
+        self.outputs
+            .evaluate(&scratch.symbols, &mut scratch.workspace, results);
+        results
+            .chunks_exact(6)
+            .map(|it| Motion {
+                position: [it[0], it[1]],
+                velocity: [it[2], it[3]],
+                acceleration: [it[4], it[5]],
+            })
+            .collect()
+    }
+
+    /// Fills `magnitudes` (n) with the sum of the absolute values of the terms of each Φ_i: what its residual is the
+    /// difference of, so that `ε · magnitude` is the rounding that must be expected in it.
+    pub fn residual_magnitudes(&self, q: &DVector<f64>, t: f64, magnitudes: &mut DVector<f64>) {
+        let scratch = &mut *self.scratch.borrow_mut();
+        self.fill(&mut scratch.symbols, &self.positions, q.as_slice());
+        scratch.symbols[self.time.index()] = t;
+        self.residual.magnitudes(
+            &scratch.symbols,
+            &mut scratch.workspace,
+            magnitudes.as_mut_slice(),
+        );
+    }
+
+    fn fill(&self, symbols: &mut [f64], places: &[SymbolId], values: &[f64]) {
+        for (symbol, value) in places.iter().zip(values) {
+            symbols[symbol.index()] = *value;
+        }
+    }
+
+    /// Evaluates one of the lists with n results at (q, t), and q̇ where it is needed.
+    fn evaluate(
+        &self,
+        tape: &Tape,
+        q: &DVector<f64>,
+        qd: Option<&DVector<f64>>,
+        t: f64,
+        results: &mut DVector<f64>,
+    ) {
+        let scratch = &mut *self.scratch.borrow_mut();
+        self.fill(&mut scratch.symbols, &self.positions, q.as_slice());
+        if let Some(qd) = qd {
+            self.fill(&mut scratch.symbols, &self.rates, qd.as_slice());
+        }
+        scratch.symbols[self.time.index()] = t;
+        tape.evaluate(
+            &scratch.symbols,
+            &mut scratch.workspace,
+            results.as_mut_slice(),
+        );
+    }
+}
+
+impl Equations<f64, Dyn> for Interpreter {
+    fn dimension(&self) -> Dyn {
+        Dyn(self.dimension)
+    }
+
+    fn residual(&self, q: &DVector<f64>, t: f64, phi: &mut DVector<f64>) {
+        self.evaluate(&self.residual, q, None, t, phi);
+    }
+
+    fn jacobian(&self, q: &DVector<f64>, t: f64, phi_q: &mut DMatrix<f64>) {
+        let scratch = &mut *self.scratch.borrow_mut();
+        self.fill(&mut scratch.symbols, &self.positions, q.as_slice());
+        scratch.symbols[self.time.index()] = t;
+        let entries = &mut scratch.results[..self.places.len()];
+        self.jacobian
+            .evaluate(&scratch.symbols, &mut scratch.workspace, entries);
+        phi_q.fill(0.0);
+        let matrix = phi_q.as_mut_slice();
+        for (place, entry) in self.places.iter().zip(entries) {
+            matrix[*place] = *entry;
+        }
+    }
+
+    fn time_derivative(&self, q: &DVector<f64>, t: f64, phi_t: &mut DVector<f64>) {
+        self.evaluate(&self.time_derivative, q, None, t, phi_t);
+    }
+
+    fn gamma(&self, q: &DVector<f64>, qd: &DVector<f64>, t: f64, gamma: &mut DVector<f64>) {
+        self.evaluate(&self.gamma, q, Some(qd), t, gamma);
+    }
+
+    fn row_scale(&self, row: usize) -> f64 {
+        self.row_scales[row]
+    }
+
+    fn coordinate_scale(&self, column: usize) -> f64 {
+        self.coordinate_scales[column]
+    }
+}

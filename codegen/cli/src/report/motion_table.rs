@@ -1,0 +1,112 @@
+//! *The motion of a point → a table of a readable number of times.*
+//!
+//! Columns are aligned at the decimal point; a column is in exponents only where six decimals would not show it. Numbers
+//! below [`NOISE`] of the mechanism's size count as zero. The module does not know what is to be said beside the table.
+
+use linkwright::Motion;
+
+use crate::number::{fixed, scientific};
+
+/// How many rows a table has at most.
+const ROWS: usize = 11;
+
+/// The fraction of the mechanism's size (and of that per second) that is rounding.
+const NOISE: f64 = 1e-12;
+
+/// Which of `count` frames are shown: all of a few, otherwise the first, the last and equally spaced ones between.
+pub fn shown(count: usize) -> Vec<usize> {
+    if count <= ROWS {
+        return (0..count).collect();
+    }
+    let last = count - 1;
+    let fits = |intervals: &usize| last.is_multiple_of(*intervals);
+    let intervals = (5..ROWS).rev().find(fits).unwrap_or(ROWS - 1);
+    (0..=intervals)
+        .map(|k| (k * last + intervals / 2) / intervals)
+        .collect()
+}
+
+/// The table of one point. `size` is the characteristic length of the mechanism.
+pub fn table(times: &[f64], motions: &[Motion<f64>], size: f64) -> String {
+    let component = |pick: &dyn Fn(&Motion<f64>) -> f64| motions.iter().map(pick).collect();
+    let columns: [(&str, Vec<f64>); 7] = [
+        ("t", times.to_vec()),
+        ("x", component(&|it| it.position[0])),
+        ("y", component(&|it| it.position[1])),
+        ("vx", component(&|it| it.velocity[0])),
+        ("vy", component(&|it| it.velocity[1])),
+        ("ax", component(&|it| it.acceleration[0])),
+        ("ay", component(&|it| it.acceleration[1])),
+    ];
+    let columns: Vec<Vec<String>> = columns
+        .into_iter()
+        .map(|(name, values)| {
+            let mut cells = match name {
+                "t" => exact(&values),
+                _ => formatted(&values, size),
+            };
+            cells.insert(0, name.to_string());
+            let width = cells.iter().map(String::len).max().unwrap_or(0);
+            cells.iter().map(|cell| format!("{cell:>width$}")).collect()
+        })
+        .collect();
+    let mut text = String::new();
+    for row in 0..=times.len() {
+        let cells: Vec<&str> = columns.iter().map(|column| column[row].as_str()).collect();
+        text.push_str("  ");
+        text.push_str(&cells.join("  "));
+        text.push('\n');
+    }
+    text
+}
+
+/// All with as many decimals as the longest needs, at most nine.
+fn exact(values: &[f64]) -> Vec<String> {
+    let needed = |value: &f64| {
+        (0..9)
+            .find(|decimals| {
+                let shown: f64 = fixed(*value, *decimals).parse().unwrap_or(f64::NAN);
+                (shown - value).abs() <= 1e-12 * value.abs()
+            })
+            .unwrap_or(9)
+    };
+    let decimals = values.iter().map(needed).max().unwrap_or(0);
+    values.iter().map(|value| fixed(*value, decimals)).collect()
+}
+
+fn formatted(values: &[f64], size: f64) -> Vec<String> {
+    let largest = values.iter().fold(0.0_f64, |most, it| most.max(it.abs()));
+    let plain = (1e-2..1e7).contains(&largest) || largest <= NOISE * size;
+    let cell = |value: &f64| match plain {
+        true => fixed(*value, 6),
+        false => scientific(*value, 6),
+    };
+    values.iter().map(cell).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_rows_with_round_times() {
+        assert_eq!(shown(1), [0]);
+        assert_eq!(shown(11).len(), 11);
+        assert_eq!(shown(501), (0..=10).map(|k| 50 * k).collect::<Vec<_>>());
+        assert_eq!(shown(13), [0, 2, 4, 6, 8, 10, 12]);
+        let odd = shown(1_008);
+        assert_eq!((odd.len(), odd[0], odd[10]), (11, 0, 1007));
+        assert!(odd.is_sorted());
+    }
+
+    #[test]
+    fn columns_show_small_motions_but_not_rounding() {
+        assert_eq!(formatted(&[1e-17, -1e-17], 1.0), ["0.000000", "0.000000"]);
+        assert_eq!(
+            formatted(&[1e-7, 0.0], 1.0),
+            ["1.000000e-07", "0.000000e+00"]
+        );
+        assert_eq!(formatted(&[1.5, -0.0], 1.0), ["1.500000", "0.000000"]);
+        assert_eq!(exact(&[0.0, 0.1 + 0.2, 1.25]), ["0.00", "0.30", "1.25"]);
+    }
+}

@@ -1,0 +1,260 @@
+//! *Solution → one SVG per point:* position, velocity and acceleration over time, x and y in each panel.
+//!
+//! Curves of more than a few thousand frames are drawn by the extremes of each stretch, so that no peak is lost. What
+//! varies by less than rounding is drawn as a level line. The module does not know files.
+
+use linkwright::Motion;
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+use crate::solution::Solution;
+
+/// Width and height in pixels.
+const SIZE: (u32, u32) = (960, 900);
+
+/// Blue and vermillion of the palette of Okabe and Ito, which remain distinct for the color-blind.
+const COLORS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
+
+/// Curves with more frames are thinned out.
+const FRAMES: usize = 2000;
+
+/// A range below this fraction of the values' magnitude is rounding.
+const FLAT: f64 = 1e-9;
+
+/// What one panel shows.
+struct Panel {
+    title: &'static str,
+    unit: &'static str,
+    symbols: [&'static str; 2],
+    /// The magnitude that variations are compared with.
+    reference: f64,
+    pick: fn(&Motion<f64>) -> [f64; 2],
+}
+
+/// The picture of each shown point, in their order; nothing for fewer than two frames.
+///
+/// # Errors
+/// What the drawing library refuses.
+pub fn draw(solution: &Solution) -> Result<Vec<(String, String)>, String> {
+    let frames = solution.frames();
+    if frames.len() < 2 {
+        return Ok(Vec::new());
+    }
+    let mut motions: Vec<Vec<Motion<f64>>> =
+        vec![Vec::with_capacity(frames.len()); solution.points.len()];
+    for frame in frames {
+        for (curve, (_, motion)) in motions.iter_mut().zip(solution.motions(frame)) {
+            curve.push(motion);
+        }
+    }
+    let times: Vec<f64> = frames.iter().map(|frame| frame.t).collect();
+    let size = solution.system.mechanism.characteristic_length;
+    let largest = |pick: fn(&Motion<f64>) -> [f64; 2]| {
+        let values = motions.iter().flatten().flat_map(pick);
+        let largest = values.fold(0.0_f64, |most, it| most.max(it.abs()));
+        if largest > 0.0 { largest } else { size }
+    };
+    let panels = [
+        Panel {
+            title: "position",
+            unit: "m",
+            symbols: ["x", "y"],
+            reference: size,
+            pick: |it| it.position,
+        },
+        Panel {
+            title: "velocity",
+            unit: "m/s",
+            symbols: ["vx", "vy"],
+            reference: largest(|it| it.velocity),
+            pick: |it| it.velocity,
+        },
+        Panel {
+            title: "acceleration",
+            unit: "m/s²",
+            symbols: ["ax", "ay"],
+            reference: largest(|it| it.acceleration),
+            pick: |it| it.acceleration,
+        },
+    ];
+    let mut pictures = Vec::with_capacity(motions.len());
+    for (curve, point) in motions.iter().zip(&solution.points) {
+        let name = solution.point_name(*point);
+        let title = format!("Point {name} of {}", solution.name());
+        let picture = picture(&title, &times, curve, &panels)
+            .map_err(|error| format!("cannot draw point `{name}`: {error}"))?;
+        pictures.push((name.to_string(), picture));
+    }
+    Ok(pictures)
+}
+
+type Drawing<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Refused = Box<dyn std::error::Error>;
+
+fn picture(
+    title: &str,
+    times: &[f64],
+    motions: &[Motion<f64>],
+    panels: &[Panel],
+) -> Result<String, Refused> {
+    let mut text = String::new();
+    {
+        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        area.fill(&WHITE)?;
+        let body = area.titled(title, ("sans-serif", 24))?;
+        for (area, panel) in body.split_evenly((panels.len(), 1)).iter().zip(panels) {
+            draw_panel(area, panel, times, motions)?;
+        }
+        area.present()?;
+    }
+    Ok(text)
+}
+
+fn draw_panel(
+    area: &Drawing,
+    panel: &Panel,
+    times: &[f64],
+    motions: &[Motion<f64>],
+) -> Result<(), Refused> {
+    let components: [Vec<f64>; 2] =
+        [0, 1].map(|axis| motions.iter().map(|it| (panel.pick)(it)[axis]).collect());
+    let (low, high) = range(components.iter().flatten().copied(), panel.reference);
+    let (begin, end) = (times[0], times[times.len() - 1]);
+    let mut chart = ChartBuilder::on(area)
+        .margin(8)
+        .margin_right(24)
+        .x_label_area_size(42)
+        .y_label_area_size(84)
+        .build_cartesian_2d(begin..end, low..high)?;
+    let (across, up) = (label_format(begin, end), label_format(low, high));
+    chart
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(BLACK.mix(0.12))
+        .axis_style(BLACK.mix(0.6))
+        .label_style(("sans-serif", 15))
+        .axis_desc_style(("sans-serif", 16))
+        .x_labels(11)
+        .y_labels(7)
+        .x_label_formatter(&across)
+        .y_label_formatter(&up)
+        .x_desc("t (s)")
+        .y_desc(format!("{} ({})", panel.title, panel.unit))
+        .draw()?;
+    for ((values, color), symbol) in components.iter().zip(COLORS).zip(panel.symbols) {
+        chart
+            .draw_series(LineSeries::new(
+                thinned(times, values),
+                color.stroke_width(2),
+            ))?
+            .label(symbol)
+            .legend(move |(x, y)| {
+                PathElement::new(vec![(x, y), (x + 20, y)], color.stroke_width(2))
+            });
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperRight)
+        .background_style(WHITE.mix(0.85))
+        .border_style(BLACK.mix(0.2))
+        .label_font(("sans-serif", 15))
+        .draw()?;
+    Ok(())
+}
+
+/// What the vertical axis shows: all values with a margin, or the surroundings of a level line.
+fn range(values: impl Iterator<Item = f64>, reference: f64) -> (f64, f64) {
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), it| {
+        (low.min(it), high.max(it))
+    });
+    let center = 0.5 * (low + high);
+    let magnitude = low.abs().max(high.abs()).max(reference);
+    if high - low > FLAT * magnitude {
+        let margin = 0.06 * (high - low);
+        (low - margin, high + margin)
+    } else {
+        // The level itself is rounded as well, so that zero is labelled 0.
+        let center = if center.abs() <= FLAT * magnitude {
+            0.0
+        } else {
+            center
+        };
+        (center - 0.1 * magnitude, center + 0.1 * magnitude)
+    }
+}
+
+/// Labels with as many decimals as about ten steps across the range need.
+fn label_format(low: f64, high: f64) -> impl Fn(&f64) -> String {
+    let (span, magnitude) = (high - low, low.abs().max(high.abs()));
+    let decimals = (1.0 - span.log10()).ceil().clamp(0.0, 12.0) as usize;
+    let plain = magnitude < 1e6 && span > 1e-4;
+    let digits = (magnitude / span).log10().max(0.0) as usize + 2;
+    move |value| {
+        // A label next to zero is zero up to the rounding of the axis.
+        let value = if value.abs() < 1e-9 * span {
+            0.0
+        } else {
+            *value
+        };
+        match plain {
+            true => crate::number::fixed(value, decimals),
+            false => crate::number::scientific(value, digits),
+        }
+    }
+}
+
+/// The points of a curve; of a long one the smallest and the largest value of each stretch, in the order of time.
+fn thinned(times: &[f64], values: &[f64]) -> Vec<(f64, f64)> {
+    let point = |index: usize| (times[index], values[index]);
+    if values.len() <= FRAMES {
+        return (0..values.len()).map(point).collect();
+    }
+    let stretch = values.len().div_ceil(FRAMES / 2);
+    let mut points = Vec::with_capacity(FRAMES + 2);
+    for begin in (0..values.len()).step_by(stretch) {
+        let stretch = begin..(begin + stretch).min(values.len());
+        let by_value = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
+        let extremes = [
+            stretch.clone().min_by(by_value),
+            stretch.clone().max_by(by_value),
+        ];
+        let (first, second) = (
+            extremes[0].min(extremes[1]).unwrap_or(begin),
+            extremes[0].max(extremes[1]).unwrap_or(begin),
+        );
+        points.push(point(first));
+        if second != first {
+            points.push(point(second));
+        }
+    }
+    // The ends of the curve belong to the picture, extreme or not.
+    points.insert(0, point(0));
+    points.push(point(values.len() - 1));
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_is_drawn_as_a_level_line() {
+        let root = 3.0_f64.sqrt();
+        let (low, high) = range([root, root + 3e-16].into_iter(), 2.0);
+        assert!(low < root - 0.1 && high > root + 0.1, "{low} {high}");
+        assert_eq!(range([0.0, 1e-17].into_iter(), 1.0), (-0.1, 0.1));
+        let (low, high) = range([1.0, 1.001].into_iter(), 1.0);
+        assert!(low > 0.999 && high < 1.002, "{low} {high}");
+    }
+
+    #[test]
+    fn a_long_curve_keeps_its_peaks() {
+        let times: Vec<f64> = (0..100_000).map(f64::from).collect();
+        let mut values = vec![0.0; times.len()];
+        values[54_321] = 7.0;
+        let points = thinned(&times, &values);
+        assert!(points.len() <= FRAMES + 4, "{}", points.len());
+        assert!(points.contains(&(54_321.0, 7.0)));
+        assert!(points.is_sorted_by(|a, b| a.0 <= b.0));
+    }
+}

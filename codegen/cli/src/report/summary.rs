@@ -1,0 +1,178 @@
+//! *Solution → what a person reads:* the mechanism, its equations, the start, the motion of the points, the residuals.
+
+use std::io::{self, Write};
+
+use linkwright_codegen::model::Role;
+
+use super::motion_table;
+use crate::diagnosis::{time, unit};
+use crate::number::{counted, scientific};
+use crate::solution::Solution;
+
+/// The width that lists are wrapped to, in characters.
+const WIDTH: usize = 110;
+
+/// Where the second column begins.
+const INDENT: usize = 24;
+
+/// Writes the summary; without frames only what is known of the mechanism itself.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
+    writeln!(output, "{}", solution.name())?;
+    mechanism(solution, output)?;
+    start(solution, output)?;
+    if solution.frames().is_empty() {
+        return Ok(());
+    }
+    motions(solution, output)?;
+    writeln!(output)?;
+    residuals(solution, output)
+}
+
+fn mechanism(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
+    let system = &solution.system;
+    let bodies = system.mechanism.moving_bodies();
+    let names = bodies.iter().map(|body| body.name.clone());
+    list(output, "bodies", bodies.len(), names)?;
+    let names = system.coordinates.iter().map(|it| it.name.clone());
+    list(output, "coordinates", system.coordinates.len(), names)?;
+    for (title, role) in [
+        ("constraint equations", Role::Constraint),
+        ("driver equations", Role::Driver),
+    ] {
+        let joints = system.mechanism.joints.iter().enumerate();
+        let labels = joints
+            .filter(|(_, joint)| joint.role == role)
+            .map(|(index, joint)| {
+                match system.rows.iter().filter(|row| row.joint == index).count() {
+                    1 => joint.label.clone(),
+                    rows => format!("{} [{rows}]", joint.label),
+                }
+            });
+        list(output, title, solution.equation_count(role), labels)?;
+    }
+    let free = system
+        .coordinates
+        .len()
+        .saturating_sub(solution.equation_count(Role::Constraint));
+    let driven = solution.equation_count(Role::Driver);
+    let text = format!(
+        "{free} without drivers, {} with them",
+        free.saturating_sub(driven)
+    );
+    line(output, "degrees of freedom", &text)
+}
+
+fn start(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
+    let when = match &solution.trajectory.start {
+        Some(frame) => format!("at t = {} s", time(frame.t)),
+        None => "in the drawing".to_string(),
+    };
+    let text = format!(
+        "det Φ_q = {}, reciprocal condition {} (dimensionless: {})",
+        scientific(solution.condition.determinant, 6),
+        scientific(solution.condition.reciprocal, 2),
+        scientific(solution.dimensionless_condition.reciprocal, 2),
+    );
+    line(output, &when, &text)
+}
+
+fn motions(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
+    let size = solution.system.mechanism.characteristic_length;
+    let frames: Vec<_> = motion_table::shown(solution.frames().len())
+        .into_iter()
+        .map(|index| &solution.frames()[index])
+        .collect();
+    let times: Vec<f64> = frames.iter().map(|frame| frame.t).collect();
+    let all: Vec<Vec<_>> = frames
+        .iter()
+        .map(|frame| solution.motions(frame).collect())
+        .collect();
+    for (position, point) in solution.points.iter().enumerate() {
+        let name = solution.point_name(*point);
+        let motions: Vec<_> = all.iter().map(|frame| frame[position].1).collect();
+        let still = motions.windows(2).all(|pair| pair[0] == pair[1])
+            && motions
+                .iter()
+                .all(|it| it.velocity == [0.0; 2] && it.acceleration == [0.0; 2]);
+        if still {
+            let [x, y] = motions[0].position;
+            writeln!(output, "\n{name} stays at ({x}, {y}) m")?;
+        } else {
+            writeln!(
+                output,
+                "\n{name}: position, velocity, acceleration in m, m/s, m/s²"
+            )?;
+            write!(output, "{}", motion_table::table(&times, &motions, size))?;
+        }
+    }
+    Ok(())
+}
+
+fn residuals(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
+    let found = &solution.residuals;
+    let frames = counted(solution.frames().len(), "frame");
+    writeln!(output, "largest residuals over {frames}")?;
+    let joint = solution.system.rows.get(found.row).map(|row| row.joint);
+    let place = match joint {
+        Some(joint) if found.position > 0.0 => {
+            format!(" in {}", solution.system.mechanism.joints[joint].label)
+        }
+        _ => String::new(),
+    };
+    let unit = match solution.system.rows.is_empty() {
+        true => "",
+        false => unit(&solution.system, found.row),
+    };
+    let text = format!(
+        "{} {unit}{place}; relative to its terms at most {}",
+        scientific(found.position, 1),
+        scientific(found.scaled, 1)
+    );
+    line(output, "|Φ|", &text)?;
+    line(output, "|Φ_q q̇ + Φ_t|", &scientific(found.velocity, 1))?;
+    line(output, "|Φ_q q̈ - γ|", &scientific(found.acceleration, 1))?;
+    let steps = format!(
+        "{} in {}, polishing included",
+        solution.trajectory.newton_steps,
+        counted(solution.trajectory.visits, "solve")
+    );
+    line(output, "Newton-Raphson steps", &steps)
+}
+
+/// `  title   text`, the second column aligned. Combining dots take no room on the screen.
+fn line(output: &mut dyn Write, title: &str, text: &str) -> io::Result<()> {
+    let combining = |it: &char| ('\u{300}'..'\u{370}').contains(it);
+    let shown = title.chars().filter(|it| !combining(it)).count();
+    let gap = " ".repeat(INDENT.saturating_sub(2 + shown).max(1));
+    writeln!(output, "  {title}{gap}{text}")
+}
+
+/// A count and the names behind it, wrapped.
+fn list(
+    output: &mut dyn Write,
+    title: &str,
+    count: usize,
+    names: impl Iterator<Item = String>,
+) -> io::Result<()> {
+    let mut text = count.to_string();
+    let mut column = INDENT + text.len();
+    for (index, name) in names.enumerate() {
+        let separator = if index == 0 { ": " } else { ", " };
+        let length = name.chars().count() + separator.len();
+        if column + length > WIDTH && column > INDENT {
+            text.push_str(separator.trim_end());
+            text.push('\n');
+            text.push_str(&" ".repeat(INDENT));
+            column = INDENT;
+        } else {
+            text.push_str(separator);
+            column += separator.len();
+        }
+        column += name.chars().count();
+        text.push_str(&name);
+    }
+    line(output, title, &text)
+}

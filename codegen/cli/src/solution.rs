@@ -1,0 +1,137 @@
+//! *A checked System and a schedule → the motion with everything that is to be said about it.*
+//!
+//! What the three outputs (text, JSON, files) have in common, worked out once. The module does not know how it is printed.
+
+use linkwright::{Frame, Motion, Settings};
+use linkwright_codegen::diagnostic::nearest;
+use linkwright_codegen::model::Role;
+use linkwright_codegen::system::System;
+use nalgebra::Dyn;
+
+use crate::condition::{Condition, dimensionless, jacobian};
+use crate::diagnosis;
+use crate::interpreter::Interpreter;
+use crate::residuals::Residuals;
+use crate::schedule::Schedule;
+use crate::trajectory::{Trajectory, follow};
+
+/// The motion of a mechanism over a schedule, as far as it goes.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// The equations.
+    pub system: System,
+    /// The same equations as functions.
+    pub interpreter: Interpreter,
+    /// Which points are shown: indices into the system's outputs.
+    pub points: Vec<usize>,
+    /// The motion.
+    pub trajectory: Trajectory,
+    /// How well-conditioned Φ_q is at the start, in SI units; of the drawing if it cannot be assembled.
+    pub condition: Condition,
+    /// The same with all lengths in characteristic lengths of the mechanism.
+    pub dimensionless_condition: Condition,
+    /// The largest residuals over all frames.
+    pub residuals: Residuals,
+    /// One sentence for each thing to look at.
+    pub warnings: Vec<String>,
+    /// Why the motion ends early, if it does.
+    pub error: Option<String>,
+}
+
+impl Solution {
+    /// Solves `system`, which must have passed `linkwright_codegen::check`; `reached` hears how many times were visited.
+    pub fn new(
+        system: System,
+        points: Vec<usize>,
+        schedule: &Schedule,
+        reached: impl FnMut(usize),
+    ) -> Solution {
+        let interpreter = Interpreter::new(&system);
+        let estimate = interpreter.estimate();
+        let settings = Settings::default();
+        let trajectory = follow(&interpreter, estimate, schedule, &settings, reached);
+        let (q, t) = match &trajectory.start {
+            Some(frame) => (&frame.q, frame.t),
+            None => (estimate, schedule.start.t),
+        };
+        let matrix = jacobian(&interpreter, q, t);
+        Solution {
+            condition: Condition::of(&matrix),
+            dimensionless_condition: Condition::of(&dimensionless(&interpreter, matrix)),
+            residuals: Residuals::over(&interpreter, &trajectory.frames),
+            warnings: diagnosis::warnings(&system, &interpreter, &trajectory),
+            error: trajectory
+                .stop
+                .as_ref()
+                .map(|stop| diagnosis::end(&system, &interpreter, &trajectory, stop)),
+            trajectory,
+            points,
+            interpreter,
+            system,
+        }
+    }
+
+    /// The name of the mechanism.
+    pub fn name(&self) -> &str {
+        &self.system.mechanism.name
+    }
+
+    /// The frames that were wanted and could be solved.
+    pub fn frames(&self) -> &[Frame<f64, Dyn>] {
+        &self.trajectory.frames
+    }
+
+    /// The name and the motion of each shown point at `frame`.
+    pub fn motions<'a>(
+        &'a self,
+        frame: &Frame<f64, Dyn>,
+    ) -> impl Iterator<Item = (&'a str, Motion<f64>)> {
+        let motions = self.interpreter.points(frame);
+        self.points
+            .iter()
+            .map(move |point| (self.point_name(*point), motions[*point]))
+    }
+
+    /// The name of an output.
+    pub fn point_name(&self, point: usize) -> &str {
+        &self.system.outputs[point].name
+    }
+
+    /// How many scalar equations come from joints of `role`.
+    pub fn equation_count(&self, role: Role) -> usize {
+        let joints = &self.system.mechanism.joints;
+        let rows = self.system.rows.iter();
+        rows.filter(|row| joints[row.joint].role == role).count()
+    }
+}
+
+/// The indices of the named outputs, in the order of the names; all outputs if none is named.
+///
+/// # Errors
+/// A sentence that names the first unknown point and the known ones.
+pub fn select(system: &System, names: &[String]) -> Result<Vec<usize>, String> {
+    if names.is_empty() {
+        return Ok((0..system.outputs.len()).collect());
+    }
+    let known = || system.outputs.iter().map(|output| output.name.as_str());
+    let mut selected = Vec::with_capacity(names.len());
+    for name in names {
+        match known().position(|known| known == name) {
+            Some(point) if selected.contains(&point) => {}
+            Some(point) => selected.push(point),
+            None => {
+                let guess = match nearest(name, known()) {
+                    Some(guess) => format!("; did you mean `{guess}`?"),
+                    None => String::new(),
+                };
+                let list: Vec<&str> = known().collect();
+                return Err(format!(
+                    "no point `{name}` in `{}`{guess}\n  its points are: {}",
+                    system.mechanism.name,
+                    list.join(", ")
+                ));
+            }
+        }
+    }
+    Ok(selected)
+}

@@ -1,0 +1,43 @@
+//! *The repository* → *paths of its files*, and files by extension in a stable order.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The root of the repository.
+pub fn repository() -> PathBuf {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    package
+        .parent()
+        .expect("the package lies in the repository")
+        .to_path_buf()
+}
+
+/// A path in this package.
+pub fn package(relative: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(relative)
+}
+
+/// The files of a folder with this extension, sorted by name.
+///
+/// # Panics
+/// If the folder cannot be read.
+pub fn with_extension(folder: &Path, extension: &str) -> Vec<PathBuf> {
+    let entries =
+        fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let mut files: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("a listed file").path())
+        .filter(|path| path.extension().is_some_and(|it| it == extension))
+        .collect();
+    files.sort();
+    files
+}
+
+/// The name of a file without its extension.
+///
+/// # Panics
+/// If it is not UTF-8.
+pub fn stem(path: &Path) -> &str {
+    path.file_stem()
+        .and_then(|stem| stem.to_str())
+        .expect("a file name in UTF-8")
+}

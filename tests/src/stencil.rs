@@ -1,0 +1,83 @@
+//! *Values of a function at equidistant places* → *its first or second derivative, and the largest error it can have*.
+//!
+//! Central differences of fourth order (Abramowitz & Stegun, table 25.2), whose Taylor remainders and rounding errors are
+//! bounded by a [`Majorant`] of the function on the line through the places.
+
+use crate::majorant::Majorant;
+
+/// An estimate of a derivative.
+#[derive(Clone, Copy, Debug)]
+pub struct Quotient {
+    /// The estimate.
+    pub value: f64,
+    /// The largest difference to the derivative.
+    pub error: f64,
+}
+
+/// f'(0) from the values of f at -2h, -h, h, 2h. The majorant holds for |s| ≤ 2h.
+///
+/// (f₋₂ - 8 f₋₁ + 8 f₁ - f₂) / 12h; the remainder of f_i is at most c₅ (i h)⁵.
+pub fn first(values: [f64; 4], h: f64, majorant: &Majorant<6>) -> Quotient {
+    let [f0, f1, f2, f3] = values;
+    let value = ((f0 - f3) + 8.0 * (f2 - f1)) / (12.0 * h);
+    let truncation = (2.0 * 8.0 + 2.0 * 32.0) / 12.0 * majorant.coefficients[5] * h.powi(4);
+    Quotient {
+        value,
+        error: truncation + rounding(majorant, 18.0 / 12.0 / h),
+    }
+}
+
+/// f''(0) from the values of f at -2h, -h, 0, h, 2h. The majorant holds for |s| ≤ 2h.
+///
+/// (-f₋₂ + 16 f₋₁ - 30 f₀ + 16 f₁ - f₂) / 12h²; the remainder of f_i is at most c₆ (i h)⁶.
+pub fn second(values: [f64; 5], h: f64, majorant: &Majorant<7>) -> Quotient {
+    let [f0, f1, f2, f3, f4] = values;
+    let value = (16.0 * (f1 + f3) - (f0 + f4) - 30.0 * f2) / (12.0 * h * h);
+    let truncation = (2.0 * 16.0 + 2.0 * 64.0) / 12.0 * majorant.coefficients[6] * h.powi(4);
+    Quotient {
+        value,
+        error: truncation + rounding(majorant, 64.0 / 12.0 / (h * h)),
+    }
+}
+
+/// What the rounding of the values, and of at most six operations on them, makes of a quotient whose weights have this sum
+/// of absolute values.
+fn rounding<const N: usize>(majorant: &Majorant<N>, weights: f64) -> f64 {
+    weights * (majorant.error + 6.0 * f64::EPSILON * (majorant.coefficients[0] + majorant.error))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// sin(1 + s): coefficients at most 1/k!, values rounded to one unit in the last place.
+    #[test]
+    fn the_errors_of_quotients_of_a_sine_lie_within_their_bounds_and_near_them() {
+        let h = 1.0 / 64.0;
+        let at = |i: f64| (1.0 + i * h).sin();
+        let factorials = [1.0, 1.0, 2.0, 6.0, 24.0, 120.0, 720.0];
+        let coefficients: [f64; 7] = factorials.map(|it: f64| 1.0 / it);
+        let [c0, c1, c2, c3, c4, c5, _] = coefficients;
+        let error = f64::EPSILON;
+        let majorant = Majorant {
+            coefficients: [c0, c1, c2, c3, c4, c5],
+            error,
+        };
+        let slope = first([at(-2.0), at(-1.0), at(1.0), at(2.0)], h, &majorant);
+        let curve = second(
+            [-2.0, -1.0, 0.0, 1.0, 2.0].map(at),
+            h,
+            &Majorant {
+                coefficients,
+                error,
+            },
+        );
+        for (quotient, exact) in [(slope, 1_f64.cos()), (curve, -1_f64.sin())] {
+            let error = (quotient.value - exact).abs();
+            assert!(
+                error <= quotient.error && quotient.error < 20.0 * error,
+                "{error:e}, {quotient:?}"
+            );
+        }
+    }
+}

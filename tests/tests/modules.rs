@@ -1,0 +1,27 @@
+//! Every description is compiled, and the shared list of modules is complete.
+
+use linkwright_tests::description;
+use linkwright_tests::generated::MODULES;
+
+#[test]
+fn every_description_has_a_module_with_its_points() {
+    let mut listed: Vec<&str> = MODULES.iter().map(|module| module.name).collect();
+    listed.sort_unstable();
+    assert_eq!(listed, description::names());
+    for module in MODULES {
+        let system = description::system(module.name);
+        let points: Vec<&str> = system
+            .outputs
+            .iter()
+            .map(|output| output.name.as_str())
+            .collect();
+        assert_eq!(points, module.points, "{}", module.name);
+    }
+}
+
+#[test]
+fn a_file_describes_the_mechanism_it_is_named_after() {
+    for name in description::names() {
+        assert_eq!(description::system(&name).mechanism.name, name);
+    }
+}
