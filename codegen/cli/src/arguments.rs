@@ -70,8 +70,8 @@ pub struct Solve {
 
 const SOLVE_EXAMPLES: &str = "\
 Examples:
-  linkwright solve mechanisms/excavator.mech                     summary, CSV and plots of five seconds
-  linkwright solve mechanisms/excavator.mech --at 2.5 --points K one instant of one point
+  linkwright solve mechanisms/excavator.mech                        summary, CSV and plots of five seconds
+  linkwright solve mechanisms/excavator.mech --at 2.5 --points K    one instant of one point
   linkwright solve mechanisms/two_body.mech --csv - > motion.csv
   linkwright solve mechanisms/two_body.mech --json | jq '.frames[-1].points.Q'
 

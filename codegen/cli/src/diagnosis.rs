@@ -2,7 +2,7 @@
 //!
 //! The module does not solve anything; it evaluates Φ and Φ_q where the solver stopped.
 
-use linkwright::{Equations, Failure, FailureKind};
+use linkwright::{Equations, FailureKind};
 use linkwright_codegen::system::System;
 use nalgebra::{DMatrix, DVector};
 
@@ -47,7 +47,7 @@ pub fn warnings(
             Event::Minimum => "Φ_q is close to singular",
         };
         let who = match candidate.event {
-            Event::Jump => String::new(),
+            Event::Jump if !candidate.is_weak(largest) => String::new(),
             _ => format!(
                 "; {}",
                 concerned(system, interpreter, &candidate.q, candidate.t)
@@ -88,63 +88,85 @@ pub fn end(
     let matrix = scaled_jacobian(interpreter, q, t);
     let reciprocal = Condition::of(&matrix).reciprocal;
     let limit = (NEAR_END * trajectory.largest_reciprocal).max(ABSOLUTE);
-    let singular = reciprocal < limit || matches!(stop.failure.kind, FailureKind::Singular { .. });
+    let already_said = matches!(stop.failure.kind, FailureKind::Singular { .. });
+    let singular = reciprocal < limit || already_said;
     let mut sentence = match &stop.last {
         Some(_) => format!("cannot be solved beyond t = {} s", time(t)),
         None => format!("cannot be assembled at t = {} s", time(t)),
     };
     sentence.push_str(": ");
-    sentence.push_str(&reason(system, &stop.failure));
+    sentence.push_str(&reason(system, interpreter, stop));
     if stop.last.is_none() && reciprocal.is_finite() {
         sentence.push_str(&drawing(system, interpreter, t));
     }
     if singular {
-        sentence.push_str(&format!(
-            "; Φ_q is singular there; {}",
-            concerned(system, interpreter, q, t)
-        ));
+        if !already_said {
+            sentence.push_str("; Φ_q is singular there");
+        }
+        sentence.push_str("; ");
+        sentence.push_str(&concerned(system, interpreter, q, t));
+    } else if stop.last.is_none() && stop.failure.kind != FailureKind::NotFinite {
+        sentence.push_str(
+            "; the drawing is too far from any pose that satisfies the equations, or there is none",
+        );
     }
     sentence
 }
 
 /// What happened, with the joint whose equation is farthest from being satisfied.
-fn reason(system: &System, failure: &Failure<f64>) -> String {
-    let label = system
-        .rows
-        .get(usize::from(failure.row))
-        .map_or("", |row| system.mechanism.joints[row.joint].label.as_str());
-    let residual = scientific(failure.residual, 1);
-    let steps = format!("after {} Newton-Raphson steps", failure.iterations);
-    match failure.kind {
-        FailureKind::Singular { pivot_ratio, .. } => format!(
-            "no pivot of Φ_q exceeds {} of its largest entry",
-            scientific(pivot_ratio, 1)
-        ),
+fn reason(system: &System, interpreter: &Interpreter, stop: &Stop) -> String {
+    let failure = &stop.failure;
+    let label = |row: usize| match system.rows.get(row) {
+        Some(row) => system.mechanism.joints[row.joint].label.as_str(),
+        None => "",
+    };
+    let not_finite = |row: usize, what: &str| {
+        format!(
+            "{what} of `{}` is not finite at t = {} s",
+            label(row),
+            time(failure.time)
+        )
+    };
+    let row = usize::from(failure.row);
+    let what = match failure.kind {
+        FailureKind::Singular { pivot_ratio, .. } => {
+            return format!(
+                "Φ_q is singular (pivot ratio {})",
+                scientific(pivot_ratio, 1)
+            );
+        }
         FailureKind::NotFinite if !failure.residual.is_finite() => {
-            format!(
-                "`{label}` has no finite value at t = {} s",
-                time(failure.time)
-            )
+            return not_finite(row, "the residual");
         }
-        FailureKind::NotFinite => "its velocity or acceleration is not finite".to_string(),
-        FailureKind::Diverged => {
-            format!(
-                "the iteration runs away {steps}, with a scaled residual of {residual} in `{label}`"
-            )
+        FailureKind::NotFinite => {
+            return match row_of_infinite_rate(interpreter, stop) {
+                Some(row) => not_finite(row, "a time derivative"),
+                None => "a coordinate, velocity or acceleration is not finite".to_string(),
+            };
         }
-        FailureKind::Cycling => {
-            format!(
-                "the iteration repeats itself {steps}, with a scaled residual of {residual} in `{label}`"
-            )
-        }
-        FailureKind::Stalled => {
-            format!(
-                "the iteration stalls {steps}, with a scaled residual of {residual} in `{label}`"
-            )
-        }
-        // New kinds of failure are possible in later versions of the runtime; each has these figures.
-        _ => format!("no solution {steps}, with a scaled residual of {residual} in `{label}`"),
-    }
+        FailureKind::Diverged => "Newton-Raphson runs away",
+        FailureKind::Cycling => "Newton-Raphson repeats itself",
+        FailureKind::Stalled => "Newton-Raphson stalls",
+        // Later versions of the runtime may know more kinds of failure; each has these figures.
+        _ => "Newton-Raphson does not converge",
+    };
+    format!(
+        "{what}; after {} steps `{}` is violated by {} of its scale",
+        failure.iterations,
+        label(row),
+        scientific(failure.residual, 1)
+    )
+}
+
+/// The first equation with a time derivative that is not finite where the motion ends.
+fn row_of_infinite_rate(interpreter: &Interpreter, stop: &Stop) -> Option<usize> {
+    let last = stop.last.as_ref()?;
+    let t = stop.failure.time;
+    let mut rate = DVector::zeros(last.q.len());
+    interpreter.time_derivative(&last.q, t, &mut rate);
+    let mut gamma = rate.clone();
+    interpreter.gamma(&last.q, &last.qd, t, &mut gamma);
+    (0..rate.len()).find(|row| !(rate[*row].is_finite() && gamma[*row].is_finite()))
 }
 
 /// By how much the drawing violates its worst equation.

@@ -13,7 +13,7 @@ use crate::solution::Solution;
 /// Those of `output`.
 pub fn write(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
     let mut table = csv::Writer::from_writer(output);
-    table.write_record(header(solution))?;
+    table.write_record(header(solution)).map_err(cause)?;
     let mut fields = Vec::new();
     for frame in solution.frames() {
         fields.clear();
@@ -25,7 +25,7 @@ pub fn write(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
             let values = [motion.position, motion.velocity, motion.acceleration];
             fields.extend(values.into_iter().flatten().map(number));
         }
-        table.write_record(&fields)?;
+        table.write_record(&fields).map_err(cause)?;
     }
     table.flush()
 }
@@ -41,6 +41,14 @@ fn header(solution: &Solution) -> Vec<String> {
         names.extend(["x", "y", "vx", "vy", "ax", "ay"].map(|it| format!("{name}_{it}")));
     }
     names
+}
+
+/// The error of the output itself, whose kind the conversion of the standard library would hide.
+fn cause(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(cause) => cause,
+        other => io::Error::other(format!("{other:?}")),
+    }
 }
 
 fn number(value: f64) -> String {

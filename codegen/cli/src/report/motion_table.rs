@@ -1,7 +1,7 @@
 //! *The motion of a point → a table of a readable number of times.*
 //!
 //! Columns are aligned at the decimal point; a column is in exponents only where six decimals would not show it. Numbers
-//! below [`NOISE`] of the mechanism's size count as zero. The module does not know what is to be said beside the table.
+//! below 1e-12 of the mechanism's size count as zero. The module does not know what is to be said beside the table.
 
 use linkwright::Motion;
 
@@ -13,17 +13,20 @@ const ROWS: usize = 11;
 /// The fraction of the mechanism's size (and of that per second) that is rounding.
 const NOISE: f64 = 1e-12;
 
-/// Which of `count` frames are shown: all of a few, otherwise the first, the last and equally spaced ones between.
+/// Which of `count` frames are shown: all of a few, otherwise every k-th and the last, with k of the series 1, 2, 5, 10 …
+/// so that times stay round.
 pub fn shown(count: usize) -> Vec<usize> {
-    if count <= ROWS {
-        return (0..count).collect();
+    let last = count.saturating_sub(1);
+    let strides = (0..).flat_map(|power| [1, 2, 5].map(|digit| digit * 10_usize.pow(power)));
+    let stride = strides
+        .take_while(|stride| *stride <= last)
+        .find(|stride| last.div_ceil(*stride) < ROWS)
+        .unwrap_or(last.max(1));
+    let mut shown: Vec<usize> = (0..count).step_by(stride).collect();
+    if !last.is_multiple_of(stride) {
+        shown.push(last);
     }
-    let last = count - 1;
-    let fits = |intervals: &usize| last.is_multiple_of(*intervals);
-    let intervals = (5..ROWS).rev().find(fits).unwrap_or(ROWS - 1);
-    (0..=intervals)
-        .map(|k| (k * last + intervals / 2) / intervals)
-        .collect()
+    shown
 }
 
 /// The table of one point. `size` is the characteristic length of the mechanism.
@@ -90,13 +93,20 @@ mod tests {
 
     #[test]
     fn few_rows_with_round_times() {
+        assert!(shown(0).is_empty());
         assert_eq!(shown(1), [0]);
         assert_eq!(shown(11).len(), 11);
         assert_eq!(shown(501), (0..=10).map(|k| 50 * k).collect::<Vec<_>>());
         assert_eq!(shown(13), [0, 2, 4, 6, 8, 10, 12]);
-        let odd = shown(1_008);
-        assert_eq!((odd.len(), odd[0], odd[10]), (11, 0, 1007));
-        assert!(odd.is_sorted());
+        assert_eq!(shown(1008), [0, 200, 400, 600, 800, 1000, 1007]);
+        for count in 2..5000 {
+            let rows = shown(count);
+            assert!(
+                rows.len() <= ROWS && rows.is_sorted_by(|a, b| a < b),
+                "{rows:?}"
+            );
+            assert_eq!((rows[0], rows[rows.len() - 1]), (0, count - 1));
+        }
     }
 
     #[test]

@@ -6,11 +6,16 @@
 use linkwright::Motion;
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::solution::Solution;
 
-/// Width and height in pixels.
+/// Width and height of a picture in pixels.
 const SIZE: (u32, u32) = (960, 900);
+
+/// The drawing library rounds coordinates to whole units, which would make curves ragged: it draws in quarters of a
+/// pixel, and every length below is multiplied by this.
+const UNITS: u32 = 4;
 
 /// Blue and vermillion of the palette of Okabe and Ito, which remain distinct for the color-blind.
 const COLORS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
@@ -97,17 +102,21 @@ fn picture(
     motions: &[Motion<f64>],
     panels: &[Panel],
 ) -> Result<String, Refused> {
+    let units = (SIZE.0 * UNITS, SIZE.1 * UNITS);
     let mut text = String::new();
     {
-        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        let area = SVGBackend::with_string(&mut text, units).into_drawing_area();
         area.fill(&WHITE)?;
-        let body = area.titled(title, ("sans-serif", 24))?;
+        let area = area.margin(8 * UNITS, 0, 0, 0);
+        let body = area.titled(title, ("sans-serif", 22 * UNITS))?;
         for (area, panel) in body.split_evenly((panels.len(), 1)).iter().zip(panels) {
             draw_panel(area, panel, times, motions)?;
         }
         area.present()?;
     }
-    Ok(text)
+    // The view box keeps the units; only the size at which it is shown changes.
+    let size = |(width, height): (u32, u32)| format!("width=\"{width}\" height=\"{height}\"");
+    Ok(text.replacen(&size(units), &size(SIZE), 1))
 }
 
 fn draw_panel(
@@ -121,19 +130,20 @@ fn draw_panel(
     let (low, high) = range(components.iter().flatten().copied(), panel.reference);
     let (begin, end) = (times[0], times[times.len() - 1]);
     let mut chart = ChartBuilder::on(area)
-        .margin(8)
-        .margin_right(24)
-        .x_label_area_size(42)
-        .y_label_area_size(84)
+        .margin(8 * UNITS)
+        .margin_right(72 * UNITS)
+        .x_label_area_size(42 * UNITS)
+        .y_label_area_size(84 * UNITS)
         .build_cartesian_2d(begin..end, low..high)?;
     let (across, up) = (label_format(begin, end), label_format(low, high));
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)
-        .bold_line_style(BLACK.mix(0.12))
-        .axis_style(BLACK.mix(0.6))
-        .label_style(("sans-serif", 15))
-        .axis_desc_style(("sans-serif", 16))
+        .bold_line_style(BLACK.mix(0.12).stroke_width(UNITS))
+        .axis_style(BLACK.mix(0.6).stroke_width(UNITS))
+        .set_all_tick_mark_size(4 * UNITS)
+        .label_style(("sans-serif", 15 * UNITS))
+        .axis_desc_style(("sans-serif", 16 * UNITS))
         .x_labels(11)
         .y_labels(7)
         .x_label_formatter(&across)
@@ -141,24 +151,21 @@ fn draw_panel(
         .x_desc("t (s)")
         .y_desc(format!("{} ({})", panel.title, panel.unit))
         .draw()?;
-    for ((values, color), symbol) in components.iter().zip(COLORS).zip(panel.symbols) {
-        chart
-            .draw_series(LineSeries::new(
-                thinned(times, values),
-                color.stroke_width(2),
-            ))?
-            .label(symbol)
-            .legend(move |(x, y)| {
-                PathElement::new(vec![(x, y), (x + 20, y)], color.stroke_width(2))
-            });
+    let (width, _) = area.dim_in_pixel();
+    let units = UNITS as i32;
+    let left = width as i32 - 62 * units;
+    let curves = components.iter().zip(COLORS).zip(panel.symbols);
+    for (row, ((values, color), symbol)) in (0..).zip(curves) {
+        let stroke = color.stroke_width(2 * UNITS);
+        chart.draw_series(LineSeries::new(thinned(times, values), stroke))?;
+        // The legend stands beside the curves, where it hides nothing.
+        let y = (24 + 22 * row) * units;
+        let sample = vec![(left, y), (left + 20 * units, y)];
+        area.draw(&PathElement::new(sample, stroke))?;
+        let style = TextStyle::from(("sans-serif", 15 * UNITS).into_font())
+            .pos(Pos::new(HPos::Left, VPos::Center));
+        area.draw(&Text::new(symbol, (left + 26 * units, y), style))?;
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .background_style(WHITE.mix(0.85))
-        .border_style(BLACK.mix(0.2))
-        .label_font(("sans-serif", 15))
-        .draw()?;
     Ok(())
 }
 

@@ -1,0 +1,5 @@
+//! The command from the outside: exit codes, output and files.
+
+mod folder;
+mod generate_and_inspect;
+mod solve;
