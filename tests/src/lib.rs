@@ -2,6 +2,7 @@
 //!
 //! One thing per module. Nothing here asserts what a test is about; the files under `tests/` do.
 
+pub mod baseline;
 pub mod description;
 pub mod deviation;
 pub mod files;
@@ -9,6 +10,7 @@ pub mod generated;
 pub mod magnitude;
 pub mod majorant;
 pub mod random;
+pub mod reference;
 pub mod sample;
 pub mod solver;
 pub mod stencil;
