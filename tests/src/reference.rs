@@ -27,3 +27,24 @@ pub fn reference(mechanism: &str) -> Table {
     let (_, file) = entry.unwrap_or_else(|| panic!("`{mechanism}` has no reference"));
     Table::read(file)
 }
+
+/// What the errors of each column after t are measured in: the largest absolute value in the column, or, in a column of zeros,
+/// the largest among the columns of the same level (q, q̇ or q̈).
+pub fn yardsticks(table: &Table) -> Vec<f64> {
+    let magnitudes: Vec<f64> = (1..table.names.len())
+        .map(|column| table.magnitude(column))
+        .collect();
+    let level_length = magnitudes.len() / 3;
+    magnitudes
+        .iter()
+        .enumerate()
+        .map(|(index, magnitude)| {
+            if *magnitude > 0.0 {
+                return *magnitude;
+            }
+            let start = index / level_length * level_length;
+            let level = &magnitudes[start..start + level_length];
+            level.iter().copied().fold(0.0, f64::max)
+        })
+        .collect()
+}

@@ -28,6 +28,7 @@ const ITERATIONS: usize = 50;
 /// A mechanism with its last frame.
 pub struct Baseline {
     joints: Vec<Box<dyn Joint>>,
+    drawn: DVector<f64>,
     /// The time of the frame (s).
     pub t: f64,
     /// The pose q (n).
@@ -63,15 +64,25 @@ impl Baseline {
             .coordinates
             .iter()
             .map(|it| reading.constant(it.estimate));
+        let drawn = DVector::from_iterator(n, estimate);
         Baseline {
             joints,
             t: 0.0,
-            q: DVector::from_iterator(n, estimate),
+            q: drawn.clone(),
+            drawn,
             qd: DVector::zeros(n),
             qdd: DVector::zeros(n),
             phi: DVector::zeros(n),
             phi_q: DMatrix::zeros(n, n),
         }
+    }
+
+    /// Back to the drawing at t = 0, at rest.
+    pub fn reset(&mut self) {
+        self.t = 0.0;
+        self.q.copy_from(&self.drawn);
+        self.qd.fill(0.0);
+        self.qdd.fill(0.0);
     }
 
     /// Moves the mechanism to the time `t`.
