@@ -5,6 +5,7 @@
 pub mod baseline;
 pub mod description;
 pub mod deviation;
+pub mod dyad_chain;
 pub mod files;
 pub mod generated;
 pub mod magnitude;

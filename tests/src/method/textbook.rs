@@ -6,7 +6,7 @@ pub(super) const SETTINGS: [(&str, f64, bool); 4] = [
     ("1e-6", 1e-6, false),
     ("1e-9", 1e-9, false),
     ("1e-12", 1e-12, false),
-    ("1e-12 and polish", 1e-12, true),
+    ("1e-12, polished", 1e-12, true),
 ];
 
 /// Implements [`super::Method`] for a module with the type of its mechanism, and lists its methods.

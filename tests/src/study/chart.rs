@@ -105,6 +105,7 @@ fn panel(
     let (bottom, top) = decades(errors.map(|error| error.max(SMALLEST)));
     let mut chart = ChartBuilder::on(area)
         .margin(8)
+        .margin_right(28)
         .caption(LEVELS[level], ("sans-serif", 20))
         .x_label_area_size(36)
         .y_label_area_size(58)

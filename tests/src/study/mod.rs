@@ -4,6 +4,7 @@
 
 pub mod chart;
 pub mod environment;
+pub mod exponent;
 pub mod growth;
 pub mod measurement;
 pub mod table;
