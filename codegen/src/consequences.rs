@@ -28,8 +28,10 @@ fn may_follow(diagnostic: &Diagnostic, source: &Source, unread_words: &[&str]) -
         Code::UnknownName | Code::PointNotOnBody => {
             text_of(diagnostic.primary.span, source).is_none_or(|word| unread_words.contains(&word))
         }
-        // The joint or the body that is asked for may be among the unread statements.
-        Code::WrongForm | Code::NoBodies => true,
+        // The only form that depends on other statements is a length driver, which asks for a translational joint.
+        Code::WrongForm => unread_words.contains(&"along"),
+        // The body that is asked for may be among the unread statements.
+        Code::NoBodies => true,
         _ => false,
     }
 }

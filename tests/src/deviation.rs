@@ -3,6 +3,10 @@
 use crate::solver::Solver;
 use crate::table::Table;
 
+/// The magnitude against which a column of zeros is judged: what does not move in the reference may carry the rounding of
+/// its equations, 1e-15 where others may be wrong by 1e-12 of their magnitude.
+pub const STILL: f64 = 1e-3;
+
 /// The largest difference in a column.
 #[derive(Clone, Debug)]
 pub struct Deviation {
@@ -17,13 +21,9 @@ pub struct Deviation {
 }
 
 impl Deviation {
-    /// The difference in magnitudes of the column; infinite where something deviates from a column of zeros.
+    /// The difference in magnitudes of the column, but at least [`STILL`].
     pub fn relative(&self) -> f64 {
-        if self.error == 0.0 {
-            0.0
-        } else {
-            self.error / self.magnitude
-        }
+        self.error / self.magnitude.max(STILL)
     }
 }
 

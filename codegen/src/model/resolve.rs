@@ -159,8 +159,10 @@ pub(crate) fn type_name(mechanism: &str) -> String {
     let words = mechanism.split('_').filter(|word| !word.is_empty());
     words
         .map(|word| {
-            let (first, rest) = word.split_at(1);
-            first.to_ascii_uppercase() + rest
+            // A name that is not ASCII has been reported, but comes here too.
+            let mut rest = word.chars();
+            let first = rest.next().map(|it| it.to_ascii_uppercase());
+            first.into_iter().chain(rest).collect::<String>()
         })
         .collect()
 }

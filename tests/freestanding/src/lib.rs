@@ -1,4 +1,4 @@
-//! Hand-written mechanisms → a static library that links only if neither a panic path nor an allocation survives.
+//! Hand-written and generated mechanisms → a static library that links only if neither a panic path nor an allocation survives.
 //!
 //! The panic handler calls the symbol `PANIC_PATH`, which nothing defines. After `cargo build --release` the library's
 //! symbols tell: `nm` must list neither ` U PANIC_PATH` nor an allocator (`__rust_alloc`, `__rdl_alloc`). All inputs
@@ -7,6 +7,7 @@
 
 #[path = "../../../runtime/tests/exam_equations/mod.rs"]
 mod exam_equations;
+mod mechanisms;
 mod ring;
 
 use linkwright::nalgebra::{Const, SVector};
@@ -81,3 +82,10 @@ export!(exam_f64, f64, 6, exam_equations::Exam);
 export!(exam_f32, f32, 6, exam_equations::Exam);
 export!(ring_f64, f64, ring::SIZE, ring::Ring);
 export!(ring_f32, f32, ring::SIZE, ring::Ring);
+
+/// An index that only the caller knows: a panic path that no optimizer removes.
+#[cfg(feature = "planted")]
+#[unsafe(no_mangle)]
+pub extern "C" fn planted(values: &[f64; 4], index: usize) -> f64 {
+    values[index]
+}

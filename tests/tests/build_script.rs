@@ -1,0 +1,117 @@
+//! `linkwright_codegen::build` in a package of a user: the generated module compiles and runs without a warning, and
+//! mistakes in a description come out as errors with their place.
+//!
+//! The package `fixtures/user` is copied before it is built, with the lock file of the workspace, so that nothing has to be
+//! downloaded and the repository stays as it is.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use linkwright_tests::files;
+
+/// A copy of the package in which the description is `description`.
+fn copy(name: &str, description: &Path) -> PathBuf {
+    let (from, to) = (
+        files::package("fixtures/user"),
+        PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name),
+    );
+    for folder in ["src", "descriptions"] {
+        fs::create_dir_all(to.join(folder)).expect("a folder for the copy");
+    }
+    let repository = files::repository();
+    let manifest = fs::read_to_string(from.join("Cargo.toml")).expect("a manifest");
+    // Cargo tells packages of one target folder apart by their names, not by where they lie.
+    let manifest = manifest.replace("name = \"user\"", &format!("name = \"{name}\""));
+    let manifest = manifest.replace("../../..", repository.to_str().expect("a path in UTF-8"));
+    fs::write(to.join("Cargo.toml"), manifest).expect("the copy is writable");
+    let lock = repository.join("Cargo.lock");
+    for (from, relative) in [
+        (lock.as_path(), "Cargo.lock"),
+        (&from.join("build.rs"), "build.rs"),
+        (&from.join("src/lib.rs"), "src/lib.rs"),
+        (description, "descriptions/slider_crank.mech"),
+    ] {
+        fs::copy(from, to.join(relative)).expect("the copy is writable");
+    }
+    to
+}
+
+fn cargo(package: &Path, command: &str) -> Output {
+    Command::new(env!("CARGO"))
+        .args([command, "--offline", "--manifest-path"])
+        .arg(package.join("Cargo.toml"))
+        .arg("--target-dir")
+        .arg(PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("user-target"))
+        .env("CARGO_TERM_COLOR", "never")
+        .output()
+        .expect("cargo runs")
+}
+
+fn good() -> PathBuf {
+    files::package("fixtures/user/descriptions/slider_crank.mech")
+}
+
+#[test]
+fn a_good_description_compiles_without_a_warning_and_moves() {
+    let output = cargo(&copy("user", &good()), "test");
+    let printed = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        output.status.success(),
+        "{printed}{}",
+        String::from_utf8_lossy(&output.stdout)
+    );
+    assert!(!printed.contains("warning"), "{printed}");
+}
+
+#[test]
+fn the_generated_module_is_clean_under_clippy() {
+    let output = cargo(&copy("user-clippy", &good()), "clippy");
+    let printed = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        output.status.success() && !printed.contains("warning"),
+        "{printed}"
+    );
+}
+
+#[test]
+fn mistakes_in_a_description_are_errors_with_their_place() {
+    let output = cargo(
+        &copy(
+            "user-broken",
+            &files::package("fixtures/slider_crank_broken.mech"),
+        ),
+        "build",
+    );
+    assert!(!output.status.success(), "the build must stop");
+    let printed = String::from_utf8_lossy(&output.stderr).into_owned();
+    for expected in [
+        "descriptions/slider_crank.mech:11:5",
+        "11 |     revolut B(2, 3);",
+        "   |     ^^^^^^^",
+        "descriptions/slider_crank.mech:12:21",
+        "12 |     absolute_y(3) = 30deg;",
+        "   |                     ^^^^^",
+        "descriptions/slider_crank.mech:15:22",
+        "15 |     drive phi(1) = 2*pie*t;",
+        "   |                      ^^^",
+        "error: 3 errors in descriptions/slider_crank.mech",
+    ] {
+        assert!(
+            printed.contains(expected),
+            "`{expected}` is missing in\n{printed}"
+        );
+    }
+    // An error of the description is no crash of the generator.
+    assert!(
+        !printed.contains("panicked") && !printed.contains("backtrace"),
+        "{printed}"
+    );
+    // A mended description is read without any further step.
+    let mended = cargo(&copy("user-broken", &good()), "build");
+    assert!(
+        mended.status.success(),
+        "{}",
+        String::from_utf8_lossy(&mended.stderr)
+    );
+}

@@ -1,0 +1,120 @@
+//! The runtime and every generated mechanism as a static library without std: no panic path, no allocator, nothing of the
+//! standard library.
+//!
+//! The library's panic handler calls the symbol `PANIC_PATH`, which nothing defines. What `nm` lists as undefined is all
+//! that the library needs from outside.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use linkwright_tests::{description, files};
+
+/// What the compiler itself may call, also on a microcontroller: copying, filling and comparing memory.
+const ALLOWED: [&str; 5] = ["memcpy", "memmove", "memset", "memcmp", "bcmp"];
+
+/// Builds the library in release and gives its path.
+fn build(features: &[&str]) -> PathBuf {
+    // A folder per set of features: cargo would overwrite the library of another test.
+    let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+        .join(format!("freestanding{}", features.concat()));
+    let output = Command::new(env!("CARGO"))
+        .args(["build", "--release", "--manifest-path"])
+        .arg(files::package("freestanding/Cargo.toml"))
+        .args(features.iter().flat_map(|feature| ["--features", feature]))
+        .arg("--target-dir")
+        .arg(&target)
+        .output()
+        .expect("cargo runs");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    target.join("release/liblinkwright_freestanding.a")
+}
+
+/// The symbols that `nm` lists with this option: of all objects in the archive, or of those whose name starts with a prefix.
+fn symbols(library: &Path, option: &str, object: &str) -> BTreeSet<String> {
+    let output = Command::new("nm")
+        .args([option, "--print-file-name"])
+        .arg(library)
+        .output()
+        .expect("nm runs (binutils)");
+    let listed = String::from_utf8(output.stdout).expect("names in UTF-8");
+    let mut symbols = BTreeSet::new();
+    // `archive:object:address kind symbol`
+    for line in listed.lines() {
+        let member = line.rsplit_once(".a:").map(|(_, member)| member);
+        if member.is_some_and(|member| member.starts_with(object)) {
+            symbols.extend(line.split_whitespace().last().map(str::to_string));
+        }
+    }
+    assert!(
+        !symbols.is_empty(),
+        "nm lists nothing for {}",
+        library.display()
+    );
+    symbols
+}
+
+fn is_allocator(symbol: &str) -> bool {
+    let names = [
+        "__rust_alloc",
+        "__rust_realloc",
+        "__rust_dealloc",
+        "__rdl_",
+        "__rg_",
+        "handle_alloc_error",
+    ];
+    ["malloc", "calloc", "realloc", "free"].contains(&symbol)
+        || names.iter().any(|name| symbol.contains(name))
+}
+
+#[test]
+fn no_panic_path_and_no_allocator_survives_and_nothing_of_std_is_needed() {
+    let library = build(&[]);
+    let undefined = symbols(&library, "--undefined-only", "");
+    let defined = symbols(&library, "--defined-only", "");
+    assert!(!undefined.contains("PANIC_PATH"), "a panic path survives");
+    let allocators: Vec<&String> = undefined
+        .union(&defined)
+        .filter(|symbol| is_allocator(symbol))
+        .collect();
+    assert!(allocators.is_empty(), "{allocators:?}");
+    // The other objects are compiler_builtins, which cargo adds to every static library.
+    let own = symbols(&library, "--undefined-only", "linkwright_freestanding-");
+    let needed: Vec<&String> = own
+        .iter()
+        .filter(|symbol| !ALLOWED.contains(&symbol.as_str()))
+        .collect();
+    assert!(needed.is_empty(), "the library needs {needed:?}");
+    for name in description::names() {
+        assert!(defined.contains(&name), "{name} is not in the library");
+    }
+    println!("undefined: {own:?}");
+}
+
+/// All points are exported too, not only the mechanisms.
+#[test]
+fn every_point_is_in_the_library() {
+    let text =
+        fs::read_to_string(files::package("freestanding/src/mechanisms.rs")).expect("the list");
+    let list = text.split("export! {").nth(1).expect("the list");
+    for name in description::names() {
+        let start = list
+            .find(&format!("{name}: "))
+            .unwrap_or_else(|| panic!("{name} is not listed"));
+        let block = list[start..].split('}').next().unwrap_or_default();
+        for output in description::system(&name).outputs {
+            let motion = format!("point_{}", output.name.to_lowercase());
+            assert!(block.contains(&motion), "{motion} of {name} is not listed");
+        }
+    }
+}
+
+#[test]
+fn a_planted_panic_is_found() {
+    assert!(symbols(&build(&["planted"]), "--undefined-only", "").contains("PANIC_PATH"));
+}

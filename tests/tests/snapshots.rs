@@ -1,0 +1,134 @@
+//! The equations of both seeds as they are printed: as Rust, as text in ASCII and in Unicode, and as LaTeX.
+
+use linkwright_codegen::emit::{Notation, latex, text};
+use linkwright_codegen::generate;
+use linkwright_tests::{description, files};
+
+fn snapshot(name: &str, printed: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(files::package("snapshots/equations"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, printed));
+}
+
+fn rust(name: &str) -> String {
+    let source = description::source(name);
+    generate(&source)
+        .unwrap_or_else(|errors| panic!("{}", errors.render(&source)))
+        .code
+}
+
+fn ascii(name: &str) -> String {
+    text::inspect(&description::system(name), Notation::Ascii)
+}
+
+fn unicode(name: &str) -> String {
+    text::inspect(&description::system(name), Notation::Unicode)
+}
+
+fn typeset(name: &str) -> String {
+    latex::inspect(&description::system(name))
+}
+
+/// The equations of the mechanism of this name in one form.
+type Print = fn(&str) -> String;
+
+/// The forms by the ends of their file names.
+const PRINTINGS: [(&str, Print); 4] = [
+    ("rust", rust),
+    ("ascii", ascii),
+    ("unicode", unicode),
+    ("latex", typeset),
+];
+
+#[test]
+fn the_seeds_are_printed_as_in_their_snapshots() {
+    for name in ["two_body", "excavator"] {
+        for (form, print) in PRINTINGS {
+            snapshot(&format!("{name}.{form}"), &print(name));
+        }
+    }
+}
+
+#[test]
+fn no_snapshot_is_orphaned() {
+    for path in files::with_extension(&files::package("snapshots/equations"), "snap") {
+        let stem = files::stem(&path);
+        let (name, form) = stem.split_once('.').unwrap_or((stem, ""));
+        let is_printed = ["two_body", "excavator"].contains(&name)
+            && PRINTINGS.iter().any(|(it, _)| *it == form);
+        assert!(is_printed, "{stem} is printed by no test");
+    }
+}
+
+/// Φ row by row, as the exam writes it.
+const EXAM: [&str; 6] = [
+    "x1",
+    "y1",
+    "x1 + cos(phi1) - x2 + sqrt(3)*cos(phi2)",
+    "y1 + sin(phi1) - y2 + sqrt(3)*sin(phi2)",
+    "x2 - sqrt(3)",
+    "phi1 - pi/6 - sin(2*t)",
+];
+
+#[test]
+fn the_equations_of_the_exam_are_written_as_the_exam_writes_them() {
+    let system = description::system("two_body");
+    let rows: Vec<String> = system
+        .rows
+        .iter()
+        .map(|row| text::formula(&system, &row.bodies, Notation::Ascii, row.residual))
+        .collect();
+    assert_eq!(rows, EXAM);
+    let code = rust("two_body");
+    for row in EXAM {
+        assert!(
+            code.contains(&format!("`{row}`")),
+            "{row} is not in the documentation of `phi`"
+        );
+    }
+}
+
+/// Φ_q as the exam's question 6 prints it.
+#[test]
+fn the_jacobian_of_the_exam_is_written_as_the_exam_writes_it() {
+    let system = description::system("two_body");
+    let printed: Vec<Vec<(usize, String)>> = system
+        .rows
+        .iter()
+        .map(|row| {
+            let entry = |expr| text::formula(&system, &row.bodies, Notation::Ascii, expr);
+            row.jacobian
+                .iter()
+                .map(|it| (it.coordinate, entry(it.value)))
+                .collect()
+        })
+        .collect();
+    let exam: [&[(usize, &str)]; 6] = [
+        &[(0, "1")],
+        &[(1, "1")],
+        &[
+            (0, "1"),
+            (2, "-sin(phi1)"),
+            (3, "-1"),
+            (5, "-sqrt(3)*sin(phi2)"),
+        ],
+        &[
+            (1, "1"),
+            (2, "cos(phi1)"),
+            (4, "-1"),
+            (5, "sqrt(3)*cos(phi2)"),
+        ],
+        &[(3, "1")],
+        &[(2, "1")],
+    ];
+    for (row, exam) in printed.iter().zip(exam) {
+        let row: Vec<(usize, &str)> = row
+            .iter()
+            .map(|(column, entry)| (*column, entry.as_str()))
+            .collect();
+        assert_eq!(row, exam);
+    }
+    assert_eq!(printed.len(), exam.len());
+}
