@@ -85,9 +85,13 @@ pub fn check(system: &System) -> Result<Plan, Diagnostics> {
 /// # Errors
 /// Every error of the description; nothing is written then.
 pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
-    let Read { system, warnings } = read(source)?;
+    let Read {
+        mut system,
+        warnings,
+    } = read(source)?;
     let plan = check(&system)?;
-    let program = program::lower(&system, plan);
+    let solved = structure::plan(&mut system);
+    let program = program::lower(&mut system, plan, solved.as_ref());
     let code = emit::rust::module(&system, &program);
     Ok(Generated {
         name: system.mechanism.name.clone(),

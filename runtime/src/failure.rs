@@ -48,6 +48,11 @@ pub enum FailureKind<T = f64> {
     Stalled,
     /// None of the other failures occurred within [`crate::Settings::iterations`] steps.
     IterationLimit,
+    /// The links of a closed-form block do not span the distance between their far pins.
+    OutOfReach {
+        /// How much is missing, in m.
+        by: T,
+    },
     /// A time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is infinite or NaN,
     /// or a scale of the equations is not a positive finite number.
     NotFinite,
@@ -80,6 +85,10 @@ impl<T: Real> fmt::Display for Failure<T> {
                     formatter,
                     "singular Jacobian: pivot ratio {pivot_ratio:.1e} at coordinate {column}"
                 )?;
+                None
+            }
+            FailureKind::OutOfReach { by } => {
+                write!(formatter, "out of reach by {by:.1e} m")?;
                 None
             }
             FailureKind::Diverged => Some("diverged"),

@@ -60,6 +60,7 @@
 //! ```
 #![no_std]
 
+pub mod closed_form;
 pub mod equations;
 pub mod failure;
 pub mod kinematics;
@@ -74,6 +75,7 @@ mod vector;
 
 pub use nalgebra;
 
+pub use closed_form::Branch;
 pub use equations::Equations;
 pub use failure::{Failure, FailureKind};
 pub use kinematics::{Frame, advance, assemble};

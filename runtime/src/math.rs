@@ -73,6 +73,8 @@ pub trait Real:
     fn powf(self, exponent: Self) -> Self;
     /// The length √(`self`² + `other`²) without intermediate overflow.
     fn hypot(self, other: Self) -> Self;
+    /// The nearest whole number; halves away from zero.
+    fn round(self) -> Self;
     /// Whether the scalar is neither infinite nor NaN.
     fn is_finite(self) -> bool;
     /// The larger of two scalars; the other one if one is NaN.
@@ -154,6 +156,7 @@ implement_real!(f64, frexp, ldexp, {
     ln() -> Self, log;
     powf(exponent) -> Self, pow;
     hypot(other) -> Self, hypot;
+    round() -> Self, round;
 });
 
 implement_real!(f32, frexpf, ldexpf, {
@@ -166,6 +169,7 @@ implement_real!(f32, frexpf, ldexpf, {
     ln() -> Self, logf;
     powf(exponent) -> Self, powf;
     hypot(other) -> Self, hypotf;
+    round() -> Self, roundf;
 });
 
 /// The sine of an angle in radians.

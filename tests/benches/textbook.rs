@@ -7,6 +7,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use linkwright::Settings;
+use linkwright::nalgebra::SVector;
 use linkwright_mechanisms::{excavator, two_body};
 use linkwright_tests::solver::Interpreted;
 
@@ -30,22 +31,22 @@ fn sweep<S: Clone>(criterion: &mut Criterion, name: &str, start: S, advance: imp
 }
 
 macro_rules! generated {
-    ($criterion:ident, $label:literal, $module:ident, $mechanism:ident) => {
+    ($criterion:ident, $label:literal, $module:ident) => {
         for (kind, polish) in [("generated", true), ("unpolished", false)] {
             let settings = Settings {
                 polish,
                 ..Settings::default()
             };
-            let start =
-                $module::$mechanism::assemble_from(&$module::Coordinates::DRAWN, 0.0, settings);
+            let equations = $module::Textbook;
+            let drawn = SVector::from($module::Coordinates::DRAWN.to_array());
+            let start = linkwright::assemble(&equations, &drawn, 0.0, &settings);
             let start = start.unwrap_or_else(|failure| panic!("{failure}"));
             sweep(
                 $criterion,
                 &format!("{}/{kind}", $label),
                 start,
-                |mechanism, t| {
-                    mechanism
-                        .advance(t)
+                |frame, t| {
+                    *frame = linkwright::advance(&equations, frame, t, &settings)
                         .unwrap_or_else(|failure| panic!("{failure}"));
                 },
             );
@@ -70,9 +71,9 @@ fn interpreted(criterion: &mut Criterion, label: &str, name: &str) {
 }
 
 fn textbook(criterion: &mut Criterion) {
-    generated!(criterion, "exam", two_body, TwoBody);
+    generated!(criterion, "exam", two_body);
     interpreted(criterion, "exam", "two_body");
-    generated!(criterion, "excavator", excavator, Excavator);
+    generated!(criterion, "excavator", excavator);
     interpreted(criterion, "excavator", "excavator");
 }
 

@@ -59,6 +59,17 @@ impl Graph {
         graph
     }
 
+    /// What an expression is made of, in the order of its node.
+    pub fn operands(&self, id: ExprId) -> Vec<ExprId> {
+        match self.node(id) {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => Vec::new(),
+            Node::Sum(terms) => terms.iter().map(|term| term.expr).collect(),
+            Node::Product(factors) => factors.iter().map(|factor| factor.base).collect(),
+            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => vec![*x],
+            Node::Atan2(y, x) => vec![*y, *x],
+        }
+    }
+
     /// What an expression is at its top.
     pub fn node(&self, id: ExprId) -> &Node {
         &self.nodes[id.index()]

@@ -36,6 +36,8 @@ pub struct Mark {
     pub frame: Frame,
     /// Its coordinates in that frame, in m.
     pub local: Vector,
+    /// R s: the local vector in global components.
+    pub arm: Vector,
 }
 
 impl Frame {
@@ -58,10 +60,15 @@ impl Frame {
 }
 
 impl Mark {
+    /// The point with these coordinates in a frame.
+    pub fn new(frame: Frame, local: Vector, graph: &mut Graph) -> Mark {
+        let arm = frame.rotate(local, graph);
+        Mark { frame, local, arm }
+    }
+
     /// r + R s: where the point is.
     pub fn position(&self, graph: &mut Graph) -> Vector {
-        let arm = self.frame.rotate(self.local, graph);
-        add(self.frame.origin, arm, graph)
+        add(self.frame.origin, self.arm, graph)
     }
 }
 
@@ -86,12 +93,17 @@ pub fn perpendicular(a: Vector, graph: &mut Graph) -> Vector {
     [graph.negate(a[1]), a[0]]
 }
 
-/// The component along the unit vector `direction` of frame i of the vector from mark i to mark j:
-/// (R_i u)ᵀ (r_j + R_j s_j − r_i) − uᵀ s_i.
+/// The component along the unit vector `direction` of frame i, `turned` in global components, of the vector from mark i to
+/// mark j: (R_i u)ᵀ (r_j + R_j s_j − r_i) − uᵀ s_i.
 ///
 /// The arm s_i needs no rotation, since it and u are fixed in the same frame.
-pub fn offset_along(direction: Vector, i: &Mark, j: &Mark, graph: &mut Graph) -> ExprId {
-    let turned = i.frame.rotate(direction, graph);
+pub fn offset_along(
+    direction: Vector,
+    turned: Vector,
+    i: &Mark,
+    j: &Mark,
+    graph: &mut Graph,
+) -> ExprId {
     let target = j.position(graph);
     let reach = subtract(target, i.frame.origin, graph);
     let along = dot(turned, reach, graph);

@@ -30,15 +30,23 @@ impl Kind for LengthDriver {
         let (Some(axis), Some(value)) = (operands.axis, operands.value) else {
             return Vec::new();
         };
-        let length = offset_along(
-            axis.direction,
-            &operands.marks[0],
-            &operands.marks[1],
-            graph,
-        );
+        let [i, j] = [&operands.marks[0], &operands.marks[1]];
+        let length = offset_along(axis.direction, axis.turned, i, j, graph);
         let residual = graph.subtract(length, value);
         vec![Row {
             residual,
+            quantity: Quantity::Length,
+            component: "",
+        }]
+    }
+
+    /// ℓ − f(t) = 0, with the displacement of the joint that is driven.
+    fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let (Some(axis), Some(value)) = (operands.axis, operands.value) else {
+            return Vec::new();
+        };
+        vec![Row {
+            residual: graph.subtract(axis.displacement, value),
             quantity: Quantity::Length,
             component: "",
         }]

@@ -55,8 +55,12 @@ pub struct Resolved {
 /// The line on which two bodies slide along one another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// Unit vector from the first mark towards the second, in the frame of the first mark's body.
+    /// Unit vector u from the first mark towards the second, in the frame of the first mark's body.
     pub direction: Vector,
+    /// R_i u: the same in global components.
+    pub turned: Vector,
+    /// The signed distance ℓ from the first mark to the second along u, as an unknown of the vector form.
+    pub displacement: ExprId,
     /// φ_i − φ_j in the drawing, which the joint preserves.
     pub relative_angle: ExprId,
 }
@@ -85,6 +89,11 @@ pub trait Kind: Sync {
     /// Whether the joint keeps its two marks at one place, so that they are one point of the mechanism.
     fn joins_points(&self) -> bool {
         false
+    }
+    /// The rows of the vector form: as many more as the joint has displacements, and linear in the positions, the turned local
+    /// vectors and their products with a displacement. The textbook's rows, where they are that already.
+    fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        self.rows(operands, graph)
     }
     /// The rows, in the order of the textbook.
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row>;

@@ -1,8 +1,8 @@
 //! Translational joint: two bodies slide along a common line and keep their relative angle.
 
-use super::geometry::{offset_along, perpendicular};
+use super::geometry::{offset_along, perpendicular, subtract};
 use super::{Kind, Operands, Quantity, Resolved, Row};
-use crate::expr::Graph;
+use crate::expr::{ExprId, Graph};
 
 /// φ_i − φ_j − φ⁰ = 0 and (R_i v)ᵀ (r_j + R_j s_j − r_i − R_i s_i) = 0, with v across the line, fixed in body i
 /// (Nikravesh 1988, section 4.2.2, with the angle instead of a second cross product).
@@ -30,21 +30,50 @@ impl Kind for Translational {
         let Some(axis) = operands.axis else {
             return Vec::new();
         };
-        let turned = graph.subtract(i.frame.angle, j.frame.angle);
-        let angle = graph.subtract(turned, axis.relative_angle);
-        let across = perpendicular(axis.direction, graph);
-        let lateral = offset_along(across, &i, &j, graph);
+        let [across, turned] =
+            [axis.direction, axis.turned].map(|along| perpendicular(along, graph));
+        let lateral = offset_along(across, turned, &i, &j, graph);
         vec![
-            Row {
-                residual: angle,
-                quantity: Quantity::Angle,
-                component: "angle",
-            },
+            relative_angle(operands, axis.relative_angle, graph),
             Row {
                 residual: lateral,
                 quantity: Quantity::Length,
                 component: "lateral",
             },
         ]
+    }
+
+    /// φ_i − φ_j − φ⁰ = 0 and r_j + R_j s_j − r_i − R_i s_i − ℓ R_i u = 0.
+    fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let Some(axis) = operands.axis else {
+            return Vec::new();
+        };
+        let [i, j] = [0, 1].map(|side| operands.marks[side].position(graph));
+        let gap = subtract(j, i, graph);
+        let slide = axis
+            .turned
+            .map(|component| graph.multiply(axis.displacement, component));
+        let open = subtract(gap, slide, graph);
+        let row = |residual, component| Row {
+            residual,
+            quantity: Quantity::Length,
+            component,
+        };
+        vec![
+            relative_angle(operands, axis.relative_angle, graph),
+            row(open[0], "x"),
+            row(open[1], "y"),
+        ]
+    }
+}
+
+/// φ_i − φ_j − φ⁰.
+fn relative_angle(operands: &Resolved, drawn: ExprId, graph: &mut Graph) -> Row {
+    let [i, j] = [0, 1].map(|side| operands.marks[side].frame.angle);
+    let difference = graph.subtract(i, j);
+    Row {
+        residual: graph.subtract(difference, drawn),
+        quantity: Quantity::Angle,
+        component: "angle",
     }
 }

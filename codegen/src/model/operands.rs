@@ -124,10 +124,7 @@ impl Resolver<'_> {
         let body = self.body(&reference.name)?;
         let frame = self.bodies[body.0].frame;
         let zero = self.graph.zero();
-        Some(Mark {
-            frame,
-            local: [zero, zero],
-        })
+        Some(Mark::new(frame, [zero, zero], &mut self.graph))
     }
 
     /// `BODY` for its origin or `BODY.POINT`.
@@ -149,10 +146,8 @@ impl Resolver<'_> {
         }
         let drawn = self.drawn.get(&name.text);
         if let (BodyId::GROUND, Some(point)) = (body, drawn) {
-            return Some(Mark {
-                frame: carrier.frame,
-                local: point.position,
-            });
+            let (frame, local) = (carrier.frame, point.position);
+            return Some(Mark::new(frame, local, &mut self.graph));
         }
         let carried_elsewhere = self
             .bodies
@@ -248,10 +243,20 @@ impl Resolver<'_> {
             .iter()
             .map(|(operand, end)| {
                 let origin = self.origin_mark(operand)?;
-                match &end.body {
-                    None => self.mark_on(origin.frame.body, &end.name),
-                    Some(_) => self.point_mark(end),
+                let mark = match &end.body {
+                    None => self.mark_on(origin.frame.body, &end.name)?,
+                    Some(_) => self.point_mark(end)?,
+                };
+                if mark.frame.body == origin.frame.body {
+                    return Some(mark);
                 }
+                let sliding = &operand.name.text;
+                self.diagnostics.push(
+                    Diagnostic::error(Code::PointNotOnBody, end.span, format!("this point is not on body `{sliding}`"))
+                        .also(operand.span, "the body that slides")
+                        .help("name the ends of the line in the order of the bodies: `(1, 2) along P -> Q` has P on 1 and Q on 2"),
+                );
+                None
             })
             .collect();
         let marks: Vec<Mark> = marks.into_iter().collect::<Option<_>>()?;
@@ -261,23 +266,25 @@ impl Resolver<'_> {
         let frames = [0, 1].map(|side| self.bodies[marks[side].frame.body.0].drawn);
         let direction = frames[0].unrotate(direction, &mut self.graph);
         let relative_angle = self.graph.subtract(frames[0].angle, frames[1].angle);
-        Some((
-            marks,
-            Some(Axis {
-                direction,
-                relative_angle,
-            }),
-        ))
+        let turned = marks[0].frame.rotate(direction, &mut self.graph);
+        // No coordinate can have this name: its joint's number begins with a digit.
+        let slide = self
+            .graph
+            .symbol(&format!("{} displacement", self.joints.len()));
+        let displacement = self.graph.variable(slide);
+        let axis = Axis {
+            direction,
+            turned,
+            displacement,
+            relative_angle,
+        };
+        Some((marks, Some(axis)))
     }
 
     /// Where a mark is in the drawing.
     fn drawn_mark(&mut self, mark: &Mark) -> Vector {
         let frame = self.bodies[mark.frame.body.0].drawn;
-        Mark {
-            frame,
-            local: mark.local,
-        }
-        .position(&mut self.graph)
+        Mark::new(frame, mark.local, &mut self.graph).position(&mut self.graph)
     }
 
     /// The unit vector from one drawn point to another.

@@ -30,10 +30,8 @@ impl Resolver<'_> {
             let groups = self.carriers_of(name);
             let several = groups.len() > 1;
             if let (true, Some((_, point, span))) = (groups.is_empty(), drawn.get(position)) {
-                let mark = Mark {
-                    frame: self.bodies[0].frame,
-                    local: point.position,
-                };
+                let ground = self.bodies[0].frame;
+                let mark = Mark::new(ground, point.position, &mut self.graph);
                 points.push(Point {
                     name: name.clone(),
                     docs: point.docs.clone(),

@@ -342,7 +342,7 @@ impl Resolver<'_> {
                 Some(NamedMark {
                     name: name.text.clone(),
                     docs: docs.clone(),
-                    mark: Mark { frame, local },
+                    mark: Mark::new(frame, local, &mut self.graph),
                     span: name.span,
                 })
             }
@@ -361,7 +361,7 @@ impl Resolver<'_> {
                 Some(NamedMark {
                     name: name.text.clone(),
                     docs: docs.clone(),
-                    mark: Mark { frame, local },
+                    mark: Mark::new(frame, local, &mut self.graph),
                     span: name.span,
                 })
             }

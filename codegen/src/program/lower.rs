@@ -1,15 +1,17 @@
 //! The functions of the textbook view.
 
-use super::Program;
 use super::constants::Constants;
 use super::statements::Straight;
+use super::{Program, solved};
 use crate::expr::ExprId;
-use crate::structure::Plan;
+use crate::structure::{Plan, SolvedPlan};
 use crate::system::{Row, System};
 
 /// Straight-line code for Φ, Φ_q, Φ_t, γ and the motion of every point.
-pub fn lower(system: &System, plan: Plan) -> Program {
+pub fn lower(system: &mut System, plan: Plan, solved_plan: Option<&SolvedPlan>) -> Program {
     let mut constants = Constants::default();
+    let solved = solved_plan.map(|plan| solved::lower(system, plan, &mut constants));
+    let system = &*system;
     let by_row = |of: &dyn Fn(&Row) -> ExprId| -> Vec<(ExprId, Vec<usize>)> {
         system
             .rows
@@ -44,6 +46,7 @@ pub fn lower(system: &System, plan: Plan) -> Program {
         .collect();
     Program {
         plan,
+        solved,
         constants,
         residual,
         jacobian,

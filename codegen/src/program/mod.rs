@@ -9,9 +9,10 @@ mod constants;
 mod lower;
 mod names;
 mod operations;
+pub mod solved;
 mod statements;
 
-pub use addends::{Addend, Power};
+pub use addends::{Addend, Power, addends};
 pub use constants::{Constant, ConstantPart, Constants};
 pub use lower::lower;
 pub use operations::{LARGEST_PRODUCT, Operations};
@@ -22,8 +23,10 @@ use crate::structure::Plan;
 /// What is emitted for a mechanism.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// In which blocks the unknowns are solved.
+    /// In which blocks the unknowns are solved in the textbook view.
     pub plan: Plan,
+    /// The solved view.
+    pub solved: Option<solved::SolvedProgram>,
     /// The constants of all functions that are no short decimals, each once.
     pub constants: Constants,
     /// Φ: one result a row.

@@ -42,10 +42,10 @@ impl Names {
         let base = match system.mechanism.graph.node(angle) {
             Node::Symbol(symbol) => match system.roles[symbol.index()] {
                 SymbolRole::Position(coordinate) => {
-                    Some(system.coordinates[coordinate].name.clone())
+                    Some(system.unknown_name(coordinate).to_string())
                 }
                 SymbolRole::Time => Some("t".to_string()),
-                SymbolRole::Rate(_) | SymbolRole::Acceleration(_) => None,
+                _ => None,
             },
             _ => multiple_of_time(angle, system),
         };

@@ -64,6 +64,37 @@ impl Straight {
         self.names.get(&expr).map(String::as_str)
     }
 
+    /// The statements that these results need, all with the names they have here.
+    pub fn for_results(&self, results: &[ExprId], system: &System) -> Straight {
+        let graph = &system.mechanism.graph;
+        let mut needed: HashSet<ExprId> = HashSet::new();
+        let mut stack = results.to_vec();
+        while let Some(expr) = stack.pop() {
+            if needed.insert(expr) {
+                stack.extend(graph.operands(expr));
+            }
+        }
+        let is_needed = |statement: &Statement| match statement {
+            Statement::SineCosine { angle, .. } => {
+                needed.iter().any(|&expr| match graph.node(expr) {
+                    Node::Sin(x) | Node::Cos(x) => x == angle,
+                    _ => false,
+                })
+            }
+            Statement::Value { expr, .. } => needed.contains(expr),
+        };
+        let statements = self
+            .statements
+            .iter()
+            .filter(|statement| is_needed(statement))
+            .cloned()
+            .collect();
+        Straight {
+            statements,
+            ..self.clone()
+        }
+    }
+
     /// How an expression is computed here, in written order.
     pub fn addends(&self, expr: ExprId, system: &System, bodies: &[usize]) -> Vec<Addend> {
         let graph = &system.mechanism.graph;
@@ -197,6 +228,7 @@ impl Inputs {
             SymbolRole::Rate(_) => self.rate = true,
             SymbolRole::Acceleration(_) => self.acceleration = true,
             SymbolRole::Time => self.time = true,
+            SymbolRole::Arm(_) | SymbolRole::Intermediate => {}
         }
     }
 }

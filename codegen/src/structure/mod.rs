@@ -4,14 +4,21 @@
 //! in every part stops here, with the bodies and joints concerned. The algorithms see integers only: which equation mentions
 //! which unknown.
 
+mod components;
 mod diagnose;
+mod elimination;
 mod incidence;
 mod matching;
 mod parts;
+mod plan;
+mod recognition;
 
+pub use components::components;
+pub use elimination::Definition;
 pub use incidence::Incidence;
 pub use matching::{Matching, maximum_matching};
 pub use parts::{Parts, coarse_parts};
+pub use plan::{SolvedBlock, SolvedPlan, Step, plan};
 
 use crate::diagnostic::Diagnostics;
 use crate::system::System;

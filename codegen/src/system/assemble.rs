@@ -1,7 +1,7 @@
 //! The rows of every joint, and their derivatives.
 
 use super::row_name::row_name;
-use super::{Coordinate, Entry, Output, Row, SymbolRole, System};
+use super::{Coordinate, Entry, Output, Row, SymbolRole, System, VectorForm};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{self, Quantity};
 use crate::model::{Body, Mechanism};
@@ -57,18 +57,22 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             }
         })
         .collect();
-    let roles = roles(&mechanism, &coordinates);
+    let vector_form = VectorForm::new(&mut mechanism, &coordinates);
+    let mut roles = roles(&mechanism, &coordinates);
+    vector_form.note_roles(&mut roles, coordinates.len());
     System {
         mechanism,
         coordinates,
         rows,
         outputs,
+        vector_form,
         roles,
     }
 }
 
 fn roles(mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<SymbolRole> {
-    let mut roles = vec![SymbolRole::Time; mechanism.graph.symbol_count()];
+    let mut roles = vec![SymbolRole::Intermediate; mechanism.graph.symbol_count()];
+    roles[mechanism.time.index()] = SymbolRole::Time;
     for (index, coordinate) in coordinates.iter().enumerate() {
         roles[coordinate.position.index()] = SymbolRole::Position(index);
         roles[coordinate.rate.index()] = SymbolRole::Rate(index);

@@ -6,10 +6,14 @@
 //! equations are solved.
 
 mod assemble;
+mod orientation;
 mod row_name;
+mod vector_form;
 mod written_order;
 
 pub use assemble::assemble;
+pub use orientation::Orientations;
+pub use vector_form::{Arm, Unknown, VectorForm, VectorRow};
 pub use written_order::WrittenOrder;
 
 use crate::expr::{ExprId, SymbolId};
@@ -27,6 +31,8 @@ pub struct System {
     pub rows: Vec<Row>,
     /// The motion of every declared point.
     pub outputs: Vec<Output>,
+    /// The same constraints in vector form.
+    pub vector_form: VectorForm,
     /// What each symbol of the graph is, by [`SymbolId::index`].
     pub roles: Vec<SymbolRole>,
 }
@@ -34,12 +40,16 @@ pub struct System {
 /// What a symbol stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SymbolRole {
-    /// The coordinate q_k.
+    /// The coordinate q_k; the displacements of the vector form are numbered after the coordinates.
     Position(usize),
     /// The rate q̇_k.
     Rate(usize),
     /// The acceleration q̈_k.
     Acceleration(usize),
+    /// A component of an arm of the vector form.
+    Arm(usize),
+    /// A value that is computed on the way.
+    Intermediate,
     /// The time t.
     Time,
 }
@@ -107,6 +117,27 @@ pub struct Output {
 }
 
 impl System {
+    /// A new symbol for a value that is computed on the way. Equal names are told apart by what follows the space.
+    pub fn intermediate(&mut self, name: &str) -> SymbolId {
+        let number = self.mechanism.graph.symbol_count();
+        let symbol = self.mechanism.graph.symbol(&format!("{name} {number}"));
+        self.roles
+            .resize(symbol.index() + 1, SymbolRole::Intermediate);
+        symbol
+    }
+
+    /// The name of an unknown: a coordinate, or a displacement of the vector form.
+    pub fn unknown_name(&self, unknown: usize) -> &str {
+        &self.vector_form.unknowns[unknown].name
+    }
+
+    /// The name of a symbol that is no coordinate and no time: an arm or a value computed on the way. What follows a space
+    /// only tells equal names apart.
+    pub fn local_name(&self, symbol: SymbolId) -> &str {
+        let name = self.mechanism.graph.symbol_name(symbol);
+        name.split(' ').next().unwrap_or(name)
+    }
+
     /// Where residuals of row `row` are judged against: the characteristic length for lengths, 1 rad for angles.
     pub fn scale(&self, quantity: Quantity) -> f64 {
         match quantity {

@@ -4,7 +4,7 @@
 //! a joint before those of the second, constants after them, and functions of time last.
 
 use super::{SymbolRole, System};
-use crate::expr::{ExprId, Factor, Graph, Node, Term};
+use crate::expr::{ExprId, Factor, Graph, Node, SymbolId, Term};
 
 /// The written order of one formula.
 #[derive(Clone, Copy, Debug)]
@@ -28,28 +28,35 @@ impl<'a> WrittenOrder<'a> {
     }
 
     /// A smaller number for what is written earlier.
-    fn rank(&self, role: SymbolRole) -> usize {
-        let (coordinate, level) = match role {
-            SymbolRole::Position(coordinate) => (coordinate, 0),
-            SymbolRole::Rate(coordinate) => (coordinate, 1),
-            SymbolRole::Acceleration(coordinate) => (coordinate, 2),
+    fn rank(&self, symbol: SymbolId) -> usize {
+        let (unknown, level) = match self.system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => (unknown, 0),
+            SymbolRole::Rate(unknown) => (unknown, 1),
+            SymbolRole::Acceleration(unknown) => (unknown, 2),
+            // An arm stands where the angle that turns it would stand.
+            SymbolRole::Arm(arm) => {
+                let form = &self.system.vector_form;
+                (form.angle_of(form.arms[arm].leader), 0)
+            }
+            SymbolRole::Intermediate => {
+                return usize::MAX - self.graph().symbol_count() + symbol.index();
+            }
             SymbolRole::Time => return usize::MAX,
         };
-        let body = self.system.coordinates[coordinate].body;
-        let place = self
-            .bodies
-            .iter()
-            .position(|&named| named == body)
-            .unwrap_or(self.bodies.len() + body);
-        (3 * place + coordinate % 3) * 3 + level
+        let Some(coordinate) = self.system.coordinates.get(unknown) else {
+            return 9 * (self.bodies.len() + self.system.mechanism.bodies.len())
+                + 3 * unknown
+                + level;
+        };
+        let body = coordinate.body;
+        let place = self.bodies.iter().position(|&named| named == body);
+        let place = place.unwrap_or(self.bodies.len() + body);
+        (3 * place + unknown % 3) * 3 + level
     }
 
     fn first_symbol(&self, expr: ExprId) -> Option<usize> {
         let symbols = self.graph().symbols(expr);
-        symbols
-            .iter()
-            .map(|symbol| self.rank(self.system.roles[symbol.index()]))
-            .min()
+        symbols.iter().map(|&symbol| self.rank(symbol)).min()
     }
 
     fn term_key(&self, expr: ExprId) -> Key {

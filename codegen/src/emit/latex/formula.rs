@@ -115,7 +115,12 @@ impl<'a> Printer<'a> {
 
     fn operand(&self, expr: ExprId) -> String {
         match self.graph().node(expr) {
-            Node::Symbol(symbol) => self.symbol(self.system.roles[symbol.index()]),
+            Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
+                SymbolRole::Arm(_) | SymbolRole::Intermediate => {
+                    format!("\\mathit{{{}}}", escaped(self.system.local_name(*symbol)))
+                }
+                role => self.symbol(role),
+            },
             Node::Pi => "\\pi".to_string(),
             Node::Sin(angle) => format!("\\sin {}", self.argument(*angle)),
             Node::Cos(angle) => format!("\\cos {}", self.argument(*angle)),
@@ -150,8 +155,16 @@ impl<'a> Printer<'a> {
             SymbolRole::Position(coordinate) => (coordinate, None),
             SymbolRole::Rate(coordinate) => (coordinate, Some("dot")),
             SymbolRole::Acceleration(coordinate) => (coordinate, Some("ddot")),
-            SymbolRole::Time => return "t".to_string(),
+            SymbolRole::Arm(arm) => return escaped(&self.system.vector_form.arms[arm].name),
+            SymbolRole::Intermediate | SymbolRole::Time => return "t".to_string(),
         };
+        if coordinate >= self.system.coordinates.len() {
+            let name = format!(
+                "\\ell_{{\\mathrm{{{}}}}}",
+                escaped(self.system.unknown_name(coordinate))
+            );
+            return accent.map_or(name.clone(), |accent| format!("\\{accent}{{{name}}}"));
+        }
         let letter = ["x", "y", "\\varphi"][coordinate % 3];
         let body = &self.system.mechanism.bodies[self.system.coordinates[coordinate].body].name;
         let index = if body.chars().all(|character| character.is_ascii_digit()) {

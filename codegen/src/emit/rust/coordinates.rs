@@ -4,9 +4,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::docs::docs;
-use super::expression::{Writer, identifier};
+use super::expression::{TextbookNames, Writer, identifier};
 use super::lints;
 use super::literal::{count, float};
+use super::solved;
 use crate::program::{Program, Straight};
 use crate::system::{Coordinate, System};
 
@@ -119,9 +120,33 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
             quote!(#text pub fn #name(&self) -> Motion { #body })
         },
     );
+    let (shared, drawn) = match &program.solved {
+        Some(solved) => (
+            solved::frame_fields(system, solved),
+            solved::frame_values(system, solved),
+        ),
+        None => (TokenStream::new(), TokenStream::new()),
+    };
+    let zeros = system.coordinates.iter().map(|_| quote!(0.0));
+    let at_rest = quote!(Coordinates::from_array([#(#zeros),*]));
+    let private = match program.solved {
+        Some(_) => quote! {
+            /// The drawing at rest, which the solution starts from.
+            const DRAWN: Self = Self { t: 0.0, q: Coordinates::DRAWN, qd: #at_rest, qdd: #at_rest, #drawn };
+
+            /// Whether every coordinate, rate and acceleration is a number.
+            fn is_finite(&self) -> bool {
+                // Zero times anything else than a number is no number, and so is a sum with it.
+                let zeros = |values: &Coordinates| values.to_array().iter().fold(0.0, |sum, value| sum + 0.0 * value);
+                zeros(&self.q) + zeros(&self.qd) + zeros(&self.qdd) == 0.0
+            }
+        },
+        None => TokenStream::new(),
+    };
     let implementation = quote! {
         impl Frame {
             #(#methods)*
+            #private
         }
     };
     let allow = lints::unused_item(&implementation);
@@ -137,6 +162,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
             pub qd: Coordinates,
             /// The accelerations of the coordinates.
             pub qdd: Coordinates,
+            #shared
         }
 
         #allow
@@ -145,12 +171,13 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
 }
 
 fn motion(system: &System, program: &Program, straight: &Straight) -> TokenStream {
+    let names = TextbookNames { system, straight };
     let writer = Writer {
         system,
         constants: &program.constants,
-        straight,
+        names: &names,
     };
-    let (statements, results) = (writer.statements(), writer.results());
+    let (statements, results) = (writer.statements(straight), writer.results(straight));
     let inputs = straight.inputs;
     let read = [
         (inputs.position, quote!(q)),

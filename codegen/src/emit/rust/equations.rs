@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::docs::docs;
-use super::expression::{Writer, identifier};
+use super::expression::{TextbookNames, Writer, identifier};
 use super::layout::comment;
 use super::lints;
 use super::literal::count;
@@ -86,12 +86,13 @@ fn vector(
     meaning: &str,
     of: impl Fn(&Row) -> ExprId,
 ) -> TokenStream {
+    let names = TextbookNames { system, straight };
     let writer = Writer {
         system,
         constants: &program.constants,
-        straight,
+        names: &names,
     };
-    let (statements, results) = (writer.statements(), writer.results());
+    let (statements, results) = (writer.statements(straight), writer.results(straight));
     let size = count(system.rows.len());
     let mut lines = vec![meaning.to_string(), String::new()];
     lines.extend(row_list(system, &of));
@@ -131,12 +132,14 @@ fn vector(
 }
 
 fn matrix(system: &System, program: &Program) -> TokenStream {
+    let straight = &program.jacobian;
+    let names = TextbookNames { system, straight };
     let writer = Writer {
         system,
         constants: &program.constants,
-        straight: &program.jacobian,
+        names: &names,
     };
-    let (statements, results) = (writer.statements(), writer.results());
+    let (statements, results) = (writer.statements(straight), writer.results(straight));
     let size = count(system.rows.len());
     let mut values = results.iter();
     let mut entries = Vec::with_capacity(results.len());

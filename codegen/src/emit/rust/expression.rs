@@ -4,18 +4,26 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::literal::float;
-use crate::expr::{ExprId, Node};
+use crate::expr::{ExprId, Node, SymbolId};
 use crate::program::{
-    Addend, ConstantPart, Constants, LARGEST_PRODUCT, Power, Statement, Straight,
+    Addend, ConstantPart, Constants, LARGEST_PRODUCT, Power, Statement, Straight, addends,
 };
-use crate::system::{SymbolRole, System};
+use crate::system::{SymbolRole, System, WrittenOrder};
 
-/// Writes the code of one function.
+/// What expressions are called where they are written.
+pub(super) trait Names {
+    /// The name of an expression that was computed before.
+    fn value(&self, expr: ExprId) -> Option<Ident>;
+    /// How a variable is read.
+    fn symbol(&self, symbol: SymbolId) -> TokenStream;
+}
+
+/// Writes expressions.
 #[derive(Clone, Copy)]
 pub(super) struct Writer<'a> {
     pub system: &'a System,
     pub constants: &'a Constants,
-    pub straight: &'a Straight,
+    pub names: &'a dyn Names,
 }
 
 /// A name as an identifier; words that Rust reserves get an underscore.
@@ -28,36 +36,37 @@ pub(super) fn identifier(name: &str) -> Ident {
 }
 
 impl Writer<'_> {
-    /// The definitions before the results.
-    pub(super) fn statements(&self) -> Vec<TokenStream> {
-        let graph = &self.system.mechanism.graph;
+    /// Definitions of functions' values and of what is shared.
+    pub(super) fn statements(&self, straight: &Straight) -> Vec<TokenStream> {
         let statement = |statement: &Statement| match statement {
             Statement::SineCosine {
                 sine,
                 cosine,
                 angle,
             } => {
-                let (sine, cosine, angle) = (
-                    identifier(sine),
-                    identifier(cosine),
-                    self.expression(*angle, &[]),
-                );
+                let (sine, cosine) = (identifier(sine), identifier(cosine));
+                let angle = self.expression(*angle, &[]);
                 quote!(let (#sine, #cosine) = math::sin_cos(#angle);)
             }
             Statement::Value { name, expr } => {
                 let name = identifier(name);
-                let value = match *graph.node(*expr) {
-                    Node::Sin(x) => self.call("sin", &[x]),
-                    Node::Cos(x) => self.call("cos", &[x]),
-                    Node::Exp(x) => self.call("exp", &[x]),
-                    Node::Ln(x) => self.call("ln", &[x]),
-                    Node::Atan2(y, x) => self.call("atan2", &[y, x]),
-                    _ => self.sum(*expr, &[]),
-                };
+                let value = self.function(*expr).unwrap_or_else(|| self.sum(*expr, &[]));
                 quote!(let #name = #value;)
             }
         };
-        self.straight.statements.iter().map(statement).collect()
+        straight.statements.iter().map(statement).collect()
+    }
+
+    /// A function's call.
+    fn function(&self, expr: ExprId) -> Option<TokenStream> {
+        match *self.system.mechanism.graph.node(expr) {
+            Node::Sin(x) => Some(self.call("sin", &[x])),
+            Node::Cos(x) => Some(self.call("cos", &[x])),
+            Node::Exp(x) => Some(self.call("exp", &[x])),
+            Node::Ln(x) => Some(self.call("ln", &[x])),
+            Node::Atan2(y, x) => Some(self.call("atan2", &[y, x])),
+            Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Sum(_) | Node::Product(_) => None,
+        }
     }
 
     fn call(&self, function: &str, arguments: &[ExprId]) -> TokenStream {
@@ -69,42 +78,36 @@ impl Writer<'_> {
     }
 
     /// The results in order, each with its terms in the order of its row.
-    pub(super) fn results(&self) -> Vec<TokenStream> {
-        self.straight
+    pub(super) fn results(&self, straight: &Straight) -> Vec<TokenStream> {
+        straight
             .results
             .iter()
             .map(|(expr, bodies)| self.expression(*expr, bodies))
             .collect()
     }
 
-    fn expression(&self, expr: ExprId, bodies: &[usize]) -> TokenStream {
+    /// An expression whose terms mention the bodies in this order.
+    pub(super) fn expression(&self, expr: ExprId, bodies: &[usize]) -> TokenStream {
         self.atom(expr).unwrap_or_else(|| self.sum(expr, bodies))
     }
 
-    /// A name or an input.
+    /// A name, an input or a call.
     fn atom(&self, expr: ExprId) -> Option<TokenStream> {
-        if let Some(name) = self.straight.name_of(expr) {
-            let name = identifier(name);
+        if let Some(name) = self.names.value(expr) {
             return Some(quote!(#name));
         }
-        let Node::Symbol(symbol) = self.system.mechanism.graph.node(expr) else {
-            return None;
-        };
-        let (vector, coordinate) = match self.system.roles[symbol.index()] {
-            SymbolRole::Position(coordinate) => ("q", coordinate),
-            SymbolRole::Rate(coordinate) => ("qd", coordinate),
-            SymbolRole::Acceleration(coordinate) => ("qdd", coordinate),
-            SymbolRole::Time => return Some(quote!(t)),
-        };
-        let (vector, field) = (
-            format_ident!("{vector}"),
-            identifier(&self.system.coordinates[coordinate].name),
-        );
-        Some(quote!(#vector.#field))
+        let graph = &self.system.mechanism.graph;
+        match graph.node(expr) {
+            Node::Symbol(symbol) => Some(self.names.symbol(*symbol)),
+            _ if graph.is_constant(expr) => None,
+            _ => self.function(expr),
+        }
     }
 
     fn sum(&self, expr: ExprId, bodies: &[usize]) -> TokenStream {
-        let addends = self.straight.addends(expr, self.system, bodies);
+        let named = |other: ExprId| self.names.value(other).is_some();
+        let order = WrittenOrder::new(self.system, bodies);
+        let addends = addends(expr, &self.system.mechanism.graph, &order, &named);
         let mut tokens = TokenStream::new();
         for (position, addend) in addends.iter().enumerate() {
             let value = self.addend(addend);
@@ -198,4 +201,34 @@ fn product(factors: &[TokenStream]) -> TokenStream {
         });
     }
     tokens
+}
+
+/// The textbook's functions: coordinates are fields of `q`, `qd` and `qdd`.
+pub(super) struct TextbookNames<'a> {
+    pub system: &'a System,
+    pub straight: &'a Straight,
+}
+
+impl Names for TextbookNames<'_> {
+    fn value(&self, expr: ExprId) -> Option<Ident> {
+        self.straight.name_of(expr).map(identifier)
+    }
+
+    fn symbol(&self, symbol: SymbolId) -> TokenStream {
+        let (vector, unknown) = match self.system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => ("q", unknown),
+            SymbolRole::Rate(unknown) => ("qd", unknown),
+            SymbolRole::Acceleration(unknown) => ("qdd", unknown),
+            SymbolRole::Time => return quote!(t),
+            SymbolRole::Arm(_) | SymbolRole::Intermediate => {
+                let name = identifier(self.system.local_name(symbol));
+                return quote!(#name);
+            }
+        };
+        let (vector, field) = (
+            format_ident!("{vector}"),
+            identifier(self.system.unknown_name(unknown)),
+        );
+        quote!(#vector.#field)
+    }
 }

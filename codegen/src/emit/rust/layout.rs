@@ -32,7 +32,11 @@ pub(super) fn laid_out(source: &str) -> String {
         match content.strip_prefix(MARKER) {
             Some(rest) => {
                 // The formatter breaks a long comment after the opening parenthesis and before the closing one.
-                let quoted = if rest.is_empty() { lines.next().unwrap_or_default().trim() } else { rest };
+                let quoted = if rest.is_empty() {
+                    lines.next().unwrap_or_default().trim()
+                } else {
+                    rest
+                };
                 if rest.is_empty() {
                     lines.next();
                 }

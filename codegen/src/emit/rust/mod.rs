@@ -10,6 +10,7 @@ mod layout;
 mod lints;
 mod literal;
 mod module;
+mod solved;
 mod solver;
 
 pub use module::module;

@@ -10,10 +10,12 @@ use super::expression::identifier;
 use super::layout::laid_out;
 use super::lints;
 use super::literal::float;
+use super::solved;
 use super::solver::{mechanism, textbook};
 use crate::emit::text;
 use crate::model::Role;
 use crate::program::Program;
+use crate::program::solved::Action;
 use crate::system::System;
 
 /// The formatted source of the generated module, with a header of comments.
@@ -25,7 +27,7 @@ pub fn module(system: &System, program: &Program) -> String {
         equations(system, program),
         frame(system, program),
         textbook(system),
-        mechanism(system),
+        solver(system, program),
     ];
     let file: Result<syn::File, _> = syn::parse2(items.into_iter().collect());
     // Everything above is made of whole items, so this is a matter of our own code alone.
@@ -35,6 +37,20 @@ pub fn module(system: &System, program: &Program) -> String {
         header(system),
         laid_out(&prettyplease::unparse(&file))
     )
+}
+
+/// The blocks and the type that a user holds; without a solved view the dense system alone.
+fn solver(system: &System, program: &Program) -> TokenStream {
+    match &program.solved {
+        Some(blocks) => {
+            let branches = solved::branches(blocks);
+            let newton = solved::newton_blocks(system, program, blocks);
+            let functions = solved::blocks(system, program, blocks);
+            let mechanism = solved::mechanism(system, blocks);
+            quote!(#branches #newton #functions #mechanism)
+        }
+        None => mechanism(system),
+    }
 }
 
 fn imports(program: &Program) -> TokenStream {
@@ -55,17 +71,71 @@ fn imports(program: &Program) -> TokenStream {
                 + operations.exponentials
                 > 0
         });
-    let math = if calls_math {
+    let solved_math = program
+        .solved
+        .iter()
+        .flat_map(|solved| &solved.blocks)
+        .any(|block| {
+            let operations = block.operations;
+            operations.sines
+                + operations.arctangents
+                + operations.square_roots
+                + operations.exponentials
+                > 0
+        });
+    let math = if calls_math || solved_math {
         quote!(
             use ::linkwright::math;
         )
     } else {
         TokenStream::new()
     };
+    let blocks = program.solved.iter().flat_map(|solved| &solved.blocks);
+    let (mut kinematics, mut closed) = (program.solved.is_none(), Vec::new());
+    let has =
+        |wanted: fn(&Action) -> bool| blocks.clone().flat_map(|block| &block.actions).any(wanted);
+    if program.solved.is_some() {
+        kinematics = has(|action| *action == Action::Newton);
+        closed.push(quote!(failed));
+        if has(|action| matches!(action, Action::Angle { .. })) {
+            closed.push(quote!(nearest_turn));
+        }
+        if has(|action| matches!(action, Action::Reach { .. })) {
+            closed.push(quote!(no_span));
+        }
+        if has(|action| matches!(action, Action::Reach { .. } | Action::Nonzero { .. })) {
+            closed.push(quote!(spans));
+        }
+    }
+    let kind = if closed.is_empty() {
+        TokenStream::new()
+    } else {
+        quote!(FailureKind,)
+    };
+    let kinematics = if kinematics {
+        quote!(kinematics,)
+    } else {
+        TokenStream::new()
+    };
+    let closed = if closed.is_empty() {
+        TokenStream::new()
+    } else {
+        quote!(use ::linkwright::closed_form::{#(#closed),*};)
+    };
+    let has_branches = program
+        .solved
+        .iter()
+        .any(|solved| !solved.branches.is_empty());
+    let branch = if has_branches {
+        quote!(Branch,)
+    } else {
+        TokenStream::new()
+    };
     quote! {
+        #closed
         #math
         use ::linkwright::nalgebra::{Const, SMatrix, SVector};
-        use ::linkwright::{Equations, Failure, Motion, Settings, Step, kinematics, newton};
+        use ::linkwright::{#branch Equations, Failure, #kind Motion, Settings, Step, #kinematics newton};
     }
 }
 

@@ -122,7 +122,12 @@ impl<'a> Printer<'a> {
     /// An expression that stands beside a multiplication sign or under a power.
     fn operand(&self, expr: ExprId) -> String {
         match self.graph().node(expr) {
-            Node::Symbol(symbol) => self.symbol(self.system.roles[symbol.index()]),
+            Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
+                SymbolRole::Arm(_) | SymbolRole::Intermediate => {
+                    self.system.local_name(*symbol).to_string()
+                }
+                role => self.symbol(role),
+            },
             Node::Pi => self.either("pi", "π").to_string(),
             Node::Sin(angle) => self.function("sin", &[*angle]),
             Node::Cos(angle) => self.function("cos", &[*angle]),
@@ -155,10 +160,12 @@ impl<'a> Printer<'a> {
             SymbolRole::Position(coordinate) => (coordinate, 0),
             SymbolRole::Rate(coordinate) => (coordinate, 1),
             SymbolRole::Acceleration(coordinate) => (coordinate, 2),
-            SymbolRole::Time => return "t".to_string(),
+            SymbolRole::Arm(arm) => return self.system.vector_form.arms[arm].name.clone(),
+            SymbolRole::Intermediate | SymbolRole::Time => return "t".to_string(),
         };
-        let name = &self.system.coordinates[coordinate].name;
+        let name = self.system.unknown_name(coordinate);
         match self.notation {
+            _ if coordinate >= self.system.coordinates.len() => format!("{name}{}", &"''"[..level]),
             Notation::Ascii => format!("{name}{}", &"''"[..level]),
             Notation::Unicode => {
                 let body =

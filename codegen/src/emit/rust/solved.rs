@@ -1,0 +1,12 @@
+//! The solved view: one function per block, and the type that runs them.
+
+mod block;
+mod frame;
+mod names;
+mod newton;
+mod solver;
+
+pub(super) use block::blocks;
+pub(super) use frame::{branches, frame_fields, frame_values};
+pub(super) use newton::newton_blocks;
+pub(super) use solver::mechanism;

@@ -1,0 +1,263 @@
+//! One function per block.
+
+use std::collections::HashSet;
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::names::{BlockNames, plain_name};
+use crate::emit::rust::docs::docs;
+use crate::emit::rust::expression::{Names, Writer, identifier};
+use crate::emit::rust::layout::comment;
+use crate::emit::rust::lints;
+use crate::emit::rust::literal::count;
+use crate::expr::{ExprId, SymbolId};
+use crate::program::Program;
+use crate::program::solved::{Action, BlockProgram, SolvedProgram};
+use crate::system::{SymbolRole, System};
+
+/// What a block's function needs to be given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Needs {
+    pub last: bool,
+    pub branches: bool,
+    pub settings: bool,
+    pub time: bool,
+    pub fails: bool,
+}
+
+impl Needs {
+    pub(super) fn of(block: &BlockProgram, system: &System) -> Needs {
+        let mut needs = Needs {
+            branches: block.branch.is_some(),
+            ..Needs::default()
+        };
+        for action in &block.actions {
+            match action {
+                Action::Angle { .. } => needs.last = true,
+                Action::Newton => {
+                    (needs.last, needs.settings, needs.fails, needs.time) = (true, true, true, true)
+                }
+                Action::Reach { .. } | Action::Nonzero { .. } => {
+                    (needs.fails, needs.time) = (true, true)
+                }
+                _ => {}
+            }
+        }
+        let reads_time = |symbol: &SymbolId| system.roles[symbol.index()] == SymbolRole::Time;
+        let values = block.actions.iter().flat_map(Action::values);
+        needs.time |= values
+            .into_iter()
+            .any(|expr: ExprId| system.mechanism.graph.symbols(expr).iter().any(reads_time));
+        needs
+    }
+
+    /// The arguments of a call, in the order of the parameters.
+    pub(super) fn arguments(self) -> TokenStream {
+        let last = if self.last {
+            quote!(last,)
+        } else {
+            TokenStream::new()
+        };
+        let branches = if self.branches {
+            quote!(branches,)
+        } else {
+            TokenStream::new()
+        };
+        let settings = if self.settings {
+            quote!(settings,)
+        } else {
+            TokenStream::new()
+        };
+        let time = if self.time {
+            quote!(t)
+        } else {
+            TokenStream::new()
+        };
+        quote!(at, #last #branches #settings #time)
+    }
+
+    fn parameters(self) -> TokenStream {
+        let last = if self.last {
+            quote!(last: &Frame,)
+        } else {
+            TokenStream::new()
+        };
+        let branches = if self.branches {
+            quote!(branches: &Branches,)
+        } else {
+            TokenStream::new()
+        };
+        let settings = if self.settings {
+            quote!(settings: &Settings,)
+        } else {
+            TokenStream::new()
+        };
+        let time = if self.time {
+            quote!(t: f64)
+        } else {
+            TokenStream::new()
+        };
+        quote!(at: &mut Frame, #last #branches #settings #time)
+    }
+}
+
+/// The functions of all blocks.
+pub(in crate::emit::rust) fn blocks(
+    system: &System,
+    program: &Program,
+    solved: &SolvedProgram,
+) -> TokenStream {
+    let functions = solved.blocks.iter().enumerate().map(|(index, block)| {
+        let needs = Needs::of(block, system);
+        let names = BlockNames { system, solved, time: &block.time, local: HashSet::new() };
+        let writer = Writer { system, constants: &program.constants, names: &names };
+        let time = writer.statements(&block.time);
+        let actions = block.actions.iter().map(|action| statement(action, index, block, &writer, &names, solved));
+        let (name, parameters) = (identifier(&block.name), needs.parameters());
+        let title = docs([block.title.as_str()]);
+        let body = if needs.fails {
+            quote!(#[inline] fn #name(#parameters) -> Result<(), Failure> { #(#time)* #(#actions)* Ok(()) })
+        } else {
+            quote!(#[inline] fn #name(#parameters) { #(#time)* #(#actions)* })
+        };
+        let (capitals, approximate) = (lints::capitals(&body), lints::approximate(&body));
+        quote!(#title #capitals #approximate #body)
+    });
+    quote!(#(#functions)*)
+}
+
+/// One statement of a block.
+pub(super) fn statement(
+    action: &Action,
+    index: usize,
+    block: &BlockProgram,
+    writer: &Writer<'_>,
+    names: &BlockNames<'_>,
+    solved: &SolvedProgram,
+) -> TokenStream {
+    let number = count(index);
+    match action {
+        Action::Comment(text) => comment(text),
+        Action::Let { target, value } => assignment(*target, writer.expression(*value, &[]), names),
+        Action::SineCosine {
+            sine,
+            cosine,
+            angle,
+        } => {
+            let angle = writer.expression(*angle, &[]);
+            let [sine, cosine] = [sine, cosine].map(|symbol| plain_name(*symbol, names.system));
+            quote!(let (#sine, #cosine) = math::sin_cos(#angle);)
+        }
+        Action::Angle {
+            unknown,
+            sine,
+            cosine,
+        } => {
+            let (sine, cosine) = (
+                writer.expression(*sine, &[]),
+                writer.expression(*cosine, &[]),
+            );
+            let field = identifier(names.system.unknown_name(*unknown));
+            quote!(at.q.#field = nearest_turn(math::atan2(#sine, #cosine), last.q.#field);)
+        }
+        Action::Reach {
+            excess,
+            scale,
+            distance,
+            longest,
+            shortest,
+        } => {
+            let [excess, scale, distance, longest, shortest] =
+                [excess, scale, distance, longest, shortest]
+                    .map(|expr| writer.expression(*expr, &[]));
+            quote! {
+                if !spans(#excess, #scale) {
+                    return Err(no_span(#distance, #longest, #shortest, t, #number));
+                }
+            }
+        }
+        Action::Nonzero { value, scale } => {
+            let (value, scale) = (
+                writer.expression(*value, &[]),
+                writer.expression(*scale, &[]),
+            );
+            quote! {
+                if !spans(#value * #value, #scale * #scale) {
+                    let kind = FailureKind::Singular { pivot_ratio: #value / #scale, column: 0 };
+                    return Err(failed(kind, t, #number));
+                }
+            }
+        }
+        Action::Newton => newton_call(index, block, names, solved),
+    }
+}
+
+/// `let name = value;`, or an assignment to a field.
+fn assignment(target: SymbolId, value: TokenStream, names: &BlockNames<'_>) -> TokenStream {
+    if names.is_field(target) {
+        let field = names.symbol(target);
+        quote!(#field = #value;)
+    } else {
+        let name = plain_name(target, names.system);
+        quote!(let #name = #value;)
+    }
+}
+
+/// The call of the runtime that finds the tears with their rates.
+fn newton_call(
+    index: usize,
+    block: &BlockProgram,
+    names: &BlockNames<'_>,
+    _solved: &SolvedProgram,
+) -> TokenStream {
+    let Some(newton) = &block.newton else {
+        return TokenStream::new();
+    };
+    let number = count(index);
+    let type_name = equations_name(block);
+    let of = |which: &str| -> Vec<TokenStream> {
+        newton
+            .unknowns
+            .iter()
+            .map(|&unknown| {
+                let unknown = &names.system.vector_form.unknowns[unknown];
+                names.symbol(match which {
+                    "q" => unknown.position,
+                    "qd" => unknown.rate,
+                    _ => unknown.acceleration,
+                })
+            })
+            .collect()
+    };
+    let (q, qd, qdd) = (of("q"), of("qd"), of("qdd"));
+    let from_last = |fields: &[TokenStream]| -> Vec<TokenStream> {
+        fields
+            .iter()
+            .map(|field| {
+                let text = field.to_string().replacen("at", "last", 1);
+                text.parse().unwrap_or_else(|_| field.clone())
+            })
+            .collect()
+    };
+    let (last_q, last_qd, last_qdd) = (from_last(&q), from_last(&qd), from_last(&qdd));
+    let places: Vec<_> = (0..q.len()).map(count).collect();
+    quote! {
+        let tears = kinematics::Frame {
+            t: last.t,
+            q: SVector::from([#(#last_q),*]),
+            qd: SVector::from([#(#last_qd),*]),
+            qdd: SVector::from([#(#last_qdd),*]),
+        };
+        let tears = kinematics::advance(&#type_name { at }, &tears, t, settings)
+            .map_err(|failure| failure.in_block(#number))?;
+        #(#q = tears.q[#places];)*
+        #(#qd = tears.qd[#places];)*
+        #(#qdd = tears.qdd[#places];)*
+    }
+}
+
+/// `LoopPqr`: the type of a block's equations.
+pub(super) fn equations_name(block: &BlockProgram) -> proc_macro2::Ident {
+    format_ident!("{}", crate::model::type_name(&block.name))
+}

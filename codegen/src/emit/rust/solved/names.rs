@@ -1,0 +1,91 @@
+//! What values are called inside a block's function.
+
+use std::collections::HashSet;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::emit::rust::expression::{Names, identifier};
+use crate::expr::{ExprId, SymbolId};
+use crate::program::Straight;
+use crate::program::solved::SolvedProgram;
+use crate::system::{SymbolRole, System};
+
+/// Coordinates and shared values are fields of the frame `at`; everything else is local.
+pub(super) struct BlockNames<'a> {
+    pub system: &'a System,
+    pub solved: &'a SolvedProgram,
+    pub time: &'a Straight,
+    /// Unknowns that are local here although they are coordinates: the tears while Newton-Raphson looks for them.
+    pub local: HashSet<SymbolId>,
+}
+
+impl BlockNames<'_> {
+    /// Whether a symbol is a field of the frame.
+    pub(super) fn is_field(&self, symbol: SymbolId) -> bool {
+        if self.local.contains(&symbol) {
+            return false;
+        }
+        match self.system.roles[symbol.index()] {
+            SymbolRole::Position(unknown)
+            | SymbolRole::Rate(unknown)
+            | SymbolRole::Acceleration(unknown)
+                if unknown < self.system.coordinates.len() =>
+            {
+                true
+            }
+            _ => self.solved.fields.contains(&symbol),
+        }
+    }
+}
+
+/// The plain name of a symbol: `phi_c3`, `phi_c3_rate`, `l_c3_x`.
+pub(super) fn plain_name(symbol: SymbolId, system: &System) -> Ident {
+    let name = match system.roles[symbol.index()] {
+        SymbolRole::Position(unknown) => system.unknown_name(unknown).to_string(),
+        SymbolRole::Rate(unknown) => format!("{}_rate", system.unknown_name(unknown)),
+        SymbolRole::Acceleration(unknown) => {
+            format!("{}_acceleration", system.unknown_name(unknown))
+        }
+        SymbolRole::Time => "t".to_string(),
+        SymbolRole::Arm(_) | SymbolRole::Intermediate => system.local_name(symbol).to_string(),
+    };
+    identifier(&name)
+}
+
+impl Names for BlockNames<'_> {
+    fn value(&self, expr: ExprId) -> Option<Ident> {
+        self.time.name_of(expr).map(identifier)
+    }
+
+    fn symbol(&self, symbol: SymbolId) -> TokenStream {
+        if let Some(branch) = self
+            .solved
+            .branches
+            .iter()
+            .find(|branch| branch.symbol == symbol)
+        {
+            let name = identifier(&branch.name);
+            return quote!(branches.#name.sign::<f64>());
+        }
+        if !self.is_field(symbol) {
+            let name = plain_name(symbol, self.system);
+            return quote!(#name);
+        }
+        let coordinates = self.system.coordinates.len();
+        let (vector, unknown) = match self.system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) if unknown < coordinates => ("q", unknown),
+            SymbolRole::Rate(unknown) if unknown < coordinates => ("qd", unknown),
+            SymbolRole::Acceleration(unknown) if unknown < coordinates => ("qdd", unknown),
+            _ => {
+                let name = plain_name(symbol, self.system);
+                return quote!(at.#name);
+            }
+        };
+        let (vector, field) = (
+            format_ident!("{vector}"),
+            identifier(self.system.unknown_name(unknown)),
+        );
+        quote!(at.#vector.#field)
+    }
+}

@@ -1,0 +1,205 @@
+//! The equations of blocks without a closed form, as the runtime sees them.
+
+use std::collections::HashSet;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::block::{equations_name, statement};
+use super::names::{BlockNames, plain_name};
+use crate::emit::rust::docs::docs;
+use crate::emit::rust::expression::Writer;
+use crate::emit::rust::literal::count;
+use crate::expr::{ExprId, SymbolId};
+use crate::joint::Quantity;
+use crate::program::Program;
+use crate::program::solved::{Action, BlockProgram, NewtonBlock, SolvedProgram};
+use crate::system::{SymbolRole, System};
+
+/// A type with the equations of every Newton block.
+pub(in crate::emit::rust) fn newton_blocks(
+    system: &System,
+    program: &Program,
+    solved: &SolvedProgram,
+) -> TokenStream {
+    let types = solved
+        .blocks
+        .iter()
+        .enumerate()
+        .filter_map(|(index, block)| {
+            Some(equations(
+                index,
+                block,
+                block.newton.as_ref()?,
+                system,
+                program,
+                solved,
+            ))
+        });
+    quote!(#(#types)*)
+}
+
+fn equations(
+    index: usize,
+    block: &BlockProgram,
+    newton: &NewtonBlock,
+    system: &System,
+    program: &Program,
+    solved: &SolvedProgram,
+) -> TokenStream {
+    let name = equations_name(block);
+    let size = count(newton.unknowns.len());
+    let unknowns: Vec<_> = newton
+        .unknowns
+        .iter()
+        .map(|&unknown| &system.vector_form.unknowns[unknown])
+        .collect();
+    let positions: HashSet<SymbolId> = unknowns.iter().map(|unknown| unknown.position).collect();
+    let rates: HashSet<SymbolId> = unknowns.iter().map(|unknown| unknown.rate).collect();
+    let geometry: HashSet<SymbolId> = newton.geometry.iter().flat_map(Action::targets).collect();
+    let part = |results: &[ExprId], with_rates: bool| {
+        let mut local: HashSet<SymbolId> = positions.union(&geometry).copied().collect();
+        if with_rates {
+            local.extend(&rates);
+        }
+        let names = BlockNames {
+            system,
+            solved,
+            time: &block.time,
+            local,
+        };
+        let writer = Writer {
+            system,
+            constants: &program.constants,
+            names: &names,
+        };
+        let needed = newton.geometry_for(results, system);
+        let time = writer.statements(&block.time.for_results(results, system));
+        let actions: Vec<TokenStream> = needed
+            .iter()
+            .map(|action| statement(action, index, block, &writer, &names, solved))
+            .collect();
+        let values: Vec<TokenStream> = results
+            .iter()
+            .map(|&expr| writer.expression(expr, &[]))
+            .collect();
+        let read: HashSet<SymbolId> = results
+            .iter()
+            .copied()
+            .chain(needed.iter().flat_map(Action::values))
+            .flat_map(|expr| system.mechanism.graph.symbols(expr).iter().copied())
+            .collect();
+        let pattern = |symbol: SymbolId| {
+            let name = plain_name(symbol, system);
+            if read.contains(&symbol) {
+                quote!(#name)
+            } else {
+                quote!(_)
+            }
+        };
+        let unpack = |from: &str, symbols: Vec<SymbolId>| {
+            if !symbols.iter().any(|symbol| read.contains(symbol)) {
+                return TokenStream::new();
+            }
+            let from = proc_macro2::Ident::new(from, proc_macro2::Span::call_site());
+            let names = symbols.into_iter().map(pattern);
+            quote!(let [#(#names),*] = #from.data.0[0];)
+        };
+        let unpack_q = unpack(
+            "q",
+            unknowns.iter().map(|unknown| unknown.position).collect(),
+        );
+        let unpack_qd = unpack("qd", unknowns.iter().map(|unknown| unknown.rate).collect());
+        let reads_frame = read.iter().any(|&symbol| names.is_field(symbol));
+        let at = if reads_frame {
+            quote!(let at = self.at;)
+        } else {
+            TokenStream::new()
+        };
+        let reads_time = read
+            .iter()
+            .any(|symbol| system.roles[symbol.index()] == SymbolRole::Time);
+        let t = if reads_time { quote!(t) } else { quote!(_t) };
+        let q = if unpack_q.is_empty() {
+            quote!(_q)
+        } else {
+            quote!(q)
+        };
+        let qd = if unpack_qd.is_empty() {
+            quote!(_qd)
+        } else {
+            quote!(qd)
+        };
+        let body = quote!(#at #unpack_q #unpack_qd #(#time)* #(#actions)*);
+        (body, values, q, qd, t)
+    };
+    let (residual_body, residual, residual_q, _, residual_t) = part(&newton.residuals, false);
+    let (jacobian_body, jacobian, jacobian_q, _, jacobian_t) = part(&newton.jacobian, false);
+    let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
+    let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
+    let column_scales = unknowns.iter().map(|unknown| match unknown.quantity {
+        Quantity::Length => quote!(CHARACTERISTIC_LENGTH),
+        Quantity::Angle => quote!(1.0),
+    });
+    let title = docs([format!(
+        "The equations of `{}` for {}.",
+        block.name,
+        listed(newton, system)
+    )]);
+    quote! {
+        #title
+        struct #name<'a> {
+            at: &'a Frame,
+        }
+
+        impl Equations<f64, Const<#size>> for #name<'_> {
+            fn dimension(&self) -> Const<#size> {
+                Const
+            }
+
+            fn residual(&self, #residual_q: &SVector<f64, #size>, #residual_t: f64, residual: &mut SVector<f64, #size>) {
+                #residual_body
+                *residual = SVector::from([#(#residual),*]);
+            }
+
+            fn jacobian(&self, #jacobian_q: &SVector<f64, #size>, #jacobian_t: f64, jacobian: &mut SMatrix<f64, #size, #size>) {
+                #jacobian_body
+                *jacobian = SMatrix::from_row_slice(&[#(#jacobian),*]);
+            }
+
+            fn time_derivative(&self, #drift_q: &SVector<f64, #size>, #drift_t: f64, derivative: &mut SVector<f64, #size>) {
+                #drift_body
+                *derivative = SVector::from([#(#drift),*]);
+            }
+
+            fn gamma(
+                &self,
+                #gamma_q: &SVector<f64, #size>,
+                #gamma_qd: &SVector<f64, #size>,
+                #gamma_t: f64,
+                right_hand_side: &mut SVector<f64, #size>,
+            ) {
+                #gamma_body
+                *right_hand_side = SVector::from([#(#gamma),*]);
+            }
+
+            fn row_scale(&self, _row: usize) -> f64 {
+                CHARACTERISTIC_LENGTH
+            }
+
+            fn coordinate_scale(&self, column: usize) -> f64 {
+                const SCALES: [f64; #size] = [#(#column_scales),*];
+                SCALES.get(column).copied().unwrap_or(1.0)
+            }
+        }
+    }
+}
+
+fn listed(newton: &NewtonBlock, system: &System) -> String {
+    let names: Vec<String> = newton
+        .unknowns
+        .iter()
+        .map(|&unknown| format!("`{}`", system.unknown_name(unknown)))
+        .collect();
+    names.join(", ")
+}

@@ -1,0 +1,186 @@
+//! System and SolvedPlan → the statements of each block.
+//!
+//! A block's function finds its unknowns, their rates and their accelerations, in this order, from those of the blocks before
+//! it. Afterwards every symbol is defined before it is used; what only one function needs is a local value there, and what
+//! several need is a field of the instant. Deliberately unknown here: the syntax of Rust.
+
+mod builder;
+mod fields;
+mod liveness;
+mod lower;
+mod newton;
+mod one_angle;
+mod slides;
+mod two_rotations;
+
+pub use lower::lower;
+
+use super::{Operations, Straight};
+use crate::expr::{ExprId, SymbolId};
+use crate::system::System;
+
+/// The functions of the solved view.
+#[derive(Clone, Debug)]
+pub struct SolvedProgram {
+    /// In solve order.
+    pub blocks: Vec<BlockProgram>,
+    /// Arms and displacements that more than one block uses, in order of definition.
+    pub fields: Vec<SymbolId>,
+    /// The assembly modes of all blocks that have one.
+    pub branches: Vec<Branch>,
+}
+
+/// The function of one block.
+#[derive(Clone, Debug)]
+pub struct BlockProgram {
+    /// Its name: how it is solved, and the joints it closes.
+    pub name: String,
+    /// One line of documentation.
+    pub title: String,
+    /// The joints whose equations it uses.
+    pub joints: Vec<usize>,
+    /// Functions of time alone, computed first.
+    pub time: Straight,
+    /// What it does.
+    pub actions: Vec<Action>,
+    /// The equations of its Newton-Raphson, where it needs it.
+    pub newton: Option<NewtonBlock>,
+    /// Its assembly mode: an index into the program's.
+    pub branch: Option<usize>,
+    /// What it costs, without the iterations of Newton-Raphson.
+    pub operations: Operations,
+}
+
+/// One statement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// A line of comment.
+    Comment(String),
+    /// target = value.
+    Let {
+        /// A local value, a field or an unknown.
+        target: SymbolId,
+        /// What it is.
+        value: ExprId,
+    },
+    /// The sine and cosine of an angle.
+    SineCosine {
+        /// The sine.
+        sine: SymbolId,
+        /// The cosine.
+        cosine: SymbolId,
+        /// The angle.
+        angle: ExprId,
+    },
+    /// The angle with this sine and cosine that is nearest to the last one.
+    Angle {
+        /// The angle's unknown.
+        unknown: usize,
+        /// Its sine, or a positive multiple of it.
+        sine: ExprId,
+        /// Its cosine, or the same multiple.
+        cosine: ExprId,
+    },
+    /// Fails where `excess` is not positive beside `scale`: a circle is out of reach or just touched. The square of the
+    /// gap's length scale turns the excess into a distance.
+    Reach {
+        /// The square of the half chord, times `scale` over a length squared.
+        excess: ExprId,
+        /// What the excess is judged against.
+        scale: ExprId,
+        /// The distance to be bridged, in m.
+        distance: ExprId,
+        /// The longest distance that the links bridge, in m.
+        longest: ExprId,
+        /// The shortest distance that the links bridge, in m.
+        shortest: ExprId,
+    },
+    /// Fails where a divisor vanishes beside `scale`.
+    Nonzero {
+        /// The divisor.
+        value: ExprId,
+        /// What it is judged against.
+        scale: ExprId,
+    },
+    /// Runs the block's Newton-Raphson, which finds the tears with their rates and accelerations.
+    Newton,
+}
+
+impl Action {
+    /// The expressions that it evaluates.
+    pub fn values(&self) -> Vec<ExprId> {
+        match self {
+            Action::Let { value, .. } => vec![*value],
+            Action::SineCosine { angle, .. } => vec![*angle],
+            Action::Angle { sine, cosine, .. } => vec![*sine, *cosine],
+            Action::Reach {
+                excess,
+                scale,
+                distance,
+                longest,
+                shortest,
+            } => {
+                vec![*excess, *scale, *distance, *longest, *shortest]
+            }
+            Action::Nonzero { value, scale } => vec![*value, *scale],
+            Action::Comment(_) | Action::Newton => Vec::new(),
+        }
+    }
+
+    /// The symbols that it defines, angles of closed forms apart.
+    pub fn targets(&self) -> Vec<SymbolId> {
+        match self {
+            Action::Let { target, .. } => vec![*target],
+            Action::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
+            Action::Comment(_)
+            | Action::Angle { .. }
+            | Action::Reach { .. }
+            | Action::Nonzero { .. }
+            | Action::Newton => Vec::new(),
+        }
+    }
+}
+
+/// An assembly mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branch {
+    /// Its name in the generated code.
+    pub name: String,
+    /// The symbol that is +1 or −1.
+    pub symbol: SymbolId,
+    /// Whether it is positive in the drawing.
+    pub positive: bool,
+    /// How far the drawing is from the change of sign: the sine of the angle between the links, or the like.
+    pub certainty: f64,
+    /// What its sign tells apart.
+    pub meaning: String,
+}
+
+/// The equations that Newton-Raphson solves in one block.
+#[derive(Clone, Debug)]
+pub struct NewtonBlock {
+    /// The tears.
+    pub unknowns: Vec<usize>,
+    /// Sines, cosines and arms of the tears, from the tears themselves, as the residuals need them.
+    pub geometry: Vec<Action>,
+    /// One residual a row.
+    pub residuals: Vec<ExprId>,
+    /// Row by row.
+    pub jacobian: Vec<ExprId>,
+    /// The rates of the residuals with the tears held.
+    pub time_derivative: Vec<ExprId>,
+    /// Minus the second rates of the residuals with the tears' accelerations zero.
+    pub gamma: Vec<ExprId>,
+}
+
+impl NewtonBlock {
+    /// The part of the geometry that these results need.
+    pub fn geometry_for(&self, results: &[ExprId], system: &System) -> Vec<Action> {
+        let read: Vec<SymbolId> = results
+            .iter()
+            .flat_map(|&expr| system.mechanism.graph.symbols(expr))
+            .copied()
+            .collect();
+        liveness::needed(self.geometry.clone(), read, |_| false, system)
+    }
+}

@@ -1,0 +1,333 @@
+//! The same constraints in vector form: what the solved view starts from.
+//!
+//! Every turned local vector R s is a pair of symbols, an *arm*, so that the rows are linear in positions and arms, and a
+//! sliding joint has its displacement ℓ as an unknown. Afterwards an unknown has a constant coefficient wherever a person
+//! would eliminate it by inspection. Time derivatives follow from the rule that an arm turns with its body: d(R s)/dt = φ̇ Ω R s.
+
+use std::collections::HashMap;
+
+use super::orientation::{Orientations, as_symbol};
+use super::{Coordinate, SymbolRole};
+use crate::expr::{ExprId, Graph, SymbolId};
+use crate::joint::geometry::{Frame, Mark, Vector};
+use crate::joint::{Operands, Quantity, Resolved};
+use crate::model::{Joint, Mechanism};
+
+/// The vector form of a mechanism.
+#[derive(Clone, Debug)]
+pub struct VectorForm {
+    /// The coordinates in their order, then the displacements.
+    pub unknowns: Vec<Unknown>,
+    /// As many rows as unknowns where the mechanism is driven.
+    pub rows: Vec<VectorRow>,
+    /// Every turned local vector that occurs, in order of first use.
+    pub arms: Vec<Arm>,
+    /// Which bodies share their sine and cosine.
+    pub orientations: Orientations,
+    /// r + arm of each declared point, in the mechanism's order.
+    pub points: Vec<Vector>,
+    /// d/dt of each symbol that moves.
+    rates: HashMap<SymbolId, ExprId>,
+    // Looked up, never iterated.
+    arm_places: HashMap<(usize, Vector), usize>,
+}
+
+/// What is solved for.
+#[derive(Clone, Debug)]
+pub struct Unknown {
+    /// `x1`, `phi_c1`, `length_n_m`.
+    pub name: String,
+    /// The unknown itself.
+    pub position: SymbolId,
+    /// Its rate.
+    pub rate: SymbolId,
+    /// Its acceleration.
+    pub acceleration: SymbolId,
+    /// A length (x, y, ℓ) or an angle.
+    pub quantity: Quantity,
+    /// Its value in the drawing.
+    pub estimate: ExprId,
+}
+
+/// One scalar equation of the vector form.
+#[derive(Clone, Copy, Debug)]
+pub struct VectorRow {
+    /// Index into the mechanism's joints.
+    pub joint: usize,
+    /// Zero when satisfied.
+    pub residual: ExprId,
+}
+
+/// A local vector turned with a body: a = R(φ) s.
+#[derive(Clone, Debug)]
+pub struct Arm {
+    /// The body whose angle turns it; no follower.
+    pub leader: usize,
+    /// s in the leader's orientation.
+    pub local: Vector,
+    /// a.
+    pub symbols: [SymbolId; 2],
+    /// What it is called: `g_c3`.
+    pub name: String,
+}
+
+impl VectorForm {
+    /// The vector form of every joint, with the drawn values of the displacements.
+    pub(super) fn new(mechanism: &mut Mechanism, coordinates: &[Coordinate]) -> VectorForm {
+        let mut form = VectorForm {
+            unknowns: coordinates.iter().map(unknown_of).collect(),
+            rows: Vec::new(),
+            arms: Vec::new(),
+            orientations: Orientations::new(mechanism.bodies.len(), &mechanism.graph),
+            points: Vec::new(),
+            rates: HashMap::new(),
+            arm_places: HashMap::new(),
+        };
+        let Mechanism {
+            graph,
+            joints,
+            bodies,
+            points,
+            ..
+        } = mechanism;
+        form.rates.insert(mechanism.time, graph.one());
+        // Which angles are tied must be known before the first arm is made.
+        for joint in joints.iter() {
+            for row in joint.kind.vector_rows(&joint.operands, graph) {
+                if row.quantity == Quantity::Angle {
+                    form.orientations.tie(&row, bodies, graph);
+                }
+            }
+        }
+        for (index, joint) in joints.iter().enumerate() {
+            if joint.kind.operands() == Operands::BodiesAlong {
+                form.add_displacement(joint, bodies, graph);
+            }
+            let operands = form.with_arms(&joint.operands, bodies, graph);
+            let rows = joint.kind.vector_rows(&operands, graph);
+            form.rows.extend(rows.iter().map(|row| VectorRow {
+                joint: index,
+                residual: row.residual,
+            }));
+        }
+        for point in points.iter() {
+            let mark = form.mark_with_arm(&point.mark, bodies, graph);
+            let position = mark.position(graph);
+            form.points.push(position);
+        }
+        for unknown in &form.unknowns {
+            let (rate, acceleration) = (
+                graph.variable(unknown.rate),
+                graph.variable(unknown.acceleration),
+            );
+            form.rates.insert(unknown.position, rate);
+            form.rates.insert(unknown.rate, acceleration);
+        }
+        form
+    }
+
+    /// d/dt of an expression of unknowns, rates, arms and t.
+    pub fn rate(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
+        let symbols = graph.symbols(expr).to_vec();
+        let mut terms = Vec::with_capacity(symbols.len());
+        for symbol in symbols {
+            let Some(&rate) = self.rates.get(&symbol) else {
+                unreachable!("`{}` has no rule of motion", graph.symbol_name(symbol))
+            };
+            let partial = graph.derivative(expr, symbol);
+            terms.push(graph.multiply(partial, rate));
+        }
+        graph.sum(&terms)
+    }
+
+    /// States how a symbol that was made later moves.
+    pub fn set_rate(&mut self, symbol: SymbolId, rate: ExprId) {
+        self.rates.insert(symbol, rate);
+    }
+
+    /// The unknown angle of a body.
+    pub fn angle_of(&self, body: usize) -> usize {
+        3 * body - 1
+    }
+
+    /// The arms that turn with the angle `unknown`.
+    pub fn arms_of(&self, unknown: usize) -> impl Iterator<Item = &Arm> {
+        self.arms
+            .iter()
+            .filter(move |arm| self.angle_of(arm.leader) == unknown)
+    }
+
+    /// The arm R(φ) s of a local vector in the orientation of `leader`; a zero vector stays zero.
+    pub fn arm(&mut self, leader: usize, local: Vector, name: &str, graph: &mut Graph) -> Vector {
+        let zero = graph.zero();
+        if local == [zero, zero] {
+            return local;
+        }
+        if let Some(&place) = self.arm_places.get(&(leader, local)) {
+            return self.arms[place]
+                .symbols
+                .map(|symbol| graph.variable(symbol));
+        }
+        let taken = self
+            .arms
+            .iter()
+            .filter(|arm| arm.name == name || arm.name.starts_with(&format!("{name}_")))
+            .count();
+        let name = if taken == 0 {
+            name.to_string()
+        } else {
+            format!("{name}_{}", taken + 1)
+        };
+        let symbols = ["x", "y"].map(|axis| graph.symbol(&format!("{name}_{axis} arm")));
+        let [x, y] = symbols.map(|symbol| graph.variable(symbol));
+        let turning = graph.variable(self.unknowns[self.angle_of(leader)].rate);
+        let backward = graph.multiply(turning, y);
+        self.rates.insert(symbols[0], graph.negate(backward));
+        self.rates.insert(symbols[1], graph.multiply(turning, x));
+        self.arm_places.insert((leader, local), self.arms.len());
+        self.arms.push(Arm {
+            leader,
+            local,
+            symbols,
+            name,
+        });
+        [x, y]
+    }
+
+    fn add_displacement(
+        &mut self,
+        joint: &Joint,
+        bodies: &[crate::model::Body],
+        graph: &mut Graph,
+    ) {
+        let Some(axis) = joint.operands.axis else {
+            return;
+        };
+        let Some(position) = as_symbol(axis.displacement, graph) else {
+            return;
+        };
+        let ends = [0, 1].map(|side| {
+            let mark = &joint.operands.marks[side];
+            let carried = bodies[mark.frame.body.0]
+                .marks
+                .iter()
+                .find(|other| other.mark.local == mark.local);
+            carried.map(|carried| carried.name.to_lowercase())
+        });
+        let name = match ends {
+            [Some(from), Some(to)] => format!("length_{from}_{to}"),
+            _ => format!("length_{}", joint.slug),
+        };
+        let taken = self.unknowns.iter().any(|unknown| unknown.name == name);
+        let name = if taken {
+            format!("{name}_{}", self.unknowns.len())
+        } else {
+            name
+        };
+        let [rate, acceleration] = ["'", "''"].map(|dots| graph.symbol(&format!("{name}{dots}")));
+        let [i, j] = [0, 1].map(|side| {
+            let mark = &joint.operands.marks[side];
+            Mark::new(bodies[mark.frame.body.0].drawn, mark.local, graph)
+        });
+        let turned = i.frame.rotate(axis.direction, graph);
+        let estimate = crate::joint::geometry::offset_along(axis.direction, turned, &i, &j, graph);
+        let quantity = Quantity::Length;
+        self.unknowns.push(Unknown {
+            name,
+            position,
+            rate,
+            acceleration,
+            quantity,
+            estimate,
+        });
+    }
+
+    /// The operands with symbols for all turned vectors.
+    fn with_arms(
+        &mut self,
+        operands: &Resolved,
+        bodies: &[crate::model::Body],
+        graph: &mut Graph,
+    ) -> Resolved {
+        let marks = operands
+            .marks
+            .iter()
+            .map(|mark| self.mark_with_arm(mark, bodies, graph))
+            .collect();
+        let axis = operands.axis.map(|axis| {
+            let body = operands.marks[0].frame.body.0;
+            let name = format!("axis_{}", bodies[body].name.to_lowercase());
+            let turned = self.turned(&operands.marks[0].frame, axis.direction, &name, graph);
+            crate::joint::Axis { turned, ..axis }
+        });
+        Resolved {
+            marks,
+            axis,
+            value: operands.value,
+        }
+    }
+
+    fn mark_with_arm(
+        &mut self,
+        mark: &Mark,
+        bodies: &[crate::model::Body],
+        graph: &mut Graph,
+    ) -> Mark {
+        let body = &bodies[mark.frame.body.0];
+        let named = body
+            .marks
+            .iter()
+            .find(|other| other.mark.local == mark.local);
+        let point = named.map_or("arm", |named| &named.name);
+        let name = format!("{point}_{}", body.name).to_lowercase();
+        let arm = self.turned(&mark.frame, mark.local, &name, graph);
+        Mark { arm, ..*mark }
+    }
+
+    /// R s as an arm of the leader, or a constant vector on a body that does not turn.
+    fn turned(&mut self, frame: &Frame, local: Vector, name: &str, graph: &mut Graph) -> Vector {
+        let (leader, offset) = self.orientations.leader(frame.body);
+        let toward_leader = Frame {
+            angle: offset,
+            ..*frame
+        };
+        let local = toward_leader.rotate(local, graph);
+        if leader.0 == 0 {
+            local
+        } else {
+            self.arm(leader.0, local, name, graph)
+        }
+    }
+
+    /// What the symbols of the vector form are.
+    pub(super) fn note_roles(&self, roles: &mut Vec<SymbolRole>, coordinates: usize) {
+        for (index, unknown) in self.unknowns.iter().enumerate().skip(coordinates) {
+            set(roles, unknown.position, SymbolRole::Position(index));
+            set(roles, unknown.rate, SymbolRole::Rate(index));
+            set(roles, unknown.acceleration, SymbolRole::Acceleration(index));
+        }
+        for (index, arm) in self.arms.iter().enumerate() {
+            for symbol in arm.symbols {
+                set(roles, symbol, SymbolRole::Arm(index));
+            }
+        }
+    }
+}
+
+fn set(roles: &mut Vec<SymbolRole>, symbol: SymbolId, role: SymbolRole) {
+    if roles.len() <= symbol.index() {
+        roles.resize(symbol.index() + 1, SymbolRole::Intermediate);
+    }
+    roles[symbol.index()] = role;
+}
+
+fn unknown_of(coordinate: &Coordinate) -> Unknown {
+    Unknown {
+        name: coordinate.name.clone(),
+        position: coordinate.position,
+        rate: coordinate.rate,
+        acceleration: coordinate.acceleration,
+        quantity: coordinate.quantity,
+        estimate: coordinate.estimate,
+    }
+}

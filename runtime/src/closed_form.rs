@@ -1,0 +1,119 @@
+//! What closed-form blocks need besides arithmetic: the assembly mode, the nearest turn, and the failures.
+//!
+//! A closed form finds a square root of a quantity that is positive while the links span the distance between their far
+//! pins. The module does not know the links; the generated code hands over the distances.
+
+use crate::failure::{Failure, FailureKind};
+use crate::math::Real;
+
+/// One of the two ways in which a closed-form block can be assembled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Branch {
+    /// The block's determinant is negative.
+    Negative,
+    /// The block's determinant is positive.
+    Positive,
+}
+
+impl Branch {
+    /// +1 or −1.
+    #[inline]
+    pub fn sign<T: Real>(self) -> T {
+        match self {
+            Branch::Negative => -T::ONE,
+            Branch::Positive => T::ONE,
+        }
+    }
+
+    /// The other way.
+    #[must_use]
+    pub fn opposite(self) -> Self {
+        match self {
+            Branch::Negative => Branch::Positive,
+            Branch::Positive => Branch::Negative,
+        }
+    }
+}
+
+/// The multiple of ε below which the square of a sine is rounding: links that enclose an angle of less than about 6e-8 rad
+/// (f64) are in line.
+pub const FOLD: f64 = 16.0;
+
+/// Whether the square of a half chord is safely positive beside `scale`. False for NaN.
+#[inline]
+pub fn spans<T: Real>(excess: T, scale: T) -> bool {
+    excess > T::from_f64(FOLD) * T::EPSILON * scale
+}
+
+/// Why the links of a closed-form block do not span the distance (m) between their far pins; `longest` and `shortest` are what
+/// they can span. Where they do, they are in line and the block is singular.
+#[cold]
+pub fn no_span<T: Real>(distance: T, longest: T, shortest: T, time: T, block: u16) -> Failure<T> {
+    let shortest = shortest.abs();
+    let kind = if !(distance.is_finite() && longest.is_finite() && shortest.is_finite()) {
+        FailureKind::NotFinite
+    } else if distance > longest {
+        FailureKind::OutOfReach {
+            by: distance - longest,
+        }
+    } else if distance < shortest {
+        FailureKind::OutOfReach {
+            by: shortest - distance,
+        }
+    } else {
+        FailureKind::Singular {
+            pivot_ratio: T::ZERO,
+            column: 0,
+        }
+    };
+    failed(kind, time, block)
+}
+
+/// A failure of a closed-form block, which takes no iterations and leaves no residual.
+#[cold]
+pub fn failed<T: Real>(kind: FailureKind<T>, time: T, block: u16) -> Failure<T> {
+    Failure {
+        kind,
+        time,
+        block,
+        iterations: 0,
+        residual: T::ZERO,
+        row: 0,
+    }
+}
+
+/// The angle that differs from `angle` by whole turns and is nearest to `near` (rad).
+#[inline]
+pub fn nearest_turn<T: Real>(angle: T, near: T) -> T {
+    let gap = near - angle;
+    if gap.abs() <= T::from_f64(core::f64::consts::PI) {
+        return angle;
+    }
+    let turns = (gap * T::from_f64(core::f64::consts::FRAC_1_PI) * T::HALF).round();
+    angle + turns * T::from_f64(core::f64::consts::TAU)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_turn_follows_a_winding_angle() {
+        let tau = core::f64::consts::TAU;
+        assert_eq!(nearest_turn(0.5_f64, 0.4), 0.5);
+        assert_eq!(nearest_turn(-3.0_f64, 3.1), -3.0 + tau);
+        assert_eq!(nearest_turn(0.1_f64, 10.0 * tau), 0.1 + 10.0 * tau);
+        assert_eq!(nearest_turn(0.1_f64, -3.0 * tau), 0.1 - 3.0 * tau);
+    }
+
+    #[test]
+    fn a_gap_is_told_from_links_in_line() {
+        let by =
+            |distance, longest, shortest| no_span(distance, longest, shortest, 0.5_f64, 3).kind;
+        assert_eq!(by(3.0, 2.5, 0.5), FailureKind::OutOfReach { by: 0.5 });
+        assert_eq!(by(0.25, 2.5, -0.5), FailureKind::OutOfReach { by: 0.25 });
+        assert!(matches!(by(2.5, 2.5, 0.5), FailureKind::Singular { .. }));
+        assert_eq!(by(f64::NAN, 2.5, 0.5), FailureKind::NotFinite);
+        assert!(!spans(f64::NAN, 1.0) && !spans(1e-16, 1.0) && spans(1e-14, 1.0));
+    }
+}
