@@ -36,8 +36,9 @@ const EXPLANATION: &str = "\
 A frame is one step of 0.01 s of a sweep over 0 to 5 s: positions, velocities and accelerations of all bodies. Errors are the
 largest over the reference's times (every 0.5 s) and all coordinates, each in the largest magnitude of its column. Times are
 medians; repeats go round the methods. The baseline is the dense solver in `tests/src/baseline`: a `Vec` of joint objects that
-fills a `DMatrix`, nalgebra's LU, a predictor, stop at max |Φ| ≤ 1e-12. A textbook method's setting is the tolerance of its scaled
-residuals; polishing is one more step after that.
+fills a `DMatrix`, nalgebra's LU, a predictor, stop at max |Φ| ≤ 1e-12. The textbook solves all
+equations as one dense system; the closed form is the solved view, and block Newton is the solved view where a block has no closed
+form. A setting is the tolerance of scaled residuals; polishing is one more step after that.
 ";
 
 fn main() -> ExitCode {

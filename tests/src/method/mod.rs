@@ -4,11 +4,22 @@
 //! that a user's loop would keep.
 
 mod dense;
+mod solved;
 mod textbook;
 
 pub use dense::Dense;
 
+use linkwright_codegen::structure::{self, Step};
+
 use crate::description;
+
+/// The settings under which iterations are measured: label, tolerance, polish.
+const SETTINGS: [(&str, f64, bool); 4] = [
+    ("1e-6", 1e-6, false),
+    ("1e-9", 1e-9, false),
+    ("1e-12", 1e-12, false),
+    ("1e-12, polished", 1e-12, true),
+];
 
 /// q, q̇ and q̈ at a time.
 pub type Levels = [Vec<f64>; 3];
@@ -47,13 +58,26 @@ pub fn methods(mechanism: &str) -> Vec<Box<dyn Method>> {
     methods
 }
 
+/// Whether a block of the mechanism's solved view has no closed form.
+fn iterates(mechanism: &str) -> bool {
+    let mut system = description::system(mechanism);
+    let plan = structure::plan(&mut system);
+    let plan = plan.unwrap_or_else(|| panic!("`{mechanism}` has no solved view"));
+    let mut steps = plan.blocks.iter().flat_map(|block| &block.steps);
+    steps.any(|step| matches!(step, Step::Newton { .. }))
+}
+
 /// A line per compiled module. Types of different modules have nothing in common, so a macro per kind of generated solver
 /// implements [`Method`] in a module of its own; further kinds are further macros with their lines below.
 macro_rules! generated {
     ($($module:ident: $mechanism:ident),+ $(,)?) => {
         $(mod $module {
             pub(super) mod textbook {
-                $crate::method::textbook::textbook!($module, $mechanism);
+                $crate::method::textbook::textbook!($module);
+            }
+
+            pub(super) mod solved {
+                $crate::method::solved::solved!($module, $mechanism, f64, "f64");
             }
         })+
 
@@ -63,6 +87,7 @@ macro_rules! generated {
                 $(stringify!($module) => {
                     let mut methods: Vec<Box<dyn Method>> = Vec::new();
                     methods.extend($module::textbook::methods());
+                    methods.extend($module::solved::methods(iterates(mechanism)));
                     // Further kinds: `methods.extend($module::<kind>::methods());`
                     methods
                 })+

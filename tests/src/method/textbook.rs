@@ -1,24 +1,18 @@
 //! The generated textbook view as methods: dense Newton-Raphson at several tolerances, polished or not, with the predictor or
 //! from the last pose.
 
-/// The settings under which the textbook view is measured: label, tolerance, polish.
-pub(super) const SETTINGS: [(&str, f64, bool); 4] = [
-    ("1e-6", 1e-6, false),
-    ("1e-9", 1e-9, false),
-    ("1e-12", 1e-12, false),
-    ("1e-12, polished", 1e-12, true),
-];
-
-/// Implements [`super::Method`] for a module with the type of its mechanism, and lists its methods.
+/// Implements [`super::Method`] for the textbook view of a module, and lists its methods.
 macro_rules! textbook {
-    ($module:ident, $mechanism:ident) => {
+    ($module:ident) => {
         use std::hint::black_box;
 
-        use linkwright::Settings;
-        use linkwright_mechanisms::$module::{Coordinates, $mechanism};
+        use linkwright::nalgebra::{Const, SVector};
+        use linkwright::{Frame, Settings};
+        use linkwright_mechanisms::$module::{Coordinates, Textbook};
 
-        use $crate::method::textbook::SETTINGS;
-        use $crate::method::{Levels, Method};
+        use $crate::method::{Levels, Method, SETTINGS};
+
+        type State = Frame<f64, Const<{ Coordinates::COUNT }>>;
 
         struct Newton {
             settings: Settings,
@@ -47,20 +41,19 @@ macro_rules! textbook {
         }
 
         impl Newton {
-            fn assembled(&self, t: f64) -> $mechanism {
-                $mechanism::assemble_from(&Coordinates::DRAWN, t, self.settings)
+            fn assembled(&self, t: f64) -> State {
+                let drawn = SVector::from(Coordinates::DRAWN.to_array());
+                linkwright::assemble(&Textbook, &drawn, t, &self.settings)
                     .unwrap_or_else(|failure| panic!("{failure}"))
             }
 
-            fn advance(&self, mechanism: &mut $mechanism, t: f64) {
-                if self.predicts {
-                    if let Err(failure) = mechanism.advance(t) {
-                        panic!("{failure}");
-                    }
+            fn advance(&self, state: &mut State, t: f64) {
+                let next = if self.predicts {
+                    linkwright::advance(&Textbook, state, t, &self.settings)
                 } else {
-                    *mechanism = $mechanism::assemble_from(&mechanism.frame().q, t, self.settings)
-                        .unwrap_or_else(|failure| panic!("{failure}"));
-                }
+                    linkwright::assemble(&Textbook, &state.q, t, &self.settings)
+                };
+                *state = next.unwrap_or_else(|failure| panic!("{failure}"));
             }
         }
 
@@ -82,28 +75,24 @@ macro_rules! textbook {
             }
 
             fn sweep(&mut self, times: &[f64]) {
-                let mut mechanism = self.assembled(times[0]);
-                black_box(mechanism.frame());
+                let mut state = self.assembled(times[0]);
+                black_box(&state);
                 for &t in &times[1..] {
-                    self.advance(&mut mechanism, t);
-                    black_box(mechanism.frame());
+                    self.advance(&mut state, t);
+                    black_box(&state);
                 }
             }
 
             fn record(&mut self, times: &[f64], indices: &[usize]) -> Vec<Levels> {
-                let mut mechanism = self.assembled(times[0]);
+                let mut state = self.assembled(times[0]);
                 let mut records = Vec::new();
                 for (index, &t) in times.iter().enumerate() {
                     if index > 0 {
-                        self.advance(&mut mechanism, t);
+                        self.advance(&mut state, t);
                     }
                     if indices.contains(&index) {
-                        let frame = mechanism.frame();
-                        let levels = [&frame.q, &frame.qd, &frame.qdd];
-                        records
-                            .push(levels.map(|level| {
-                                level.to_array().into_iter().map(f64::from).collect()
-                            }));
+                        let levels = [&state.q, &state.qd, &state.qdd];
+                        records.push(levels.map(|level| level.as_slice().to_vec()));
                     }
                 }
                 records
