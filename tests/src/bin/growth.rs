@@ -39,7 +39,7 @@ const EXPLANATION: &str = "\
 The chain is described in `tests/src/dyad_chain.rs`: a crank and n dyads of coupler and rocker, 3 + 6 n coordinates. Generator: from
 the text to the Rust, in one process, the fastest of several runs. Compiler: `cargo build --release` of the module alone, its
 dependencies built before. Frame: positions, velocities and accelerations at the next instant, as generated mechanisms do by
-default. A dash is what was not measured or did not end within the limit. Exponents: the least-squares slope of the logarithms over
+default. A dash is what was not measured, failed, or did not end within the limit. Exponents: the least-squares slope of the logarithms over
 all sizes, and the slope between the two largest, where what does not depend on n weighs least.
 ";
 
