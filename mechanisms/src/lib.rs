@@ -38,3 +38,33 @@ pub mod excavator_tool {
 pub mod arm {
     linkwright::include_mechanism!(arm);
 }
+
+/// A four-bar linkage whose crank turns all the way round.
+pub mod four_bar {
+    linkwright::include_mechanism!(four_bar);
+}
+
+/// An offset slider-crank.
+pub mod slider_crank {
+    linkwright::include_mechanism!(slider_crank);
+}
+
+/// A rod on a crank that slides through a turning sleeve.
+pub mod inverted_slider_crank {
+    linkwright::include_mechanism!(inverted_slider_crank);
+}
+
+/// A platform on three legs of driven length, whose pose no construction with two circles gives.
+pub mod platform_3rpr {
+    linkwright::include_mechanism!(platform_3rpr);
+}
+
+/// A scissor lift of six stages.
+pub mod scissor {
+    linkwright::include_mechanism!(scissor);
+}
+
+/// A six-bar driven at its far link, which keeps four links coupled.
+pub mod stephenson {
+    linkwright::include_mechanism!(stephenson);
+}

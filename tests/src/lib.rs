@@ -2,14 +2,19 @@
 //!
 //! One thing per module. Nothing here asserts what a test is about; the files under `tests/` do.
 
+pub mod baseline;
 pub mod description;
 pub mod deviation;
+pub mod dyad_chain;
 pub mod files;
 pub mod generated;
 pub mod magnitude;
 pub mod majorant;
+pub mod method;
 pub mod random;
+pub mod reference;
 pub mod sample;
 pub mod solver;
 pub mod stencil;
+pub mod study;
 pub mod table;

@@ -42,4 +42,13 @@ export! {
     arm: Arm {
         point_a, point_b, point_d, point_e, point_f, point_g, point_h, point_i, point_j, point_k, point_l, point_m, point_n,
     }
+    four_bar: FourBar { point_a, point_d, point_b, point_c, point_p }
+    slider_crank: SliderCrank { point_a, point_b, point_c }
+    inverted_slider_crank: InvertedSliderCrank { point_a, point_b, point_d, point_s }
+    platform_3rpr: Platform3rpr { point_a, point_b, point_c, point_p, point_q, point_r }
+    scissor: Scissor {
+        point_a, point_b, point_m1, point_l1, point_r1, point_m2, point_l2, point_r2, point_m3, point_l3, point_r3,
+        point_m4, point_l4, point_r4, point_m5, point_l5, point_r5, point_m6, point_l6, point_r6,
+    }
+    stephenson: Stephenson { point_a, point_b, point_c, point_d, point_e, point_f, point_g }
 }

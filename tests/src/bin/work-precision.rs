@@ -1,0 +1,104 @@
+//! Error against run time of every mechanism with a reference and every method: `tests/reports/work-precision.md` with charts.
+//!
+//! Run it in release, on an otherwise idle machine.
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+use linkwright_tests::files;
+use linkwright_tests::reference::REFERENCES;
+use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::measurement::{Effort, measure};
+use linkwright_tests::study::{chart, table};
+
+/// Measures error against run time and writes a report with charts
+#[derive(Parser)]
+struct Arguments {
+    /// Measure briefly: the numbers are rough, everything else is as always
+    #[arg(long)]
+    short: bool,
+    /// The commit that is measured [default: what git says]
+    #[arg(long)]
+    commit: Option<String>,
+    /// Only these mechanisms, separated by commas [default: all with a reference]
+    #[arg(long, value_delimiter = ',')]
+    only: Vec<String>,
+    /// Where the report and the charts are written [default: tests/reports]
+    #[arg(long)]
+    output: Option<PathBuf>,
+}
+
+const EXPLANATION: &str = "\
+A frame is one step of 0.01 s of a sweep over 0 to 5 s: positions, velocities and accelerations of all bodies. Errors are the
+largest over the reference's times (every 0.5 s) and all coordinates, each in the largest magnitude of its column. Times are
+medians; repeats go round the methods. The baseline is the dense solver in `tests/src/baseline`: a `Vec` of joint objects that
+fills a `DMatrix`, nalgebra's LU, a predictor, stop at max |Φ| ≤ 1e-12. The textbook solves all
+equations as one dense system; the closed form is the solved view, and block Newton is the solved view where a block has no closed
+form. A setting is the tolerance of scaled residuals; polishing is one more step after that.
+";
+
+fn main() -> ExitCode {
+    match run(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    if cfg!(debug_assertions) {
+        eprintln!("warning: not a release build; the times mean nothing");
+    }
+    let known = |name: &String| REFERENCES.iter().any(|(known, _)| known == name);
+    if let Some(unknown) = arguments.only.iter().find(|name| !known(name)) {
+        return Err(format!("`{unknown}` has no reference").into());
+    }
+    let effort = if arguments.short {
+        Effort {
+            repeats: 3,
+            shortest: 0.0,
+        }
+    } else {
+        Effort {
+            repeats: 21,
+            shortest: 0.01,
+        }
+    };
+    let folder = arguments
+        .output
+        .clone()
+        .unwrap_or_else(|| files::package("reports"));
+    fs::create_dir_all(&folder)?;
+    let environment = Environment::here(arguments.commit.as_deref());
+    let mut report = format!(
+        "# Error against run time\n\nWritten by `cargo run --release -p linkwright-tests --bin work-precision`.\n\n{}- repeats: {}\n\n{EXPLANATION}",
+        environment.lines(),
+        effort.repeats
+    );
+    print!("{}", environment.lines());
+    for (name, file) in REFERENCES {
+        if !arguments.only.is_empty() && !arguments.only.iter().any(|it| it == name) {
+            continue;
+        }
+        let measurements = measure(name, effort, |message| eprintln!("{name}: {message}"));
+        let baseline = measurements[0].time;
+        let table = table::markdown(&measurements, baseline);
+        println!("\n{name}\n{table}");
+        let image = format!("work-precision-{name}.svg");
+        chart::draw(&folder.join(&image), name, &measurements)?;
+        write!(
+            report,
+            "\n## {name}\n\nReference: `tests/data/{file}`.\n\n{table}\n![{name}]({image})\n"
+        )?;
+    }
+    let file = folder.join("work-precision.md");
+    fs::write(&file, report)?;
+    println!("wrote {}", file.display());
+    Ok(())
+}

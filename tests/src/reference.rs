@@ -1,0 +1,50 @@
+//! *The name of a mechanism* → *its committed high-precision reference*.
+//!
+//! The tables are written by `tests/data/references.py`, which shares no code with the generator or the runtime.
+
+use crate::table::Table;
+
+/// Every mechanism with a reference, and the file it is in: t, then q, q̇, q̈ in the order of the mechanism's coordinates.
+pub const REFERENCES: &[(&str, &str)] = &[
+    ("two_body", "exam.csv"),
+    ("four_bar", "four_bar.csv"),
+    ("slider_crank", "slider_crank.csv"),
+    ("inverted_slider_crank", "inverted_slider_crank.csv"),
+    ("stephenson", "stephenson.csv"),
+    ("platform_3rpr", "platform_3rpr.csv"),
+    ("excavator", "excavator_centers.csv"),
+    ("excavator_pins", "excavator.csv"),
+    ("arm", "arm.csv"),
+    ("scissor", "scissor.csv"),
+];
+
+/// The reference of a mechanism.
+///
+/// # Panics
+/// If it has none.
+pub fn reference(mechanism: &str) -> Table {
+    let entry = REFERENCES.iter().find(|(name, _)| *name == mechanism);
+    let (_, file) = entry.unwrap_or_else(|| panic!("`{mechanism}` has no reference"));
+    Table::read(file)
+}
+
+/// What the errors of each column after t are measured in: the largest absolute value in the column, or, in a column of zeros,
+/// the largest among the columns of the same level (q, q̇ or q̈).
+pub fn yardsticks(table: &Table) -> Vec<f64> {
+    let magnitudes: Vec<f64> = (1..table.names.len())
+        .map(|column| table.magnitude(column))
+        .collect();
+    let level_length = magnitudes.len() / 3;
+    magnitudes
+        .iter()
+        .enumerate()
+        .map(|(index, magnitude)| {
+            if *magnitude > 0.0 {
+                return *magnitude;
+            }
+            let start = index / level_length * level_length;
+            let level = &magnitudes[start..start + level_length];
+            level.iter().copied().fold(0.0, f64::max)
+        })
+        .collect()
+}

@@ -1,0 +1,45 @@
+//! The plans a person would follow, for every described mechanism.
+
+use linkwright_codegen::structure;
+use linkwright_tests::description;
+
+/// The steps that are more than explicit, in solve order.
+fn steps(name: &str) -> Vec<String> {
+    let mut system = description::system(name);
+    let plan = structure::plan(&mut system);
+    let plan = plan.unwrap_or_else(|| panic!("`{name}` has no plan"));
+    plan.blocks
+        .iter()
+        .flat_map(|block| &block.steps)
+        .map(|step| step.name())
+        .collect()
+}
+
+/// Blocks and their kinds. The slider of the slider-crank moves along a fixed axis, so its rod has an equation of its own. How
+/// the bodies' frames were chosen makes no difference: the excavator is described twice.
+#[test]
+fn every_mechanism_is_solved_as_a_person_would() {
+    let two_rotations = "two rotations";
+    let plans: [(&str, Vec<&str>); 10] = [
+        ("arm", vec![two_rotations; 4]),
+        ("excavator", vec![two_rotations; 4]),
+        ("excavator_pins", vec![two_rotations; 4]),
+        ("four_bar", vec![two_rotations]),
+        ("inverted_slider_crank", vec!["rotation and slide"]),
+        ("platform_3rpr", vec!["Newton of size 4"]),
+        ("scissor", vec![two_rotations; 6]),
+        ("slider_crank", vec!["one angle"]),
+        ("stephenson", vec!["Newton of size 4"]),
+        ("two_body", vec!["one angle"]),
+    ];
+    let names: Vec<&str> = plans.iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, description::names());
+    let mut wrong = Vec::new();
+    for (name, wanted) in plans {
+        let found = steps(name);
+        if found != wanted {
+            wrong.push(format!("{name}: {found:?} instead of {wanted:?}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

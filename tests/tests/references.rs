@@ -1,0 +1,68 @@
+//! Every mechanism, generated and interpreted, against its high-precision reference.
+
+use linkwright_tests::description;
+use linkwright_tests::deviation::{deviations, worst};
+use linkwright_tests::reference::{REFERENCES, reference, yardsticks};
+use linkwright_tests::solver::both;
+
+/// Deviations are measured in the largest value of their column.
+#[test]
+fn all_coordinates_rates_and_accelerations_agree_with_the_references() {
+    for (name, _) in REFERENCES {
+        let table = reference(name);
+        for mut solver in both(name) {
+            let mut deviations = deviations(&mut *solver, &table);
+            for (deviation, yardstick) in deviations.iter_mut().zip(yardsticks(&table)) {
+                deviation.magnitude = yardstick;
+            }
+            let worst = worst(&deviations);
+            println!(
+                "{name}, {}: {worst:?}, relative {:.1e}",
+                solver.kind(),
+                worst.relative()
+            );
+            assert!(
+                worst.relative() <= 1e-12,
+                "{name}, {}: {worst:?}",
+                solver.kind()
+            );
+        }
+    }
+}
+
+#[test]
+fn every_described_mechanism_has_a_reference() {
+    let mut names: Vec<&str> = REFERENCES.iter().map(|(name, _)| *name).collect();
+    names.sort_unstable();
+    assert_eq!(names, description::names());
+}
+
+#[test]
+fn the_references_cover_five_seconds_in_the_order_of_the_coordinates() {
+    for (name, _) in REFERENCES {
+        let table = reference(name);
+        let times: Vec<f64> = table.rows.iter().map(|row| row[0]).collect();
+        let wanted: Vec<f64> = (0..=10).map(|step| f64::from(step) / 2.0).collect();
+        assert_eq!(times, wanted, "{name}");
+        let system = description::system(name);
+        let bodies = system.mechanism.moving_bodies();
+        let columns = ["q", "qd", "qdd"].into_iter().flat_map(|level| {
+            bodies.iter().flat_map(move |body| {
+                // The seed tables number the excavator's bodies without their letter.
+                let number = body.name.trim_start_matches('c');
+                let body = if table_numbers_bodies(name) {
+                    number
+                } else {
+                    &body.name
+                };
+                ["x", "y", "phi"].map(|axis| format!("{level}_{axis}{body}"))
+            })
+        });
+        let columns: Vec<String> = columns.collect();
+        assert_eq!(table.names[1..], columns, "{name}");
+    }
+}
+
+fn table_numbers_bodies(name: &str) -> bool {
+    name == "excavator_pins"
+}
