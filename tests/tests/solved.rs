@@ -1,0 +1,120 @@
+//! The solved view satisfies the textbook view, keeps its branch, and says how much is missing where it cannot be assembled.
+
+use linkwright::nalgebra::{SMatrix, SVector};
+use linkwright::{Branch, FailureKind};
+use linkwright_mechanisms::{
+    arm, excavator, excavator_pins, excavator_tool, four_bar, inverted_slider_crank, platform_3rpr,
+    scissor, slider_crank, stephenson, two_body,
+};
+
+/// Σ|a_ij x_j|: what the rounding of a product is judged against.
+fn product_scale<const N: usize>(matrix: &SMatrix<f64, N, N>, x: &SVector<f64, N>) -> SVector<f64, N> {
+    matrix.map(f64::abs) * x.map(f64::abs)
+}
+
+/// The largest |value| / scale, where rows without any scale must be zero.
+fn largest<const N: usize>(values: &SVector<f64, N>, scales: &SVector<f64, N>) -> f64 {
+    values.iter().zip(scales).fold(0.0, |largest, (value, scale)| {
+        assert!(*scale > 0.0 || *value == 0.0, "{value} in a row without terms");
+        if *scale > 0.0 { f64::max(largest, value.abs() / scale) } else { largest }
+    })
+}
+
+/// What the solved view leaves in Φ, Φ_q q̇ + Φ_t and Φ_q q̈ − γ over the whole motion, relative to the terms.
+macro_rules! defects {
+    ($module:ident, $mechanism:ident) => {{
+        let mut defects = [0.0_f64; 3];
+        let mut mechanism = $module::$mechanism::assemble(0.0).expect("the drawing assembles");
+        for step in 0..=500 {
+            let frame = *mechanism.advance(f64::from(step) / 100.0).expect("the motion can be followed");
+            let (q, t) = (frame.q, frame.t);
+            let phi_q = $module::phi_q(&q, t);
+            let [qv, qd, qdd] = [frame.q, frame.qd, frame.qdd].map(|values| SVector::from(values.to_array()));
+            let phi_t = $module::phi_t(&q, t);
+            let gamma = $module::gamma(&q, &frame.qd, t);
+            // A row of Φ is made of the coordinates and of turned vectors of the size of the mechanism.
+            let size = qv.map(f64::abs).max().max(1.0);
+            let phi = $module::phi(&q, t);
+            defects[0] = defects[0].max(largest(&phi, &SVector::repeat(size)));
+            let velocity = phi_q * qd + phi_t;
+            defects[1] = defects[1].max(largest(&velocity, &(product_scale(&phi_q, &qd) + phi_t.map(f64::abs))));
+            let acceleration = phi_q * qdd - gamma;
+            let scale = product_scale(&phi_q, &qdd) + gamma.map(f64::abs);
+            // Where a row's accelerations happen to vanish, the squares of its rates are what was added up.
+            let floor = qd.map(|rate| rate * rate).max().max(qdd.map(f64::abs).max());
+            let scale = scale.zip_map(&acceleration, |scale, value| if value == 0.0 { scale } else { scale.max(floor) });
+            defects[2] = defects[2].max(largest(&acceleration, &scale));
+        }
+        println!("{:<24} {:.1e} {:.1e} {:.1e}", stringify!($module), defects[0], defects[1], defects[2]);
+        for defect in defects {
+            assert!(defect < 1e-13, "{}: {defects:?}", stringify!($module));
+        }
+    }};
+}
+
+#[test]
+fn every_motion_satisfies_the_textbook_equations() {
+    defects!(two_body, TwoBody);
+    defects!(excavator, Excavator);
+    defects!(excavator_pins, ExcavatorPins);
+    defects!(arm, Arm);
+    defects!(four_bar, FourBar);
+    defects!(slider_crank, SliderCrank);
+    defects!(inverted_slider_crank, InvertedSliderCrank);
+    defects!(scissor, Scissor);
+    defects!(platform_3rpr, Platform3rpr);
+    defects!(stephenson, Stephenson);
+}
+
+#[test]
+fn what_is_asked_for_is_the_same_as_of_the_whole() {
+    let mut whole = excavator::Excavator::assemble(0.0).expect("the drawing assembles");
+    let mut tool = excavator_tool::ExcavatorTool::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=500 {
+        let t = f64::from(step) / 100.0;
+        let expected = whole.advance(t).expect("the motion can be followed").point_k();
+        let found = tool.advance(t).expect("the motion can be followed").point_k();
+        let pairs = [
+            (expected.position, found.position),
+            (expected.velocity, found.velocity),
+            (expected.acceleration, found.acceleration),
+        ];
+        for (expected, found) in pairs {
+            for axis in 0..2 {
+                let error = (expected[axis] - found[axis]).abs();
+                assert!(error <= 1e-13 * expected[axis].abs().max(1.0), "t = {t}: {expected:?} {found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_other_branch_is_the_mirror_assembly_and_stays() {
+    let mut branches = two_body::Branches::DRAWN;
+    let drawn = two_body::TwoBody::assemble(0.0).expect("the drawing assembles");
+    branches.phi2 = branches.phi2.opposite();
+    let mut mirrored = two_body::TwoBody::assemble_on(branches, 0.0).expect("the mirror image assembles");
+    // The exam's rod can hang below the crank's pin: φ2 = −π/3 and y2 = 1/2 − 3/2.
+    let frame = *mirrored.frame();
+    assert!((frame.q.phi2 + std::f64::consts::FRAC_PI_3).abs() < 1e-14);
+    assert!((frame.q.y2 + 1.0).abs() < 1e-14);
+    assert!((drawn.frame().q.y2 - 2.0).abs() < 1e-14);
+    for step in 1..=500 {
+        let frame = mirrored.advance(f64::from(step) / 100.0).expect("the motion can be followed");
+        assert!(frame.q.phi2 < 0.0, "the rod changed sides at {}", frame.t);
+    }
+    assert_eq!(mirrored.branches(), branches);
+    assert_eq!(two_body::Branches::DRAWN.phi2, Branch::Positive);
+}
+
+#[test]
+fn links_that_do_not_reach_say_by_how_much_and_leave_the_last_frame() {
+    // Cylinders of no length: at the time that makes sin(1.5 t) infinite nothing is a number.
+    let mut mechanism = excavator::Excavator::assemble(0.0).expect("the drawing assembles");
+    let before = *mechanism.frame();
+    let failure = mechanism.advance(f64::NAN).expect_err("a time that is no number");
+    assert_eq!(failure.kind, FailureKind::NotFinite);
+    assert_eq!(*mechanism.frame(), before);
+    let after = mechanism.advance(0.01).expect("the next frame works");
+    assert!(after.q.x_c1.is_finite());
+}
