@@ -7,6 +7,22 @@ use linkwright_mechanisms::{
     scissor, slider_crank, stephenson, two_body,
 };
 
+mod folding {
+    linkwright::include_mechanism!(folding);
+}
+
+mod turning_guide {
+    linkwright::include_mechanism!(turning_guide);
+}
+
+mod two_guides {
+    linkwright::include_mechanism!(two_guides);
+}
+
+mod leveled_slider {
+    linkwright::include_mechanism!(leveled_slider);
+}
+
 /// Σ|a_ij x_j|: what the rounding of a product is judged against.
 fn product_scale<const N: usize>(matrix: &SMatrix<f64, N, N>, x: &SVector<f64, N>) -> SVector<f64, N> {
     matrix.map(f64::abs) * x.map(f64::abs)
@@ -64,6 +80,9 @@ fn every_motion_satisfies_the_textbook_equations() {
     defects!(scissor, Scissor);
     defects!(platform_3rpr, Platform3rpr);
     defects!(stephenson, Stephenson);
+    defects!(turning_guide, TurningGuide);
+    defects!(two_guides, TwoGuides);
+    defects!(leveled_slider, LeveledSlider);
 }
 
 #[test]
@@ -108,13 +127,36 @@ fn the_other_branch_is_the_mirror_assembly_and_stays() {
 }
 
 #[test]
-fn links_that_do_not_reach_say_by_how_much_and_leave_the_last_frame() {
-    // Cylinders of no length: at the time that makes sin(1.5 t) infinite nothing is a number.
+fn a_rod_that_does_not_reach_says_by_how_much() {
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let mut mechanism = folding::Folding::assemble(0.5).expect("the drawing assembles");
+    mechanism.advance(1.5).expect("the rod still reaches");
+    let before = *mechanism.frame();
+    for t in [1.6, 2.0, 3.0] {
+        let failure = mechanism.advance(t).expect_err("the rod is too short");
+        // The pin is √3 − cos t from the line, and the rod is √3 long.
+        let FailureKind::OutOfReach { by } = failure.kind else { panic!("{failure}") };
+        assert!((by + t.cos()).abs() < 1e-15 * 4.0, "{failure}");
+        assert_eq!((failure.time, failure.block), (t, 1));
+        assert_eq!(*mechanism.frame(), before, "the last frame is intact");
+    }
+    // Where crank and rod are in line the rates are infinite, whatever the last digit of the angle says.
+    let failure = mechanism.advance(quarter).expect_err("a singular pose");
+    let in_line = matches!(failure.kind, FailureKind::Singular { .. } | FailureKind::OutOfReach { .. });
+    assert!(in_line, "{failure}");
+    let again = mechanism.advance(1.4).expect("the way back is open");
+    assert!(again.q.phi2 > 0.0);
+}
+
+#[test]
+fn a_time_that_is_no_number_leaves_the_last_frame() {
     let mut mechanism = excavator::Excavator::assemble(0.0).expect("the drawing assembles");
     let before = *mechanism.frame();
-    let failure = mechanism.advance(f64::NAN).expect_err("a time that is no number");
-    assert_eq!(failure.kind, FailureKind::NotFinite);
-    assert_eq!(*mechanism.frame(), before);
+    for t in [f64::NAN, f64::INFINITY] {
+        let failure = mechanism.advance(t).expect_err("a time that is no number");
+        assert_eq!(failure.kind, FailureKind::NotFinite);
+        assert_eq!(*mechanism.frame(), before);
+    }
     let after = mechanism.advance(0.01).expect("the next frame works");
     assert!(after.q.x_c1.is_finite());
 }

@@ -1,0 +1,5 @@
+//! Generates the mechanisms that only tests need.
+
+fn main() {
+    linkwright_codegen::build("descriptions");
+}
