@@ -82,6 +82,18 @@ pub fn failed<T: Real>(kind: FailureKind<T>, time: T, block: u16) -> Failure<T> 
     }
 }
 
+/// The angle with this sine and cosine, or a common positive multiple of them, that is nearest to `near` (rad).
+#[inline]
+pub fn angle_near<T: Real>(sine: T, cosine: T, near: T) -> T {
+    sine.angle_near(cosine, near)
+}
+
+/// The same by the general arctangent.
+#[inline]
+pub(crate) fn wound_arctangent<T: Real>(sine: T, cosine: T, near: T) -> T {
+    nearest_turn(sine.atan2(cosine), near)
+}
+
 /// The angle that differs from `angle` by whole turns and is nearest to `near` (rad).
 #[inline]
 pub fn nearest_turn<T: Real>(angle: T, near: T) -> T {

@@ -60,6 +60,7 @@
 //! ```
 #![no_std]
 
+pub mod angle;
 pub mod closed_form;
 pub mod equations;
 pub mod failure;

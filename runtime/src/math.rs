@@ -65,6 +65,8 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self);
     /// The angle in (-π, π] of the vector (`abscissa`, `self`).
     fn atan2(self, abscissa: Self) -> Self;
+    /// The angle nearest to `near` whose sine and cosine are `self` and `cosine`, or a common positive multiple of them.
+    fn angle_near(self, cosine: Self, near: Self) -> Self;
     /// The exponential function.
     fn exp(self) -> Self;
     /// The natural logarithm; NaN for a negative argument, -∞ for zero.
@@ -88,7 +90,7 @@ pub trait Real:
 }
 
 macro_rules! implement_real {
-    ($scalar:ident, $frexp:ident, $ldexp:ident, {
+    ($scalar:ident, $frexp:ident, $ldexp:ident, $angle:expr, {
         $($method:ident($($argument:ident),*) -> $output:ty, $free:ident;)*
     }) => {
         impl Real for $scalar {
@@ -108,6 +110,10 @@ macro_rules! implement_real {
             #[inline]
             fn abs(self) -> Self {
                 $scalar::abs(self)
+            }
+            #[inline]
+            fn angle_near(self, cosine: Self, near: Self) -> Self {
+                $angle(self, cosine, near)
             }
             #[inline]
             fn is_finite(self) -> bool {
@@ -146,7 +152,7 @@ macro_rules! implement_real {
     };
 }
 
-implement_real!(f64, frexp, ldexp, {
+implement_real!(f64, frexp, ldexp, crate::angle::angle_near, {
     sqrt() -> Self, sqrt;
     sin() -> Self, sin;
     cos() -> Self, cos;
@@ -159,7 +165,7 @@ implement_real!(f64, frexp, ldexp, {
     round() -> Self, round;
 });
 
-implement_real!(f32, frexpf, ldexpf, {
+implement_real!(f32, frexpf, ldexpf, crate::closed_form::wound_arctangent, {
     sqrt() -> Self, sqrtf;
     sin() -> Self, sinf;
     cos() -> Self, cosf;

@@ -24,16 +24,29 @@ mod leveled_slider {
 }
 
 /// Σ|a_ij x_j|: what the rounding of a product is judged against.
-fn product_scale<const N: usize>(matrix: &SMatrix<f64, N, N>, x: &SVector<f64, N>) -> SVector<f64, N> {
+fn product_scale<const N: usize>(
+    matrix: &SMatrix<f64, N, N>,
+    x: &SVector<f64, N>,
+) -> SVector<f64, N> {
     matrix.map(f64::abs) * x.map(f64::abs)
 }
 
 /// The largest |value| / scale, where rows without any scale must be zero.
 fn largest<const N: usize>(values: &SVector<f64, N>, scales: &SVector<f64, N>) -> f64 {
-    values.iter().zip(scales).fold(0.0, |largest, (value, scale)| {
-        assert!(*scale > 0.0 || *value == 0.0, "{value} in a row without terms");
-        if *scale > 0.0 { f64::max(largest, value.abs() / scale) } else { largest }
-    })
+    values
+        .iter()
+        .zip(scales)
+        .fold(0.0, |largest, (value, scale)| {
+            assert!(
+                *scale > 0.0 || *value == 0.0,
+                "{value} in a row without terms"
+            );
+            if *scale > 0.0 {
+                f64::max(largest, value.abs() / scale)
+            } else {
+                largest
+            }
+        })
 }
 
 /// What the solved view leaves in Φ, Φ_q q̇ + Φ_t and Φ_q q̈ − γ over the whole motion, relative to the terms.
@@ -91,8 +104,14 @@ fn what_is_asked_for_is_the_same_as_of_the_whole() {
     let mut tool = excavator_tool::ExcavatorTool::assemble(0.0).expect("the drawing assembles");
     for step in 0..=500 {
         let t = f64::from(step) / 100.0;
-        let expected = whole.advance(t).expect("the motion can be followed").point_k();
-        let found = tool.advance(t).expect("the motion can be followed").point_k();
+        let expected = whole
+            .advance(t)
+            .expect("the motion can be followed")
+            .point_k();
+        let found = tool
+            .advance(t)
+            .expect("the motion can be followed")
+            .point_k();
         let pairs = [
             (expected.position, found.position),
             (expected.velocity, found.velocity),
@@ -101,7 +120,10 @@ fn what_is_asked_for_is_the_same_as_of_the_whole() {
         for (expected, found) in pairs {
             for axis in 0..2 {
                 let error = (expected[axis] - found[axis]).abs();
-                assert!(error <= 1e-13 * expected[axis].abs().max(1.0), "t = {t}: {expected:?} {found:?}");
+                assert!(
+                    error <= 1e-13 * expected[axis].abs().max(1.0),
+                    "t = {t}: {expected:?} {found:?}"
+                );
             }
         }
     }
@@ -112,14 +134,17 @@ fn the_other_branch_is_the_mirror_assembly_and_stays() {
     let mut branches = two_body::Branches::DRAWN;
     let drawn = two_body::TwoBody::assemble(0.0).expect("the drawing assembles");
     branches.phi2 = branches.phi2.opposite();
-    let mut mirrored = two_body::TwoBody::assemble_on(branches, 0.0).expect("the mirror image assembles");
+    let mut mirrored =
+        two_body::TwoBody::assemble_on(branches, 0.0).expect("the mirror image assembles");
     // The exam's rod can hang below the crank's pin: φ2 = −π/3 and y2 = 1/2 − 3/2.
     let frame = *mirrored.frame();
     assert!((frame.q.phi2 + std::f64::consts::FRAC_PI_3).abs() < 1e-14);
     assert!((frame.q.y2 + 1.0).abs() < 1e-14);
     assert!((drawn.frame().q.y2 - 2.0).abs() < 1e-14);
     for step in 1..=500 {
-        let frame = mirrored.advance(f64::from(step) / 100.0).expect("the motion can be followed");
+        let frame = mirrored
+            .advance(f64::from(step) / 100.0)
+            .expect("the motion can be followed");
         assert!(frame.q.phi2 < 0.0, "the rod changed sides at {}", frame.t);
     }
     assert_eq!(mirrored.branches(), branches);
@@ -135,14 +160,19 @@ fn a_rod_that_does_not_reach_says_by_how_much() {
     for t in [1.6, 2.0, 3.0] {
         let failure = mechanism.advance(t).expect_err("the rod is too short");
         // The pin is √3 − cos t from the line, and the rod is √3 long.
-        let FailureKind::OutOfReach { by } = failure.kind else { panic!("{failure}") };
+        let FailureKind::OutOfReach { by } = failure.kind else {
+            panic!("{failure}")
+        };
         assert!((by + t.cos()).abs() < 1e-15 * 4.0, "{failure}");
         assert_eq!((failure.time, failure.block), (t, 1));
         assert_eq!(*mechanism.frame(), before, "the last frame is intact");
     }
     // Where crank and rod are in line the rates are infinite, whatever the last digit of the angle says.
     let failure = mechanism.advance(quarter).expect_err("a singular pose");
-    let in_line = matches!(failure.kind, FailureKind::Singular { .. } | FailureKind::OutOfReach { .. });
+    let in_line = matches!(
+        failure.kind,
+        FailureKind::Singular { .. } | FailureKind::OutOfReach { .. }
+    );
     assert!(in_line, "{failure}");
     let again = mechanism.advance(1.4).expect("the way back is open");
     assert!(again.q.phi2 > 0.0);

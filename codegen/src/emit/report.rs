@@ -5,15 +5,26 @@ use crate::program::solved::Report;
 
 /// One fact a line.
 pub fn lines(report: &Report) -> Vec<String> {
-    let mut lines = vec![format!("Blocks in solve order: {}.", report.kept.join(", "))];
+    let mut lines = vec![format!(
+        "Blocks in solve order: {}.",
+        report.kept.join(", ")
+    )];
     if !report.left_out.is_empty() {
-        lines.push(format!("Left out, since no output needs it: {}.", report.left_out.join(", ")));
+        lines.push(format!(
+            "Left out, since no output needs it: {}.",
+            report.left_out.join(", ")
+        ));
     }
     if !report.angles_left_out.is_empty() {
         let angles = report.angles_left_out.join(", ");
-        lines.push(format!("Angles left out, since their sines and cosines suffice: {angles}."));
+        lines.push(format!(
+            "Angles left out, since their sines and cosines suffice: {angles}."
+        ));
     }
-    for (level, operations) in ["Position", "Velocity", "Acceleration"].iter().zip(report.operations) {
+    for (level, operations) in ["Position", "Velocity", "Acceleration"]
+        .iter()
+        .zip(report.operations)
+    {
         lines.push(format!("{level}: {operations}."));
     }
     if report.operations != report.all_operations {

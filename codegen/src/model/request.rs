@@ -11,7 +11,10 @@ const AXES: [&str; 3] = ["x", "y", "phi"];
 impl Resolver<'_> {
     /// What one statement asks for; items with an error are reported and left out.
     pub(super) fn requests(&mut self, output: &Output, points: &[Point]) -> Vec<Request> {
-        let named = output.level.as_ref().and_then(|level| LEVELS.iter().position(|word| *word == level.text));
+        let named = output
+            .level
+            .as_ref()
+            .and_then(|level| LEVELS.iter().position(|word| *word == level.text));
         let level = named.unwrap_or(LEVELS.len() - 1);
         let mut requests = Vec::new();
         for item in &output.items {
@@ -20,13 +23,25 @@ impl Resolver<'_> {
                 OutputItem::Coordinate { axis, bodies, span } => {
                     let found = AXES.iter().position(|name| *name == axis.text);
                     match (found, bodies.as_slice()) {
-                        (Some(axis), [Reference { body: None, name, .. }]) => {
-                            self.body(name).filter(|body| body.0 > 0).map(|body| Requested::Coordinate { body: body.0, axis })
-                        }
+                        (
+                            Some(axis),
+                            [
+                                Reference {
+                                    body: None, name, ..
+                                },
+                            ],
+                        ) => self
+                            .body(name)
+                            .filter(|body| body.0 > 0)
+                            .map(|body| Requested::Coordinate { body: body.0, axis }),
                         _ => {
                             self.diagnostics.push(
-                                Diagnostic::error(Code::WrongForm, *span, "this is no coordinate of a body")
-                                    .help("write `x(1)`, `y(1)` or `phi(1)` with the name of one body"),
+                                Diagnostic::error(
+                                    Code::WrongForm,
+                                    *span,
+                                    "this is no coordinate of a body",
+                                )
+                                .help("write `x(1)`, `y(1)` or `phi(1)` with the name of one body"),
                             );
                             None
                         }
@@ -42,18 +57,27 @@ impl Resolver<'_> {
     fn requested_point(&mut self, reference: &Reference, points: &[Point]) -> Option<Requested> {
         let place = if reference.body.is_some() {
             let mark = self.point_mark(reference)?;
-            let named = |point: &Point| point.name == reference.name.text || point.name.starts_with(&format!("{}_", reference.name.text));
+            let named = |point: &Point| {
+                point.name == reference.name.text
+                    || point.name.starts_with(&format!("{}_", reference.name.text))
+            };
             points
                 .iter()
                 .position(|point| point.mark == mark)
                 .or_else(|| points.iter().position(named))
         } else {
-            points.iter().position(|point| point.name == reference.name.text)
+            points
+                .iter()
+                .position(|point| point.name == reference.name.text)
         };
         if place.is_none() {
             let message = format!("no point is named `{}`", reference.name.text);
-            let diagnostic = Diagnostic::error(Code::UnknownName, reference.span, message).label("not a point of this mechanism");
-            let meant = nearest(&reference.name.text, points.iter().map(|point| point.name.as_str()));
+            let diagnostic = Diagnostic::error(Code::UnknownName, reference.span, message)
+                .label("not a point of this mechanism");
+            let meant = nearest(
+                &reference.name.text,
+                points.iter().map(|point| point.name.as_str()),
+            );
             self.diagnostics.push(match meant {
                 Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
                 None => diagnostic.help("add it to the braces of the body that carries it"),

@@ -127,11 +127,16 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
         );
     }
     let points = resolver.output_points();
-    let statements = item.statements.iter().filter_map(|statement| match statement {
-        syntax::Statement::Output(output) => Some(output),
-        _ => None,
-    });
-    let requests = statements.flat_map(|output| resolver.requests(output, &points)).collect();
+    let statements = item
+        .statements
+        .iter()
+        .filter_map(|statement| match statement {
+            syntax::Statement::Output(output) => Some(output),
+            _ => None,
+        });
+    let requests = statements
+        .flat_map(|output| resolver.requests(output, &points))
+        .collect();
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
     Mechanism {

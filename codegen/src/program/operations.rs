@@ -51,7 +51,9 @@ impl std::fmt::Display for Operations {
         let parts: Vec<String> = counts
             .into_iter()
             .filter(|(count, ..)| *count > 0)
-            .map(|(count, one, several)| format!("{count} {}", if count == 1 { one } else { several }))
+            .map(|(count, one, several)| {
+                format!("{count} {}", if count == 1 { one } else { several })
+            })
             .collect();
         formatter.write_str(if parts.is_empty() { "none" } else { "" })?;
         formatter.write_str(&parts.join(", "))

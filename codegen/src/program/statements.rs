@@ -65,7 +65,9 @@ impl Straight {
         for statement in &self.statements {
             match statement {
                 Statement::SineCosine { .. } => operations.sines += 2,
-                Statement::Value { expr, .. } => operations += Operations::of_function(graph.node(*expr)),
+                Statement::Value { expr, .. } => {
+                    operations += Operations::of_function(graph.node(*expr))
+                }
             }
         }
         operations

@@ -12,7 +12,11 @@ use crate::diagnostic::Span;
 pub const LEVELS: [&str; 3] = ["position", "velocity", "acceleration"];
 
 /// The statement after its first word.
-pub(super) fn output(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
+pub(super) fn output(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+) -> Outcome<Statement> {
     let level = match tokens.peek_word() {
         Some(word) if LEVELS.contains(&word) => {
             // A point may be called like a level; then nothing that could be an item follows it.
@@ -34,7 +38,12 @@ pub(super) fn output(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) ->
         items.push(item(tokens)?);
     }
     let span = start.to(semicolon_after_operands(tokens, start)?);
-    Ok(Statement::Output(Output { docs, level, items, span }))
+    Ok(Statement::Output(Output {
+        docs,
+        level,
+        items,
+        span,
+    }))
 }
 
 /// A point, or a coordinate of a body.
@@ -46,5 +55,8 @@ fn item(tokens: &mut Tokens<'_>) -> Outcome<OutputItem> {
         let span = axis.span.to(tokens.previous());
         return Ok(OutputItem::Coordinate { axis, bodies, span });
     }
-    Ok(OutputItem::Point(reference(tokens, "a point, or a coordinate such as `phi(1)`")?))
+    Ok(OutputItem::Point(reference(
+        tokens,
+        "a point, or a coordinate such as `phi(1)`",
+    )?))
 }

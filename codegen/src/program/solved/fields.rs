@@ -8,7 +8,12 @@ use crate::system::{SymbolRole, System};
 
 /// Values that another function than their own reads, and those in `outputs`, in order of definition. Where `whole`, the
 /// coordinates are not among them: they have their own place.
-pub(super) fn fields(blocks: &[BlockProgram], outputs: &HashSet<SymbolId>, whole: bool, system: &System) -> Vec<SymbolId> {
+pub(super) fn fields(
+    blocks: &[BlockProgram],
+    outputs: &HashSet<SymbolId>,
+    whole: bool,
+    system: &System,
+) -> Vec<SymbolId> {
     let mut home: HashMap<SymbolId, usize> = HashMap::new();
     let mut order: Vec<SymbolId> = Vec::new();
     for (index, block) in blocks.iter().enumerate() {
@@ -23,7 +28,9 @@ pub(super) fn fields(blocks: &[BlockProgram], outputs: &HashSet<SymbolId>, whole
                 Action::SineCosine { sine, cosine, .. } => {
                     [*sine, *cosine].into_iter().for_each(&mut define)
                 }
-                Action::Angle { unknown, .. } => define(system.vector_form.unknowns[*unknown].position),
+                Action::Angle { unknown, .. } => {
+                    define(system.vector_form.unknowns[*unknown].position)
+                }
                 _ => {}
             }
         }
@@ -57,7 +64,11 @@ pub(super) fn fields(blocks: &[BlockProgram], outputs: &HashSet<SymbolId>, whole
         }
     }
     // What Newton-Raphson finds starts from its last values, and an angle is wound up from its last one.
-    for &unknown in blocks.iter().flat_map(|block| &block.newton).flat_map(|newton| &newton.unknowns) {
+    for &unknown in blocks
+        .iter()
+        .flat_map(|block| &block.newton)
+        .flat_map(|newton| &newton.unknowns)
+    {
         let unknown = &system.vector_form.unknowns[unknown];
         shared.extend([unknown.position, unknown.rate, unknown.acceleration]);
     }

@@ -35,14 +35,18 @@ pub(super) fn needed(
     for action in actions.into_iter().rev() {
         let wanted = |symbol: SymbolId| live.contains(&symbol) || kept(symbol);
         let keep = match &action {
-            Action::Let { .. } | Action::SineCosine { .. } => action.targets().into_iter().any(wanted),
+            Action::Let { .. } | Action::SineCosine { .. } => {
+                action.targets().into_iter().any(wanted)
+            }
             Action::Angle { unknown, .. } => wanted(system.vector_form.unknowns[*unknown].position),
             Action::Newton => {
                 let found = newton.into_iter().flat_map(|newton| &newton.unknowns);
                 remains
                     || found.into_iter().any(|&unknown| {
                         let unknown = &system.vector_form.unknowns[unknown];
-                        [unknown.position, unknown.rate, unknown.acceleration].into_iter().any(wanted)
+                        [unknown.position, unknown.rate, unknown.acceleration]
+                            .into_iter()
+                            .any(wanted)
                     })
             }
             // What is checked is needed by all that follows in the block.

@@ -34,9 +34,9 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     }
     let coordinates = system.coordinates.len();
     let is_coordinate = |symbol: SymbolId, system: &System| match system.roles[symbol.index()] {
-        SymbolRole::Position(unknown) | SymbolRole::Rate(unknown) | SymbolRole::Acceleration(unknown) => {
-            unknown < coordinates
-        }
+        SymbolRole::Position(unknown)
+        | SymbolRole::Rate(unknown)
+        | SymbolRole::Acceleration(unknown) => unknown < coordinates,
         _ => false,
     };
     let wanted = outputs(system, constants);
@@ -51,7 +51,16 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
             (None, HashSet::new())
         }
         Some((outputs, last)) => {
-            note_constants(&last.actions.iter().flat_map(Action::values).collect::<Vec<_>>(), system, &last.time, constants);
+            note_constants(
+                &last
+                    .actions
+                    .iter()
+                    .flat_map(Action::values)
+                    .collect::<Vec<_>>(),
+                system,
+                &last.time,
+                constants,
+            );
             blocks.push(last);
             let asked: HashSet<SymbolId> = outputs.iter().flat_map(Output::fields).collect();
             prune(&mut blocks, &|symbol| asked.contains(&symbol), system);
@@ -59,7 +68,11 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         }
     };
     let is_empty = |block: &BlockProgram| block.actions.is_empty();
-    report.left_out = blocks.iter().filter(|block| is_empty(block)).map(|block| block.name.clone()).collect();
+    report.left_out = blocks
+        .iter()
+        .filter(|block| is_empty(block))
+        .map(|block| block.name.clone())
+        .collect();
     blocks.retain(|block| !is_empty(block));
     report.kept = blocks.iter().map(|block| block.name.clone()).collect();
     report.operations = operations(&blocks, system);
@@ -73,15 +86,24 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
             .collect()
     };
     let computed = angles(&blocks);
-    let closed = plan.blocks.iter().flat_map(|block| &block.steps).filter(|step| !matches!(step, Step::Newton { .. }));
+    let closed = plan
+        .blocks
+        .iter()
+        .flat_map(|block| &block.steps)
+        .filter(|step| !matches!(step, Step::Newton { .. }));
     let left_out = closed.flat_map(Step::unknowns).filter(|unknown| {
-        let is_angle = system.vector_form.unknowns[*unknown].quantity == crate::joint::Quantity::Angle;
+        let is_angle =
+            system.vector_form.unknowns[*unknown].quantity == crate::joint::Quantity::Angle;
         is_angle && !computed.contains(unknown)
     });
-    report.angles_left_out = left_out.map(|unknown| system.unknown_name(unknown).to_string()).collect();
+    report.angles_left_out = left_out
+        .map(|unknown| system.unknown_name(unknown).to_string())
+        .collect();
     for block in &mut blocks {
         let actions = &block.actions;
-        let time = block.time.for_results(&evaluated(actions, block.newton.as_ref()), system);
+        let time = block
+            .time
+            .for_results(&evaluated(actions, block.newton.as_ref()), system);
         block.time = time;
     }
     let used: HashSet<SymbolId> = blocks
@@ -92,12 +114,20 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     branches.retain(|branch| used.contains(&branch.symbol));
     let fields = fields(&blocks, &asked, outputs.is_none(), system);
     for block in &mut blocks {
-        let reads_branch = evaluated(&block.actions, None)
-            .into_iter()
-            .any(|expr| branches.iter().any(|branch| system.mechanism.graph.depends_on(expr, branch.symbol)));
+        let reads_branch = evaluated(&block.actions, None).into_iter().any(|expr| {
+            branches
+                .iter()
+                .any(|branch| system.mechanism.graph.depends_on(expr, branch.symbol))
+        });
         block.reads_branch = reads_branch;
     }
-    SolvedProgram { blocks, fields, branches, outputs, report }
+    SolvedProgram {
+        blocks,
+        fields,
+        branches,
+        outputs,
+        report,
+    }
 }
 
 /// Every expression that a block writes out.
@@ -115,7 +145,9 @@ fn operations(blocks: &[BlockProgram], system: &System) -> [Operations; 3] {
     let mut levels = [Operations::default(); 3];
     for block in blocks {
         let mut level = 0;
-        let time = block.time.for_results(&evaluated(&block.actions, None), system);
+        let time = block
+            .time
+            .for_results(&evaluated(&block.actions, None), system);
         // Functions of time serve all levels; they count with the first.
         levels[0] += time.operations(&system.mechanism.graph);
         for action in &block.actions {

@@ -220,7 +220,12 @@ impl NewtonBlock {
 
     /// Everything that it evaluates but its geometry.
     pub fn expressions(&self) -> impl Iterator<Item = ExprId> {
-        let lists = [&self.residuals, &self.jacobian, &self.time_derivative, &self.gamma];
+        let lists = [
+            &self.residuals,
+            &self.jacobian,
+            &self.time_derivative,
+            &self.gamma,
+        ];
         lists.into_iter().flatten().copied()
     }
 }

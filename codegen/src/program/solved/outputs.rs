@@ -37,7 +37,10 @@ impl Output {
 }
 
 /// The outputs that are asked for, and the block that computes those of points; nothing where everything is wanted.
-pub(super) fn outputs(system: &mut System, constants: &mut Constants) -> Option<(Vec<Output>, BlockProgram)> {
+pub(super) fn outputs(
+    system: &mut System,
+    constants: &mut Constants,
+) -> Option<(Vec<Output>, BlockProgram)> {
     if system.mechanism.requests.is_empty() {
         return None;
     }
@@ -48,7 +51,10 @@ pub(super) fn outputs(system: &mut System, constants: &mut Constants) -> Option<
             Requested::Coordinate { body, axis } => {
                 let unknown = &system.vector_form.unknowns[3 * (body - 1) + axis];
                 let all = [unknown.position, unknown.rate, unknown.acceleration];
-                Output::Coordinate { name: unknown.name.clone(), fields: all[..=request.level].to_vec() }
+                Output::Coordinate {
+                    name: unknown.name.clone(),
+                    fields: all[..=request.level].to_vec(),
+                }
             }
             Requested::Point(place) => {
                 let name = system.mechanism.points[place].name.to_lowercase();
@@ -56,14 +62,16 @@ pub(super) fn outputs(system: &mut System, constants: &mut Constants) -> Option<
                 let mut fields = Vec::new();
                 for (level, section) in sections.iter_mut().enumerate().take(request.level + 1) {
                     let suffix = ["", "_rate", "_acceleration"][level];
-                    let symbols = ["x", "y"].map(|axis| system.intermediate(&format!("point_{name}_{axis}{suffix}")));
+                    let symbols = ["x", "y"]
+                        .map(|axis| system.intermediate(&format!("point_{name}_{axis}{suffix}")));
                     for (target, value) in symbols.into_iter().zip(expressions) {
                         section.push(Action::Let { target, value });
                     }
                     fields.push(symbols);
                     if level < request.level {
                         let graph = &mut system.mechanism.graph;
-                        expressions = expressions.map(|expr: ExprId| system.vector_form.rate(expr, graph));
+                        expressions =
+                            expressions.map(|expr: ExprId| system.vector_form.rate(expr, graph));
                     }
                 }
                 Output::Point { name, fields }

@@ -162,7 +162,7 @@ pub(super) fn statement(
             );
             let symbol = names.system.vector_form.unknowns[*unknown].position;
             let [angle, near] = ["at", "last"].map(|frame| names.field(symbol, frame));
-            quote!(#angle = nearest_turn(math::atan2(#sine, #cosine), #near);)
+            quote!(#angle = angle_near(#sine, #cosine, #near);)
         }
         Action::Reach {
             excess,
@@ -214,12 +214,22 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     };
     let number = count(index);
     let type_name = equations_name(block);
-    let unknowns: Vec<_> = newton.unknowns.iter().map(|&unknown| &names.system.vector_form.unknowns[unknown]).collect();
+    let unknowns: Vec<_> = newton
+        .unknowns
+        .iter()
+        .map(|&unknown| &names.system.vector_form.unknowns[unknown])
+        .collect();
     let fields = |of: fn(&Unknown) -> SymbolId, frame: &str| -> Vec<TokenStream> {
-        unknowns.iter().map(|unknown| names.field(of(unknown), frame)).collect()
+        unknowns
+            .iter()
+            .map(|unknown| names.field(of(unknown), frame))
+            .collect()
     };
-    let of: [fn(&Unknown) -> SymbolId; 3] =
-        [|unknown| unknown.position, |unknown| unknown.rate, |unknown| unknown.acceleration];
+    let of: [fn(&Unknown) -> SymbolId; 3] = [
+        |unknown| unknown.position,
+        |unknown| unknown.rate,
+        |unknown| unknown.acceleration,
+    ];
     let [q, qd, qdd] = of.map(|of| fields(of, "at"));
     let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
     let places: Vec<_> = (0..q.len()).map(count).collect();

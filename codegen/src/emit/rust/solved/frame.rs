@@ -80,7 +80,11 @@ fn sentence(text: &str) -> String {
 }
 
 /// `struct Frame` that holds what is asked for and what the solution carries along.
-pub(in crate::emit::rust) fn output_frame(system: &System, solved: &SolvedProgram, outputs: &[Output]) -> TokenStream {
+pub(in crate::emit::rust) fn output_frame(
+    system: &System,
+    solved: &SolvedProgram,
+    outputs: &[Output],
+) -> TokenStream {
     let methods = outputs.iter().map(|output| method(output, system));
     let (fields, drawn) = (frame_fields(system, solved), frame_values(system, solved));
     let checked = outputs.iter().flat_map(Output::fields).map(|symbol| {
@@ -132,8 +136,12 @@ fn method(output: &Output, system: &System) -> TokenStream {
     match output {
         Output::Point { name, fields } => match fields.as_slice() {
             [position, velocity, acceleration] => {
-                let (function, text) = (identifier(&format!("point_{name}")), docs([format!("Motion of the point {name}, in m, m/s and m/s².")]));
-                let [position, velocity, acceleration] = [position, velocity, acceleration].map(pair);
+                let (function, text) = (
+                    identifier(&format!("point_{name}")),
+                    docs([format!("Motion of the point {name}, in m, m/s and m/s².")]),
+                );
+                let [position, velocity, acceleration] =
+                    [position, velocity, acceleration].map(pair);
                 quote! {
                     #text
                     pub fn #function(&self) -> Motion {
@@ -142,19 +150,32 @@ fn method(output: &Output, system: &System) -> TokenStream {
                 }
             }
             fields => {
-                let methods = fields.iter().zip([("position", "m"), ("velocity", "m/s")]).map(|(field, (level, unit))| {
-                    let function = identifier(&format!("point_{name}_{level}"));
-                    let (text, value) = (docs([format!("The {level} of the point {name}, in {unit}.")]), pair(field));
-                    quote!(#text pub fn #function(&self) -> [f64; 2] { #value })
-                });
+                let methods = fields
+                    .iter()
+                    .zip([("position", "m"), ("velocity", "m/s")])
+                    .map(|(field, (level, unit))| {
+                        let function = identifier(&format!("point_{name}_{level}"));
+                        let (text, value) = (
+                            docs([format!("The {level} of the point {name}, in {unit}.")]),
+                            pair(field),
+                        );
+                        quote!(#text pub fn #function(&self) -> [f64; 2] { #value })
+                    });
                 quote!(#(#methods)*)
             }
         },
         Output::Coordinate { name, fields } => {
-            let levels = [("", "coordinate"), ("_rate", "rate of the coordinate"), ("_acceleration", "acceleration of the coordinate")];
+            let levels = [
+                ("", "coordinate"),
+                ("_rate", "rate of the coordinate"),
+                ("_acceleration", "acceleration of the coordinate"),
+            ];
             let methods = fields.iter().zip(levels).map(|(&field, (suffix, what))| {
                 let function = identifier(&format!("{name}{suffix}"));
-                let (text, value) = (docs([format!("The {what} {name}, in SI units.")]), own(field));
+                let (text, value) = (
+                    docs([format!("The {what} {name}, in SI units.")]),
+                    own(field),
+                );
                 quote!(#text pub fn #function(&self) -> f64 { #value })
             });
             quote!(#(#methods)*)
@@ -163,16 +184,27 @@ fn method(output: &Output, system: &System) -> TokenStream {
 }
 
 /// The frame before the first one: the drawing, with what `estimate` says of the coordinates.
-pub(in crate::emit::rust) fn estimated_frame(system: &System, solved: &SolvedProgram) -> TokenStream {
+pub(in crate::emit::rust) fn estimated_frame(
+    system: &System,
+    solved: &SolvedProgram,
+) -> TokenStream {
     if solved.outputs.is_none() {
-        return quote!(Frame { t, q: *estimate, ..Frame::DRAWN });
+        return quote!(Frame {
+            t,
+            q: *estimate,
+            ..Frame::DRAWN
+        });
     }
-    let coordinates = solved.fields.iter().filter_map(|symbol| match system.roles[symbol.index()] {
-        SymbolRole::Position(unknown) if unknown < system.coordinates.len() => {
-            let name = plain_name(*symbol, system);
-            Some(quote!(#name: estimate.#name,))
-        }
-        _ => None,
-    });
+    let coordinates =
+        solved
+            .fields
+            .iter()
+            .filter_map(|symbol| match system.roles[symbol.index()] {
+                SymbolRole::Position(unknown) if unknown < system.coordinates.len() => {
+                    let name = plain_name(*symbol, system);
+                    Some(quote!(#name: estimate.#name,))
+                }
+                _ => None,
+            });
     quote!(Frame { t, #(#coordinates)* ..Frame::DRAWN })
 }

@@ -48,7 +48,10 @@ impl BlockNames<'_> {
         let frame = format_ident!("{frame}");
         match self.coordinate(symbol) {
             Some((vector, unknown)) => {
-                let (vector, field) = (format_ident!("{vector}"), identifier(self.system.unknown_name(unknown)));
+                let (vector, field) = (
+                    format_ident!("{vector}"),
+                    identifier(self.system.unknown_name(unknown)),
+                );
                 quote!(#frame.#vector.#field)
             }
             None => {
