@@ -12,11 +12,11 @@ pub fn lines(report: &Report) -> Vec<String> {
     if !report.left_out.is_empty() {
         lines.push(format!(
             "Left out, since no output needs it: {}.",
-            report.left_out.join(", ")
+            listed(&report.left_out)
         ));
     }
     if !report.angles_left_out.is_empty() {
-        let angles = report.angles_left_out.join(", ");
+        let angles = listed(&report.angles_left_out);
         lines.push(format!(
             "Angles left out, since their sines and cosines suffice: {angles}."
         ));
@@ -36,4 +36,14 @@ pub fn lines(report: &Report) -> Vec<String> {
         ));
     }
     lines
+}
+
+/// The names, at most twenty of them.
+fn listed(names: &[String]) -> String {
+    const MOST: usize = 20;
+    let shown = names[..names.len().min(MOST)].join(", ");
+    match names.len().saturating_sub(MOST) {
+        0 => shown,
+        more => format!("{shown} and {more} more"),
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::constants::Constants;
 use super::statements::Straight;
-use super::{Program, solved};
+use super::{LARGEST_TEXTBOOK, Program, Textbook, solved};
 use crate::expr::ExprId;
 use crate::structure::{Plan, SolvedPlan};
 use crate::system::{Row, System};
@@ -12,26 +12,9 @@ pub fn lower(system: &mut System, plan: Plan, solved_plan: Option<&SolvedPlan>) 
     let mut constants = Constants::default();
     let solved = solved_plan.map(|plan| solved::lower(system, plan, &mut constants));
     let system = &*system;
-    let by_row = |of: &dyn Fn(&Row) -> ExprId| -> Vec<(ExprId, Vec<usize>)> {
-        system
-            .rows
-            .iter()
-            .map(|row| (of(row), row.bodies.clone()))
-            .collect()
-    };
-    let entries = system
-        .rows
-        .iter()
-        .flat_map(|row| {
-            row.jacobian
-                .iter()
-                .map(|entry| (entry.value, row.bodies.clone()))
-        })
-        .collect();
-    let residual = Straight::new(by_row(&|row| row.residual), system, &mut constants);
-    let jacobian = Straight::new(entries, system, &mut constants);
-    let time_derivative = Straight::new(by_row(&|row| row.time_derivative), system, &mut constants);
-    let gamma = Straight::new(by_row(&|row| row.gamma), system, &mut constants);
+    // Without a solved view the dense system is all there is, whatever its size.
+    let is_small = system.coordinates.len() <= LARGEST_TEXTBOOK;
+    let textbook = (is_small || solved.is_none()).then(|| textbook(system, &mut constants));
     let points = system
         .outputs
         .iter()
@@ -48,10 +31,32 @@ pub fn lower(system: &mut System, plan: Plan, solved_plan: Option<&SolvedPlan>) 
         plan,
         solved,
         constants,
-        residual,
-        jacobian,
-        time_derivative,
-        gamma,
+        textbook,
         points,
+    }
+}
+
+fn textbook(system: &System, constants: &mut Constants) -> Textbook {
+    let by_row = |of: &dyn Fn(&Row) -> ExprId| -> Vec<(ExprId, Vec<usize>)> {
+        system
+            .rows
+            .iter()
+            .map(|row| (of(row), row.bodies.clone()))
+            .collect()
+    };
+    let entries = system
+        .rows
+        .iter()
+        .flat_map(|row| {
+            row.jacobian
+                .iter()
+                .map(|entry| (entry.value, row.bodies.clone()))
+        })
+        .collect();
+    Textbook {
+        residual: Straight::new(by_row(&|row| row.residual), system, constants),
+        jacobian: Straight::new(entries, system, constants),
+        time_derivative: Straight::new(by_row(&|row| row.time_derivative), system, constants),
+        gamma: Straight::new(by_row(&|row| row.gamma), system, constants),
     }
 }

@@ -29,6 +29,15 @@ pub struct Program {
     pub solved: Option<solved::SolvedProgram>,
     /// The constants of all functions that are no short decimals, each once.
     pub constants: Constants,
+    /// The functions of the textbook view; left out of mechanisms whose dense matrices fit no stack.
+    pub textbook: Option<Textbook>,
+    /// The motion of each point: position, velocity, acceleration, x and y each.
+    pub points: Vec<Straight>,
+}
+
+/// The functions of the textbook view.
+#[derive(Clone, Debug)]
+pub struct Textbook {
     /// Φ: one result a row.
     pub residual: Straight,
     /// Φ_q: one result for each entry that is not identically zero, row by row.
@@ -37,6 +46,7 @@ pub struct Program {
     pub time_derivative: Straight,
     /// γ: one result a row.
     pub gamma: Straight,
-    /// The motion of each point: position, velocity, acceleration, x and y each.
-    pub points: Vec<Straight>,
 }
+
+/// More coordinates than these make a dense Φ_q of over 175 kB, which no firmware and few threads have room for.
+pub const LARGEST_TEXTBOOK: usize = 150;

@@ -8,8 +8,18 @@ use super::expression::{TextbookNames, Writer, identifier};
 use super::lints;
 use super::literal::{count, float};
 use super::solved;
-use crate::program::{Program, Straight};
+use crate::program::{LARGEST_TEXTBOOK, Program, Straight};
 use crate::system::{Coordinate, System};
+
+/// What a structure with a value per coordinate derives. Comparing and printing thousands of fields one by one is code that
+/// no compiler digests; such structures are compared and printed as arrays.
+pub(super) fn derives(coordinates: usize) -> TokenStream {
+    if coordinates <= LARGEST_TEXTBOOK {
+        quote!(#[derive(Clone, Copy, Debug, PartialEq)])
+    } else {
+        quote!(#[derive(Clone, Copy)])
+    }
+}
 
 /// The fields' identifiers, in order.
 fn fields(system: &System) -> Vec<Ident> {
@@ -42,9 +52,10 @@ pub(super) fn coordinates(system: &System) -> TokenStream {
                 .unwrap_or(0.0),
         )
     });
+    let derives = derives(fields.len());
     let structure = quote! {
         #[repr(C)]
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #derives
         pub struct Coordinates {
             #(#field_docs pub #fields: f64,)*
         }
@@ -153,9 +164,10 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
         }
     };
     let allow = lints::unused_item(&implementation);
+    let derives = derives(system.coordinates.len());
     quote! {
         /// One solved instant.
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #derives
         pub struct Frame {
             /// The time t, in s.
             pub t: f64,

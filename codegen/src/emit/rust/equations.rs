@@ -11,15 +11,15 @@ use super::literal::count;
 use crate::emit::Notation;
 use crate::emit::text;
 use crate::expr::ExprId;
-use crate::program::{Inputs, Program, Straight};
+use crate::program::{Inputs, Program, Straight, Textbook};
 use crate::system::{Row, System};
 
 /// The four functions of the textbook view.
-pub(super) fn equations(system: &System, program: &Program) -> TokenStream {
+pub(super) fn equations(system: &System, program: &Program, textbook: &Textbook) -> TokenStream {
     let phi = vector(
         system,
         program,
-        &program.residual,
+        &textbook.residual,
         "phi",
         "Φ(q, t): the residuals of all joints and drivers, zero where the mechanism is assembled.",
         |row| row.residual,
@@ -27,7 +27,7 @@ pub(super) fn equations(system: &System, program: &Program) -> TokenStream {
     let phi_t = vector(
         system,
         program,
-        &program.time_derivative,
+        &textbook.time_derivative,
         "phi_t",
         "Φ_t(q, t): the partial derivatives of the residuals in t. The rates solve Φ_q q̇ = −Φ_t.",
         |row| row.time_derivative,
@@ -35,12 +35,12 @@ pub(super) fn equations(system: &System, program: &Program) -> TokenStream {
     let gamma = vector(
         system,
         program,
-        &program.gamma,
+        &textbook.gamma,
         "gamma",
         "γ(q, q̇, t) = −((Φ_q q̇)_q q̇ + 2 Φ_qt q̇ + Φ_tt). The accelerations solve Φ_q q̈ = γ.",
         |row| row.gamma,
     );
-    let phi_q = matrix(system, program);
+    let phi_q = matrix(system, program, &textbook.jacobian);
     quote! { #phi #phi_q #phi_t #gamma }
 }
 
@@ -131,8 +131,7 @@ fn vector(
     quote!(#text #allow #function)
 }
 
-fn matrix(system: &System, program: &Program) -> TokenStream {
-    let straight = &program.jacobian;
+fn matrix(system: &System, program: &Program, straight: &Straight) -> TokenStream {
     let names = TextbookNames { system, straight };
     let writer = Writer {
         system,
@@ -163,7 +162,7 @@ fn matrix(system: &System, program: &Program) -> TokenStream {
         format!("Rows: {}.", numbered(system.rows.iter().map(|row| row.name.as_str()))),
     ];
     let text = docs(lines.drain(..));
-    let parameters = parameters(program.jacobian.inputs, false);
+    let parameters = parameters(straight.inputs, false);
     let function = quote! {
         pub fn phi_q(#parameters) -> SMatrix<f64, #size, #size> {
             #(#statements)*

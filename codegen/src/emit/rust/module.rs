@@ -11,22 +11,41 @@ use super::layout::laid_out;
 use super::lints;
 use super::literal::float;
 use super::solved;
-use super::solver::{mechanism, textbook};
+use super::solver::{characteristic_length, mechanism, textbook};
 use crate::emit::{report, text};
 use crate::model::Role;
 use crate::program::Program;
-use crate::program::solved::Action;
+use crate::program::solved::{Action, Output};
 use crate::system::System;
 
 /// The formatted source of the generated module, with a header of comments.
 pub fn module(system: &System, program: &Program) -> String {
+    let has_newton = program
+        .solved
+        .iter()
+        .flat_map(|solved| &solved.blocks)
+        .any(|block| block.newton.is_some());
+    let needs_length = has_newton || program.textbook.is_some();
     let items = [
-        imports(program),
+        imports(system, program, has_newton),
         constants(system, program),
         coordinates(system),
-        equations(system, program),
+        program
+            .textbook
+            .as_ref()
+            .map(|textbook| equations(system, program, textbook))
+            .unwrap_or_default(),
         frame(system, program),
-        textbook(system),
+        if needs_length {
+            characteristic_length(system)
+        } else {
+            TokenStream::new()
+        },
+        if program.textbook.is_some() {
+            textbook(system)
+        } else {
+            TokenStream::new()
+        },
         solver(system, program),
     ];
     let file: Result<syn::File, _> = syn::parse2(items.into_iter().collect());
@@ -46,31 +65,37 @@ fn solver(system: &System, program: &Program) -> TokenStream {
             let branches = solved::branches(blocks);
             let newton = solved::newton_blocks(system, program, blocks);
             let functions = solved::blocks(system, program, blocks);
-            let mechanism = solved::mechanism(system, blocks);
+            let mechanism = solved::mechanism(system, program, blocks);
             quote!(#branches #newton #functions #mechanism)
         }
         None => mechanism(system),
     }
 }
 
-fn imports(program: &Program) -> TokenStream {
-    let functions = [
-        &program.residual,
-        &program.jacobian,
-        &program.time_derivative,
-        &program.gamma,
-    ];
-    let calls_math = functions
-        .into_iter()
-        .chain(&program.points)
-        .any(|straight| {
-            let operations = &straight.operations;
-            operations.sines
-                + operations.arctangents
-                + operations.square_roots
-                + operations.exponentials
-                > 0
-        });
+fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream {
+    let textbook = program.textbook.iter();
+    let functions = textbook.flat_map(|own| {
+        [
+            &own.residual,
+            &own.jacobian,
+            &own.time_derivative,
+            &own.gamma,
+        ]
+    });
+    // The points of a mechanism with outputs are among its blocks.
+    let whole = program
+        .solved
+        .as_ref()
+        .is_none_or(|solved| solved.outputs.is_none());
+    let points = program.points.iter().filter(|_| whole);
+    let calls_math = functions.chain(points).any(|straight| {
+        let operations = &straight.operations;
+        operations.sines
+            + operations.arctangents
+            + operations.square_roots
+            + operations.exponentials
+            > 0
+    });
     let solved_math = program
         .solved
         .iter()
@@ -131,11 +156,46 @@ fn imports(program: &Program) -> TokenStream {
     } else {
         TokenStream::new()
     };
+    let has_textbook = program.textbook.is_some();
+    let (matrices, equations) = if has_textbook || has_newton {
+        (
+            quote!(
+                use ::linkwright::nalgebra::{Const, SMatrix, SVector};
+            ),
+            quote!(Equations,),
+        )
+    } else {
+        Default::default()
+    };
+    let step = if has_textbook {
+        quote!(Step, newton,)
+    } else {
+        TokenStream::new()
+    };
+    let motion = if has_motion(system, program) {
+        quote!(Motion,)
+    } else {
+        TokenStream::new()
+    };
     quote! {
         #closed
         #math
-        use ::linkwright::nalgebra::{Const, SMatrix, SVector};
-        use ::linkwright::{#branch Equations, Failure, #kind Motion, Settings, Step, #kinematics newton};
+        #matrices
+        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #step #kinematics};
+    }
+}
+
+/// Whether some function returns the motion of a point.
+fn has_motion(system: &System, program: &Program) -> bool {
+    match program
+        .solved
+        .as_ref()
+        .and_then(|solved| solved.outputs.as_ref())
+    {
+        Some(outputs) => outputs
+            .iter()
+            .any(|output| matches!(output, Output::Point { fields, .. } if fields.len() == 3)),
+        None => !system.outputs.is_empty(),
     }
 }
 
@@ -174,7 +234,15 @@ fn header(system: &System, program: &Program) -> String {
         ),
     ];
     match &program.solved {
-        Some(solved) => lines.extend(report::lines(&solved.report)),
+        Some(solved) => {
+            lines.extend(report::lines(&solved.report));
+            if program.textbook.is_none() {
+                lines.push(
+                    "Left out: the textbook view, whose dense matrices would not fit a stack."
+                        .to_string(),
+                );
+            }
+        }
         None => lines.push(format!(
             "Solved as one dense block of {} unknowns by Newton-Raphson.",
             system.coordinates.len()

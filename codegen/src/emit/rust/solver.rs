@@ -10,18 +10,23 @@ use crate::joint::Quantity;
 use crate::model::type_name;
 use crate::system::System;
 
+/// What lengths are judged against.
+pub(super) fn characteristic_length(system: &System) -> TokenStream {
+    let length = float(system.mechanism.characteristic_length);
+    quote! {
+        /// The largest coordinate in the drawing, in m: residuals in m are judged against it.
+        const CHARACTERISTIC_LENGTH: f64 = #length;
+    }
+}
+
 /// `struct Textbook`: the dense system as the runtime solves it.
 pub(super) fn textbook(system: &System) -> TokenStream {
     let size = count(system.rows.len());
-    let length = float(system.mechanism.characteristic_length);
     let scales = system.rows.iter().map(|row| match row.quantity {
         Quantity::Length => quote!(CHARACTERISTIC_LENGTH),
         Quantity::Angle => quote!(1.0),
     });
     quote! {
-        /// The largest coordinate in the drawing, in m: residuals in m are judged against it.
-        const CHARACTERISTIC_LENGTH: f64 = #length;
-
         /// What the residual of each row is judged against.
         const ROW_SCALES: [f64; #size] = [#(#scales),*];
 

@@ -102,12 +102,21 @@ impl Needs {
     }
 }
 
+/// Up to so many blocks become one function.
+const MOST_INLINED: usize = 16;
+
 /// The functions of all blocks.
 pub(in crate::emit::rust) fn blocks(
     system: &System,
     program: &Program,
     solved: &SolvedProgram,
 ) -> TokenStream {
+    // One function of thousands of blocks would take the compiler longer than all of them alone.
+    let inline = if solved.blocks.len() > MOST_INLINED {
+        quote!(#[inline(never)])
+    } else {
+        quote!(#[inline])
+    };
     let functions = solved.blocks.iter().enumerate().map(|(index, block)| {
         let needs = Needs::of(block, system);
         let names = BlockNames { system, solved, time: &block.time, local: HashSet::new() };
@@ -117,9 +126,9 @@ pub(in crate::emit::rust) fn blocks(
         let (name, parameters) = (identifier(&block.name), needs.parameters());
         let title = docs([block.title.as_str()]);
         let body = if needs.fails {
-            quote!(#[inline] fn #name(#parameters) -> Result<(), Failure> { #(#time)* #(#actions)* Ok(()) })
+            quote!(#inline fn #name(#parameters) -> Result<(), Failure> { #(#time)* #(#actions)* Ok(()) })
         } else {
-            quote!(#[inline] fn #name(#parameters) { #(#time)* #(#actions)* })
+            quote!(#inline fn #name(#parameters) { #(#time)* #(#actions)* })
         };
         let (capitals, approximate) = (lints::capitals(&body), lints::approximate(&body));
         quote!(#title #capitals #approximate #body)

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::names::plain_name;
+use crate::emit::rust::coordinates::derives;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::identifier;
 use crate::emit::rust::lints;
@@ -105,8 +106,9 @@ pub(in crate::emit::rust) fn output_frame(
         }
     };
     let allow = lints::unused_item(&implementation);
+    let derives = derives(solved.fields.len());
     let structure = quote! {
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #derives
         pub struct Frame {
             /// The time t, in s.
             pub t: f64,

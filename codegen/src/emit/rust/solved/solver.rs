@@ -5,15 +5,21 @@ use quote::quote;
 
 use super::block::Needs;
 use super::frame::estimated_frame;
+use crate::emit::rust::coordinates::derives;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::identifier;
 use crate::emit::rust::literal::count;
 use crate::model::type_name;
+use crate::program::Program;
 use crate::program::solved::SolvedProgram;
 use crate::system::System;
 
 /// The mechanism's own type, and the function that calls all blocks.
-pub(in crate::emit::rust) fn mechanism(system: &System, solved: &SolvedProgram) -> TokenStream {
+pub(in crate::emit::rust) fn mechanism(
+    system: &System,
+    program: &Program,
+    solved: &SolvedProgram,
+) -> TokenStream {
     let size = count(system.rows.len());
     let name = identifier(&type_name(&system.mechanism.name));
     let mut lines = system.mechanism.docs.clone();
@@ -55,6 +61,20 @@ pub(in crate::emit::rust) fn mechanism(system: &System, solved: &SolvedProgram) 
     } else {
         quote!(_settings)
     };
+    let newton_step = match program.textbook {
+        Some(_) => quote! {
+            /// One Newton-Raphson step of the textbook view from the pose `q` at time `t` (s), with its matrix and right-hand
+            /// side.
+            ///
+            /// # Errors
+            /// A [`Failure`] where the Jacobian is singular.
+            pub fn newton_step(q: &Coordinates, t: f64) -> Result<Step<f64, Const<#size>>, Failure> {
+                newton::step(&Textbook, &SVector::from(q.to_array()), t, &Settings::default())
+            }
+        },
+        None => TokenStream::new(),
+    };
+    let derives = derives(system.coordinates.len());
     quote! {
         /// Solves all blocks at time `t` (s), one after another.
         fn solve(
@@ -70,7 +90,7 @@ pub(in crate::emit::rust) fn mechanism(system: &System, solved: &SolvedProgram) 
         }
 
         #text
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #derives
         pub struct #name {
             /// The last frame and the one before it, whose place the next one takes.
             frames: [Frame; 2],
@@ -146,14 +166,7 @@ pub(in crate::emit::rust) fn mechanism(system: &System, solved: &SolvedProgram) 
                 self.branches
             }
 
-            /// One Newton-Raphson step of the textbook view from the pose `q` at time `t` (s), with its matrix and right-hand
-            /// side.
-            ///
-            /// # Errors
-            /// A [`Failure`] where the Jacobian is singular.
-            pub fn newton_step(q: &Coordinates, t: f64) -> Result<Step<f64, Const<#size>>, Failure> {
-                newton::step(&Textbook, &SVector::from(q.to_array()), t, &Settings::default())
-            }
+            #newton_step
         }
     }
 }
