@@ -7,22 +7,27 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 use crate::diagnostic::Source;
-use crate::generate;
+use crate::{Options, generate_with};
 
 /// Generates the module of every `.mech` file in `folder` (relative to the package) for `linkwright::include_mechanism!`.
 ///
 /// Called from `build.rs`. Prints what cargo needs to know: when to run again, and every error with its place. After an error
 /// it returns normally and cargo stops the build.
 pub fn build(folder: impl AsRef<Path>) {
+    build_with(folder, &Options::default());
+}
+
+/// The same with a choice of the scalar.
+pub fn build_with(folder: impl AsRef<Path>, options: &Options) {
     let folder = folder.as_ref();
     // Printed first, so that a mended description is seen whatever went wrong.
     println!("cargo::rerun-if-changed={}", folder.display());
-    if let Err(problem) = build_folder(folder) {
+    if let Err(problem) = build_folder(folder, options) {
         print_error(&problem);
     }
 }
 
-fn build_folder(folder: &Path) -> Result<(), String> {
+fn build_folder(folder: &Path, options: &Options) -> Result<(), String> {
     let output = env::var_os("OUT_DIR")
         .ok_or("OUT_DIR is not set: `build` is called from a build script")?;
     let output = PathBuf::from(output).join("linkwright");
@@ -50,7 +55,7 @@ fn build_folder(folder: &Path) -> Result<(), String> {
         .map_err(|error| format!("cannot create `{}`: {error}", output.display()))?;
     let mut names: Vec<(String, PathBuf)> = Vec::new();
     for file in files {
-        let Some((name, code)) = generate_file(&file) else {
+        let Some((name, code)) = generate_file(&file, options) else {
             continue;
         };
         if let Some((_, earlier)) = names.iter().find(|(other, _)| *other == name) {
@@ -70,7 +75,7 @@ fn build_folder(folder: &Path) -> Result<(), String> {
 }
 
 /// The module of one file; its errors are printed.
-fn generate_file(file: &Path) -> Option<(String, String)> {
+fn generate_file(file: &Path, options: &Options) -> Option<(String, String)> {
     let name = file.display().to_string();
     let bytes = match fs::read(file) {
         Ok(bytes) => bytes,
@@ -87,7 +92,7 @@ fn generate_file(file: &Path) -> Option<(String, String)> {
             return None;
         }
     };
-    match generate(&source) {
+    match generate_with(&source, options) {
         Ok(generated) => {
             for line in generated.warnings.render(&source).lines() {
                 println!("cargo::warning={line}");

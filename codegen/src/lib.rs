@@ -20,7 +20,8 @@ pub mod structure;
 pub mod syntax;
 pub mod system;
 
-pub use cargo::build;
+pub use cargo::{build, build_with};
+pub use emit::rust::Scalar;
 
 use diagnostic::{Diagnostics, Source};
 use structure::Plan;
@@ -33,6 +34,13 @@ pub struct Read {
     pub system: System,
     /// What should be looked at although it is no error.
     pub warnings: Diagnostics,
+}
+
+/// What can be chosen about the generated code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// The scalar: f64, or f32 where the hardware has nothing else.
+    pub scalar: Scalar,
 }
 
 /// The Rust source of a mechanism.
@@ -94,6 +102,14 @@ pub fn report(system: &System) -> Option<program::solved::Report> {
 /// # Errors
 /// Every error of the description; nothing is written then.
 pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
+    generate_with(source, &Options::default())
+}
+
+/// Writes the Rust module of a description as the options say.
+///
+/// # Errors
+/// Every error of the description; nothing is written then.
+pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Diagnostics> {
     let Read {
         mut system,
         warnings,
@@ -101,7 +117,7 @@ pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
     let plan = check(&system)?;
     let solved = structure::plan(&mut system);
     let program = program::lower(&mut system, plan, solved.as_ref());
-    let code = emit::rust::module(&system, &program);
+    let code = emit::rust::module(&system, &program, options.scalar);
     Ok(Generated {
         name: system.mechanism.name.clone(),
         code,

@@ -145,15 +145,22 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     };
     let zeros = system.coordinates.iter().map(|_| quote!(0.0));
     let at_rest = quote!(Coordinates::from_array([#(#zeros),*]));
+    let check = if system.coordinates.len() > LARGEST_TEXTBOOK {
+        TokenStream::new()
+    } else {
+        quote! {
+            /// Whether every coordinate, rate and acceleration is a number.
+            fn is_finite(&self) -> bool {
+                [self.q, self.qd, self.qdd].iter().all(|values| all_finite(&values.to_array()))
+            }
+        }
+    };
     let private = match program.solved {
         Some(_) => quote! {
             /// The drawing at rest, which the solution starts from.
             const DRAWN: Self = Self { t: 0.0, q: Coordinates::DRAWN, qd: #at_rest, qdd: #at_rest, #drawn };
 
-            /// Whether every coordinate, rate and acceleration is a number.
-            fn is_finite(&self) -> bool {
-                [self.q, self.qd, self.qdd].iter().all(|values| all_finite(&values.to_array()))
-            }
+            #check
         },
         None => TokenStream::new(),
     };

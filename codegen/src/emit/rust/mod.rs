@@ -10,7 +10,9 @@ mod layout;
 mod lints;
 mod literal;
 mod module;
+mod scalar;
 mod solved;
 mod solver;
 
 pub use module::module;
+pub use scalar::Scalar;

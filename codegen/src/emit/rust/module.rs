@@ -10,6 +10,7 @@ use super::expression::identifier;
 use super::layout::laid_out;
 use super::lints;
 use super::literal::float;
+use super::scalar::{Scalar, in_scalar};
 use super::solved;
 use super::solver::{characteristic_length, mechanism, textbook};
 use crate::emit::{report, text};
@@ -19,7 +20,7 @@ use crate::program::solved::{Action, Output};
 use crate::system::System;
 
 /// The formatted source of the generated module, with a header of comments.
-pub fn module(system: &System, program: &Program) -> String {
+pub fn module(system: &System, program: &Program, scalar: Scalar) -> String {
     let has_newton = program
         .solved
         .iter()
@@ -48,7 +49,7 @@ pub fn module(system: &System, program: &Program) -> String {
         },
         solver(system, program),
     ];
-    let file: Result<syn::File, _> = syn::parse2(items.into_iter().collect());
+    let file: Result<syn::File, _> = syn::parse2(in_scalar(items.into_iter().collect(), scalar));
     // Everything above is made of whole items, so this is a matter of our own code alone.
     let file = file.unwrap_or_else(|error| panic!("generated code does not parse: {error}"));
     format!(

@@ -12,8 +12,8 @@ use crate::emit::rust::layout::comment;
 use crate::emit::rust::lints;
 use crate::emit::rust::literal::count;
 use crate::expr::{ExprId, SymbolId};
-use crate::program::Program;
 use crate::program::solved::{Action, BlockProgram, Level, SolvedProgram};
+use crate::program::{LARGEST_TEXTBOOK, Program};
 use crate::system::{SymbolRole, System, Unknown};
 
 /// What a block's function needs to be given.
@@ -28,7 +28,10 @@ pub(super) struct Needs {
 
 impl Needs {
     pub(super) fn of(block: &BlockProgram, system: &System) -> Needs {
+        let checks = checks_itself(system);
         let mut needs = Needs {
+            fails: checks,
+            time: checks,
             branches: block.reads_branch,
             ..Needs::default()
         };
@@ -125,8 +128,9 @@ pub(in crate::emit::rust) fn blocks(
         let actions = block.actions.iter().map(|action| statement(action, index, block, &writer, &names));
         let (name, parameters) = (identifier(&block.name), needs.parameters());
         let title = docs([block.title.as_str()]);
+        let check = if checks_itself(system) { own_check(index, block, &names) } else { TokenStream::new() };
         let body = if needs.fails {
-            quote!(#inline fn #name(#parameters) -> Result<(), Failure> { #(#time)* #(#actions)* Ok(()) })
+            quote!(#inline fn #name(#parameters) -> Result<(), Failure> { #(#time)* #(#actions)* #check Ok(()) })
         } else {
             quote!(#inline fn #name(#parameters) { #(#time)* #(#actions)* })
         };
@@ -134,6 +138,28 @@ pub(in crate::emit::rust) fn blocks(
         quote!(#title #capitals #approximate #body)
     });
     quote!(#(#functions)*)
+}
+
+/// Whether every block checks that what it found are numbers. A frame of thousands of coordinates is not looked through at
+/// once: the compiler would turn it into as many local values.
+pub(super) fn checks_itself(system: &System) -> bool {
+    system.coordinates.len() > LARGEST_TEXTBOOK
+}
+
+/// Fails where a coordinate, a rate or an acceleration of the block is no number.
+fn own_check(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> TokenStream {
+    let found = block
+        .actions
+        .iter()
+        .flat_map(Action::targets)
+        .filter(|&symbol| names.is_field(symbol));
+    let fields: Vec<TokenStream> = found.map(|symbol| names.symbol(symbol)).collect();
+    let number = count(index);
+    quote! {
+        if !all_finite(&[#(#fields),*]) {
+            return Err(failed(FailureKind::NotFinite, t, #number));
+        }
+    }
 }
 
 /// One statement of a block.

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::block::Needs;
+use super::block::{Needs, checks_itself};
 use super::frame::estimated_frame;
 use crate::emit::rust::coordinates::derives;
 use crate::emit::rust::docs::docs;
@@ -61,6 +61,15 @@ pub(in crate::emit::rust) fn mechanism(
     } else {
         quote!(_settings)
     };
+    let verdict = if checks_itself(system) {
+        quote!(Ok(()))
+    } else {
+        quote!(if at.is_finite() {
+            Ok(())
+        } else {
+            Err(failed(FailureKind::NotFinite, t, 0))
+        })
+    };
     let newton_step = match program.textbook {
         Some(_) => quote! {
             /// One Newton-Raphson step of the textbook view from the pose `q` at time `t` (s), with its matrix and right-hand
@@ -86,7 +95,7 @@ pub(in crate::emit::rust) fn mechanism(
         ) -> Result<(), Failure> {
             at.t = t;
             #(#calls)*
-            if at.is_finite() { Ok(()) } else { Err(failed(FailureKind::NotFinite, t, 0)) }
+            #verdict
         }
 
         #text
