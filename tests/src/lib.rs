@@ -14,6 +14,7 @@ pub mod method;
 pub mod random;
 pub mod reference;
 pub mod sample;
+pub mod single;
 pub mod solver;
 pub mod stencil;
 pub mod study;

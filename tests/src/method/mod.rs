@@ -77,7 +77,11 @@ macro_rules! generated {
             }
 
             pub(super) mod solved {
-                $crate::method::solved::solved!($module, $mechanism, f64, "f64");
+                $crate::method::solved::solved!([linkwright_mechanisms::$module], $mechanism, f64, "f64");
+            }
+
+            pub(super) mod single {
+                $crate::method::solved::solved!([$crate::single::$module], $mechanism, f32, "f32");
             }
         })+
 
@@ -88,6 +92,7 @@ macro_rules! generated {
                     let mut methods: Vec<Box<dyn Method>> = Vec::new();
                     methods.extend($module::textbook::methods());
                     methods.extend($module::solved::methods(iterates(mechanism)));
+                    methods.extend($module::single::methods(iterates(mechanism)));
                     // Further kinds: `methods.extend($module::<kind>::methods());`
                     methods
                 })+

@@ -1,13 +1,13 @@
 //! The solved view of generated modules as methods: closed forms, and Newton-Raphson on the blocks that have none.
 
-/// Implements [`super::Method`] for a module with the type of its mechanism, and lists its methods. The arguments after the
-/// mechanism are the scalar of the module and how it is called.
+/// Implements [`super::Method`] for a module, given by its path in brackets, with the type of its mechanism, and lists its methods.
+/// The arguments after the mechanism are the scalar of the module and how it is called.
 macro_rules! solved {
-    ($module:ident, $mechanism:ident, $scalar:ty, $name:literal) => {
+    ([$($source:tt)*], $mechanism:ident, $scalar:ty, $name:literal) => {
         use std::hint::black_box;
 
         use linkwright::Settings;
-        use linkwright_mechanisms::$module::{Coordinates, $mechanism};
+        use $($source)*::{Coordinates, $mechanism};
 
         use $crate::method::{Levels, Method, SETTINGS};
 
@@ -28,6 +28,10 @@ macro_rules! solved {
             }
             let mut methods: Vec<Box<dyn Method>> = Vec::new();
             for (setting, tolerance, polish) in SETTINGS {
+                // No residual of this scalar can be smaller than its rounding.
+                if tolerance < 10.0 * f64::from(<$scalar>::EPSILON) {
+                    continue;
+                }
                 methods.push(Box::new(Solved {
                     settings: Settings {
                         tolerance: tolerance as $scalar,

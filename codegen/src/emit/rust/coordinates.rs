@@ -70,7 +70,7 @@ pub(super) fn coordinates(system: &System) -> TokenStream {
             pub const DRAWN: Self = Self { #(#fields: #drawn),* };
 
             /// The coordinates in order.
-            pub const fn to_array(&self) -> [f64; #number] {
+            pub const fn to_array(self) -> [f64; #number] {
                 [#(self.#fields),*]
             }
 
