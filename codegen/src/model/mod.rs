@@ -10,10 +10,12 @@ mod names;
 mod operands;
 mod points;
 mod resolve;
+mod slug;
 
 pub use dimension::Dimension;
 pub use resolve::resolve;
 pub(crate) use resolve::type_name;
+pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SymbolId};

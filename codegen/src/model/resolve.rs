@@ -453,39 +453,6 @@ impl Resolver<'_> {
         self.joints.push((joint, given.along.cloned()));
     }
 
-    /// A lower-case identifier for the rows of a joint.
-    fn unique_slug(&self, given: &Given<'_>) -> String {
-        let mut words: Vec<String> = Vec::new();
-        if given.role == Role::Driver {
-            words.push("drive".to_string());
-        }
-        match given.name {
-            Some(name) if given.role == Role::Constraint => words.push(name.text.clone()),
-            Some(name) => words = vec![name.text.clone()],
-            None => {
-                words.push(given.kind.keyword().to_string());
-                for operand in given.operands {
-                    words.extend(operand.body.iter().map(|body| body.text.clone()));
-                    words.push(operand.name.text.clone());
-                }
-            }
-        }
-        let base = words.join("_").to_lowercase();
-        // Row names share their functions with `q`, `qd` and `t`, and must not begin with a digit.
-        let reserved = matches!(base.as_str(), "q" | "qd" | "qdd" | "t");
-        let base = if reserved {
-            format!("{}_{base}", given.kind.keyword())
-        } else {
-            base
-        };
-        let taken = |slug: &str| self.joints.iter().any(|(joint, _)| joint.slug == slug);
-        let numbered = (2..).map(|number| format!("{base}_{number}"));
-        std::iter::once(base.clone())
-            .chain(numbered)
-            .find(|slug| !taken(slug))
-            .unwrap_or(base)
-    }
-
     /// The largest coordinate in the drawing, which lengths are measured against.
     fn characteristic_length(&self) -> f64 {
         let marks = self
