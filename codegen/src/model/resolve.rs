@@ -24,6 +24,8 @@ pub(super) struct Resolver<'a> {
     pub constants: Names<Value>,
     pub drawn: Names<DrawnPoint>,
     pub body_ids: Names<BodyId>,
+    /// The names that drivers were given.
+    pub drivers: Names<()>,
     pub bodies: Vec<Body>,
     /// Each with the direction it was written along, by which drivers find it.
     pub joints: Vec<(Joint, Option<syntax::Direction>)>,
@@ -86,6 +88,7 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
         constants: Names::new("constant"),
         drawn: Names::new("point"),
         body_ids: Names::new("body"),
+        drivers: Names::new("driver"),
         bodies: vec![Body {
             name: "ground".to_string(),
             docs: Vec::new(),
@@ -403,6 +406,12 @@ impl Resolver<'_> {
     }
 
     fn add_driver(&mut self, drive: &syntax::Drive) {
+        // Joints are named after their points, which may join several pairs of bodies; the name of a driver is its own.
+        let duplicate = drive
+            .name
+            .as_ref()
+            .and_then(|name| self.drivers.declare(name, ()));
+        self.diagnostics.extend(duplicate);
         let quantity = drive.quantity.text.as_str();
         let Some(kind) = kind_named(quantity, DRIVERS) else {
             let quantities: Vec<&str> = DRIVERS.iter().map(|kind| kind.keyword()).collect();
@@ -498,7 +507,7 @@ fn label(given: &Given<'_>) -> String {
         (Role::Driver, Some(name)) => format!("drive {name}: {keyword}({operands})"),
         (Role::Driver, None) => format!("drive {keyword}({operands})"),
         (Role::Constraint, Some(name)) => format!("{keyword} {name}({operands}){along}"),
-        (Role::Constraint, None) if along.is_empty() => format!("{keyword}({operands})"),
+        (Role::Constraint, None) if given.operands.len() == 1 => format!("{keyword}({operands})"),
         (Role::Constraint, None) => format!("{keyword} ({operands}){along}"),
     }
 }
