@@ -19,7 +19,7 @@ pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{Frame, Mark};
+use crate::joint::geometry::{Frame, Mark, Vector};
 use crate::joint::{Kind, Resolved};
 
 /// A resolved mechanism.
@@ -73,6 +73,8 @@ pub struct NamedMark {
     pub docs: Vec<String>,
     /// The body's frame and the local vector.
     pub mark: Mark,
+    /// Where it is in the drawing, in global components: for a point given there, as it was written.
+    pub drawn: Vector,
     /// Where it is declared on the body.
     pub span: Span,
 }

@@ -342,10 +342,12 @@ impl Resolver<'_> {
                 position,
             } => {
                 let local = self.pair(position);
+                let in_drawing = Mark::new(drawn, local, &mut self.graph);
                 Some(NamedMark {
                     name: name.text.clone(),
                     docs: docs.clone(),
                     mark: Mark::new(frame, local, &mut self.graph),
+                    drawn: in_drawing.position(&mut self.graph),
                     span: name.span,
                 })
             }
@@ -365,6 +367,7 @@ impl Resolver<'_> {
                     name: name.text.clone(),
                     docs: docs.clone(),
                     mark: Mark::new(frame, local, &mut self.graph),
+                    drawn: position,
                     span: name.span,
                 })
             }
