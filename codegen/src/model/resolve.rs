@@ -219,7 +219,7 @@ impl Resolver<'_> {
                 .help("write the expression where it is used, in a `drive` statement"),
             );
         }
-        let value = value.unwrap_or((self.graph.one(), Dimension::Unmarked));
+        let value = value.unwrap_or((self.graph.one(), Dimension::Number));
         if let Some(duplicate) = self.constants.declare(name, value) {
             self.diagnostics.push(duplicate);
         }
@@ -313,7 +313,7 @@ impl Resolver<'_> {
         let angle = match &body.orientation {
             syntax::Orientation::Aligned => zero,
             syntax::Orientation::Angle(angle) => {
-                self.constant(angle, Dimension::ANGLE).unwrap_or(zero)
+                self.constant(angle, Dimension::Angle).unwrap_or(zero)
             }
             syntax::Orientation::Facing(direction) => self.facing(direction).unwrap_or(zero),
         };
