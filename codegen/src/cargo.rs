@@ -82,8 +82,8 @@ fn generate_file(file: &Path) -> Option<(String, String)> {
     let source = match Source::from_bytes(&name, &bytes) {
         Ok(source) => source,
         Err(unreadable) => {
-            let (source, diagnostic) = *unreadable;
-            print_error(&diagnostic.render(&source));
+            let (source, found) = *unreadable;
+            print_error(&found.render(&source));
             return None;
         }
     };
