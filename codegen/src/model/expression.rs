@@ -5,7 +5,8 @@
 
 use super::dimension::{Dimension, UNITS, unit};
 use super::resolve::Resolver;
-use crate::diagnostic::{Code, Diagnostic, Span, nearest};
+use super::synonyms::{self, meant};
+use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Node, Number};
 use crate::joint::geometry::{dot, subtract};
 use crate::syntax::{Expression, ExpressionKind, Name, Operation, Reference, Sign};
@@ -82,24 +83,7 @@ impl Resolver<'_> {
                 arguments,
             } => self.call(function, arguments, written.span)?,
         };
-        self.finite(value, written.span)
-    }
-
-    /// Passes a value on unless it is infinite or undefined.
-    fn finite(&mut self, value: Value, span: Span) -> Option<Value> {
-        let evaluates = self
-            .graph
-            .constant_value(value.0)
-            .is_none_or(f64::is_finite);
-        if evaluates && self.graph.is_finite(value.0) {
-            return Some(value);
-        }
-        self.diagnostics.push(
-            Diagnostic::error(Code::NotFinite, span, "this constant is not a finite real number")
-                .label("infinite or undefined")
-                .help("look for a division by zero, the root or logarithm of a negative number, or an overflow"),
-        );
-        None
+        self.finite(value, written)
     }
 
     fn number(&mut self, digits: &str, suffix: Option<&Name>, span: Span) -> Option<Value> {
@@ -119,7 +103,7 @@ impl Resolver<'_> {
             return Some((number, Dimension::Number));
         };
         let Some((factor, dimension)) = unit(&suffix.text, &mut self.graph) else {
-            let help = match nearest(&suffix.text, UNITS.iter().copied()) {
+            let help = match meant(&suffix.text, synonyms::UNITS, UNITS.iter().copied(), true) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("the units are {}", listed(UNITS)),
             };
@@ -149,11 +133,26 @@ impl Resolver<'_> {
                 return Some(value);
             }
         }
-        let is_point = reference.body.is_some() || self.drawn.get(name).is_some();
+        let carrier = self
+            .bodies
+            .iter()
+            .find(|body| body.marks.iter().any(|mark| mark.name == *name));
+        let is_point =
+            reference.body.is_some() || self.drawn.get(name).is_some() || carrier.is_some();
+        let no_number = |what: &str| {
+            Diagnostic::error(
+                Code::OutsideGrammar,
+                reference.span,
+                format!("a {what} is not a number"),
+            )
+            .label(format!("this is a {what}"))
+        };
         self.diagnostics.push(if is_point {
-            Diagnostic::error(Code::OutsideGrammar, reference.span, "a point is not a number")
-                .label("this is a point")
-                .help("points can be measured: `distance(A, B)` is the length between them in the drawing")
+            no_number("point").help(
+                "points can be measured: `distance(A, B)` is the length between them in the drawing",
+            )
+        } else if self.body_ids.get(name).is_some() {
+            no_number("body").help("name a constant, or measure points of the drawing: `distance(A, B)`")
         } else {
             self.constants.unknown(name, reference.span)
         });
@@ -256,7 +255,7 @@ impl Resolver<'_> {
     fn call(&mut self, function: &Name, arguments: &[Expression], span: Span) -> Option<Value> {
         let name = function.text.as_str();
         if !FUNCTIONS.contains(&name) {
-            let help = match nearest(name, FUNCTIONS.iter().copied()) {
+            let help = match meant(name, synonyms::FUNCTIONS, FUNCTIONS.iter().copied(), false) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("the functions are {}", listed(FUNCTIONS)),
             };

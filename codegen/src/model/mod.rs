@@ -7,10 +7,12 @@
 mod dimension;
 mod expression;
 mod names;
+mod not_finite;
 mod operands;
 mod points;
 mod resolve;
 mod slug;
+mod synonyms;
 
 pub use dimension::Dimension;
 pub use resolve::resolve;

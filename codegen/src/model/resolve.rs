@@ -3,6 +3,7 @@
 use super::expression::{BUILT_IN, Value, listed};
 use super::names::Names;
 use super::operands::Given;
+use super::synonyms::{self, meant};
 use super::{Body, Dimension, Joint, Mechanism, NamedMark, Role};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span, nearest};
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -385,9 +386,13 @@ impl Resolver<'_> {
             )
             .label("not a statement of this language");
             let all = ["const", "point", "body", "drive"];
+            let words = keywords.iter().chain(&all).copied();
             self.diagnostics.push(
-                match nearest(keyword, keywords.iter().chain(&all).copied()) {
+                match meant(keyword, synonyms::JOINTS, words, false) {
                     Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
+                    None if matches!(keyword, "fixed" | "fix" | "weld" | "rigid") => diagnostic.help(
+                        "a body that does not move is the `ground`; points that move together stand in the braces of one body",
+                    ),
                     None if kind_named(keyword, DRIVERS).is_some() => diagnostic.help(format!(
                         "a driver begins with `drive`: `drive {keyword}(…) = …;`"
                     )),
