@@ -87,8 +87,8 @@ fn generate_file(file: &Path, options: &Options) -> Option<(String, String)> {
     let source = match Source::from_bytes(&name, &bytes) {
         Ok(source) => source,
         Err(unreadable) => {
-            let (source, diagnostic) = *unreadable;
-            print_error(&diagnostic.render(&source));
+            let (source, found) = *unreadable;
+            print_error(&found.render(&source));
             return None;
         }
     };

@@ -43,6 +43,13 @@ fn assert_rendered(rendered: &str, code: Code, file: &str) {
     assert!(rendered.contains('^'), "{rendered}");
 }
 
+/// Every finding says what to do about it.
+fn assert_helpful(found: &Diagnostics, source: &Source) {
+    for finding in found.iter() {
+        assert!(!finding.help.is_empty(), "{}", finding.render(source));
+    }
+}
+
 /// The code that a case is named after.
 fn named_code(path: &Path) -> Code {
     let stem = files::stem(path);
@@ -58,6 +65,7 @@ fn every_case_yields_its_code_and_reads_as_in_its_snapshot() {
         let source = source(&path);
         let found = errors(&source);
         let code = named_code(&path);
+        assert_helpful(&found, &source);
         let rendered = found.render(&source);
         assert!(
             found.iter().any(|it| it.code == code),
@@ -104,10 +112,10 @@ fn bytes_that_are_not_utf_8_are_shown_with_their_place() {
     let mut bytes = b"mechanism case {\n    const a = \"".to_vec();
     bytes.extend([0xff, 0xfe]);
     bytes.extend(b"\";\n}\n");
-    let (source, diagnostic) =
-        *Source::from_bytes("K00_not_utf_8.mech", &bytes).expect_err("not UTF-8");
-    assert_eq!(diagnostic.code, Code::UnreadableFile);
-    let rendered = diagnostic.render(&source);
+    let (source, found) = *Source::from_bytes("K00_not_utf_8.mech", &bytes).expect_err("not UTF-8");
+    assert!(found.iter().all(|it| it.code == Code::UnreadableFile));
+    assert_helpful(&found, &source);
+    let rendered = found.render(&source);
     assert_rendered(&rendered, Code::UnreadableFile, "K00_not_utf_8.mech");
     snapshot("K00_not_utf_8", &rendered);
 }
@@ -118,6 +126,7 @@ fn a_file_that_is_too_large_is_refused() {
     let source = Source::new("K00_too_large.mech", text.clone());
     let found = errors(&source);
     assert!(found.iter().all(|it| it.code == Code::UnreadableFile));
+    assert_helpful(&found, &source);
     snapshot("K00_too_large", &found.render(&source));
     let from_bytes = Source::from_bytes("K00_too_large.mech", text.as_bytes());
     assert!(from_bytes.is_err() || from_bytes.is_ok_and(|source| generate(&source).is_err()));

@@ -208,8 +208,8 @@ fn digest(bytes: &[u8]) -> Outcome {
     let source = match Source::from_bytes("mutated.mech", bytes) {
         Ok(source) => source,
         Err(unreadable) => {
-            let (source, diagnostic) = *unreadable;
-            assert!(!diagnostic.render(&source).is_empty());
+            let (source, found) = *unreadable;
+            assert!(!found.render(&source).is_empty());
             return Outcome::Unreadable;
         }
     };
@@ -222,6 +222,9 @@ fn digest(bytes: &[u8]) -> Outcome {
     };
     assert!(errors.has_errors(), "a refusal needs an error");
     assert!(!errors.render(&source).is_empty());
+    for finding in errors.iter() {
+        assert!(!finding.help.is_empty(), "{}", finding.render(&source));
+    }
     let Ok(read) = read(&source) else {
         return Outcome::Refused;
     };

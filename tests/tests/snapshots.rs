@@ -1,5 +1,6 @@
 //! The equations of both seeds as they are printed: as Rust, as text in ASCII and in Unicode, and as LaTeX.
 
+use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::emit::{Notation, latex, text};
 use linkwright_codegen::generate;
 use linkwright_tests::{description, files};
@@ -131,4 +132,30 @@ fn the_jacobian_of_the_exam_is_written_as_the_exam_writes_it() {
         assert_eq!(row, exam);
     }
     assert_eq!(printed.len(), exam.len());
+}
+
+/// A point given in the drawing keeps its place there exactly, also on a body drawn at an angle without an exact sine.
+#[test]
+fn a_direction_between_drawn_points_is_not_turned_there_and_back() {
+    let source = Source::new(
+        "turned.mech",
+        "mechanism turned {
+            point A = (0, 0), C = (3, 4);
+            body q at (0, 0, 1rad) { C }
+            translational (ground, q) along A -> C;
+            drive length(A, C) = 5 + t;
+        }",
+    );
+    let read = linkwright_codegen::read(&source).expect("a description without errors");
+    let system = read.system;
+    // The direction is (3/5, 4/5): no sine of 1 is left beside x and y.
+    for (row, expected) in [(1, ["-0.8", "0.6"]), (2, ["0.6", "0.8"])] {
+        let row = &system.rows[row];
+        for (entry, expected) in row.jacobian.iter().zip(expected) {
+            let shown = text::formula(&system, &row.bodies, Notation::Ascii, entry.value);
+            assert_eq!(shown, expected);
+        }
+        let residual = text::formula(&system, &row.bodies, Notation::Ascii, row.residual);
+        assert!(residual.len() < 200, "{residual}");
+    }
 }

@@ -1,6 +1,6 @@
 //! *Bytes of a file → text with a name, and places in it.* A [`Span`] is only two offsets: whoever prints it clamps it to the text.
 
-use super::{Code, Diagnostic};
+use super::{Code, Diagnostic, Diagnostics};
 
 /// A range of bytes of the source, `start` included, `end` not.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -78,7 +78,7 @@ impl Source {
     pub fn from_bytes(
         name: impl Into<String>,
         bytes: &[u8],
-    ) -> Result<Source, Box<(Source, Diagnostic)>> {
+    ) -> Result<Source, Box<(Source, Diagnostics)>> {
         let error = match std::str::from_utf8(bytes) {
             Ok(text) => return Ok(Source::new(name, text)),
             Err(error) => error,
@@ -101,7 +101,9 @@ impl Source {
                     values.join(" ")
                 ))
                 .help("save the file as UTF-8");
-        Err(Box::new((source, diagnostic)))
+        let mut found = Diagnostics::new();
+        found.push(diagnostic);
+        Err(Box::new((source, found)))
     }
 
     /// The line and column of a byte offset; an offset beyond the end is the end.
@@ -200,7 +202,7 @@ mod tests {
             Source::from_bytes("a", b"ok").map(|source| source.text),
             Ok("ok".to_string())
         );
-        let (source, diagnostic) =
+        let (source, found) =
             *Source::from_bytes("bad.mech", b"one\ntwo \xff three\n").unwrap_err();
         let expected = "\
 error[K00]: the file is not UTF-8 text
@@ -210,8 +212,10 @@ error[K00]: the file is not UTF-8 text
   |     ^ the first bad byte: 0xff
   |
   = help: save the file as UTF-8
+
+error: 1 error in bad.mech
 ";
-        assert_eq!(diagnostic.render(&source), expected);
+        assert_eq!(found.render(&source), expected);
         assert!(Source::from_bytes("cut", b"\xe2\x82").is_err());
     }
 }

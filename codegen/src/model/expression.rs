@@ -5,7 +5,8 @@
 
 use super::dimension::{Dimension, UNITS, unit};
 use super::resolve::Resolver;
-use crate::diagnostic::{Code, Diagnostic, Span, nearest};
+use super::synonyms::{self, meant};
+use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Node, Number};
 use crate::joint::geometry::{dot, subtract};
 use crate::syntax::{Expression, ExpressionKind, Name, Operation, Reference, Sign};
@@ -53,7 +54,7 @@ impl Resolver<'_> {
                 .label(format!("this is {}", found.name()))
                 .help(match expected {
                     Dimension::LENGTH => {
-                        "lengths end in `m`, `cm`, `mm`, … or in no unit for metres"
+                        "lengths end in `m`, `cm`, `mm`, … or in no unit for meters"
                     }
                     _ => "angles end in `deg`, `rad`, `turn` or in no unit for radians",
                 }),
@@ -82,24 +83,7 @@ impl Resolver<'_> {
                 arguments,
             } => self.call(function, arguments, written.span)?,
         };
-        self.finite(value, written.span)
-    }
-
-    /// Passes a value on unless it is infinite or undefined.
-    fn finite(&mut self, value: Value, span: Span) -> Option<Value> {
-        let evaluates = self
-            .graph
-            .constant_value(value.0)
-            .is_none_or(f64::is_finite);
-        if evaluates && self.graph.is_finite(value.0) {
-            return Some(value);
-        }
-        self.diagnostics.push(
-            Diagnostic::error(Code::NotFinite, span, "this constant is not a finite real number")
-                .label("infinite or undefined")
-                .help("look for a division by zero, the root or logarithm of a negative number, or an overflow"),
-        );
-        None
+        self.finite(value, written)
     }
 
     fn number(&mut self, digits: &str, suffix: Option<&Name>, span: Span) -> Option<Value> {
@@ -116,10 +100,10 @@ impl Resolver<'_> {
         };
         let number = self.graph.number(number);
         let Some(suffix) = suffix else {
-            return Some((number, Dimension::Unmarked));
+            return Some((number, Dimension::Number));
         };
         let Some((factor, dimension)) = unit(&suffix.text, &mut self.graph) else {
-            let help = match nearest(&suffix.text, UNITS.iter().copied()) {
+            let help = match meant(&suffix.text, synonyms::UNITS, UNITS.iter().copied(), true) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("the units are {}", listed(UNITS)),
             };
@@ -141,19 +125,34 @@ impl Resolver<'_> {
         let name = &reference.name.text;
         if reference.body.is_none() {
             match name.as_str() {
-                "t" => return Some((self.graph.variable(self.time), Dimension::Unmarked)),
-                "pi" => return Some((self.graph.pi(), Dimension::Unmarked)),
+                "t" => return Some((self.graph.variable(self.time), Dimension::OfTime)),
+                "pi" => return Some((self.graph.pi(), Dimension::Number)),
                 _ => {}
             }
             if let Some(&value) = self.constants.get(name) {
                 return Some(value);
             }
         }
-        let is_point = reference.body.is_some() || self.drawn.get(name).is_some();
+        let carrier = self
+            .bodies
+            .iter()
+            .find(|body| body.marks.iter().any(|mark| mark.name == *name));
+        let is_point =
+            reference.body.is_some() || self.drawn.get(name).is_some() || carrier.is_some();
+        let no_number = |what: &str| {
+            Diagnostic::error(
+                Code::OutsideGrammar,
+                reference.span,
+                format!("a {what} is not a number"),
+            )
+            .label(format!("this is a {what}"))
+        };
         self.diagnostics.push(if is_point {
-            Diagnostic::error(Code::OutsideGrammar, reference.span, "a point is not a number")
-                .label("this is a point")
-                .help("points can be measured: `distance(A, B)` is the length between them in the drawing")
+            no_number("point").help(
+                "points can be measured: `distance(A, B)` is the length between them in the drawing",
+            )
+        } else if self.body_ids.get(name).is_some() {
+            no_number("body").help("name a constant, or measure points of the drawing: `distance(A, B)`")
         } else {
             self.constants.unknown(name, reference.span)
         });
@@ -164,7 +163,7 @@ impl Resolver<'_> {
         // Every term is looked at even after an error, so that all errors are reported at once.
         let values: Vec<Option<Value>> = terms.iter().map(|(_, term)| self.value(term)).collect();
         let mut signed = Vec::with_capacity(terms.len());
-        let mut dimension = Dimension::Unmarked;
+        let mut dimension = Dimension::Number;
         let mut marked: Option<Span> = None;
         for ((sign, term), value) in terms.iter().zip(values) {
             let (value, found) = value?;
@@ -182,7 +181,7 @@ impl Resolver<'_> {
                 self.diagnostics.push(diagnostic);
                 return None;
             }
-            if dimension == Dimension::Unmarked && found != Dimension::Unmarked {
+            if !dimension.is_marked() && found.is_marked() {
                 marked = Some(term.span);
             }
             dimension = dimension.joined(found);
@@ -205,7 +204,6 @@ impl Resolver<'_> {
         for ((operation, _), value) in factors.iter().zip(values) {
             let (value, found) = value?;
             let sign = if *operation == Operation::Over { -1 } else { 1 };
-            // A bare factor says nothing about the unit of its product: `1.5*t` is meant as 1.5 1/s times t.
             dimension = Some(match dimension {
                 None => found,
                 Some(so_far) => so_far.times(found, sign),
@@ -219,7 +217,7 @@ impl Resolver<'_> {
         }
         Some((
             self.graph.product(&parts),
-            dimension.unwrap_or(Dimension::Unmarked),
+            dimension.unwrap_or(Dimension::Number),
         ))
     }
 
@@ -227,7 +225,7 @@ impl Resolver<'_> {
         let (base_value, exponent_value) = (self.value(base), self.value(exponent));
         let ((base_value, dimension), (exponent_value, exponent_dimension)) =
             (base_value?, exponent_value?);
-        if !exponent_dimension.fits(Dimension::ANGLE) {
+        if !exponent_dimension.fits(Dimension::Angle) {
             self.report_argument("an exponent cannot be", exponent, exponent_dimension);
             return None;
         }
@@ -243,20 +241,21 @@ impl Resolver<'_> {
             };
             return Some((self.graph.power(base_value, rational), raised));
         }
-        if !dimension.fits(Dimension::ANGLE) {
+        if !dimension.fits(Dimension::Angle) {
             self.report_argument("a power with this exponent cannot take", base, dimension);
             return None;
         }
-        Some((
-            self.graph.raise(base_value, exponent_value),
-            Dimension::Unmarked,
-        ))
+        let raised = match dimension {
+            Dimension::OfTime => Dimension::OfTime,
+            _ => Dimension::Number,
+        };
+        Some((self.graph.raise(base_value, exponent_value), raised))
     }
 
     fn call(&mut self, function: &Name, arguments: &[Expression], span: Span) -> Option<Value> {
         let name = function.text.as_str();
         if !FUNCTIONS.contains(&name) {
-            let help = match nearest(name, FUNCTIONS.iter().copied()) {
+            let help = match meant(name, synonyms::FUNCTIONS, FUNCTIONS.iter().copied(), false) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("the functions are {}", listed(FUNCTIONS)),
             };
@@ -321,24 +320,24 @@ impl Resolver<'_> {
                     );
                     return None;
                 }
-                return Some((self.graph.atan2(x, other), Dimension::ANGLE));
+                return Some((self.graph.atan2(x, other), Dimension::Angle));
             }
             _ => {}
         }
-        if !dimension.fits(Dimension::ANGLE) {
+        if !dimension.fits(Dimension::Angle) {
             self.report_argument(&format!("`{name}` cannot take"), &arguments[0], dimension);
             return None;
         }
         let graph = &mut self.graph;
         Some(match name {
-            "sin" => (graph.sin(x), Dimension::Unmarked),
-            "cos" => (graph.cos(x), Dimension::Unmarked),
-            "tan" => (graph.tan(x), Dimension::Unmarked),
-            "asin" => (graph.asin(x), Dimension::ANGLE),
-            "acos" => (graph.acos(x), Dimension::ANGLE),
-            "atan" => (graph.atan(x), Dimension::ANGLE),
-            "exp" => (graph.exp(x), Dimension::Unmarked),
-            _ => (graph.ln(x), Dimension::Unmarked),
+            "sin" => (graph.sin(x), Dimension::Number),
+            "cos" => (graph.cos(x), Dimension::Number),
+            "tan" => (graph.tan(x), Dimension::Number),
+            "asin" => (graph.asin(x), Dimension::Angle),
+            "acos" => (graph.acos(x), Dimension::Angle),
+            "atan" => (graph.atan(x), Dimension::Angle),
+            "exp" => (graph.exp(x), Dimension::Number),
+            _ => (graph.ln(x), Dimension::Number),
         })
     }
 

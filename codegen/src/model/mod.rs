@@ -7,18 +7,22 @@
 mod dimension;
 mod expression;
 mod names;
+mod not_finite;
 mod operands;
 mod points;
 mod request;
 mod resolve;
+mod slug;
+mod synonyms;
 
 pub use dimension::Dimension;
 pub use resolve::resolve;
 pub(crate) use resolve::type_name;
+pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{Frame, Mark};
+use crate::joint::geometry::{Frame, Mark, Vector};
 use crate::joint::{Kind, Resolved};
 
 /// A resolved mechanism.
@@ -74,6 +78,8 @@ pub struct NamedMark {
     pub docs: Vec<String>,
     /// The body's frame and the local vector.
     pub mark: Mark,
+    /// Where it is in the drawing, in global components: for a point given there, as it was written.
+    pub drawn: Vector,
     /// Where it is declared on the body.
     pub span: Span,
 }

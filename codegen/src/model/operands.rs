@@ -281,9 +281,14 @@ impl Resolver<'_> {
         Some((marks, Some(axis)))
     }
 
-    /// Where a mark is in the drawing.
+    /// Where a mark is in the drawing. Turning the local vector of a point given there back again would give the same place in
+    /// longer terms.
     fn drawn_mark(&mut self, mark: &Mark) -> Vector {
-        let frame = self.bodies[mark.frame.body.0].drawn;
+        let body = &self.bodies[mark.frame.body.0];
+        if let Some(named) = body.marks.iter().find(|named| named.mark == *mark) {
+            return named.drawn;
+        }
+        let frame = body.drawn;
         Mark::new(frame, mark.local, &mut self.graph).position(&mut self.graph)
     }
 

@@ -3,6 +3,7 @@
 use super::expression::{BUILT_IN, Value, listed};
 use super::names::Names;
 use super::operands::Given;
+use super::synonyms::{self, meant};
 use super::{Body, Dimension, Joint, Mechanism, NamedMark, Role};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span, nearest};
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -24,6 +25,8 @@ pub(super) struct Resolver<'a> {
     pub constants: Names<Value>,
     pub drawn: Names<DrawnPoint>,
     pub body_ids: Names<BodyId>,
+    /// The names that drivers were given.
+    pub drivers: Names<()>,
     pub bodies: Vec<Body>,
     /// Each with the direction it was written along, by which drivers find it.
     pub joints: Vec<(Joint, Option<syntax::Direction>)>,
@@ -86,6 +89,7 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
         constants: Names::new("constant"),
         drawn: Names::new("point"),
         body_ids: Names::new("body"),
+        drivers: Names::new("driver"),
         bodies: vec![Body {
             name: "ground".to_string(),
             docs: Vec::new(),
@@ -229,7 +233,7 @@ impl Resolver<'_> {
                 .help("write the expression where it is used, in a `drive` statement"),
             );
         }
-        let value = value.unwrap_or((self.graph.one(), Dimension::Unmarked));
+        let value = value.unwrap_or((self.graph.one(), Dimension::Number));
         if let Some(duplicate) = self.constants.declare(name, value) {
             self.diagnostics.push(duplicate);
         }
@@ -323,7 +327,7 @@ impl Resolver<'_> {
         let angle = match &body.orientation {
             syntax::Orientation::Aligned => zero,
             syntax::Orientation::Angle(angle) => {
-                self.constant(angle, Dimension::ANGLE).unwrap_or(zero)
+                self.constant(angle, Dimension::Angle).unwrap_or(zero)
             }
             syntax::Orientation::Facing(direction) => self.facing(direction).unwrap_or(zero),
         };
@@ -352,10 +356,12 @@ impl Resolver<'_> {
                 position,
             } => {
                 let local = self.pair(position);
+                let in_drawing = Mark::new(drawn, local, &mut self.graph);
                 Some(NamedMark {
                     name: name.text.clone(),
                     docs: docs.clone(),
                     mark: Mark::new(frame, local, &mut self.graph),
+                    drawn: in_drawing.position(&mut self.graph),
                     span: name.span,
                 })
             }
@@ -375,6 +381,7 @@ impl Resolver<'_> {
                     name: name.text.clone(),
                     docs: docs.clone(),
                     mark: Mark::new(frame, local, &mut self.graph),
+                    drawn: position,
                     span: name.span,
                 })
             }
@@ -391,10 +398,13 @@ impl Resolver<'_> {
                 format!("no joint is named `{keyword}`"),
             )
             .label("not a statement of this language");
-            let all = syntax::KEYWORDS;
+            let words = keywords.iter().chain(&syntax::KEYWORDS).copied();
             self.diagnostics.push(
-                match nearest(keyword, keywords.iter().chain(&all).copied()) {
+                match meant(keyword, synonyms::JOINTS, words, false) {
                     Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
+                    None if matches!(keyword, "fixed" | "fix" | "weld" | "rigid") => diagnostic.help(
+                        "a body that does not move is the `ground`; points that move together stand in the braces of one body",
+                    ),
                     None if kind_named(keyword, DRIVERS).is_some() => diagnostic.help(format!(
                         "a driver begins with `drive`: `drive {keyword}(…) = …;`"
                     )),
@@ -416,6 +426,12 @@ impl Resolver<'_> {
     }
 
     fn add_driver(&mut self, drive: &syntax::Drive) {
+        // Joints are named after their points, which may join several pairs of bodies; the name of a driver is its own.
+        let duplicate = drive
+            .name
+            .as_ref()
+            .and_then(|name| self.drivers.declare(name, ()));
+        self.diagnostics.extend(duplicate);
         let quantity = drive.quantity.text.as_str();
         let Some(kind) = kind_named(quantity, DRIVERS) else {
             let quantities: Vec<&str> = DRIVERS.iter().map(|kind| kind.keyword()).collect();
@@ -466,39 +482,6 @@ impl Resolver<'_> {
         self.joints.push((joint, given.along.cloned()));
     }
 
-    /// A lower-case identifier for the rows of a joint.
-    fn unique_slug(&self, given: &Given<'_>) -> String {
-        let mut words: Vec<String> = Vec::new();
-        if given.role == Role::Driver {
-            words.push("drive".to_string());
-        }
-        match given.name {
-            Some(name) if given.role == Role::Constraint => words.push(name.text.clone()),
-            Some(name) => words = vec![name.text.clone()],
-            None => {
-                words.push(given.kind.keyword().to_string());
-                for operand in given.operands {
-                    words.extend(operand.body.iter().map(|body| body.text.clone()));
-                    words.push(operand.name.text.clone());
-                }
-            }
-        }
-        let base = words.join("_").to_lowercase();
-        // Row names share their functions with `q`, `qd` and `t`, and must not begin with a digit.
-        let reserved = matches!(base.as_str(), "q" | "qd" | "qdd" | "t");
-        let base = if reserved {
-            format!("{}_{base}", given.kind.keyword())
-        } else {
-            base
-        };
-        let taken = |slug: &str| self.joints.iter().any(|(joint, _)| joint.slug == slug);
-        let numbered = (2..).map(|number| format!("{base}_{number}"));
-        std::iter::once(base.clone())
-            .chain(numbered)
-            .find(|slug| !taken(slug))
-            .unwrap_or(base)
-    }
-
     /// The largest coordinate in the drawing, which lengths are measured against.
     fn characteristic_length(&self) -> f64 {
         let marks = self
@@ -544,7 +527,7 @@ fn label(given: &Given<'_>) -> String {
         (Role::Driver, Some(name)) => format!("drive {name}: {keyword}({operands})"),
         (Role::Driver, None) => format!("drive {keyword}({operands})"),
         (Role::Constraint, Some(name)) => format!("{keyword} {name}({operands}){along}"),
-        (Role::Constraint, None) if along.is_empty() => format!("{keyword}({operands})"),
+        (Role::Constraint, None) if given.operands.len() == 1 => format!("{keyword}({operands})"),
         (Role::Constraint, None) => format!("{keyword} ({operands}){along}"),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Parts;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::joint::Quantity;
 use crate::model::{Joint, Role};
 use crate::system::System;
 
@@ -77,10 +78,53 @@ fn too_few(system: &System, parts: &Parts) -> Diagnostic {
     for body in bodies.iter().skip(1).take(SHOWN - 1) {
         diagnostic = diagnostic.also(body.span, "can still move");
     }
-    let example = &bodies[0].name;
     diagnostic
-        .help(format!("prescribe what moves, for example `drive phi({example}) = t;`, or add the missing joint"))
+        .help(remedy(system, parts))
+        .note(format!(
+            "undetermined coordinates: {}",
+            free_coordinates(system, parts)
+        ))
         .note(balance(system))
+}
+
+/// What to add so that everything is determined.
+fn remedy(system: &System, parts: &Parts) -> String {
+    let loose = (1..system.mechanism.bodies.len())
+        .filter(|body| !system.rows.iter().any(|row| row.bodies.contains(body)))
+        .map(|body| system.mechanism.bodies[body].name.as_str());
+    let loose: Vec<&str> = loose.collect();
+    if !loose.is_empty() {
+        let names = listed(loose.iter().copied());
+        return if loose.len() == 1 {
+            format!("body {names} has no joint: join it to another body or to the `ground`")
+        } else {
+            format!("bodies {names} have no joint: join them to other bodies or to the `ground`")
+        };
+    }
+    // A driver can only help where an angle is among what is free.
+    let angle = parts
+        .under_columns
+        .iter()
+        .map(|&column| &system.coordinates[column])
+        .find(|coordinate| coordinate.quantity == Quantity::Angle);
+    match angle {
+        Some(angle) => format!(
+            "prescribe what moves, for example `drive phi({}) = t;`, or add the missing joint",
+            system.mechanism.bodies[angle.body].name
+        ),
+        None => {
+            "add the missing joint, or prescribe what moves with a `drive` statement".to_string()
+        }
+    }
+}
+
+/// The coordinates of the under-determined part in backticks.
+fn free_coordinates(system: &System, parts: &Parts) -> String {
+    let names = parts
+        .under_columns
+        .iter()
+        .map(|&column| system.coordinates[column].name.as_str());
+    listed(names)
 }
 
 fn too_many(system: &System, parts: &Parts) -> Diagnostic {

@@ -13,7 +13,7 @@ pub(super) fn body(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
     let name = body_name(tokens, "the name of a body")?;
     if tokens.keyword("at").is_none() {
         let help = format!("write `body {} at (X, Y) {{ … }}`", name.text);
-        return Err(Box::new(tokens.unexpected("`at`").help(help)));
+        return Err(tokens.unexpected("`at`", &help));
     }
     let (origin, angle) = if tokens.peek_group(Delimiter::Parenthesis) {
         let (pair, angle) = coordinates(tokens, 3)?;
@@ -24,20 +24,23 @@ pub(super) fn body(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
             None,
         )
     };
-    let given = angle.as_ref().map(|angle| angle.span);
-    let before = tokens.next_span();
-    let orientation = match (orientation(tokens)?, angle) {
-        (Some(_), Some(_)) => {
-            let span = before.to(tokens.previous());
-            let finding =
-                Diagnostic::error(Code::WrongForm, span, "the angle of a body is given twice")
-                    .also(given.unwrap_or(span), "first given here");
+    let mut given = angle.map(|angle| (angle.span, Orientation::Angle(angle)));
+    loop {
+        let before = tokens.next_span();
+        let Some(another) = orientation(tokens)? else {
+            break;
+        };
+        let span = before.to(tokens.previous());
+        if let Some((first, _)) = given {
+            let message = "the angle of a body is given twice";
+            let finding = Diagnostic::error(Code::WrongForm, span, message)
+                .also(first, "first given here")
+                .help("keep one of them: `(X, Y, ANGLE)`, `turned ANGLE` or `facing A -> B`");
             return Err(Box::new(finding));
         }
-        (Some(orientation), None) => orientation,
-        (None, Some(angle)) => Orientation::Angle(angle),
-        (None, None) => Orientation::Aligned,
-    };
+        given = Some((span, another));
+    }
+    let orientation = given.map_or(Orientation::Aligned, |(_, orientation)| orientation);
     let members = match tokens.group(Delimiter::Brace) {
         Some((inner, _)) => {
             // A semicolon after the braces says nothing, and many are used to it.
@@ -61,13 +64,12 @@ pub(super) fn body(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
             Vec::new()
         }
         None => {
-            let failure = after_expression(tokens, "`{` or `;`");
-            let comma = tokens.peek_mark(',');
-            return Err(if comma {
-                Box::new(failure.help("write the angle as `turned ANGLE`"))
+            let help = if tokens.peek_mark(',') {
+                "write the angle as `turned ANGLE`"
             } else {
-                failure
-            });
+                "a body ends in `{ … }` with its points, or in `;`"
+            };
+            return Err(after_expression(tokens, "`{` or `;`", help));
         }
     };
     Ok(Body {
@@ -114,7 +116,11 @@ pub(super) fn members(mut tokens: Tokens<'_>) -> Vec<Member> {
                         )
                         .help("the points of a body are separated with `,`"),
                     ),
-                    None => separator(&tokens, "`,` or `}`"),
+                    None => separator(
+                        &tokens,
+                        "`,` or `}`",
+                        "a point of a body is written `P: (X, Y)`, or `P` if it is drawn above",
+                    ),
                 };
                 if semicolon.is_some() || tokens.peek_word().is_some() {
                     tokens
@@ -151,7 +157,7 @@ fn member(tokens: &mut Tokens<'_>, docs: Vec<String>) -> Outcome<Member> {
             "a point in the body's frame is written `{}: (X, Y)`",
             name.text
         );
-        return Err(Box::new(tokens.unexpected("`:`, `,` or `}`").help(help)));
+        return Err(tokens.unexpected("`:`, `,` or `}`", &help));
     }
     Ok(Member::Carried { docs, name })
 }

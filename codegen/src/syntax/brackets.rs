@@ -138,7 +138,8 @@ impl Balance<'_> {
             .also(
                 Span::new(opener.at, opener.at + 1),
                 format!("`{opening}` opened here"),
-            );
+            )
+            .help(format!("add the missing `{closing}`"));
         self.scan.report(finding);
     }
 
@@ -173,7 +174,8 @@ impl Balance<'_> {
                 .also(
                     Span::new(opener.at, opener.at + 1),
                     format!("`{opening}` opened here"),
-                );
+                )
+                .help(format!("write `{wanted}` instead"));
             self.scan.report(finding);
             return;
         }
@@ -215,9 +217,11 @@ impl Balance<'_> {
             let label = format!("`{}` opened here", opener.bracket as char);
             finding = finding.also(Span::new(opener.at, opener.at + 1), label);
         }
-        if missing.len() <= 8 {
-            finding = finding.help(format!("close what is open with `{missing}`"));
-        }
+        finding = finding.help(if missing.len() <= 8 {
+            format!("close what is open with `{missing}`")
+        } else {
+            "close each bracket where what it holds ends".to_string()
+        });
         // A comment left open has swallowed the brackets: that is said already.
         if self
             .scan

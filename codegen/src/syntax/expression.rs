@@ -12,6 +12,13 @@ use super::tokens::{Outcome, Tokens};
 use super::{DEEPEST, literal};
 use crate::diagnostic::{Code, Diagnostic};
 
+/// What to do where a formula is wanted and something else stands.
+const FORMULA: &str =
+    "a formula is made of numbers, names, `( )`, `+ - * / ^` and functions such as `sin(t)`";
+
+/// Words of programs that some will try here.
+const CONTROL: [&str; 6] = ["if", "else", "match", "for", "while", "let"];
+
 /// A formula up to the first token that cannot continue it. What may follow is for the caller to say.
 pub(super) fn expression(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
     sum(tokens, 0)
@@ -137,11 +144,12 @@ fn atom(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         let mut inside = sum(&mut inner, depth + 1)?;
         if inner.peek_mark(',') {
             let finding = Diagnostic::error(Code::OutsideGrammar, span, "a pair is no formula")
-                .label("one value is wanted here");
+                .label("one value is wanted here")
+                .help("write each component in a formula of its own");
             return Err(Box::new(finding));
         }
         if !inner.at_end() {
-            return Err(after_expression(&inner, "an operation or `)`"));
+            return Err(after_expression(&inner, "an operation or `)`", FORMULA));
         }
         inside.span = span;
         return Ok(inside);
@@ -153,15 +161,21 @@ fn atom(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         return named(tokens, depth);
     }
     if tokens.peek_group(Delimiter::Bracket) || tokens.peek_group(Delimiter::Brace) {
-        return Err(tokens.unexpected_with_code(Code::OutsideGrammar, "a formula"));
+        let help = "parts of a formula stand in `(` and `)`";
+        return Err(tokens.unexpected_with_code(Code::OutsideGrammar, "a formula", help));
     }
-    Err(tokens.unexpected("a formula"))
+    let help = if tokens.peek_mark('=') {
+        "write a single `=`"
+    } else {
+        FORMULA
+    };
+    Err(tokens.unexpected("a formula", help))
 }
 
 fn number(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
     let mut ahead = *tokens;
     let Some(written) = ahead.number() else {
-        return Err(tokens.unexpected("a number"));
+        return Err(tokens.unexpected("a number", FORMULA));
     };
     let is_body =
         ahead.peek_mark('.') || written.text.ends_with('.') && ahead.peek_word().is_some();
@@ -182,6 +196,13 @@ fn number(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
 
 /// A constant, a point of a body, or a call.
 fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
+    if let Some(word) = tokens.peek_word().filter(|word| CONTROL.contains(word)) {
+        let message = format!("`{word}` is no part of a formula");
+        let finding = Diagnostic::error(Code::OutsideGrammar, tokens.next_span(), message)
+            .label("not a formula of this language")
+            .help("write one formula that holds at all times: there are no cases and no loops");
+        return Err(Box::new(finding));
+    }
     let reference = reference(tokens, "a formula")?;
     // A bracket on the next line starts something else: a semicolon is missing.
     if !tokens.peek_group(Delimiter::Parenthesis) || tokens.at_line_start() {
@@ -198,13 +219,17 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         return Err(Box::new(finding));
     }
     let Some((mut inner, brackets)) = tokens.group(Delimiter::Parenthesis) else {
-        return Err(tokens.unexpected("`(`"));
+        return Err(tokens.unexpected("`(`", FORMULA));
     };
     let mut arguments = Vec::new();
     while !inner.at_end() {
         arguments.push(sum(&mut inner, depth + 1)?);
         if inner.mark(',').is_none() && !inner.at_end() {
-            return Err(after_expression(&inner, "an operation, `,` or `)`"));
+            return Err(after_expression(
+                &inner,
+                "an operation, `,` or `)`",
+                "values are separated with `,`",
+            ));
         }
     }
     let span = reference.span.to(brackets);
@@ -228,13 +253,17 @@ pub(super) fn coordinates(
         "`(X, Y)` or `(X, Y, ANGLE)`"
     };
     let Some((mut inner, span)) = tokens.group(Delimiter::Parenthesis) else {
-        return Err(tokens.unexpected(wanted));
+        return Err(tokens.unexpected(wanted, &format!("write {wanted} in parentheses")));
     };
     let mut components = Vec::new();
     while !inner.at_end() {
         components.push(expression(&mut inner)?);
         if inner.mark(',').is_none() && !inner.at_end() {
-            return Err(after_expression(&inner, "an operation, `,` or `)`"));
+            return Err(after_expression(
+                &inner,
+                "an operation, `,` or `)`",
+                "values are separated with `,`",
+            ));
         }
     }
     let count = components.len();
@@ -246,32 +275,39 @@ pub(super) fn coordinates(
                 "expected {wanted}, found {count} {}",
                 if count == 1 { "value" } else { "values" }
             );
-            Err(Box::new(Diagnostic::error(Code::WrongForm, span, message)))
+            let finding = Diagnostic::error(Code::WrongForm, span, message);
+            Err(Box::new(finding.help(format!("write {wanted}"))))
         }
     }
 }
 
-/// The finding that a formula is followed by something that does not continue it; `wanted` says what may follow.
-pub(super) fn after_expression(tokens: &Tokens<'_>, wanted: &str) -> Box<Diagnostic> {
+/// The finding that a formula is followed by something that does not continue it; `wanted` says what may follow, and `help` what to
+/// do where nothing better is known.
+pub(super) fn after_expression(tokens: &Tokens<'_>, wanted: &str, help: &str) -> Box<Diagnostic> {
     let previous = tokens.reader.written(tokens.previous());
     let value_follows = tokens.peek_word().is_some()
         || tokens.peek_number()
         || tokens.peek_group(Delimiter::Parenthesis);
     if value_follows && !tokens.at_line_start() {
-        let finding = tokens.unexpected_with_code(Code::OutsideGrammar, wanted);
         let after_number = previous.starts_with(|it: char| it.is_ascii_digit());
-        return Box::new(match tokens.peek_word().filter(|_| after_number) {
-            Some(word) => finding.help(format!(
-                "a unit is written without a blank: `{previous}{word}`; a product with `*`"
-            )),
-            None => finding.help("a product is written with `*`"),
-        });
+        let help = match tokens.peek_word().filter(|_| after_number) {
+            Some(word) => format!(
+                "a product is written `{previous}*{word}`; only a unit follows its number, without a blank"
+            ),
+            None if wanted.contains(',') => {
+                "values are separated with `,`, and a product is written with `*`".to_string()
+            }
+            None => "a product is written with `*`".to_string(),
+        };
+        return tokens.unexpected_with_code(Code::OutsideGrammar, wanted, &help);
     }
-    if tokens.peek_group(Delimiter::Bracket)
-        || tokens.peek_group(Delimiter::Brace)
-        || tokens.peek_mark('=')
-    {
-        return tokens.unexpected_with_code(Code::OutsideGrammar, wanted);
+    if tokens.peek_mark('=') || tokens.peek_mark('>') {
+        let help = "a formula has no comparisons";
+        return tokens.unexpected_with_code(Code::OutsideGrammar, wanted, help);
     }
-    tokens.unexpected(wanted)
+    if tokens.peek_group(Delimiter::Bracket) || tokens.peek_group(Delimiter::Brace) {
+        let help = "parts of a formula stand in `(` and `)`";
+        return tokens.unexpected_with_code(Code::OutsideGrammar, wanted, help);
+    }
+    tokens.unexpected(wanted, help)
 }

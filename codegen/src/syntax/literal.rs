@@ -27,11 +27,8 @@ pub(super) fn number(written: &Name) -> Outcome<ExpressionKind> {
     let digits: String = text[..end].chars().filter(|it| *it != '_').collect();
     if !text.starts_with(|it: char| it.is_ascii_digit()) {
         let message = format!("`{text}` is no number of this language");
-        return Err(Box::new(Diagnostic::error(
-            Code::OutsideGrammar,
-            written.span,
-            message,
-        )));
+        let finding = Diagnostic::error(Code::OutsideGrammar, written.span, message);
+        return Err(Box::new(finding.help("write the number in decimal digits")));
     }
     let unit = &text[end..];
     // `1e`, `1e_5`: no unit is called like this, so an exponent was begun.

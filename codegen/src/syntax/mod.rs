@@ -49,11 +49,11 @@ pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document>
     let text = source.text.as_str();
     if text.len() > Source::LARGEST {
         let message = format!("the file is larger than {} MiB", Source::LARGEST >> 20);
-        diagnostics.push(Diagnostic::error(
-            Code::UnreadableFile,
-            Span::empty(0),
-            message,
-        ));
+        diagnostics.push(
+            Diagnostic::error(Code::UnreadableFile, Span::empty(0), message)
+                .label(format!("it begins here and has {} bytes", text.len()))
+                .help("a description is written by hand and far smaller: is this another file?"),
+        );
         return None;
     }
     let mut scan = scan::scan(text);
@@ -65,11 +65,10 @@ pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document>
         Ok(stream) => stream,
         Err(error) => {
             let span = repaired.span(error.span().byte_range());
-            diagnostics.push(Diagnostic::error(
-                Code::UnreadableCharacter,
-                span,
-                "unreadable text",
-            ));
+            diagnostics.push(
+                Diagnostic::error(Code::UnreadableCharacter, span, "unreadable text")
+                    .help("write it as `mechanisms/README.md` describes, or remove it"),
+            );
             return None;
         }
     };
@@ -125,10 +124,8 @@ fn file(mut tokens: Tokens<'_>) -> Option<Document> {
         // The file ends where the name should be: said already.
         None if tokens.at_end() && name.text.is_empty() => return None,
         None => {
-            let finding = tokens
-                .unexpected("`{`")
-                .help("a file is `mechanism NAME { … }`");
-            reader.report(finding, start.start, tokens.next_span().end);
+            let finding = tokens.unexpected("`{`", "a file is `mechanism NAME { … }`");
+            reader.report(*finding, start.start, tokens.next_span().end);
             let statements = recovery::statements(&mut tokens);
             (statements, start.to(tokens.previous()))
         }
@@ -172,11 +169,10 @@ fn opening(tokens: &mut Tokens<'_>) -> Option<Name> {
                 Diagnostic::error(Code::UnknownStatement, word.span, message)
                     .help("did you mean `mechanism`?")
             }
-            _ => {
-                let finding = *tokens.unexpected("`mechanism`");
-                finding
-                    .help("a file is `mechanism NAME { … }`, with the statements inside the braces")
-            }
+            _ => *tokens.unexpected(
+                "`mechanism`",
+                "a file is `mechanism NAME { … }`, with the statements inside the braces",
+            ),
         };
         reader.report(finding, start.start, start.end);
         if tokens.next_span() == start {

@@ -39,9 +39,10 @@ fn pass(tokens: &mut Tokens<'_>) {
             if is_body {
                 body::members(inner);
             }
-            // Where braces do not belong, the statement still ends in a semicolon.
-            let _ = tokens.mark(';');
-            return;
+            // Where braces do not belong, the statement still ends in a semicolon; `if … { … } else { … }` has two of them.
+            if tokens.mark(';').is_some() || tokens.peek_word() != Some("else") {
+                return;
+            }
         }
         tokens.skip();
     }

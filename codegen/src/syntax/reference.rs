@@ -6,6 +6,9 @@ use super::document::{Direction, Name, Reference};
 use super::tokens::{Outcome, Tokens};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
+/// What to do where a name is wanted and something else stands.
+const NAME: &str = "a name is made of letters, digits and `_`, and begins with a letter";
+
 /// An identifier; `wanted` says what of.
 pub(super) fn identifier(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name> {
     let mut ahead = *tokens;
@@ -13,11 +16,11 @@ pub(super) fn identifier(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name>
         let message = format!("expected {wanted}, found `{}`", number.text);
         let finding = Diagnostic::error(Code::NameNotAllowed, number.span, message)
             .label("a name starts with a letter or `_`")
-            .note("only bodies may be named by an integer");
+            .help("put a letter before it; only bodies and joints may be named by an integer");
         return Err(Box::new(finding));
     }
     let Some(name) = tokens.word() else {
-        return Err(tokens.unexpected(wanted));
+        return Err(tokens.unexpected(wanted, NAME));
     };
     check_word(name)
 }
@@ -28,7 +31,7 @@ pub(super) fn body_name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name> 
         return check_word(name);
     }
     let Some(name) = tokens.number() else {
-        return Err(tokens.unexpected(wanted));
+        return Err(tokens.unexpected(wanted, NAME));
     };
     integer(name)
 }
@@ -40,7 +43,8 @@ fn check_word(name: Name) -> Outcome<Name> {
             name.span,
             format!("`{}` is no name", name.text),
         )
-        .label("a name has a letter or a digit");
+        .label("a name has a letter or a digit")
+        .help("choose a name with a letter");
         return Err(Box::new(finding));
     }
     Ok(name)
@@ -58,7 +62,13 @@ fn integer(name: Name) -> Outcome<Name> {
         format!("`{}` does not name a body", name.text),
     )
     .label("a body is named by an identifier or a plain integer");
-    Err(Box::new(finding))
+    let digits = name.text.trim_start_matches('0');
+    let help = if plain && !digits.is_empty() {
+        format!("write `{digits}`")
+    } else {
+        "write an integer such as `1`, or a name that begins with a letter".to_string()
+    };
+    Err(Box::new(finding.help(help)))
 }
 
 /// `NAME` or `BODY.NAME`; `wanted` says what of.
@@ -96,8 +106,7 @@ fn member_of(tokens: &mut Tokens<'_>, body: Name) -> Outcome<Reference> {
     let name = identifier(tokens, "the name of a point")?;
     let span = body.span.to(name.span);
     if tokens.peek_mark('.') {
-        let finding = tokens.unexpected("no second `.`");
-        return Err(Box::new(finding.help("a point is written `body.point`")));
+        return Err(tokens.unexpected("no second `.`", "a point is written `body.point`"));
     }
     Ok(Reference {
         body: Some(body),
@@ -110,11 +119,7 @@ fn member_of(tokens: &mut Tokens<'_>, body: Name) -> Outcome<Reference> {
 pub(super) fn direction(tokens: &mut Tokens<'_>) -> Outcome<Direction> {
     let from = reference(tokens, "a point")?;
     if tokens.arrow().is_none() {
-        return Err(Box::new(
-            tokens
-                .unexpected("`->`")
-                .help("a direction is written `A -> B`"),
-        ));
+        return Err(tokens.unexpected("`->`", "a direction is written `A -> B`"));
     }
     let to = reference(tokens, "a point")?;
     let span = from.span.to(to.span);
@@ -124,22 +129,26 @@ pub(super) fn direction(tokens: &mut Tokens<'_>) -> Outcome<Direction> {
 /// `(A, 1.P, …)`
 pub(super) fn operands(tokens: &mut Tokens<'_>) -> Outcome<Vec<Reference>> {
     let Some((mut inner, _)) = tokens.group(Delimiter::Parenthesis) else {
-        return Err(tokens.unexpected("`(`"));
+        return Err(tokens.unexpected("`(`", "what is joined stands in parentheses: `(1, 2)`"));
     };
     let mut operands = Vec::new();
     while !inner.at_end() {
         operands.push(reference(&mut inner, "a body or a point")?);
         if inner.mark(',').is_none() && !inner.at_end() {
-            return Err(separator(&inner, "`,` or `)`"));
+            return Err(separator(
+                &inner,
+                "`,` or `)`",
+                "name bodies or points, `(1, 2)` or `(1.P, 2.Q)`",
+            ));
         }
     }
     Ok(operands)
 }
 
-/// The finding that two things of a list are not separated by a comma.
-pub(super) fn separator(tokens: &Tokens<'_>, wanted: &str) -> Box<Diagnostic> {
+/// The finding that two things of a list are not separated by a comma, or that no list goes on like this.
+pub(super) fn separator(tokens: &Tokens<'_>, wanted: &str, help: &str) -> Box<Diagnostic> {
     if tokens.peek_word().is_none() && !tokens.peek_number() {
-        return tokens.unexpected(wanted);
+        return tokens.unexpected(wanted, help);
     }
     let place = Span {
         start: tokens.previous().end,

@@ -221,16 +221,13 @@ impl Scanner<'_> {
         let (start, end) = (self.at, self.at + length);
         if !self.rest()[..length].is_ascii() {
             let word = &self.text[start..end];
-            let mut finding = Diagnostic::error(
+            let finding = Diagnostic::error(
                 Code::NameNotAllowed,
                 Span::new(start, end),
                 format!("the name `{word}` is not ASCII"),
             )
             .label("names are made of `a` to `z`, `A` to `Z`, `0` to `9` and `_`");
-            if let Some(spelled) = unreadable::ascii_spelling(word) {
-                finding = finding.help(format!("write `{spelled}`"));
-            }
-            self.scan.report(finding);
+            self.scan.report(finding.help(spelling(word)));
             self.scan.edit(start, end, Fill::Underscores);
         }
         self.lexeme(Kind::Word, length);
@@ -258,15 +255,12 @@ impl Scanner<'_> {
             let unit =
                 number.trim_start_matches(|it: char| it.is_ascii_digit() || it == '.' || it == '_');
             let message = format!("the unit `{unit}` is not ASCII");
-            let mut finding = Diagnostic::error(
+            let finding = Diagnostic::error(
                 Code::NameNotAllowed,
                 Span::new(end - unit.len(), end),
                 message,
             );
-            if let Some(spelled) = unreadable::ascii_spelling(unit) {
-                finding = finding.help(format!("write `{spelled}`"));
-            }
-            self.scan.report(finding);
+            self.scan.report(finding.help(spelling(unit)));
             self.scan.edit(end - unit.len(), end, Fill::Underscores);
         }
         self.lexeme(Kind::Number, length);
@@ -281,15 +275,10 @@ impl Scanner<'_> {
         let number = previous.map(|it| &self.text[it.start..it.end]);
         let reading = unreadable::read(self.rest(), character, number);
         let (start, end) = (self.at, self.at + reading.length);
-        let mut finding = Diagnostic::error(
-            Code::UnreadableCharacter,
-            Span::new(start, end),
-            reading.message,
-        );
-        if let Some(help) = reading.help {
-            finding = finding.help(help);
-        }
-        self.scan.report(finding);
+        let span = Span::new(start, end);
+        let finding = Diagnostic::error(Code::UnreadableCharacter, span, reading.message);
+        let help = reading.help.unwrap_or_else(|| "remove it".to_string());
+        self.scan.report(finding.help(help));
         match reading.meant {
             Some(meant) => self.scan.edit(start, end, Fill::Text(meant)),
             None => {
@@ -361,6 +350,14 @@ fn block_comment_length(text: &str) -> Option<usize> {
         }
     }
     None
+}
+
+/// How to write a name or unit that is not ASCII.
+fn spelling(word: &str) -> String {
+    match unreadable::ascii_spelling(word) {
+        Some(spelled) => format!("write `{spelled}`"),
+        None => "write it with other letters".to_string(),
+    }
 }
 
 fn documentation_line(line: &str) -> String {

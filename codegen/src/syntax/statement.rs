@@ -17,7 +17,10 @@ use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
     let docs = tokens.reader.docs(tokens.next_span().start, false);
     let Some(first) = tokens.word() else {
-        return Err(tokens.unexpected("a statement"));
+        return Err(tokens.unexpected(
+            "a statement",
+            "a statement starts with a word, such as `point`, `body` or `revolute`, and ends in `;` or `}`",
+        ));
     };
     match first.text.as_str() {
         "const" => constant(tokens, docs, first.span),
@@ -58,7 +61,7 @@ fn points(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<St
         let mut ahead = *tokens;
         if !tokens.at_statement() && ahead.word().is_some() && ahead.peek_mark('=') {
             // `A = (1, 2) B = (3, 4)`: the next point is read all the same.
-            let failure = separator(tokens, "`,` or `;`");
+            let failure = separator(tokens, "`,` or `;`", "points are separated with `,`");
             tokens
                 .reader
                 .report(*failure, start.start, tokens.previous().end);
@@ -77,10 +80,8 @@ fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Sta
         None => (None, first),
     };
     if !tokens.peek_group(Delimiter::Parenthesis) {
-        let finding = tokens.unexpected("`(`");
-        return Err(Box::new(
-            finding.help("a driver is written `drive phi(BODY) = FORMULA;`"),
-        ));
+        let help = "a driver is written `drive phi(BODY) = FORMULA;`";
+        return Err(tokens.unexpected("`(`", help));
     }
     let operands = operands(tokens)?;
     equals(tokens)?;
@@ -164,17 +165,20 @@ fn equals(tokens: &mut Tokens<'_>) -> Outcome<()> {
     tokens
         .mark('=')
         .map(|_| ())
-        .ok_or_else(|| tokens.unexpected("`=`"))
+        .ok_or_else(|| tokens.unexpected("`=`", "the value stands behind `=`"))
 }
 
 /// The semicolon after a formula. A missing one is reported without giving up the statement, if it is clear where it ends.
 fn semicolon(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
-    missing_semicolon(tokens, start).ok_or_else(|| after_expression(tokens, "an operation or `;`"))
+    missing_semicolon(tokens, start).ok_or_else(|| {
+        after_expression(tokens, "an operation or `;`", "end the statement with `;`")
+    })
 }
 
 /// The semicolon after a joint without a value.
 pub(super) fn semicolon_after_operands(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
-    missing_semicolon(tokens, start).ok_or_else(|| tokens.unexpected("`;`"))
+    missing_semicolon(tokens, start)
+        .ok_or_else(|| tokens.unexpected("`;`", "end the statement with `;`"))
 }
 
 fn missing_semicolon(tokens: &mut Tokens<'_>, start: Span) -> Option<Span> {

@@ -195,17 +195,12 @@ impl<'a> Tokens<'a> {
         })
     }
 
-    /// A number with its unit, as written or, where that is not ASCII, as it was repaired.
+    /// A number with its unit, as written or, where that is no number of this language, as it was repaired.
     pub(super) fn number(&mut self) -> Option<Name> {
         let (literal, rest) = self.cursor.literal()?;
         let span = self.reader.span(literal.span());
         self.advance(span, rest);
-        let written = self.reader.written(span);
-        let text = if written.is_ascii() {
-            written.to_string()
-        } else {
-            literal.to_string()
-        };
+        let text = literal.to_string();
         Some(Name { text, span })
     }
 
@@ -284,12 +279,17 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The finding that something else is wanted here.
-    pub(super) fn unexpected(&self, wanted: &str) -> Box<Diagnostic> {
-        self.unexpected_with_code(Code::UnexpectedToken, wanted)
+    /// The finding that something else is wanted here, and what to do about it.
+    pub(super) fn unexpected(&self, wanted: &str, help: &str) -> Box<Diagnostic> {
+        self.unexpected_with_code(Code::UnexpectedToken, wanted, help)
     }
 
-    pub(super) fn unexpected_with_code(&self, code: Code, wanted: &str) -> Box<Diagnostic> {
+    pub(super) fn unexpected_with_code(
+        &self,
+        code: Code,
+        wanted: &str,
+        help: &str,
+    ) -> Box<Diagnostic> {
         let span = self.next_span();
         let code = if span == self.reader.end_of_text() {
             Code::UnexpectedEnd
@@ -297,6 +297,7 @@ impl<'a> Tokens<'a> {
             code
         };
         let message = format!("expected {wanted}, found {}", self.found());
-        Box::new(Diagnostic::error(code, span, message).label(format!("expected {wanted}")))
+        let finding = Diagnostic::error(code, span, message).label(format!("expected {wanted}"));
+        Box::new(finding.help(help))
     }
 }

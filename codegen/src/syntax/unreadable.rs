@@ -154,6 +154,15 @@ pub(super) fn ascii_spelling(word: &str) -> Option<String> {
                 });
                 spelled.push('e');
             }
+            'ß' => spelled.push_str("ss"),
+            'æ' => spelled.push_str("ae"),
+            'à'..='å' => spelled.push('a'),
+            'è'..='ë' => spelled.push('e'),
+            'ì'..='ï' => spelled.push('i'),
+            'ò'..='õ' | 'ø' => spelled.push('o'),
+            'ù'..='û' => spelled.push('u'),
+            'ç' => spelled.push('c'),
+            'ñ' => spelled.push('n'),
             ascii if ascii.is_ascii() => spelled.push(ascii),
             _ => return None,
         }

@@ -1,6 +1,6 @@
 //! The rows of every joint, and their derivatives.
 
-use super::row_name::row_name;
+use super::row_name::RowNames;
 use super::{Coordinate, Entry, Output, Row, SymbolRole, System, VectorForm};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{self, Quantity};
@@ -11,6 +11,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
     let coordinates = coordinates(&mut mechanism);
     let by_body = |body: usize| &coordinates[3 * (body - 1)..3 * body];
     let mut rows = Vec::new();
+    let mut row_names = RowNames::default();
     let Mechanism {
         graph,
         joints,
@@ -32,8 +33,9 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             .collect();
         involved.sort_by_key(|coordinate| coordinate.position);
         involved.dedup_by_key(|coordinate| coordinate.position);
-        for stated in joint.kind.rows(&joint.operands, graph) {
-            let name = row_name(joint, &stated);
+        let stated = joint.kind.rows(&joint.operands, graph);
+        let names = row_names.of(joint, &stated);
+        for (stated, name) in stated.into_iter().zip(names) {
             rows.push(differentiate(
                 stated, index, name, &bodies, &involved, *time, graph,
             ));

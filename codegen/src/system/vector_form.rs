@@ -11,7 +11,7 @@ use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{Frame, Mark, Vector};
 use crate::joint::{Operands, Quantity, Resolved};
-use crate::model::{Joint, Mechanism};
+use crate::model::{Joint, Mechanism, apart};
 
 /// The vector form of a mechanism.
 #[derive(Clone, Debug)]
@@ -168,16 +168,23 @@ impl VectorForm {
                 .symbols
                 .map(|symbol| graph.variable(symbol));
         }
-        let taken = self
-            .arms
-            .iter()
-            .filter(|arm| arm.name == name || arm.name.starts_with(&format!("{name}_")))
-            .count();
-        let name = if taken == 0 {
-            name.to_string()
-        } else {
-            format!("{name}_{}", taken + 1)
+        let taken = |name: &str| {
+            self.arms.iter().any(|arm| arm.name == name)
+                || ["x", "y"].iter().any(|axis| {
+                    let component = format!("{name}_{axis}");
+                    self.unknowns
+                        .iter()
+                        .any(|unknown| unknown.name == component)
+                })
         };
+        // The symbols are told apart by these names, so no two arms may share one.
+        let base = apart(name, "point");
+        let mut name = base.clone();
+        let mut number = 2;
+        while taken(&name) {
+            name = format!("{base}_{number}");
+            number += 1;
+        }
         let symbols = ["x", "y"].map(|axis| graph.symbol(&format!("{name}_{axis} arm")));
         let [x, y] = symbols.map(|symbol| graph.variable(symbol));
         let turning = graph.variable(self.unknowns[self.angle_of(leader)].rate);

@@ -36,8 +36,8 @@ pub fn source(path: &Path) -> Result<Source, Problem> {
         )));
     }
     Source::from_bytes(path.display().to_string(), &bytes).map_err(|refused| {
-        let (source, finding) = *refused;
-        Problem(finding.render(&source))
+        let (source, found) = *refused;
+        rendered(&found, &source)
     })
 }
 

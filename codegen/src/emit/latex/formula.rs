@@ -75,6 +75,7 @@ impl<'a> Printer<'a> {
 
     fn product(&self, parts: &[Part]) -> String {
         let mut text = String::new();
+        let last = parts.len().saturating_sub(1);
         for (position, part) in parts.iter().enumerate() {
             // Digits after something need a sign between; symbols and functions stand side by side.
             let digits = matches!(part, Part::Digits(_));
@@ -83,16 +84,19 @@ impl<'a> Printer<'a> {
                 _ if digits => " \\cdot ",
                 _ => " ",
             });
-            text.push_str(&self.part(part));
+            text.push_str(&self.part(part, position < last));
         }
         text
     }
 
-    fn part(&self, part: &Part) -> String {
+    /// One part of a product; `followed` by another that a reader could take into the argument of a function.
+    fn part(&self, part: &Part, followed: bool) -> String {
         match part {
             Part::Digits(digits) => digits.clone(),
             Part::Root(radicand) => format!("\\sqrt{{{radicand}}}"),
-            Part::Power(base, exponent) if *exponent == Rational::ONE => self.operand(*base),
+            Part::Power(base, exponent) if *exponent == Rational::ONE => {
+                self.operand(*base, followed)
+            }
             Part::Power(base, exponent) => {
                 let (numerator, denominator) = (exponent.numerator(), exponent.denominator());
                 if (numerator, denominator) == (1, 2) {
@@ -105,15 +109,19 @@ impl<'a> Printer<'a> {
                 };
                 // The exponent of a function stands between its name and its argument.
                 match self.graph().node(*base) {
-                    Node::Sin(angle) => format!("\\sin^{{{power}}} {}", self.argument(*angle)),
-                    Node::Cos(angle) => format!("\\cos^{{{power}}} {}", self.argument(*angle)),
-                    _ => format!("{}^{{{power}}}", self.operand(*base)),
+                    Node::Sin(angle) => {
+                        format!("\\sin^{{{power}}} {}", self.argument(*angle, followed))
+                    }
+                    Node::Cos(angle) => {
+                        format!("\\cos^{{{power}}} {}", self.argument(*angle, followed))
+                    }
+                    _ => format!("{}^{{{power}}}", self.operand(*base, true)),
                 }
             }
         }
     }
 
-    fn operand(&self, expr: ExprId) -> String {
+    fn operand(&self, expr: ExprId, followed: bool) -> String {
         match self.graph().node(expr) {
             Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
                 SymbolRole::Arm(_) | SymbolRole::Intermediate => {
@@ -122,8 +130,8 @@ impl<'a> Printer<'a> {
                 role => self.symbol(role),
             },
             Node::Pi => "\\pi".to_string(),
-            Node::Sin(angle) => format!("\\sin {}", self.argument(*angle)),
-            Node::Cos(angle) => format!("\\cos {}", self.argument(*angle)),
+            Node::Sin(angle) => format!("\\sin {}", self.argument(*angle, followed)),
+            Node::Cos(angle) => format!("\\cos {}", self.argument(*angle, followed)),
             Node::Atan2(y, x) => {
                 format!(
                     "\\operatorname{{atan2}}({}, {})",
@@ -132,15 +140,15 @@ impl<'a> Printer<'a> {
                 )
             }
             Node::Exp(exponent) => format!("e^{{{}}}", self.expression(*exponent)),
-            Node::Ln(argument) => format!("\\ln {}", self.argument(*argument)),
+            Node::Ln(argument) => format!("\\ln {}", self.argument(*argument, followed)),
             Node::Number(_) | Node::Sum(_) | Node::Product(_) => self.argument_in_parentheses(expr),
         }
     }
 
-    /// A symbol stands alone after a function's name; everything else in parentheses.
-    fn argument(&self, expr: ExprId) -> String {
+    /// A symbol stands alone after a function's name at the end of a term; everything else in parentheses.
+    fn argument(&self, expr: ExprId, followed: bool) -> String {
         match self.graph().node(expr) {
-            Node::Symbol(_) => self.operand(expr),
+            Node::Symbol(_) if !followed => self.operand(expr, false),
             _ => self.argument_in_parentheses(expr),
         }
     }

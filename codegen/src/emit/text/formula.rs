@@ -78,27 +78,33 @@ impl<'a> Printer<'a> {
     fn fraction(&self, fraction: &Fraction) -> String {
         let numerator = match fraction.numerators.as_slice() {
             [] => "1".to_string(),
-            parts => self.product(parts),
+            parts => self.product(parts, !fraction.denominators.is_empty()),
         };
         match fraction.denominators.as_slice() {
             [] => numerator,
-            [only] => format!("{numerator}/{}", self.part(only)),
-            parts => format!("{numerator}/({})", self.product(parts)),
+            [only] => format!("{numerator}/{}", self.part(only, false)),
+            parts => format!("{numerator}/({})", self.product(parts, false)),
         }
     }
 
-    fn product(&self, parts: &[Part]) -> String {
-        let parts: Vec<String> = parts.iter().map(|part| self.part(part)).collect();
+    /// A product; `followed` by a division or not.
+    fn product(&self, parts: &[Part], followed: bool) -> String {
+        let last = parts.len().saturating_sub(1);
+        let part = |(index, part)| self.part(part, followed || index < last);
+        let parts: Vec<String> = parts.iter().enumerate().map(part).collect();
         parts.join(self.either("*", "·"))
     }
 
-    fn part(&self, part: &Part) -> String {
+    /// One part of a product; `followed` by something that a reader could take into the argument of a function.
+    fn part(&self, part: &Part, followed: bool) -> String {
         match part {
             Part::Digits(digits) => digits.clone(),
             Part::Root(radicand) => {
                 self.either(format!("sqrt({radicand})"), format!("√{radicand}"))
             }
-            Part::Power(base, exponent) if *exponent == Rational::ONE => self.operand(*base),
+            Part::Power(base, exponent) if *exponent == Rational::ONE => {
+                self.operand(*base, followed)
+            }
             Part::Power(base, exponent)
                 if (exponent.numerator(), exponent.denominator()) == (1, 2) =>
             {
@@ -108,7 +114,7 @@ impl<'a> Printer<'a> {
                 )
             }
             Part::Power(base, exponent) => {
-                let base = self.operand(*base);
+                let base = self.operand(*base, true);
                 let (numerator, denominator) = (exponent.numerator(), exponent.denominator());
                 match (self.notation, denominator) {
                     (Notation::Unicode, 1) => format!("{base}{}", raised(numerator)),
@@ -120,7 +126,7 @@ impl<'a> Printer<'a> {
     }
 
     /// An expression that stands beside a multiplication sign or under a power.
-    fn operand(&self, expr: ExprId) -> String {
+    fn operand(&self, expr: ExprId, followed: bool) -> String {
         match self.graph().node(expr) {
             Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
                 SymbolRole::Arm(_) | SymbolRole::Intermediate => {
@@ -129,23 +135,23 @@ impl<'a> Printer<'a> {
                 role => self.symbol(role),
             },
             Node::Pi => self.either("pi", "π").to_string(),
-            Node::Sin(angle) => self.function("sin", &[*angle]),
-            Node::Cos(angle) => self.function("cos", &[*angle]),
-            Node::Atan2(y, x) => self.function("atan2", &[*y, *x]),
-            Node::Exp(exponent) => self.function("exp", &[*exponent]),
-            Node::Ln(argument) => self.function("ln", &[*argument]),
+            Node::Sin(angle) => self.function("sin", &[*angle], followed),
+            Node::Cos(angle) => self.function("cos", &[*angle], followed),
+            Node::Atan2(y, x) => self.function("atan2", &[*y, *x], followed),
+            Node::Exp(exponent) => self.function("exp", &[*exponent], followed),
+            Node::Ln(argument) => self.function("ln", &[*argument], followed),
             Node::Number(_) | Node::Sum(_) | Node::Product(_) => {
                 format!("({})", self.expression(expr))
             }
         }
     }
 
-    fn function(&self, name: &str, arguments: &[ExprId]) -> String {
-        // A person leaves out the parentheses around a single symbol.
-        if let (Notation::Unicode, [only]) = (self.notation, arguments)
+    fn function(&self, name: &str, arguments: &[ExprId], followed: bool) -> String {
+        // A person leaves out the parentheses around a single symbol at the end of a term: √3·cos φ₂, but cos(φ₁)·φ̇₁².
+        if let (Notation::Unicode, [only], false) = (self.notation, arguments, followed)
             && matches!(self.graph().node(*only), Node::Symbol(_))
         {
-            return format!("{name} {}", self.operand(*only));
+            return format!("{name} {}", self.operand(*only, false));
         }
         let arguments: Vec<String> = arguments
             .iter()

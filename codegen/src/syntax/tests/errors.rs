@@ -93,6 +93,8 @@ error[K02]: expected a formula, found `;`
   |
 2 |     const a = ;
   |               ^ expected a formula
+  |
+  = help: a formula is made of numbers, names, `( )`, `+ - * / ^` and functions such as `sin(t)`
 
 error[K02]: expected `at`, found `(`
  --> bad.mech:3:12
@@ -181,6 +183,8 @@ error[K04]: unclosed `(`
 2 |     revolute P(1, 2;
   |               - `(` opened here
   |                    ^ expected `)`
+  |
+  = help: add the missing `)`
 
 error[K04]: unclosed `{`
  --> bad.mech:3:28
@@ -188,6 +192,8 @@ error[K04]: unclosed `{`
 3 |     body b at (0, 0) { A, B
   |                      - `{` opened here
   |                            ^ expected `}`
+  |
+  = help: add the missing `}`
 
 error[K04]: `(` closed by `]`
  --> bad.mech:5:17
@@ -195,6 +201,8 @@ error[K04]: `(` closed by `]`
 5 |     const a = (1];
   |               - `(` opened here
   |                 ^ expected `)`
+  |
+  = help: write `)` instead
 
 error[K04]: unmatched `)`
  --> bad.mech:6:16
@@ -217,6 +225,8 @@ error[K02]: expected a formula, found `;`
   |
 8 |     const d = ;
   |               ^ expected a formula
+  |
+  = help: a formula is made of numbers, names, `( )`, `+ - * / ^` and functions such as `sin(t)`
 
 error: 6 errors in bad.mech
 ";
@@ -367,12 +377,16 @@ error[K30]: expected `(X, Y)` or `(X, Y, ANGLE)`, found 1 value
   |
 2 |     body a at (0) { A: (1, 2, 3), B }
   |               ^^^
+  |
+  = help: write `(X, Y)` or `(X, Y, ANGLE)`
 
 error[K30]: expected `(X, Y)`, found 3 values
  --> bad.mech:2:24
   |
 2 |     body a at (0) { A: (1, 2, 3), B }
   |                        ^^^^^^^^^
+  |
+  = help: write `(X, Y)`
 
 error: 2 errors in bad.mech
 ";

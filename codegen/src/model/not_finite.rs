@@ -1,0 +1,117 @@
+//! An expression whose value is infinite or undefined → why: a division by zero, an argument outside a function's domain, or a
+//! number that is too large.
+
+use super::expression::Value;
+use super::resolve::Resolver;
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::syntax::{Expression, ExpressionKind, Operation};
+
+/// What is wrong, where, and what to do about it.
+struct Cause {
+    span: Span,
+    message: String,
+    label: String,
+    help: String,
+}
+
+impl Resolver<'_> {
+    /// Passes a value on unless it is infinite or undefined. All parts of the expression are finite.
+    pub(super) fn finite(&mut self, value: Value, written: &Expression) -> Option<Value> {
+        let evaluates = self
+            .graph
+            .constant_value(value.0)
+            .is_none_or(f64::is_finite);
+        if evaluates && self.graph.is_finite(value.0) {
+            return Some(value);
+        }
+        let cause = match &written.kind {
+            ExpressionKind::Product(factors) => self.zero_divisor(factors),
+            ExpressionKind::Power(base, exponent) => self.undefined_power(base, exponent),
+            ExpressionKind::Call {
+                function,
+                arguments,
+            } => self.outside_domain(&function.text, arguments, written.span),
+            _ => None,
+        };
+        let cause = cause.unwrap_or_else(|| Cause {
+            span: written.span,
+            message: "this number is too large".to_string(),
+            label: "beyond 1.8e308".to_string(),
+            help: "no number of a computer is as large; is a unit or an exponent wrong?"
+                .to_string(),
+        });
+        self.diagnostics.push(
+            Diagnostic::error(Code::NotFinite, cause.span, cause.message)
+                .label(cause.label)
+                .help(cause.help),
+        );
+        None
+    }
+
+    /// The value of a part that has been read without an error.
+    fn part(&mut self, written: &Expression) -> Option<f64> {
+        let (value, _) = self.value(written)?;
+        self.graph.constant_value(value)
+    }
+
+    fn zero_divisor(&mut self, factors: &[(Operation, Expression)]) -> Option<Cause> {
+        let divisors = factors
+            .iter()
+            .filter(|(operation, _)| *operation == Operation::Over);
+        for (_, divisor) in divisors {
+            if self.part(divisor) == Some(0.0) {
+                return Some(division_by_zero(divisor.span));
+            }
+        }
+        None
+    }
+
+    fn undefined_power(&mut self, base: &Expression, exponent: &Expression) -> Option<Cause> {
+        let (base_value, exponent_value) = (self.part(base)?, self.part(exponent)?);
+        if base_value == 0.0 && exponent_value < 0.0 {
+            return Some(division_by_zero(base.span));
+        }
+        (base_value < 0.0 && exponent_value.fract() != 0.0).then(|| Cause {
+            span: base.span,
+            message: "a broken power of a negative number".to_string(),
+            label: format!("this is {base_value}"),
+            help: "only whole powers of a negative number are real".to_string(),
+        })
+    }
+
+    fn outside_domain(
+        &mut self,
+        function: &str,
+        arguments: &[Expression],
+        span: Span,
+    ) -> Option<Cause> {
+        let argument = arguments.first()?;
+        let value = self.part(argument)?;
+        let (outside, domain) = match function {
+            "asin" | "acos" => (value.abs() > 1.0, "numbers from -1 to 1"),
+            "sqrt" => (value < 0.0, "numbers that are not negative"),
+            "ln" => (value <= 0.0, "positive numbers"),
+            "tan" => (
+                value.cos().abs() < 1e-9,
+                "angles other than 90deg, 270deg, …",
+            ),
+            "atan2" => (value == 0.0, "two numbers that are not both zero"),
+            _ => return None,
+        };
+        outside.then(|| Cause {
+            span,
+            message: format!("`{function}` takes {domain}"),
+            label: format!("this is `{function}` of {value}"),
+            help: format!("look for a wrong sign or unit in the argument of `{function}`"),
+        })
+    }
+}
+
+fn division_by_zero(span: Span) -> Cause {
+    Cause {
+        span,
+        message: "division by zero".to_string(),
+        label: "this is zero".to_string(),
+        help: "divide by something that is not zero".to_string(),
+    }
+}

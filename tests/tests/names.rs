@@ -1,0 +1,111 @@
+//! Names of a description never hide other names of the generated code.
+
+use std::collections::BTreeSet;
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::generate;
+
+/// The names that the `let` statement on a line binds: one, or those of a tuple.
+fn bound(line: &str) -> Vec<&str> {
+    let Some((pattern, _)) = line
+        .trim_start()
+        .strip_prefix("let ")
+        .and_then(|rest| rest.split_once(" = "))
+    else {
+        return Vec::new();
+    };
+    let names = pattern.trim_matches(['(', ')']).split(", ");
+    names.map(|name| name.trim_start_matches("mut ")).collect()
+}
+
+/// The code of a description, after a check that no function binds a name twice or one that its caller knows otherwise.
+fn checked(description: &str) -> String {
+    let source = Source::new("names.mech", description);
+    let code = generate(&source)
+        .unwrap_or_else(|found| panic!("{}", found.render(&source)))
+        .code;
+    let mut functions = 0;
+    // Free functions begin and end at the margin; methods bind nothing that a description names.
+    let mut lines = code.lines();
+    while lines.any(|line| line.starts_with("pub fn ") || line.starts_with("fn ")) {
+        functions += 1;
+        let mut names: BTreeSet<&str> = [
+            "q", "qd", "t", "math", "phi", "phi_t", "gamma", "at", "last",
+        ]
+        .into();
+        for line in lines.by_ref().take_while(|line| *line != "}") {
+            for name in bound(line) {
+                assert!(names.insert(name), "`{name}` is bound again in: {line}");
+            }
+        }
+    }
+    assert!(functions >= 4, "{code}");
+    code
+}
+
+#[test]
+fn drivers_and_joints_named_like_local_values() {
+    let code = checked(
+        "mechanism locals {
+            point O = (0, 0);
+            body 1 at (0, 0) { O, P: (1, 0) }
+            body 2 at (1, 0) { P: (0, 0), Q: (0.3, 2) }
+            body 3 at (1, 2) { Q: (0, 0), S: (1, 0) }
+            revolute sin_phi1(ground.O, 1.O);
+            revolute 7(1.P, 2.P);
+            revolute q(2.Q, 3.Q);
+            drive cos_phi1: phi(1) = t;
+            drive math: phi(2) = sin(t);
+            drive shared_1: phi(3) = exp(t);
+        }",
+    );
+    for name in [
+        "row_sin_phi1_x",
+        "row_7_x",
+        "row_q_y",
+        "row_cos_phi1",
+        "row_math",
+        "row_shared_1",
+    ] {
+        assert!(code.contains(&format!("let {name} = ")), "{name} in {code}");
+    }
+}
+
+#[test]
+fn rows_of_one_joint_named_like_another() {
+    let code = checked(
+        "mechanism rows {
+            body 1 at (0, 0) { A: (0, 0), B: (1, 0) }
+            body 2 at (1, 0) { B: (0, 0), C: (1, 0) }
+            body 3 at (2, 0) { C: (0, 0) }
+            point A = (0, 0);
+            revolute a(ground.A, 1.A);
+            revolute type(1.B, 2.B);
+            revolute A(2.C, 3.C);
+            drive a_x: phi(1) = t;
+            drive type: phi(2) = t;
+            drive type_: phi(3) = t;
+        }",
+    );
+    for name in ["a_x", "a_x_2", "a_2_x", "row_type_x", "row_type_2", "type_"] {
+        assert!(code.contains(&format!("let {name} = ")), "{name} in {code}");
+    }
+}
+
+/// The second arm of body `c` would be named like the first of body `c_2`, and an arm of point `sin` like a sine.
+#[test]
+fn points_whose_names_meet() {
+    checked(
+        "mechanism arms {
+            point O = (0, 0), sin = (0.5, 0.5);
+            body c_2 at (1, 1) { P: (1, 0.2), R: (3, 2) }
+            body c at (0, 0) { O, P: (0.4, 1), Q: (0.4, 2) }
+            body phi at sin { sin, S: (0.7, 1) }
+            revolute O(ground, c);
+            revolute (c.P, c_2.P);
+            revolute (phi.S, c_2.R);
+            revolute sin(ground, phi);
+            drive phi(c) = t;
+        }",
+    );
+}
