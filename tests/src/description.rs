@@ -16,6 +16,13 @@ pub fn names() -> Vec<String> {
         .collect()
 }
 
+/// The names of the mechanisms that are not limited by `output` statements: those whose frames hold all coordinates.
+pub fn whole() -> Vec<String> {
+    let mut names = names();
+    names.retain(|name| system(name).mechanism.requests.is_empty());
+    names
+}
+
 /// The text of a described mechanism.
 ///
 /// # Panics

@@ -52,3 +52,14 @@ export! {
     }
     stephenson: Stephenson { point_a, point_b, point_c, point_d, point_e, point_f, point_g }
 }
+
+/// Assembles at `start`, advances to `end`, and gives the motion of the one point that is asked for; false where one of them
+/// fails.
+#[unsafe(no_mangle)]
+pub extern "C" fn excavator_tool(start: f64, end: f64, point: &mut Motion) -> bool {
+    use linkwright_mechanisms::excavator_tool::ExcavatorTool;
+    let Ok(mut mechanism) = ExcavatorTool::assemble(start) else { return false };
+    let Ok(frame) = mechanism.advance(end) else { return false };
+    *point = frame.point_k();
+    true
+}
