@@ -6,6 +6,7 @@ use linkwright_mechanisms::{
     arm, excavator, excavator_pins, excavator_tool, four_bar, inverted_slider_crank, platform_3rpr,
     scissor, slider_crank, stephenson, two_body,
 };
+use linkwright_tests::single;
 
 mod folding {
     linkwright::include_mechanism!(folding);
@@ -189,4 +190,64 @@ fn a_time_that_is_no_number_leaves_the_last_frame() {
     }
     let after = mechanism.advance(0.01).expect("the next frame works");
     assert!(after.q.x_c1.is_finite());
+}
+
+/// The largest relative deviation of single from double precision over the motion, per level.
+macro_rules! single_precision {
+    ($module:ident, $mechanism:ident) => {{
+        let mut double = $module::$mechanism::assemble(0.0).expect("the drawing assembles");
+        let mut single = single::$module::$mechanism::assemble(0.0)
+            .expect("the drawing assembles in single precision");
+        let mut largest = [0.0_f64; 3];
+        for step in 0..=500 {
+            // The same instants: the single precision's time is what both are given.
+            let t = step as f32 / 100.0;
+            let exact = *double
+                .advance(f64::from(t))
+                .expect("the motion can be followed");
+            let found = *single
+                .advance(t)
+                .expect("the motion can be followed in single precision");
+            let levels = [
+                (exact.q, found.q),
+                (exact.qd, found.qd),
+                (exact.qdd, found.qdd),
+            ];
+            for (largest, (exact, found)) in largest.iter_mut().zip(levels) {
+                let scale = exact
+                    .to_array()
+                    .iter()
+                    .fold(1.0, |scale: f64, value| scale.max(value.abs()));
+                for (exact, found) in exact.to_array().iter().zip(found.to_array()) {
+                    *largest = largest.max((exact - f64::from(found)).abs() / scale);
+                }
+            }
+        }
+        println!(
+            "{:<24} {:.1e} {:.1e} {:.1e}",
+            stringify!($module),
+            largest[0],
+            largest[1],
+            largest[2]
+        );
+        // The condition of these motions magnifies the rounding of 6e-8 by less than a thousand.
+        assert!(
+            largest.iter().all(|&error| error < 6e-5),
+            "{}: {largest:?}",
+            stringify!($module)
+        );
+    }};
+}
+
+#[test]
+fn single_precision_follows_double() {
+    single_precision!(two_body, TwoBody);
+    single_precision!(excavator, Excavator);
+    single_precision!(arm, Arm);
+    single_precision!(four_bar, FourBar);
+    single_precision!(slider_crank, SliderCrank);
+    single_precision!(inverted_slider_crank, InvertedSliderCrank);
+    single_precision!(scissor, Scissor);
+    single_precision!(platform_3rpr, Platform3rpr);
+    single_precision!(stephenson, Stephenson);
 }

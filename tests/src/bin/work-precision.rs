@@ -13,7 +13,7 @@ use linkwright_tests::files;
 use linkwright_tests::reference::REFERENCES;
 use linkwright_tests::study::environment::Environment;
 use linkwright_tests::study::measurement::{Effort, measure};
-use linkwright_tests::study::{chart, table};
+use linkwright_tests::study::{chart, outputs, table};
 
 /// Measures error against run time and writes a report with charts
 #[derive(Parser)]
@@ -96,6 +96,11 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             report,
             "\n## {name}\n\nReference: `tests/data/{file}`.\n\n{table}\n![{name}]({image})\n"
         )?;
+    }
+    if arguments.only.is_empty() {
+        let section = outputs::section(effort);
+        println!("{section}");
+        report.push_str(&section);
     }
     let file = folder.join("work-precision.md");
     fs::write(&file, report)?;

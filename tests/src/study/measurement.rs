@@ -98,7 +98,7 @@ fn seconds(method: &mut dyn Method, times: &[f64], sweeps: usize) -> f64 {
 }
 
 /// Of sorted values.
-fn median(sorted: &[f64]) -> f64 {
+pub(super) fn median(sorted: &[f64]) -> f64 {
     let middle = sorted.len() / 2;
     if sorted.len() % 2 == 1 {
         sorted[middle]

@@ -7,4 +7,5 @@ pub mod environment;
 pub mod exponent;
 pub mod growth;
 pub mod measurement;
+pub mod outputs;
 pub mod table;
