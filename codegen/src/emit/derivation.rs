@@ -7,6 +7,7 @@
 mod block;
 mod definitions;
 mod document;
+mod dyad_motion;
 mod geometry;
 mod latex_page;
 mod newton;
@@ -16,6 +17,8 @@ mod outline;
 mod script;
 mod slides;
 mod text_page;
+mod triangle;
+mod turning_slide;
 mod two_rotations;
 mod vector;
 mod words;

@@ -1,6 +1,6 @@
 //! One block of the plan → its section.
 
-use super::words::{capitalized, enumerated};
+use super::words::enumerated;
 use super::writer::Writer;
 use crate::structure::{SolvedBlock, Step};
 
@@ -110,10 +110,5 @@ impl Writer<'_> {
             _ => "from what is fixed",
         };
         words.to_string()
-    }
-
-    /// A sentence whose first letter is a capital.
-    pub(super) fn sentence(&mut self, text: &str) {
-        self.paragraph(capitalized(text));
     }
 }

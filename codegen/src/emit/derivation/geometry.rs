@@ -52,7 +52,8 @@ impl Writer<'_> {
         pins
     }
 
-    fn pin(&self, marks: [Mark; 2]) -> Option<Pin> {
+    /// The pin of two marks, where one of them has a name.
+    pub(super) fn pin(&self, marks: [Mark; 2]) -> Option<Pin> {
         let name = marks.iter().find_map(|mark| {
             let body = &self.system.mechanism.bodies[mark.frame.body.0];
             let named = body.marks.iter().find(|it| it.mark.local == mark.local);

@@ -2,8 +2,8 @@
 
 use super::document::{Document, Equation, Item, OutlineLine};
 
-/// A right-hand side with more characters of source than these is broken before a sign.
-const LONGEST: usize = 150;
+/// A formula with more visible characters than these is broken before a sign.
+const LONGEST: usize = 90;
 
 /// The whole document; it needs amsmath and nothing else.
 pub(super) fn page(document: &Document) -> String {
@@ -27,7 +27,7 @@ pub(super) fn page(document: &Document) -> String {
         text.push_str(&format!("\n\\subsection*{{{}}}\n", section.heading));
         for item in &section.items {
             match item {
-                Item::Paragraph(words) => text.push_str(&format!("{words}\n")),
+                Item::Paragraph(words) => text.push_str(&format!("\n{words}\n")),
                 Item::Equations(equations) => text.push_str(&displayed(equations)),
             }
         }
@@ -41,7 +41,7 @@ fn outline(lines: &[OutlineLine]) -> String {
         .iter()
         .map(|line| {
             format!(
-                "{} & {} & {} & {} \\\\\n",
+                "{} & \\raggedright {} & {} & \\raggedright {} \\tabularnewline\n",
                 line.block, line.unknowns, line.method, line.joints
             )
         })
@@ -78,12 +78,13 @@ fn displayed(equations: &[Equation]) -> String {
 
 /// A long sum on several lines, broken before signs outside all brackets.
 fn broken(formula: &str) -> String {
-    if formula.len() <= LONGEST {
+    let parts: Vec<&str> = formula.split(' ').collect();
+    let width = |part: &str| shown(part) + 1;
+    if parts.iter().map(|part| width(part)).sum::<usize>() <= LONGEST {
         return formula.to_string();
     }
     let mut text = String::with_capacity(formula.len());
     let (mut depth, mut length) = (0_i32, 0);
-    let parts: Vec<&str> = formula.split(' ').collect();
     for (at, part) in parts.iter().enumerate() {
         let sign = matches!(*part, "+" | "-");
         if at > 0 {
@@ -94,10 +95,44 @@ fn broken(formula: &str) -> String {
             length = 0;
         }
         text.push_str(part);
-        length += part.len() + 1;
-        let opened = part.matches(['(', '{']).count() + part.matches("\\begin").count();
-        let closed = part.matches([')', '}']).count() + part.matches("\\end").count();
+        length += width(part);
+        let opened = part.matches(['(', '{']).count();
+        let closed = part.matches([')', '}']).count();
         depth += opened as i32 - closed as i32;
+        depth += i32::from(part.contains("\\begin")) - i32::from(part.contains("\\end"));
     }
     text
+}
+
+/// About how many characters of a part of a formula are seen: a command counts as one, braces and index marks as none.
+fn shown(part: &str) -> usize {
+    let mut command = false;
+    let seen = part.chars().filter(|&character| {
+        let goes_on = command && character.is_ascii_alphabetic();
+        command = character == '\\' || goes_on;
+        !goes_on && !matches!(character, '{' | '}' | '_' | '^')
+    });
+    seen.count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{broken, shown};
+
+    #[test]
+    fn only_what_is_seen_takes_room() {
+        assert_eq!(shown("\\dot{\\varphi}_{\\mathrm{c10}}"), 6);
+        assert_eq!(shown("0.5"), 3);
+    }
+
+    #[test]
+    fn long_sums_are_broken_before_signs_outside_brackets() {
+        assert_eq!(broken("a + b"), "a + b");
+        let term = "\\left(1234567890 + 1234567890\\right)";
+        let sum = [term; 5].join(" - ");
+        let lines: Vec<String> = broken(&sum).lines().map(str::to_string).collect();
+        assert_eq!(lines.len(), 3);
+        assert!(lines[1].trim_start().starts_with("&\\quad - \\left("));
+        assert_eq!(lines.concat().matches("12345").count(), 10);
+    }
 }

@@ -21,19 +21,22 @@ impl Writer<'_> {
             ),
         };
         let equations = counted(residuals.len(), "equation", "equations");
-        self.sentence(&format!(
-            "{} are unknown in {equations}, {}. None of the equations holds fewer unknowns than could be found from it alone, and no \
-             part of them determines as many unknowns as it has equations: nothing can be solved one after the other, and no two \
-             circles or lines give the solution. Newton-Raphson finds all of them together, starting from the last pose.",
+        let made_of = match &loops {
+            Some(loops) => format!(
+                ", the components of {},",
+                counted(loops.len(), "loop", "coupled loops")
+            ),
+            None => String::new(),
+        };
+        self.paragraph(format!(
+            "There is no closed form here: {equations}{made_of} hold {} together. No part of the equations holds only as many \
+             unknowns as it has equations, so they cannot be solved one loop after the other, and the whole is not one of the \
+             pairs of circles and lines whose intersection is a square root. Newton-Raphson finds all of them at once, starting \
+             from the last pose.",
             enumerated(&names),
-            match &loops {
-                Some(loops) if loops.len() > 1 => format!("the components of {} coupled loops", loops.len()),
-                Some(_) => "the components of one loop".to_string(),
-                None => "which are coupled".to_string(),
-            },
         ));
         if let Some(loops) = loops {
-            self.sentence("the loops as vectors:");
+            self.paragraph("The loops as vectors:");
             let equations = loops.into_iter().map(|left| Equation {
                 left,
                 right: "0".to_string(),
@@ -41,7 +44,7 @@ impl Writer<'_> {
             });
             self.equations(equations.collect());
         }
-        self.sentence("the residuals by components:");
+        self.paragraph("The residuals by components:");
         let mut equations = Vec::with_capacity(residuals.len());
         for (number, &residual) in residuals.iter().enumerate() {
             let value = self.with_numbers(residual);
@@ -89,8 +92,8 @@ impl Writer<'_> {
             .either("G_z", "G_z", "\\mathbf{G}_{\\mathbf{z}}")
             .to_string();
         let matrix = self.script.inline(&matrix);
-        self.sentence(&format!(
-            "velocity and acceleration: with the {size} x {size} Jacobian {matrix} of the residuals in these unknowns, the rates of \
+        self.paragraph(format!(
+            "Velocity and acceleration: with the {size} by {size} Jacobian {matrix} of the residuals in these unknowns, the rates of \
              the unknowns solve one linear system with the right-hand side minus the rates of the residuals with the unknowns held; \
              the accelerations solve the same system. Both exist while the determinant of {matrix} is not zero."
         ));

@@ -16,7 +16,7 @@ impl Writer<'_> {
         let whole = graph.add(moved, rest);
         let ratio = graph.divide(rest, coefficient);
         let value = graph.negate(ratio);
-        self.sentence(&format!("the equation is linear in {name}:"));
+        self.paragraph(format!("The equation is linear in {name}:"));
         let equations = vec![
             self.vanishing(whole, ""),
             self.equation(variable, value, ""),
@@ -47,20 +47,23 @@ impl Writer<'_> {
             let slope = self.graph().derivative(whole, symbol);
             -self.drawn(slope)
         };
-        let given = match numbers[..] {
+        let known = match numbers[..] {
             [] => String::new(),
-            _ => format!("with {}: ", enumerated(&numbers)),
+            _ => format!("With {}", enumerated(&numbers)),
         };
         if s == zero || c == zero {
-            self.sentence(&format!(
-                "{given}it gives {name} by its {}.",
-                if s == zero { "cosine" } else { "sine" }
-            ));
+            let function = if s == zero { "cosine" } else { "sine" };
+            self.paragraph(match numbers[..] {
+                [] => format!("It gives the {function} of {name}:"),
+                _ => format!("{known} it gives the {function} of {name}:"),
+            });
             self.one_function(unknown, [c, s, target], turning);
         } else {
-            self.sentence(&format!(
-                "{given}it has the form a cos + b sin = c, solved by a square root.",
-            ));
+            let form = "a cosine and a sine of one angle, which a square root separates";
+            self.paragraph(match numbers[..] {
+                [] => format!("It holds {form}:"),
+                _ => format!("{known} it holds {form}:"),
+            });
             self.both_functions(unknown, [c, s, target], turning);
         }
         self.single_motion(unknown, whole);
@@ -72,8 +75,8 @@ impl Writer<'_> {
         let name = self.named(unknown);
         let written = self.written_out(equation);
         let Some(row) = self.row_of(equation) else {
-            self.sentence(&format!(
-                "what is left of the block's equations holds {name} as its only unknown:"
+            self.paragraph(format!(
+                "In what is left of the block's equations, {name} is the only unknown:"
             ));
             let equations = vec![self.vanishing(written, "")];
             self.equations(equations);
@@ -89,7 +92,7 @@ impl Writer<'_> {
             });
         }
         equations.push(self.vanishing(written, note));
-        self.sentence(&format!("{words} holds {name} as its only unknown:"));
+        self.paragraph(format!("In {words}, {name} is the only unknown:"));
         self.equations(equations);
         format!("from {words}")
     }
@@ -135,18 +138,30 @@ impl Writer<'_> {
                 },
             ),
         ];
-        let angle = self
+        equations.push(self.by_both(unknown));
+        self.equations(equations);
+        self.paragraph(format!(
+            "The sign is the assembly mode; the other one is the second solution for {name}."
+        ));
+    }
+
+    /// φ from its sine and cosine.
+    fn by_both(&mut self, unknown: usize) -> Equation {
+        let variable = self.variable(unknown);
+        let graph = self.graph();
+        let (cosine, sine) = (graph.cos(variable), graph.sin(variable));
+        let function = self
             .script
             .either("atan2", "atan2", "\\operatorname{atan2}");
-        equations.push(Equation {
+        Equation {
             left: self.unknown(unknown),
-            right: format!("{angle}({}, {})", self.formula(sine), self.formula(cosine)),
+            right: format!(
+                "{function}({}, {})",
+                self.formula(sine),
+                self.formula(cosine)
+            ),
             note: String::new(),
-        });
-        self.equations(equations);
-        self.sentence(&format!(
-            "the sign is the assembly mode; the other one is the second solution for {name}."
-        ));
+        }
     }
 
     /// c cos φ + s sin φ = k, with both.
@@ -193,10 +208,11 @@ impl Writer<'_> {
         let [for_cosine, for_sine] = sums.map(|sum| graph.divide(sum, size_square));
         equations.push(self.equation(cosine, for_cosine, ""));
         equations.push(self.equation(sine, for_sine, ""));
+        equations.push(self.by_both(unknown));
         self.equations(equations);
         let h = self.script.inline("h");
-        self.sentence(&format!(
-            "the sign of {h} is the assembly mode; the other one is the second solution."
+        self.paragraph(format!(
+            "The sign of {h} is the assembly mode; the other one is the second solution."
         ));
     }
 
@@ -216,8 +232,8 @@ impl Writer<'_> {
         };
         let factor = self.formula(coefficient);
         let factor = self.script.inline(&factor);
-        self.sentence(&format!(
-            "velocity and acceleration: differentiated once and twice, the equation is linear with the coefficient {factor}:"
+        self.paragraph(format!(
+            "Velocity and acceleration: differentiated once and twice, the equation is linear with the coefficient {factor}:"
         ));
         let mut equations = Vec::new();
         for (left, right) in [(rate, drift), (acceleration, second)] {

@@ -107,12 +107,11 @@ impl Writer<'_> {
     /// A pin by its point, any other joint by its statement.
     pub(super) fn joint_name(&self, joint: usize) -> String {
         let joint = &self.system.mechanism.joints[joint];
-        let mark = joint.operands.marks.first();
-        let point = mark.filter(|_| joint.kind.joins_points()).and_then(|mark| {
-            let body = &self.system.mechanism.bodies[mark.frame.body.0];
-            body.marks.iter().find(|it| it.mark.local == mark.local)
-        });
-        let name = point.map_or(&joint.label, |point| &point.name);
-        self.script.word(name)
+        let pin = match joint.operands.marks[..] {
+            [first, second] if joint.kind.joins_points() => self.pin([first, second]),
+            _ => None,
+        };
+        self.script
+            .word(pin.as_ref().map_or(&joint.label, |pin| &pin.name))
     }
 }

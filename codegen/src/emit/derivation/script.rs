@@ -74,6 +74,11 @@ impl Script {
         }
     }
 
+    /// The square of a single symbol.
+    pub(super) fn square(self, symbol: &str) -> String {
+        format!("{symbol}{}", self.either("^2", "²", "^2"))
+    }
+
     /// Two components as a column, or on a line.
     pub(super) fn pair(self, x: &str, y: &str) -> String {
         match self {

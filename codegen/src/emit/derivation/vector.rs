@@ -1,7 +1,8 @@
-//! Two components → a sum of vectors: positions of origins, turned local vectors, constants.
+//! Two components → a sum of vectors: positions of origins, turned local vectors, constants; and a vector by name.
 
+use super::document::Equation;
 use super::writer::Writer;
-use crate::expr::{ExprId, SymbolId};
+use crate::expr::{ExprId, Node, SymbolId};
 use crate::joint::geometry::Vector;
 
 impl Writer<'_> {
@@ -107,5 +108,69 @@ impl Writer<'_> {
         let negative = self.formula(factor).starts_with(['-', '−']);
         let size = self.formula(if negative { minus } else { factor });
         (negative, format!("{size}{}{vector}", self.script.times()))
+    }
+
+    /// φ = atan2(p × w, p · w), the angle that turns p into w.
+    pub(super) fn angle_equation(
+        &mut self,
+        angle: usize,
+        local: Vector,
+        turned: Vector,
+        note: &str,
+    ) -> Equation {
+        let local = self.short(local);
+        let (along, across) = (self.dot(local, turned), self.cross(local, turned));
+        let value = self.graph().atan2(across, along);
+        let variable = self.variable(angle);
+        self.equation(variable, value, note)
+    }
+
+    /// A constant vector along an axis as a unit vector: its length does not change the angle.
+    fn short(&mut self, local: Vector) -> Vector {
+        let graph = self.graph();
+        let zero = graph.zero();
+        if !local.contains(&zero) {
+            return local;
+        }
+        local.map(|part| match graph.constant_value(part) {
+            Some(value) if value > 0.0 => graph.one(),
+            Some(value) if value < 0.0 => {
+                let one = graph.one();
+                graph.negate(one)
+            }
+            _ => part,
+        })
+    }
+
+    /// A vector by its components: the numbers themselves, or new names for them with their equations.
+    pub(super) fn named_vector(
+        &mut self,
+        name: &str,
+        value: Vector,
+        equations: &mut Vec<Equation>,
+    ) -> Vector {
+        let value = value.map(|part| self.with_numbers(part));
+        let graph = self.graph();
+        if value.iter().all(|&part| graph.is_constant(part)) {
+            equations.push(Equation {
+                left: self.script.vector(name),
+                right: self.pair_text(value),
+                note: String::new(),
+            });
+            return value;
+        }
+        let components = self.components(name);
+        for axis in [0, 1] {
+            equations.push(self.equation(components[axis], value[axis], ""));
+        }
+        // What is a number or a symbol already needs no other name.
+        [0, 1].map(|axis| {
+            let graph = &self.system.mechanism.graph;
+            match graph.node(value[axis]) {
+                Node::Symbol(_) => value[axis],
+                _ if graph.is_constant(value[axis]) => value[axis],
+                _ => components[axis],
+            }
+        })
     }
 }

@@ -14,18 +14,9 @@ pub(super) fn counted(number: usize, one: &str, several: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { several })
 }
 
-/// The first letter as a capital; a formula at the beginning stays as it is.
-pub(super) fn capitalized(sentence: &str) -> String {
-    let mut characters = sentence.chars();
-    match characters.next() {
-        Some(first) => first.to_uppercase().chain(characters).collect(),
-        None => String::new(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{capitalized, counted, enumerated};
+    use super::{counted, enumerated};
 
     #[test]
     fn lists_and_numbers_read_as_sentences() {
@@ -35,6 +26,5 @@ mod tests {
         assert_eq!(enumerated(&parts), "x1, y1 and phi1");
         assert_eq!(counted(1, "angle", "angles"), "1 angle");
         assert_eq!(counted(3, "angle", "angles"), "3 angles");
-        assert_eq!(capitalized("both are known"), "Both are known");
     }
 }

@@ -161,8 +161,11 @@ impl<'a> Printer<'a> {
         if coordinate >= self.system.coordinates.len() {
             let name = self.system.unknown_name(coordinate);
             let ends = name.strip_prefix("length_").unwrap_or(name);
-            let name = format!("\\ell_{{\\mathrm{{{}}}}}", escaped(ends));
-            return accent.map_or(name.clone(), |accent| format!("\\{accent}{{{name}}}"));
+            let index = format!("_{{\\mathrm{{{}}}}}", ends.replace('_', "\\,"));
+            return match accent {
+                None => format!("\\ell{index}"),
+                Some(accent) => format!("\\{accent}{{\\ell}}{index}"),
+            };
         }
         let letter = ["x", "y", "\\varphi"][coordinate % 3];
         let body = &self.system.mechanism.bodies[self.system.coordinates[coordinate].body].name;
