@@ -3,7 +3,7 @@
 use super::document::{Document, Equation, Item, OutlineLine};
 
 /// A formula with more visible characters than these is broken before a sign.
-const LONGEST: usize = 90;
+const LONGEST: usize = 72;
 
 /// The whole document; it needs amsmath and nothing else.
 pub(super) fn page(document: &Document) -> String {
