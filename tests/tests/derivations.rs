@@ -1,6 +1,8 @@
 //! The derivation as `linkwright plan` prints it: its words, and whether its formulas give the motion.
 
+use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::emit::{Notation, derivation};
+use linkwright_codegen::expr::Tape;
 use linkwright_codegen::structure::{self, SolvedPlan, Step};
 use linkwright_codegen::system::System;
 use linkwright_tests::printed::{Values, value};
@@ -244,6 +246,65 @@ fn the_printed_formulas_give_the_motion() {
                     error.abs() <= allowed,
                     "{name}: {quantity} at t = {} is off by {error:e}",
                     row[0]
+                );
+            }
+        }
+    }
+}
+
+/// Forms that no described mechanism has, each with its method: the printed formulas satisfy the textbook's equations and
+/// their first derivative. The residuals are judged against lengths of 1 to 4 m.
+#[test]
+fn the_other_forms_satisfy_the_textbook_equations() {
+    for (name, method) in [
+        ("two_lines", "two slides"),
+        ("turning_rail", "rotation and slide"),
+        ("inclined_slider", "one angle"),
+    ] {
+        let path = files::package("fixtures/plans").join(format!("{name}.mech"));
+        let text = std::fs::read_to_string(&path).expect("a fixture");
+        let source = Source::new(name.to_string(), text);
+        let mut system = linkwright_codegen::read(&source).expect("no errors").system;
+        let plan = structure::plan(&mut system).expect("a plan");
+        let steps = plan.blocks.iter().flat_map(|block| &block.steps);
+        let methods: Vec<String> = steps.map(Step::name).collect();
+        assert_eq!(methods, [method]);
+        let text = derivation::text(&system, &plan, Notation::Ascii);
+        for t in [0.0, 0.4, 1.1, 2.7] {
+            let found = calculated(&text, t, &Values::new()).values;
+            let graph = &system.mechanism.graph;
+            let mut symbols = vec![0.0; graph.symbol_count()];
+            symbols[system.mechanism.time.index()] = t;
+            for coordinate in &system.coordinates {
+                symbols[coordinate.position.index()] = found[&coordinate.name];
+            }
+            let rate =
+                |coordinate: usize| found[&format!("{}'", system.coordinates[coordinate].name)];
+            let evaluated = |expr| {
+                let mut result = [0.0];
+                Tape::new(graph, &[expr]).evaluate(&symbols, &mut Vec::new(), &mut result);
+                result[0]
+            };
+            for row in &system.rows {
+                let residual = evaluated(row.residual);
+                assert!(
+                    residual.abs() < 1e-14,
+                    "{name}: {} at {t}: {residual:e}",
+                    row.name
+                );
+                // A constant has no formula for its rate, which is zero.
+                let moving = row.jacobian.iter().filter(|entry| {
+                    let name = &system.coordinates[entry.coordinate].name;
+                    found.contains_key(&format!("{name}'"))
+                });
+                let moved: f64 = moving
+                    .map(|entry| evaluated(entry.value) * rate(entry.coordinate))
+                    .sum();
+                let drift = moved + evaluated(row.time_derivative);
+                assert!(
+                    drift.abs() < 1e-14,
+                    "{name}: the rate of {} at {t}: {drift:e}",
+                    row.name
                 );
             }
         }
