@@ -21,7 +21,7 @@ impl Writer<'_> {
     ) -> Option<usize> {
         let variable = self.variable(unknown);
         let symbol = self.system.vector_form.unknowns[unknown].position;
-        let graph = self.system.mechanism.graph.clone();
+        let graph = &self.system.mechanism.graph;
         let candidates: Vec<(usize, ExprId)> = self
             .system
             .vector_form
