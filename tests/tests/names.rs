@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::generate;
+use linkwright_codegen::{generate, read};
 
 /// The names that the `let` statement on a line binds: one, or those of a tuple.
 fn bound(line: &str) -> Vec<&str> {
@@ -92,20 +92,25 @@ fn rows_of_one_joint_named_like_another() {
     }
 }
 
-/// The second arm of body `c` would be named like the first of body `c_2`, and an arm of point `sin` like a sine.
+/// The point P of the body `c` could be taken for a second P, `p_c_2`, which is the one of the body `c_2`. Arms of one name would be
+/// one vector.
 #[test]
 fn points_whose_names_meet() {
-    checked(
-        "mechanism arms {
+    let description = "mechanism arms {
             point O = (0, 0), sin = (0.5, 0.5);
             body c_2 at (1, 1) { P: (1, 0.2), R: (3, 2) }
             body c at (0, 0) { O, P: (0.4, 1), Q: (0.4, 2) }
-            body phi at sin { sin, S: (0.7, 1) }
+            body phi at (0.9, 0.1) { sin, S: (0.7, 1) }
             revolute O(ground, c);
-            revolute (c.P, c_2.P);
+            revolute (c_2.P, c.P);
             revolute (phi.S, c_2.R);
             revolute sin(ground, phi);
             drive phi(c) = t;
-        }",
-    );
+        }";
+    checked(description);
+    let read = read(&Source::new("names.mech", description)).expect("no errors");
+    let arms = &read.system.vector_form.arms;
+    let names: BTreeSet<&str> = arms.iter().map(|arm| arm.name.as_str()).collect();
+    assert_eq!(names.len(), arms.len(), "{names:?}");
+    assert!(names.contains("point_sin_phi"), "{names:?}");
 }

@@ -57,7 +57,7 @@ pub struct Solve {
     /// Only this instant, in s, followed from T0 by steps of H; may be repeated. Files are then written only on request
     #[arg(long, value_name = "T", value_delimiter = ',', value_parser = finite, allow_hyphen_values = true, conflicts_with_all = ["to", "plot"])]
     pub at: Vec<f64>,
-    /// Only these points, separated by commas [default: all]
+    /// Only these points, separated by commas [default: all, with tables of six]
     #[arg(long, value_name = "A,K", value_delimiter = ',')]
     pub points: Vec<String>,
     /// Where to write the frames; `-` is stdout, and the summary then goes to stderr [default: target/linkwright/NAME/motion.csv]

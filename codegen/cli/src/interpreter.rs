@@ -4,8 +4,8 @@
 //! whatever solves generated mechanisms also solves a description that was read a moment ago. Afterwards Φ_q holds zeros
 //! wherever the system lists no entry, and no evaluation allocates: buffers grow on first use and are then kept.
 //!
-//! The module does not know how the equations are solved. It is slower than generated code by a factor of about ten, and
-//! serves as its oracle: both evaluate the same expressions, by different means.
+//! The module does not know how the equations are solved. It serves as the oracle of generated code: both evaluate the same
+//! expressions, by different means.
 
 use std::cell::RefCell;
 

@@ -45,15 +45,16 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     let solution = Solution::new(system, points, &schedule, |count| progress.reached(count));
     let elapsed = progress.finish();
 
+    let chosen = !arguments.points.is_empty();
     if arguments.json {
         print(|output| json::write(&solution, output))?;
     } else if to_stdout {
         print(|output| comma_separated::write(&solution, output))?;
         // If stderr is closed there is nobody to tell.
-        let _ = summary::write(&solution, &mut io::stderr());
+        let _ = summary::write(&solution, chosen, &mut io::stderr());
     } else {
         print(|output| {
-            summary::write(&solution, output)?;
+            summary::write(&solution, chosen, output)?;
             match elapsed > PATIENCE {
                 true => writeln!(output, "solved in {:.1} s", elapsed.as_secs_f64()),
                 false => Ok(()),

@@ -29,6 +29,21 @@ pub fn shown(count: usize) -> Vec<usize> {
     shown
 }
 
+/// Whether a point does not move at all, but for rounding. `size` is the characteristic length of the mechanism.
+pub fn rests(motions: &[Motion<f64>], size: f64) -> bool {
+    let noise = |value: f64| value.abs() <= NOISE * size;
+    let Some(first) = motions.first() else {
+        return true;
+    };
+    motions.iter().all(|it| {
+        [0, 1].into_iter().all(|axis| {
+            noise(it.position[axis] - first.position[axis])
+                && noise(it.velocity[axis])
+                && noise(it.acceleration[axis])
+        })
+    })
+}
+
 /// The table of one point. `size` is the characteristic length of the mechanism.
 pub fn table(times: &[f64], motions: &[Motion<f64>], size: f64) -> String {
     let component = |pick: &dyn Fn(&Motion<f64>) -> f64| motions.iter().map(pick).collect();
@@ -107,6 +122,18 @@ mod tests {
             );
             assert_eq!((rows[0], rows[rows.len() - 1]), (0, count - 1));
         }
+    }
+
+    #[test]
+    fn rounding_is_no_motion() {
+        let at = |x: f64, vx: f64| Motion {
+            position: [x, 0.0],
+            velocity: [vx, 0.0],
+            acceleration: [0.0; 2],
+        };
+        assert!(rests(&[at(1.0, 0.0), at(1.0 + 2e-16, 1e-16)], 1.0));
+        assert!(!rests(&[at(1.0, 0.0), at(1.0 + 1e-9, 0.0)], 1.0));
+        assert!(!rests(&[at(1.0, 1e-9), at(1.0, 0.0)], 1.0));
     }
 
     #[test]

@@ -6,27 +6,34 @@ use linkwright_codegen::model::Role;
 
 use super::motion_table;
 use crate::diagnosis::{time, unit};
-use crate::number::{counted, scientific};
+use crate::number::{counted, fixed, scientific};
 use crate::solution::Solution;
 
 /// The width that lists are wrapped to, in characters.
 const WIDTH: usize = 110;
 
+/// How many lines a list takes at most; the rest of a longer one is left out.
+const LINES: usize = 2;
+
+/// How many tables are printed where no points are asked for.
+const TABLES: usize = 6;
+
 /// Where the second column begins.
 const INDENT: usize = 24;
 
-/// Writes the summary; without frames only what is known of the mechanism itself.
+/// Writes the summary; without frames only what is known of the mechanism itself. A table of every point is printed where the user
+/// has `chosen` the points, and otherwise of the first few that move.
 ///
 /// # Errors
 /// Those of `output`.
-pub fn write(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
+pub fn write(solution: &Solution, chosen: bool, output: &mut dyn Write) -> io::Result<()> {
     writeln!(output, "{}", solution.name())?;
-    mechanism(solution, output)?;
     start(solution, output)?;
+    mechanism(solution, output)?;
     if solution.frames().is_empty() {
         return Ok(());
     }
-    motions(solution, output)?;
+    motions(solution, chosen, output)?;
     writeln!(output)?;
     residuals(solution, output)
 }
@@ -37,7 +44,7 @@ fn mechanism(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
     let names = bodies.iter().map(|body| body.name.clone());
     list(output, "bodies", bodies.len(), names)?;
     let names = system.coordinates.iter().map(|it| it.name.clone());
-    list(output, "coordinates", system.coordinates.len(), names)?;
+    shortened(output, "coordinates", system.coordinates.len(), names)?;
     for (title, role) in [
         ("constraint equations", Role::Constraint),
         ("driver equations", Role::Driver),
@@ -79,7 +86,7 @@ fn start(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
     line(output, &when, &text)
 }
 
-fn motions(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
+fn motions(solution: &Solution, chosen: bool, output: &mut dyn Write) -> io::Result<()> {
     let size = solution.system.mechanism.characteristic_length;
     let frames: Vec<_> = motion_table::shown(solution.frames().len())
         .into_iter()
@@ -90,23 +97,30 @@ fn motions(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
         .iter()
         .map(|frame| solution.motions(frame).collect())
         .collect();
+    let (mut tables, mut unprinted, mut resting) = (0, Vec::new(), Vec::new());
     for (position, point) in solution.points.iter().enumerate() {
         let name = solution.point_name(*point);
         let motions: Vec<_> = all.iter().map(|frame| frame[position].1).collect();
-        let still = motions.windows(2).all(|pair| pair[0] == pair[1])
-            && motions
-                .iter()
-                .all(|it| it.velocity == [0.0; 2] && it.acceleration == [0.0; 2]);
-        if still {
-            let [x, y] = motions[0].position;
-            writeln!(output, "\n{name} stays at ({x}, {y}) m")?;
+        if motion_table::rests(&motions, size) {
+            let [x, y] = motions[0].position.map(|it| fixed(it, 6));
+            resting.push(format!("{name} stays at ({x}, {y}) m"));
+        } else if tables == TABLES && !chosen {
+            unprinted.push(name);
         } else {
+            tables += 1;
             writeln!(
                 output,
                 "\n{name}: position, velocity, acceleration in m, m/s, m/s²"
             )?;
             write!(output, "{}", motion_table::table(&times, &motions, size))?;
         }
+    }
+    if !unprinted.is_empty() {
+        let names = unprinted.join(",");
+        writeln!(output, "\nmore with `--points {names}`")?;
+    }
+    if !resting.is_empty() {
+        writeln!(output, "\n{}", resting.join("\n"))?;
     }
     Ok(())
 }
@@ -157,22 +171,46 @@ fn list(
     count: usize,
     names: impl Iterator<Item = String>,
 ) -> io::Result<()> {
-    let mut text = count.to_string();
-    let mut column = INDENT + text.len();
-    for (index, name) in names.enumerate() {
-        let separator = if index == 0 { ": " } else { ", " };
-        let length = name.chars().count() + separator.len();
-        if column + length > WIDTH && column > INDENT {
-            text.push_str(separator.trim_end());
-            text.push('\n');
-            text.push_str(&" ".repeat(INDENT));
-            column = INDENT;
-        } else {
-            text.push_str(separator);
-            column += separator.len();
+    line(output, title, &wrapped(count, names).join("\n"))
+}
+
+/// A count and the first names behind it, as many as fit on [`LINES`] lines.
+fn shortened(
+    output: &mut dyn Write,
+    title: &str,
+    count: usize,
+    names: impl Iterator<Item = String>,
+) -> io::Result<()> {
+    let mut lines = wrapped(count, names);
+    if lines.len() > LINES {
+        lines.truncate(LINES);
+        if let Some(last) = lines.last_mut() {
+            last.push_str(" …");
         }
-        column += name.chars().count();
-        text.push_str(&name);
     }
-    line(output, title, &text)
+    line(output, title, &lines.join("\n"))
+}
+
+/// The lines of a count and the names behind it; all but the first are indented.
+fn wrapped(count: usize, names: impl Iterator<Item = String>) -> Vec<String> {
+    let mut lines = vec![count.to_string()];
+    let mut column = INDENT + lines[0].len();
+    for (index, name) in names.enumerate() {
+        let separator = if index == 0 { ":" } else { "," };
+        let length = name.chars().count() + 1 + separator.len();
+        let breaks = column + length > WIDTH && column > INDENT;
+        if let Some(last) = lines.last_mut() {
+            last.push_str(separator);
+            if !breaks {
+                last.push(' ');
+                last.push_str(&name);
+            }
+        }
+        column += length;
+        if breaks {
+            lines.push(format!("{}{name}", " ".repeat(INDENT)));
+            column = INDENT + name.chars().count();
+        }
+    }
+    lines
 }

@@ -21,6 +21,35 @@ fn assert_close(value: &Value, expected: &[f64]) {
     }
 }
 
+/// Eight points that move and one that does not.
+const NINE_POINTS: &str = "mechanism wheel {
+    point O = (0.1, 0.2);
+    body 1 at O { O, A: (1, 0), B: (2, 0), C: (3, 0), D: (4, 0), E: (5, 0), F: (6, 0), G: (7, 0), H: (8, 0) }
+    revolute O(ground, 1);
+    drive phi(1) = t;
+}
+";
+
+#[test]
+fn tables_of_six_points_are_printed_unless_points_are_chosen() {
+    let folder = Folder::new("nine_points", NINE_POINTS);
+    let tables = |text: &str| text.matches(": position, velocity, acceleration").count();
+    let printed = folder.run("solve a.mech").exits_with(0).stdout;
+    assert_eq!(tables(&printed), 6, "{printed}");
+    for text in [
+        "\nmore with `--points G,H`\n",
+        "\nO stays at (0.100000, 0.200000) m\n",
+    ] {
+        assert!(printed.contains(text), "{text:?} in {printed}");
+    }
+    let chosen = folder
+        .run("solve a.mech --points A,B,C,D,E,F,G")
+        .exits_with(0)
+        .stdout;
+    assert_eq!(tables(&chosen), 7, "{chosen}");
+    assert!(!chosen.contains("more with"), "{chosen}");
+}
+
 #[test]
 fn a_good_motion_is_printed_and_written() {
     let folder = Folder::new("good", EXAM);

@@ -25,12 +25,23 @@ pub fn inspect(system: &System) -> String {
     text
 }
 
-/// One aligned equation a row, with the joint as its tag.
+/// One aligned equation a row, with the joint as its tag. Where the equations do not end in ` = 0`, a remark stands for the rows
+/// that are zero.
 fn rows(system: &System, symbol: &str, of: impl Fn(&Row) -> ExprId, end: &str) -> String {
+    let left_out = |row: &Row| end.is_empty() && of(row) == system.mechanism.graph.zero();
+    if system.rows.iter().all(left_out) {
+        return format!("\\[ {symbol} = 0 \\]\n");
+    }
+    let rest = if system.rows.iter().any(left_out) {
+        "All other rows are zero.\n"
+    } else {
+        ""
+    };
     let lines: Vec<String> = system
         .rows
         .iter()
         .enumerate()
+        .filter(|(_, row)| !left_out(row))
         .map(|(index, row)| {
             let formula = Printer::new(system, &row.bodies).expression(of(row));
             let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
@@ -41,7 +52,7 @@ fn rows(system: &System, symbol: &str, of: impl Fn(&Row) -> ExprId, end: &str) -
         })
         .collect();
     format!(
-        "\\begin{{align*}}\n{}\n\\end{{align*}}\n",
+        "\\begin{{align*}}\n{}\n\\end{{align*}}\n{rest}",
         lines.join(" \\\\\n")
     )
 }

@@ -10,6 +10,9 @@ use crate::system::{Output, Row, System};
 /// The widest matrix that is printed as one; wider ones are listed entry by entry.
 const WIDEST_MATRIX: usize = 110;
 
+/// The column that the list of coordinates is wrapped at.
+const WIDEST_LIST: usize = 100;
+
 /// Φ, Φ_q, Φ_t and γ of a system row by row, and the motion of its points.
 pub fn inspect(system: &System, notation: Notation) -> String {
     let page = Page { system, notation };
@@ -18,10 +21,10 @@ pub fn inspect(system: &System, notation: Notation) -> String {
         Notation::Unicode => ["Φ(q, t) = 0", "Φ_q", "Φ_t", "γ"],
     };
     let mut text = page.summary();
-    text.push_str(&page.rows(headings[0], |row| row.residual));
+    text.push_str(&page.rows(headings[0], |row| row.residual, true));
     text.push_str(&page.jacobian(headings[1]));
-    text.push_str(&page.rows(headings[2], |row| row.time_derivative));
-    text.push_str(&page.rows(headings[3], |row| row.gamma));
+    text.push_str(&page.rows(headings[2], |row| row.time_derivative, false));
+    text.push_str(&page.rows(headings[3], |row| row.gamma, false));
     text.push_str(&page.points());
     text
 }
@@ -55,21 +58,21 @@ impl Page<'_> {
             format!("{number} {}", if number == 1 { one } else { several })
         };
         format!(
-            "mechanism {}: {}, {}, {} of joints, {} of drivers, {}\n\nq = ({})\n",
+            "mechanism {}: {}, {}, {} of joints, {} of drivers, {}\n\n{}\n",
             mechanism.name,
             plural(mechanism.moving_bodies().len() as i64, "body", "bodies"),
             plural(coordinates as i64, "coordinate", "coordinates"),
             plural(constraints as i64, "equation", "equations"),
             plural(drivers as i64, "equation", "equations"),
             plural(freedom, "degree of freedom", "degrees of freedom"),
-            names.join(", "),
+            wrapped("q = (", &names, ")"),
         )
     }
 
-    /// Row number and joint, the joint only at its first row.
-    fn label(&self, index: usize) -> Vec<String> {
+    /// Row number and joint, the joint only at its first row that is shown: `previous` is the one shown before.
+    fn label(&self, index: usize, previous: Option<usize>) -> Vec<String> {
         let row = &self.system.rows[index];
-        let first = index == 0 || self.system.rows[index - 1].joint != row.joint;
+        let first = previous.is_none_or(|previous| self.system.rows[previous].joint != row.joint);
         let joint = if first {
             self.system.mechanism.joints[row.joint].label.as_str()
         } else {
@@ -78,25 +81,29 @@ impl Page<'_> {
         vec![format!("{}", index + 1), joint.to_string()]
     }
 
-    fn rows(&self, heading: &str, of: impl Fn(&Row) -> ExprId) -> String {
+    /// A line per row: of every row, or only of those that are not zero.
+    fn rows(&self, heading: &str, of: impl Fn(&Row) -> ExprId, every: bool) -> String {
         let zero = self.system.mechanism.graph.zero();
-        if self.system.rows.iter().all(|row| of(row) == zero) {
+        if !every && self.system.rows.iter().all(|row| of(row) == zero) {
             return format!("\n{heading} = 0\n");
         }
-        let lines: Vec<Vec<String>> = self
-            .system
-            .rows
-            .iter()
-            .enumerate()
-            .map(|(index, row)| {
-                let mut line = self.label(index);
-                line.push(
-                    Printer::new(self.system, &row.bodies, self.notation).expression(of(row)),
-                );
-                line
-            })
-            .collect();
-        format!("\n{heading}\n{}", aligned(&lines))
+        let mut lines: Vec<Vec<String>> = Vec::new();
+        let mut previous = None;
+        for (index, row) in self.system.rows.iter().enumerate() {
+            if !every && of(row) == zero {
+                continue;
+            }
+            let mut line = self.label(index, previous);
+            line.push(Printer::new(self.system, &row.bodies, self.notation).expression(of(row)));
+            lines.push(line);
+            previous = Some(index);
+        }
+        let remark = if lines.len() < self.system.rows.len() {
+            "  all other rows are zero\n"
+        } else {
+            ""
+        };
+        format!("\n{heading}\n{}{remark}", aligned(&lines))
     }
 
     fn jacobian(&self, heading: &str) -> String {
@@ -123,7 +130,7 @@ impl Page<'_> {
                 .collect(),
         );
         for (index, row) in entries.iter().enumerate() {
-            let mut line = self.label(index);
+            let mut line = self.label(index, index.checked_sub(1));
             line.resize(columns + 2, "0".to_string());
             for (coordinate, entry) in row {
                 line[coordinate + 2].clone_from(entry);
@@ -138,7 +145,7 @@ impl Page<'_> {
             .iter()
             .enumerate()
             .map(|(index, row)| {
-                let mut line = self.label(index);
+                let mut line = self.label(index, index.checked_sub(1));
                 let listed: Vec<String> = row
                     .iter()
                     .map(|(coordinate, entry)| format!("{}: {entry}", name(*coordinate)))
@@ -168,5 +175,37 @@ impl Page<'_> {
         let line = |output: &Output| vec![output.name.clone(), pair(output.position)];
         let positions: Vec<Vec<String>> = self.system.outputs.iter().map(line).collect();
         format!("\npoints\n{}", aligned(&positions))
+    }
+}
+
+/// Names between an opening and a closing, separated by commas, wrapped at [`WIDEST_LIST`] and indented under the first.
+fn wrapped(opening: &str, names: &[String], closing: &str) -> String {
+    let indent = " ".repeat(shown_width(opening));
+    let mut lines = vec![opening.to_string()];
+    for (index, name) in names.iter().enumerate() {
+        let end = if index + 1 == names.len() {
+            closing
+        } else {
+            ","
+        };
+        let width = lines.last().map_or(0, |line| shown_width(line));
+        if index > 0 && width + 1 + shown_width(name) + end.len() > WIDEST_LIST {
+            lines.push(indent.clone());
+        } else if index > 0 {
+            push(&mut lines, " ");
+        }
+        push(&mut lines, name);
+        push(&mut lines, end);
+    }
+    if names.is_empty() {
+        push(&mut lines, closing);
+    }
+    lines.join("\n")
+}
+
+/// Adds to the last of the lines.
+fn push(lines: &mut [String], text: &str) {
+    if let Some(line) = lines.last_mut() {
+        line.push_str(text);
     }
 }

@@ -94,27 +94,3 @@ fn a_wide_sum_and_a_wide_product_take_all_operands_at_once() {
     let all = graph.add(sum, others);
     assert_eq!(all, graph.integer(WIDTH as i64));
 }
-
-/// Not a check of a time: run it in release mode to see one.
-#[test]
-#[ignore = "prints a measurement"]
-fn measure_a_chain_of_ten_thousand_bodies() {
-    let start = std::time::Instant::now();
-    let mut graph = Graph::new();
-    let rows = chain(&mut graph, 10_000);
-    let built = start.elapsed();
-    let mut count = 0;
-    for &row in &rows {
-        for symbol in graph.symbols(row).to_vec() {
-            let first = graph.derivative(row, symbol);
-            for again in graph.symbols(first).to_vec() {
-                count += graph.derivative(first, again).index();
-            }
-        }
-    }
-    println!(
-        "built in {built:?}, with two derivatives {:?}, {} nodes ({count})",
-        start.elapsed(),
-        graph.node_count()
-    );
-}
