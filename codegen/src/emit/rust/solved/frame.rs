@@ -57,12 +57,17 @@ pub(in crate::emit::rust) fn branches(solved: &SolvedProgram) -> TokenStream {
             quote!(Branch::Negative)
         }
     });
-    quote! {
-        /// The assembly mode of every loop that is solved in closed form.
+    let structure = quote! {
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub struct Branches {
             #(#texts pub #names: Branch,)*
         }
+    };
+    let capitals = lints::capitals(&structure);
+    quote! {
+        /// The assembly mode of every loop that is solved in closed form.
+        #capitals
+        #structure
 
         #[allow(dead_code)]
         impl Branches {
