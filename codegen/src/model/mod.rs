@@ -6,6 +6,7 @@
 
 mod dimension;
 mod expression;
+mod joints;
 mod names;
 mod not_finite;
 mod operands;

@@ -4,7 +4,9 @@
 //! it. Afterwards every symbol is defined before it is used; what only one function needs is a local value there, and what
 //! several need is a field of the instant. Deliberately unknown here: the syntax of Rust.
 
+mod block;
 mod builder;
+mod evaluation;
 mod fields;
 mod liveness;
 mod lower;

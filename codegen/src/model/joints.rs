@@ -1,0 +1,136 @@
+//! Joint and drive statements → joints with their kinds, labels and operands.
+
+use super::expression::listed;
+use super::operands::Given;
+use super::resolve::Resolver;
+use super::synonyms::{self, meant};
+use super::{Joint, Role};
+use crate::diagnostic::{Code, Diagnostic, nearest};
+use crate::joint::{CONSTRAINTS, DRIVERS, Kind};
+use crate::syntax;
+
+impl Resolver<'_> {
+    pub(super) fn add_joint(&mut self, joint: &syntax::Joint) {
+        let keyword = joint.kind.text.as_str();
+        let Some(kind) = kind_named(keyword, CONSTRAINTS) else {
+            let keywords: Vec<&str> = CONSTRAINTS.iter().map(|kind| kind.keyword()).collect();
+            let diagnostic = Diagnostic::error(
+                Code::UnknownStatement,
+                joint.kind.span,
+                format!("no joint is named `{keyword}`"),
+            )
+            .label("not a statement of this language");
+            let words = keywords.iter().chain(&syntax::KEYWORDS).copied();
+            self.diagnostics.push(
+                match meant(keyword, synonyms::JOINTS, words, false) {
+                    Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
+                    None if matches!(keyword, "fixed" | "fix" | "weld" | "rigid") => diagnostic.help(
+                        "a body that does not move is the `ground`; points that move together stand in the braces of one body",
+                    ),
+                    None if kind_named(keyword, DRIVERS).is_some() => diagnostic.help(format!(
+                        "a driver begins with `drive`: `drive {keyword}(…) = …;`"
+                    )),
+                    None => diagnostic.help(format!("the joints are {}", listed(&keywords))),
+                },
+            );
+            return;
+        };
+        let given = Given {
+            kind,
+            role: Role::Constraint,
+            name: joint.name.as_ref(),
+            operands: &joint.operands,
+            along: joint.along.as_ref(),
+            value: joint.value.as_ref(),
+            span: joint.span,
+        };
+        self.add_rows_of(&given, &joint.docs);
+    }
+
+    pub(super) fn add_driver(&mut self, drive: &syntax::Drive) {
+        // Joints are named after their points, which may join several pairs of bodies; the name of a driver is its own.
+        let duplicate = drive
+            .name
+            .as_ref()
+            .and_then(|name| self.drivers.declare(name, ()));
+        self.diagnostics.extend(duplicate);
+        let quantity = drive.quantity.text.as_str();
+        let Some(kind) = kind_named(quantity, DRIVERS) else {
+            let quantities: Vec<&str> = DRIVERS.iter().map(|kind| kind.keyword()).collect();
+            let help = match nearest(quantity, quantities.iter().copied()) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => format!(
+                    "the quantities that can be driven are {}",
+                    listed(&quantities)
+                ),
+            };
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::UnknownStatement,
+                    drive.quantity.span,
+                    format!("`{quantity}` is not a quantity that can be driven"),
+                )
+                .help(help),
+            );
+            return;
+        };
+        let given = Given {
+            kind,
+            role: Role::Driver,
+            name: drive.name.as_ref(),
+            operands: &drive.operands,
+            along: None,
+            value: Some(&drive.value),
+            span: drive.span,
+        };
+        self.add_rows_of(&given, &drive.docs);
+    }
+
+    fn add_rows_of(&mut self, given: &Given<'_>, docs: &[String]) {
+        let Some(operands) = self.operands(given) else {
+            return;
+        };
+        let label = label(given);
+        let slug = self.unique_slug(given);
+        let joint = Joint {
+            kind: given.kind,
+            role: given.role,
+            label,
+            slug,
+            docs: docs.to_vec(),
+            operands,
+            span: given.span,
+        };
+        self.joints.push((joint, given.along.cloned()));
+    }
+}
+
+fn kind_named(keyword: &str, kinds: &[&'static dyn Kind]) -> Option<&'static dyn Kind> {
+    kinds.iter().copied().find(|kind| kind.keyword() == keyword)
+}
+
+/// A statement as messages name it: `revolute P(1, 2)`, `drive length(N, M)`.
+fn label(given: &Given<'_>) -> String {
+    let reference = |reference: &syntax::Reference| match &reference.body {
+        Some(body) => format!("{}.{}", body.text, reference.name.text),
+        None => reference.name.text.clone(),
+    };
+    let operands: Vec<String> = given.operands.iter().map(reference).collect();
+    let operands = operands.join(", ");
+    let keyword = given.kind.keyword();
+    let along = given.along.map(|along| {
+        format!(
+            " along {} -> {}",
+            reference(&along.from),
+            reference(&along.to)
+        )
+    });
+    let along = along.unwrap_or_default();
+    match (given.role, given.name.map(|name| name.text.as_str())) {
+        (Role::Driver, Some(name)) => format!("drive {name}: {keyword}({operands})"),
+        (Role::Driver, None) => format!("drive {keyword}({operands})"),
+        (Role::Constraint, Some(name)) => format!("{keyword} {name}({operands}){along}"),
+        (Role::Constraint, None) if given.operands.len() == 1 => format!("{keyword}({operands})"),
+        (Role::Constraint, None) => format!("{keyword} ({operands}){along}"),
+    }
+}

@@ -1,0 +1,148 @@
+//! What blocks evaluate → the functions of time and the constants in it, and what it costs.
+
+use std::collections::HashSet;
+
+use super::{Action, BlockProgram};
+use crate::expr::{ExprId, Node, SymbolId};
+use crate::program::constants::Constants;
+use crate::program::operations::is_function;
+use crate::program::{Addend, Operations, Straight, addends};
+use crate::system::{SymbolRole, System, WrittenOrder};
+
+/// Every expression that a block writes out.
+pub(super) fn evaluated(actions: &[Action], newton: Option<&super::NewtonBlock>) -> Vec<ExprId> {
+    let mut expressions: Vec<ExprId> = actions.iter().flat_map(Action::values).collect();
+    if let Some(newton) = newton {
+        expressions.extend(newton.geometry.iter().flat_map(Action::values));
+        expressions.extend(newton.expressions());
+    }
+    expressions
+}
+
+/// The operations of each level in all blocks.
+pub(super) fn operations(blocks: &[BlockProgram], system: &System) -> [Operations; 3] {
+    let mut levels = [Operations::default(); 3];
+    for block in blocks {
+        let mut level = 0;
+        let time = block
+            .time
+            .for_results(&evaluated(&block.actions, None), system);
+        // Functions of time serve all levels; they count with the first.
+        levels[0] += time.operations(&system.mechanism.graph);
+        for action in &block.actions {
+            if let Action::Section(section) = action {
+                level = *section as usize;
+            }
+            levels[level] += operations_of(action, system, &block.time);
+        }
+    }
+    levels
+}
+
+/// Sines and the like of t, which every use shares.
+pub(super) fn functions_of_time(
+    expressions: &[ExprId],
+    system: &System,
+    constants: &mut Constants,
+) -> Straight {
+    let graph = &system.mechanism.graph;
+    let only_time = |expr: ExprId| {
+        graph
+            .symbols(expr)
+            .iter()
+            .all(|symbol: &SymbolId| system.roles[symbol.index()] == SymbolRole::Time)
+    };
+    let mut found = Vec::new();
+    let mut seen = HashSet::new();
+    let mut stack: Vec<ExprId> = expressions.iter().rev().copied().collect();
+    while let Some(expr) = stack.pop() {
+        if graph.is_constant(expr) || !seen.insert(expr) {
+            continue;
+        }
+        if is_function(graph.node(expr)) && only_time(expr) {
+            found.push(expr);
+            continue;
+        }
+        match graph.node(expr) {
+            Node::Sum(terms) => stack.extend(terms.iter().rev().map(|term| term.expr)),
+            Node::Product(factors) => stack.extend(factors.iter().rev().map(|factor| factor.base)),
+            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => stack.push(*x),
+            Node::Atan2(y, x) => stack.extend([*x, *y]),
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
+        }
+    }
+    Straight::new(
+        found.into_iter().map(|expr| (expr, Vec::new())).collect(),
+        system,
+        constants,
+    )
+}
+
+/// Names the constants that these expressions are written with.
+pub(super) fn note_constants(
+    expressions: &[ExprId],
+    system: &System,
+    time: &Straight,
+    constants: &mut Constants,
+) {
+    visit(expressions, system, time, &mut |parts| {
+        for constant in parts.iter().filter_map(|part| part.constant.as_ref()) {
+            constants.add(constant, &system.mechanism.graph);
+        }
+    });
+}
+
+fn operations_of(action: &Action, system: &System, time: &Straight) -> Operations {
+    let mut operations = Operations::default();
+    let counted = match action {
+        // What a failure reports is computed only then.
+        Action::Reach { excess, scale, .. } => vec![*excess, *scale],
+        _ => action.values(),
+    };
+    visit(&counted, system, time, &mut |parts| {
+        operations += Operations::of_addends(parts)
+    });
+    match action {
+        Action::SineCosine { .. } => operations.sines += 2,
+        Action::Angle { .. } => operations.arctangents += 1,
+        _ => {}
+    }
+    operations
+}
+
+/// Calls `each` with the addends of every expression that is written out.
+fn visit(
+    expressions: &[ExprId],
+    system: &System,
+    time: &Straight,
+    each: &mut dyn FnMut(&[Addend]),
+) {
+    let graph = &system.mechanism.graph;
+    let order = WrittenOrder::new(system, &[]);
+    let mut stack = expressions.to_vec();
+    while let Some(expr) = stack.pop() {
+        if time.name_of(expr).is_some() || matches!(graph.node(expr), Node::Symbol(_)) {
+            continue;
+        }
+        match *graph.node(expr) {
+            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x)
+                if !graph.is_constant(expr) =>
+            {
+                stack.push(x)
+            }
+            Node::Atan2(y, x) if !graph.is_constant(expr) => stack.extend([y, x]),
+            _ => {
+                let parts = addends(expr, graph, &order, &|other| time.name_of(other).is_some());
+                each(&parts);
+                let operands = parts
+                    .iter()
+                    .flat_map(|part| part.factors.iter().chain(&part.divisors));
+                stack.extend(
+                    operands
+                        .map(|power| power.base)
+                        .filter(|&base| base != expr),
+                );
+            }
+        }
+    }
+}
