@@ -11,6 +11,7 @@ pub mod generated;
 pub mod magnitude;
 pub mod majorant;
 pub mod method;
+pub mod printed;
 pub mod random;
 pub mod reference;
 pub mod sample;

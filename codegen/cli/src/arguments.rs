@@ -18,6 +18,7 @@ Examples:
   linkwright solve mechanisms/excavator.mech
   linkwright solve mechanisms/two_body.mech --to 1 --step 0.1 --points Q
   linkwright inspect mechanisms/two_body.mech --format unicode
+  linkwright plan mechanisms/excavator.mech
   linkwright generate mechanisms/two_body.mech -o two_body.rs
 
 Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` found a difference), 2 bad input.";
@@ -31,6 +32,8 @@ pub enum Command {
     Generate(Generate),
     /// Show Φ, Φ_q, Φ_t and γ
     Inspect(Inspect),
+    /// Derive the solution block by block, in words and formulas
+    Plan(Plan),
 }
 
 /// Solves the motion of a mechanism without a compile step.
@@ -117,6 +120,35 @@ pub enum Format {
     Latex,
     /// The generated module
     Rust,
+}
+
+/// Derives the solution block by block, as a person would hand it in: which unknowns follow from which joints, by which
+/// formulas, and what has no closed form.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  linkwright plan mechanisms/two_body.mech
+  linkwright plan mechanisms/excavator.mech --format unicode
+  linkwright plan mechanisms/excavator.mech --format latex > excavator.tex
+
+Exit codes: 0 derived, 2 bad input, also where the equations do not determine the motion.")]
+pub struct Plan {
+    /// The description, a `.mech` file
+    pub file: PathBuf,
+    /// How words and formulas are written
+    #[arg(long, value_enum, default_value_t = Script::Text)]
+    pub format: Script,
+}
+
+/// How words and formulas are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Script {
+    /// As one types them: x1 + cos(phi1)
+    Text,
+    /// As one prints them: x₁ + cos φ₁
+    Unicode,
+    /// A LaTeX document
+    Latex,
 }
 
 fn finite(text: &str) -> Result<f64, String> {

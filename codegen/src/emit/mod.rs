@@ -3,6 +3,7 @@
 //! The three print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
 //! functions of time. Deliberately unknown here: files, and where an expression came from.
 
+pub mod derivation;
 pub mod latex;
 mod notation;
 mod parts;

@@ -2,7 +2,7 @@
 
 mod formula;
 mod inspect;
-mod table;
+pub(super) mod table;
 
 use formula::Printer;
 pub use inspect::inspect;
@@ -10,11 +10,16 @@ pub use inspect::inspect;
 use super::Notation;
 use crate::expr::ExprId;
 use crate::program::ConstantPart;
-use crate::system::System;
+use crate::system::{SymbolRole, System};
 
 /// One expression on one line, with the bodies mentioned in this order.
 pub fn formula(system: &System, bodies: &[usize], notation: Notation, expr: ExprId) -> String {
     Printer::new(system, bodies, notation).expression(expr)
+}
+
+/// An unknown, its rate or its acceleration.
+pub(crate) fn symbol(system: &System, notation: Notation, role: SymbolRole) -> String {
+    Printer::new(system, &[], notation).symbol(role)
 }
 
 /// A constant part of an expression on one line.

@@ -6,6 +6,7 @@
 pub mod description;
 pub mod generate;
 pub mod inspect;
+pub mod plan;
 pub mod solve;
 
 use std::io::{self, BufWriter, Write};
@@ -39,6 +40,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Solve(solve) => solve::run(&solve),
         Command::Generate(generate) => generate::run(&generate),
         Command::Inspect(inspect) => inspect::run(&inspect),
+        Command::Plan(plan) => plan::run(&plan),
     };
     match outcome {
         Ok(outcome) => ExitCode::from(outcome as u8),

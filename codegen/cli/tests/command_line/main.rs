@@ -2,4 +2,5 @@
 
 mod folder;
 mod generate_and_inspect;
+mod plan;
 mod solve;

@@ -125,7 +125,7 @@ impl<'a> Printer<'a> {
         match self.graph().node(expr) {
             Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
                 SymbolRole::Arm(_) | SymbolRole::Intermediate => {
-                    format!("\\mathit{{{}}}", escaped(self.system.local_name(*symbol)))
+                    local(self.system.local_name(*symbol))
                 }
                 role => self.symbol(role),
             },
@@ -167,11 +167,13 @@ impl<'a> Printer<'a> {
             SymbolRole::Intermediate | SymbolRole::Time => return "t".to_string(),
         };
         if coordinate >= self.system.coordinates.len() {
-            let name = format!(
-                "\\ell_{{\\mathrm{{{}}}}}",
-                escaped(self.system.unknown_name(coordinate))
-            );
-            return accent.map_or(name.clone(), |accent| format!("\\{accent}{{{name}}}"));
+            let name = self.system.unknown_name(coordinate);
+            let ends = name.strip_prefix("length_").unwrap_or(name);
+            let index = format!("_{{\\mathrm{{{}}}}}", ends.replace('_', "\\,"));
+            return match accent {
+                None => format!("\\ell{index}"),
+                Some(accent) => format!("\\{accent}{{\\ell}}{index}"),
+            };
         }
         let letter = ["x", "y", "\\varphi"][coordinate % 3];
         let body = &self.system.mechanism.bodies[self.system.coordinates[coordinate].body].name;
@@ -187,8 +189,19 @@ impl<'a> Printer<'a> {
     }
 }
 
+/// The name of an arm or of a value computed on the way; an axis at its end becomes an index.
+fn local(name: &str) -> String {
+    let axis = ["x", "y"]
+        .into_iter()
+        .find_map(|axis| Some((name.strip_suffix(axis)?.strip_suffix('_')?, axis)));
+    match axis {
+        Some((vector, axis)) => format!("\\mathit{{{}}}_{{{axis}}}", escaped(vector)),
+        None => format!("\\mathit{{{}}}", escaped(name)),
+    }
+}
+
 /// A name with the characters that LaTeX reads as commands escaped.
-pub(super) fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {
         if matches!(character, '_' | '#' | '$' | '%' | '&' | '{' | '}') {

@@ -1,7 +1,7 @@
 //! Cells → aligned columns.
 
 /// Lines of cells, each column as wide as its widest cell, two spaces between, no space at the end of a line.
-pub(super) fn aligned(lines: &[Vec<String>]) -> String {
+pub(crate) fn aligned(lines: &[Vec<String>]) -> String {
     let columns = lines.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
         lines
@@ -27,7 +27,7 @@ pub(super) fn aligned(lines: &[Vec<String>]) -> String {
 }
 
 /// How many columns of a terminal a text takes; combining dots take none.
-pub(super) fn shown_width(text: &str) -> usize {
+pub(crate) fn shown_width(text: &str) -> usize {
     text.chars()
         .filter(|character| !matches!(character, '\u{300}'..='\u{36f}'))
         .count()

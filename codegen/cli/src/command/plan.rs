@@ -1,0 +1,30 @@
+//! *A description → the derivation of its solution on stdout.*
+
+use linkwright_codegen::emit::{Notation, derivation};
+use linkwright_codegen::structure;
+
+use super::description::{determined, source};
+use super::{Outcome, Problem, print};
+use crate::arguments::{Plan, Script};
+
+/// Prints the derivation in the chosen format.
+///
+/// # Errors
+/// The description has errors, or its equations do not determine the motion.
+pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
+    let source = source(&arguments.file)?;
+    let mut system = determined(&source)?;
+    let Some(plan) = structure::plan(&mut system) else {
+        return Err(Problem(format!(
+            "error: the equations of `{}` determine the motion, but no order in which they can be solved one block after the other",
+            arguments.file.display()
+        )));
+    };
+    let text = match arguments.format {
+        Script::Text => derivation::text(&system, &plan, Notation::Ascii),
+        Script::Unicode => derivation::text(&system, &plan, Notation::Unicode),
+        Script::Latex => derivation::latex(&system, &plan),
+    };
+    print(|output| output.write_all(text.as_bytes()))?;
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,152 @@
+//! How words and formulas look: as typed text, or as LaTeX.
+
+use crate::emit::{Notation, latex, text};
+use crate::expr::ExprId;
+use crate::system::{SymbolRole, System};
+
+/// What a page is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Script {
+    /// Plain text.
+    Text(Notation),
+    /// Formulas for math mode, words escaped.
+    Latex,
+}
+
+impl Script {
+    /// Picks what fits the script.
+    pub(super) fn either<'a>(self, ascii: &'a str, unicode: &'a str, latex: &'a str) -> &'a str {
+        match self {
+            Script::Text(Notation::Ascii) => ascii,
+            Script::Text(Notation::Unicode) => unicode,
+            Script::Latex => latex,
+        }
+    }
+
+    /// An expression as a formula.
+    pub(super) fn expression(self, system: &System, expr: ExprId) -> String {
+        match self {
+            Script::Text(notation) => text::formula(system, &[], notation, expr),
+            Script::Latex => latex::formula(system, &[], expr),
+        }
+    }
+
+    /// An unknown, a rate or an acceleration as a formula.
+    pub(super) fn symbol(self, system: &System, role: SymbolRole) -> String {
+        match self {
+            Script::Text(notation) => text::symbol(system, notation, role),
+            Script::Latex => latex::symbol(system, role),
+        }
+    }
+
+    /// A formula between words.
+    pub(super) fn inline(self, formula: &str) -> String {
+        match self {
+            Script::Text(_) => formula.to_string(),
+            Script::Latex => format!("${formula}$"),
+        }
+    }
+
+    /// A name or a label as a word.
+    pub(super) fn word(self, name: &str) -> String {
+        match self {
+            Script::Text(_) => name.to_string(),
+            Script::Latex => latex::escaped(name).replace("->", "$\\to$"),
+        }
+    }
+
+    /// The vector from one point to another, or a vector with a name of its own.
+    pub(super) fn vector(self, name: &str) -> String {
+        match self {
+            Script::Text(_) => name.to_string(),
+            Script::Latex if name.chars().count() > 1 => {
+                format!("\\overrightarrow{{\\mathrm{{{}}}}}", latex::escaped(name))
+            }
+            Script::Latex => format!("\\mathbf{{{name}}}"),
+        }
+    }
+
+    /// A length, without bars.
+    pub(super) fn length(self, name: &str) -> String {
+        match self {
+            Script::Text(_) => format!("|{name}|"),
+            Script::Latex => format!("|{}|", self.vector(name)),
+        }
+    }
+
+    /// The square of a single symbol.
+    pub(super) fn square(self, symbol: &str) -> String {
+        format!("{symbol}{}", self.either("^2", "²", "^2"))
+    }
+
+    /// Two components as a column, or on a line.
+    pub(super) fn pair(self, x: &str, y: &str) -> String {
+        match self {
+            Script::Text(_) => format!("({x}, {y})"),
+            Script::Latex => {
+                format!("\\begin{{pmatrix}} {x} \\\\ {y} \\end{{pmatrix}}")
+            }
+        }
+    }
+
+    /// The rotation matrix of an angle.
+    pub(super) fn rotation(self, angle: &str) -> String {
+        match self {
+            Script::Text(_) => format!("R({angle})"),
+            Script::Latex => format!("\\mathbf{{R}}({angle})"),
+        }
+    }
+
+    /// The position vector of a body's origin.
+    pub(super) fn origin(self, body: &str) -> String {
+        let digits = body.chars().all(|character| character.is_ascii_digit());
+        match self {
+            Script::Text(Notation::Ascii) if digits => format!("r{body}"),
+            Script::Text(Notation::Unicode) if digits => {
+                let lowered = body.chars().filter_map(|digit| digit.to_digit(10));
+                let index = lowered.filter_map(|digit| char::from_u32('₀' as u32 + digit));
+                format!("r{}", index.collect::<String>())
+            }
+            Script::Text(_) => format!("r_{body}"),
+            Script::Latex => format!("\\mathbf{{r}}_{{\\mathrm{{{}}}}}", latex::escaped(body)),
+        }
+    }
+
+    /// A vector turned by a quarter turn counterclockwise.
+    pub(super) fn perpendicular(self, name: &str) -> String {
+        match self {
+            Script::Text(Notation::Ascii) => format!("perp({name})"),
+            Script::Text(Notation::Unicode) => format!("{name}⊥"),
+            Script::Latex => format!("{}^{{\\perp}}", self.vector(name)),
+        }
+    }
+
+    /// The scalar product of two vectors.
+    pub(super) fn dot(self, first: &str, second: &str) -> String {
+        let sign = self.either(".", "·", "\\cdot");
+        format!("{} {sign} {}", self.vector(first), self.vector(second))
+    }
+
+    /// The plane cross product of two vectors, a number.
+    pub(super) fn cross(self, first: &str, second: &str) -> String {
+        let sign = self.either("x", "×", "\\times");
+        format!("{} {sign} {}", self.vector(first), self.vector(second))
+    }
+
+    /// A factor before something that is no number.
+    pub(super) fn times(self) -> &'static str {
+        match self {
+            Script::Text(Notation::Ascii) => "*",
+            Script::Text(Notation::Unicode) => "·",
+            Script::Latex => "\\,",
+        }
+    }
+
+    /// The minus sign between two terms.
+    pub(super) fn minus(self) -> &'static str {
+        match self {
+            Script::Text(Notation::Unicode) => "−",
+            _ => "-",
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! *Formulas printed in ASCII and values of their names* → *their values*.
+//!
+//! Reads what `linkwright plan` and `linkwright inspect` print: sums, products, quotients, powers, functions, names with
+//! primes, lengths in bars. It shares no code with the printer.
+
+use std::collections::BTreeMap;
+
+/// Values by name; a function of a name, such as `cos(phi2)`, may be named too.
+pub type Values = BTreeMap<String, f64>;
+
+/// The value of a formula; `None` where it holds a name without a value or is no formula.
+pub fn value(formula: &str, values: &Values) -> Option<f64> {
+    let mut reader = Reader {
+        rest: formula,
+        values,
+    };
+    let value = reader.sum()?;
+    reader.rest.trim().is_empty().then_some(value)
+}
+
+struct Reader<'a> {
+    rest: &'a str,
+    values: &'a Values,
+}
+
+impl<'a> Reader<'a> {
+    fn take(&mut self, token: &str) -> bool {
+        match self.rest.trim_start().strip_prefix(token) {
+            Some(rest) => {
+                self.rest = rest;
+                true
+            }
+            None => false,
+        }
+    }
+
+    fn sum(&mut self) -> Option<f64> {
+        let negative = self.take("-");
+        let first = self.product()?;
+        let mut total = if negative { -first } else { first };
+        loop {
+            if self.take("+") {
+                total += self.product()?;
+            } else if self.take("-") {
+                total -= self.product()?;
+            } else {
+                return Some(total);
+            }
+        }
+    }
+
+    fn product(&mut self) -> Option<f64> {
+        let mut total = self.power()?;
+        loop {
+            if self.take("*") {
+                total *= self.power()?;
+            } else if self.take("/") {
+                total /= self.power()?;
+            } else {
+                return Some(total);
+            }
+        }
+    }
+
+    fn power(&mut self) -> Option<f64> {
+        let base = self.operand()?;
+        if self.take("^") {
+            return Some(base.powf(self.operand()?));
+        }
+        Some(base)
+    }
+
+    fn operand(&mut self) -> Option<f64> {
+        if self.take("(") {
+            let value = self.sum()?;
+            return self.take(")").then_some(value);
+        }
+        let text = self.rest.trim_start();
+        let is_name = |it: char| it.is_alphanumeric() || matches!(it, '_' | '\'' | '.' | '|');
+        let end = text.find(|it| !is_name(it)).unwrap_or(text.len());
+        let (name, rest) = text.split_at(end);
+        let called = rest.starts_with('(');
+        if called && let Some(close) = rest.find(')') {
+            // A named value of a function takes the place of the function.
+            let whole = format!("{name}{}", &rest[..=close]);
+            if let Some(&value) = self.values.get(&whole) {
+                self.rest = &rest[close + 1..];
+                return Some(value);
+            }
+        }
+        self.rest = rest;
+        if called {
+            return self.function(name);
+        }
+        match name {
+            "pi" => Some(std::f64::consts::PI),
+            _ => name.parse().ok().or_else(|| self.values.get(name).copied()),
+        }
+    }
+
+    fn function(&mut self, name: &str) -> Option<f64> {
+        self.take("(");
+        let first = self.sum()?;
+        let second = if self.take(",") {
+            Some(self.sum()?)
+        } else {
+            None
+        };
+        if !self.take(")") {
+            return None;
+        }
+        match (name, second) {
+            ("sin", None) => Some(first.sin()),
+            ("cos", None) => Some(first.cos()),
+            ("sqrt", None) => Some(first.sqrt()),
+            ("atan2", Some(second)) => Some(first.atan2(second)),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,339 @@
+//! The derivation as `linkwright plan` prints it: its words, and whether its formulas give the motion.
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::emit::{Notation, derivation};
+use linkwright_codegen::expr::Tape;
+use linkwright_codegen::structure::{self, SolvedPlan, Step};
+use linkwright_codegen::system::System;
+use linkwright_tests::printed::{Values, value};
+use linkwright_tests::reference::{REFERENCES, reference, yardsticks};
+use linkwright_tests::{description, files};
+
+fn planned(name: &str) -> (System, SolvedPlan) {
+    let mut system = description::system(name);
+    let plan = structure::plan(&mut system);
+    let plan = plan.unwrap_or_else(|| panic!("`{name}` has no plan"));
+    (system, plan)
+}
+
+fn page(name: &str) -> String {
+    let (system, plan) = planned(name);
+    derivation::text(&system, &plan, Notation::Ascii)
+}
+
+fn snapshot(name: &str, printed: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(files::package("snapshots/plans"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, printed));
+}
+
+#[test]
+fn every_mechanism_is_derived_as_in_its_snapshot() {
+    for name in description::names() {
+        snapshot(&name, &page(&name));
+    }
+}
+
+/// The other ways of writing, for the exam and for one page with vectors and a driven length.
+#[test]
+fn the_exam_and_the_excavator_are_typeset_as_in_their_snapshots() {
+    for name in ["two_body", "excavator"] {
+        let (system, plan) = planned(name);
+        let unicode = derivation::text(&system, &plan, Notation::Unicode);
+        snapshot(&format!("{name}.unicode"), &unicode);
+        snapshot(&format!("{name}.latex"), &derivation::latex(&system, &plan));
+    }
+}
+
+#[test]
+fn every_outline_is_as_in_the_snapshot() {
+    let outlines: Vec<String> = description::names()
+        .iter()
+        .map(|name| {
+            let (system, plan) = planned(name);
+            let outline = derivation::outline(&system, &plan, Notation::Ascii);
+            format!("{name}\n{outline}")
+        })
+        .collect();
+    snapshot("outlines", &outlines.join("\n"));
+}
+
+#[test]
+fn no_snapshot_is_orphaned() {
+    let names = description::names();
+    for path in files::with_extension(&files::package("snapshots/plans"), "snap") {
+        let stem = files::stem(&path);
+        let typeset = ["two_body", "excavator"]
+            .iter()
+            .any(|name| stem == format!("{name}.unicode") || stem == format!("{name}.latex"));
+        let printed = stem == "outlines" || names.iter().any(|name| name == stem);
+        assert!(typeset || printed, "{stem} is printed by no test");
+    }
+}
+
+/// The steps with the names of their unknowns, in solve order.
+fn steps(name: &str) -> Vec<(Vec<String>, String)> {
+    let (system, plan) = planned(name);
+    let named = |step: &Step| {
+        let unknowns = step.unknowns().into_iter();
+        unknowns
+            .map(|unknown| system.unknown_name(unknown).to_string())
+            .collect()
+    };
+    let steps = plan.blocks.iter().flat_map(|block| &block.steps);
+    steps.map(|step| (named(step), step.name())).collect()
+}
+
+/// With pins instead of centers of mass as origins the same angles are found in the same order by the same methods.
+#[test]
+fn the_frames_make_no_difference_to_the_steps() {
+    let dyads = [
+        ["phi_c3", "phi_c10"],
+        ["phi_c2", "phi_c8"],
+        ["phi_c4", "phi_c6"],
+        ["phi_c1", "phi_c5"],
+    ];
+    let wanted = dyads.map(|pair| {
+        (
+            pair.map(str::to_string).to_vec(),
+            "two rotations".to_string(),
+        )
+    });
+    assert_eq!(steps("excavator"), wanted);
+    assert_eq!(steps("excavator_pins"), wanted);
+}
+
+/// The headings name the pins as the description does.
+#[test]
+fn the_dyads_are_named_after_their_pins() {
+    for name in ["excavator", "excavator_pins"] {
+        let text = page(name);
+        for heading in [
+            "Block 2. phi_c3 and phi_c10 from the triangle L-H-G with |HG| known from the driver",
+            "Block 3. phi_c2 and phi_c8 from the triangle F-N-M with |NM| known from the driver",
+            "Block 4. phi_c4 and phi_c6 from the triangle I-E-D",
+            "Block 5. phi_c1 and phi_c5 from the triangle A-J-B",
+        ] {
+            assert!(
+                text.contains(&format!("\n{heading}\n")),
+                "{heading}\n{text}"
+            );
+        }
+    }
+}
+
+/// The exam's hand solution: the angle from the x row, then y2 from the y row.
+#[test]
+fn the_exam_is_derived_as_its_hand_solution() {
+    let text = page("two_body");
+    let lines: Vec<&str> = text
+        .lines()
+        .map(|line| line.split("  [").next().unwrap_or(line).trim())
+        .collect();
+    for line in [
+        "x2 = sqrt(3)",
+        "phi1 = pi/6 + sin(2*t)",
+        "x1 + cos(phi1) - x2 + sqrt(3)*cos(phi2) = 0",
+        "cos(phi2) = 1 - sqrt(3)*cos(phi1)/3",
+        "sin(phi2) = sqrt((1 - cos(phi2))*(cos(phi2) + 1))",
+        "y2 = sin(phi1) + sqrt(3)*sin(phi2)",
+    ] {
+        assert!(lines.contains(&line), "{line}\n{text}");
+    }
+}
+
+/// What a page says when it is read line by line: values by name, and those that were not printed but needed.
+struct Calculated {
+    values: Values,
+    /// The names with a formula on the page.
+    printed: Vec<String>,
+}
+
+/// Evaluates the displayed equations in order. `others` are values that the page uses without a formula of its own:
+/// the tears of Newton-Raphson, and accelerations that it leaves to the reader.
+fn calculated(text: &str, t: f64, others: &Values) -> Calculated {
+    let mut values = others.clone();
+    values.insert("t".to_string(), t);
+    let mut printed = Vec::new();
+    for line in text.lines().filter_map(|line| line.strip_prefix("    ")) {
+        let line = line.split("  [").next().unwrap_or(line).trim();
+        let Some((left, right)) = line.split_once(" = ") else {
+            continue;
+        };
+        if let Some((x, y)) = right
+            .strip_prefix('(')
+            .and_then(|it| it.strip_suffix(')'))
+            .and_then(|it| it.split_once(", "))
+        {
+            for (axis, part) in [("x", x), ("y", y)] {
+                if let Some(found) = value(part, &values) {
+                    values.insert(format!("{left}_{axis}"), found);
+                }
+            }
+            continue;
+        }
+        // Sums on the left, vectors and lengths that have no value say nothing that could be computed.
+        let Some(found) = value(right, &values) else {
+            continue;
+        };
+        match left.strip_suffix("^2") {
+            Some(name) => {
+                values.insert(name.to_string(), found.sqrt());
+            }
+            None => {
+                values.insert(left.to_string(), found);
+                printed.push(left.to_string());
+            }
+        }
+    }
+    Calculated { values, printed }
+}
+
+/// Every printed formula of every mechanism, evaluated as it is printed, against the high-precision references: coordinates,
+/// velocities and the accelerations that are printed.
+#[test]
+fn the_printed_formulas_give_the_motion() {
+    for (name, _) in REFERENCES {
+        let table = reference(name);
+        let scales = yardsticks(&table);
+        let system = description::system(name);
+        let text = page(name);
+        let names: Vec<String> = ["", "'", "''"]
+            .iter()
+            .flat_map(|dots| {
+                let coordinates = system.coordinates.iter();
+                coordinates.map(move |coordinate| format!("{}{dots}", coordinate.name))
+            })
+            .collect();
+        let tears: usize = steps(name)
+            .iter()
+            .filter(|(_, method)| method.starts_with("Newton"))
+            .map(|(unknowns, _)| unknowns.len())
+            .sum();
+        for row in table.rows.iter().step_by(7) {
+            let exact: Values = names
+                .iter()
+                .cloned()
+                .zip(row[1..].iter().copied())
+                .collect();
+            // What the page has a formula for must come from it, and before it is used.
+            let printed = calculated(&text, row[0], &exact).printed;
+            let mut others = exact.clone();
+            others.retain(|name, _| !printed.contains(name));
+            let found = calculated(&text, row[0], &others);
+            let compared = |level: std::ops::Range<usize>| {
+                names[level]
+                    .iter()
+                    .filter(|it| found.printed.contains(it))
+                    .count()
+            };
+            let size = system.coordinates.len();
+            assert_eq!(compared(0..size), size - tears, "{name} prints no formula");
+            for (column, quantity) in names.iter().enumerate() {
+                if !found.printed.contains(quantity) {
+                    continue;
+                }
+                let mut error = found.values[quantity] - exact[quantity];
+                if quantity.starts_with("phi") && !quantity.ends_with('\'') {
+                    // An angle is found up to whole turns.
+                    error = (error / std::f64::consts::TAU).fract();
+                    error = (error - error.round()) * std::f64::consts::TAU;
+                }
+                let allowed = 1e-12 * scales[column].max(1e-3);
+                assert!(
+                    error.abs() <= allowed,
+                    "{name}: {quantity} at t = {} is off by {error:e}",
+                    row[0]
+                );
+            }
+        }
+    }
+}
+
+/// Forms that no described mechanism has, each with its method: the printed formulas satisfy the textbook's equations and
+/// their first derivative. The residuals are judged against lengths of 1 to 4 m.
+#[test]
+fn the_other_forms_satisfy_the_textbook_equations() {
+    for (name, method) in [
+        ("two_lines", "two slides"),
+        ("turning_rail", "rotation and slide"),
+        ("inclined_slider", "one angle"),
+    ] {
+        let path = files::package("fixtures/plans").join(format!("{name}.mech"));
+        let text = std::fs::read_to_string(&path).expect("a fixture");
+        let source = Source::new(name.to_string(), text);
+        let mut system = linkwright_codegen::read(&source).expect("no errors").system;
+        let plan = structure::plan(&mut system).expect("a plan");
+        let steps = plan.blocks.iter().flat_map(|block| &block.steps);
+        let methods: Vec<String> = steps.map(Step::name).collect();
+        assert_eq!(methods, [method]);
+        let text = derivation::text(&system, &plan, Notation::Ascii);
+        for t in [0.0, 0.4, 1.1, 2.7] {
+            let found = calculated(&text, t, &Values::new()).values;
+            let graph = &system.mechanism.graph;
+            let mut symbols = vec![0.0; graph.symbol_count()];
+            symbols[system.mechanism.time.index()] = t;
+            for coordinate in &system.coordinates {
+                symbols[coordinate.position.index()] = found[&coordinate.name];
+            }
+            let rate =
+                |coordinate: usize| found[&format!("{}'", system.coordinates[coordinate].name)];
+            let evaluated = |expr| {
+                let mut result = [0.0];
+                Tape::new(graph, &[expr]).evaluate(&symbols, &mut Vec::new(), &mut result);
+                result[0]
+            };
+            for row in &system.rows {
+                let residual = evaluated(row.residual);
+                assert!(
+                    residual.abs() < 1e-14,
+                    "{name}: {} at {t}: {residual:e}",
+                    row.name
+                );
+                // A constant has no formula for its rate, which is zero.
+                let moving = row.jacobian.iter().filter(|entry| {
+                    let name = &system.coordinates[entry.coordinate].name;
+                    found.contains_key(&format!("{name}'"))
+                });
+                let moved: f64 = moving
+                    .map(|entry| evaluated(entry.value) * rate(entry.coordinate))
+                    .sum();
+                let drift = moved + evaluated(row.time_derivative);
+                assert!(
+                    drift.abs() < 1e-14,
+                    "{name}: the rate of {} at {t}: {drift:e}",
+                    row.name
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_wrong_formula_would_be_found() {
+    let none = Values::new();
+    let right = calculated("    x1 = 2*sin(t)  [driver]\n", 0.5, &none);
+    assert_eq!(right.values["x1"], 2.0 * 0.5_f64.sin());
+    assert_eq!(right.printed, ["x1"]);
+    let squared = calculated(
+        "    |AB|^2 = 3^2 + (1 + 3)^2\n    k = -|AB|/2\n",
+        0.0,
+        &none,
+    );
+    assert_eq!(squared.values["k"], -2.5);
+    let pair = calculated("    AB = (0.1, -0.7)\n    h = AB_x - AB_y\n", 0.0, &none);
+    assert_eq!(pair.values["h"], 0.1 + 0.7);
+    let chain = calculated(
+        "    cos(phi2) = 0.6\n    sin(phi2) = sqrt(1 - cos(phi2)^2)\n    phi2 = atan2(sin(phi2), cos(phi2))\n",
+        0.0,
+        &none,
+    );
+    assert!((chain.values["phi2"] - 0.8_f64.atan2(0.6)).abs() < 1e-15);
+    assert!(
+        calculated("    LG + GH = LH\n    x = y'\n", 0.0, &none)
+            .printed
+            .is_empty()
+    );
+}
