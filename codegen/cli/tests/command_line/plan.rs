@@ -10,7 +10,10 @@ fn every_format_derives_the_solution() {
             "text",
             ["no Newton-Raphson", "cos(phi2) = 1 - sqrt(3)*cos(phi1)/3"],
         ),
-        ("unicode", ["no Newton-Raphson", "cos φ₂ = 1 − √3·cos φ₁/3"]),
+        (
+            "unicode",
+            ["no Newton-Raphson", "cos φ₂ = 1 − √3·cos(φ₁)/3"],
+        ),
         ("latex", ["\\begin{document}", "\\cos \\varphi_{2} &= 1 - "]),
     ] {
         let ran = folder
