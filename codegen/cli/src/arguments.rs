@@ -42,8 +42,7 @@ pub enum Command {
 /// The mechanism is assembled from its drawing at the start and advanced step by step, so that it stays in the assembly mode
 /// in which it is drawn. All quantities are in m, rad and s.
 ///
-/// This is the textbook view: all equations are solved together as one dense system by Newton-Raphson, also those for
-/// which `linkwright plan` shows a closed form. Generated modules solve block by block.
+/// This is the textbook view, in which all equations are one dense system.
 #[derive(Args, Debug)]
 #[command(after_help = SOLVE_EXAMPLES)]
 pub struct Solve {
@@ -81,6 +80,9 @@ Examples:
   linkwright solve mechanisms/excavator.mech --at 2.5 --points K    one instant of one point
   linkwright solve mechanisms/two_body.mech --csv - > motion.csv
   linkwright solve mechanisms/two_body.mech --json | jq '.frames[-1].points.Q'
+
+This solves the textbook view: all equations together as one dense system, by Newton-Raphson, also those for which
+`linkwright plan` shows a closed form. Generated modules solve block by block.
 
 Exit codes: 0 solved, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.
 Frames before the end of a motion that ends early are printed and written all the same.";
@@ -122,15 +124,15 @@ pub enum Precision {
 }
 
 /// Shows the equations, also those of a mechanism whose motion they do not determine.
-///
-/// As text and in Unicode a last section says what the generated code solves: its blocks in their order, what no `output`
-/// needs, and how many operations each level takes.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
   linkwright inspect mechanisms/two_body.mech
   linkwright inspect mechanisms/excavator_tool.mech --format unicode
   linkwright inspect mechanisms/two_body.mech --format rust
+
+Equations are also shown of a mechanism whose motion they do not determine. As text and in Unicode a last section says what
+the generated code solves: its blocks in their order, what no `output` needs, and how many operations each level takes.
 
 Exit codes: 0 shown, 2 bad input, with `--format rust` also where the equations do not determine the motion.")]
 pub struct Inspect {
