@@ -1,11 +1,23 @@
 //! Derives the constraint equations of a planar mechanism and writes them as specialised Rust.
 //!
 //! `Source → Document → Mechanism → System → Plan → Program → Rust`: each arrow is one function of one module, and each module
-//! imports only those named before it. [`generate`] names all stages.
+//! imports only those named before it. [`generate_with`] names all stages.
+//!
+//! The generated code holds two views of a mechanism. Its type runs the *solved view*: the equations are ordered into the
+//! smallest blocks that can be solved one after another ([`structure::SolvedPlan`]), and each block becomes one function, in
+//! closed form where it has one (one angle, two rotations, a rotation and a slide, two slides, linear) and by Newton-Raphson
+//! otherwise. What no `output` of the description needs is left out; [`report`] says what is left. The *textbook view* is
+//! Φ, Φ_q, Φ_t and γ as functions, to be solved as one dense system; it is left out above
+//! [`program::LARGEST_TEXTBOOK`] coordinates.
 //!
 //! In a build script, [`build`] does everything:
 //! ```no_run
 //! linkwright_codegen::build("descriptions");
+//! ```
+//! and [`build_with`] does it in single precision:
+//! ```no_run
+//! use linkwright_codegen::{Options, Scalar};
+//! linkwright_codegen::build_with("descriptions", &Options { scalar: Scalar::F32 });
 //! ```
 
 mod cargo;

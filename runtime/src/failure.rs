@@ -14,7 +14,7 @@ pub struct Failure<T = f64> {
     pub kind: FailureKind<T>,
     /// The time at which the equations were to be solved, in the unit of the equations (s).
     pub time: T,
-    /// The block of equations that failed; 0 for the dense textbook block.
+    /// The block of equations that failed, in solve order; 0 for the first one, and for the textbook view as a whole.
     pub block: u16,
     /// How many Newton-Raphson steps had been taken.
     pub iterations: u16,

@@ -1,12 +1,18 @@
 //! Equations of a planar mechanism → its pose, velocity and acceleration at a time.
 //!
-//! This is the runtime that generated mechanisms call: Newton-Raphson, linear solves and the typed ways in which they
-//! fail. It needs neither `std` nor an allocator, contains no unsafe code, and no panic path survives in an optimized
+//! This is the runtime that generated mechanisms call: sines, cosines and angles, Newton-Raphson, linear solves and the
+//! typed ways in which a solve fails. It needs neither `std` nor an allocator, contains no unsafe code, and no panic path survives in an optimized
 //! build. An `Ok` never holds NaN or an unconverged pose, and the work of a call is bounded.
 //!
 //! The crate does not know bodies, joints or names: those are compiled away, or interpreted, on the other side of
 //! [`Equations`]. Most users never implement that trait; they write a description, and
 //! [`include_mechanism!`] brings in what `linkwright_codegen::build` made of it.
+//!
+//! A generated mechanism is solved block by block. Where a block has a closed form, the generated code calls
+//! [`closed_form`] and [`angle`]: a [`Branch`] says in which of two ways the block is assembled, and links that do not meet
+//! are [`FailureKind::OutOfReach`]. The other blocks implement [`Equations`] and are solved by [`advance`], and so is the
+//! textbook view, all equations as one dense system, through the type `Textbook` of the generated module. The scalar is f64
+//! or f32.
 //!
 //! # By hand
 //!

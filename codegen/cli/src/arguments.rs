@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-/// Reads descriptions of planar mechanisms: solves them, shows their equations, writes them as Rust.
+/// Reads descriptions of planar mechanisms: solves them, shows their equations, derives their
+/// solution, writes them as Rust.
 #[derive(Parser, Debug)]
 #[command(name = "linkwright", version, after_help = EXAMPLES)]
 pub struct Arguments {
@@ -28,9 +29,9 @@ Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` foun
 pub enum Command {
     /// Solve the motion: print it, write CSV and plots
     Solve(Solve),
-    /// Write the equations as a Rust module
+    /// Write the mechanism as a Rust module
     Generate(Generate),
-    /// Show Φ, Φ_q, Φ_t and γ
+    /// Show Φ, Φ_q, Φ_t and γ, and what the generated code solves
     Inspect(Inspect),
     /// Derive the solution block by block, in words and formulas
     Plan(Plan),
@@ -40,6 +41,8 @@ pub enum Command {
 ///
 /// The mechanism is assembled from its drawing at the start and advanced step by step, so that it stays in the assembly mode
 /// in which it is drawn. All quantities are in m, rad and s.
+///
+/// This is the textbook view, in which all equations are one dense system.
 #[derive(Args, Debug)]
 #[command(after_help = SOLVE_EXAMPLES)]
 pub struct Solve {
@@ -78,16 +81,25 @@ Examples:
   linkwright solve mechanisms/two_body.mech --csv - > motion.csv
   linkwright solve mechanisms/two_body.mech --json | jq '.frames[-1].points.Q'
 
+This solves the textbook view: all equations together as one dense system, by Newton-Raphson, also those for which
+`linkwright plan` shows a closed form. Generated modules solve block by block.
+
 Exit codes: 0 solved, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.
 Frames before the end of a motion that ends early are printed and written all the same.";
 
-/// Writes the equations as a Rust module that needs only the crate `linkwright`.
+/// Writes the mechanism as a Rust module that needs only the crate `linkwright`.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
   linkwright generate mechanisms/two_body.mech                       the module on stdout
   linkwright generate mechanisms/two_body.mech -o src/two_body.rs    written only if it changes
-  linkwright generate mechanisms/two_body.mech -o src/two_body.rs --check")]
+  linkwright generate mechanisms/two_body.mech -o src/two_body.rs --check
+  linkwright generate mechanisms/two_body.mech --scalar f32          in single precision
+
+The module holds two views of the mechanism: the solved view, which its type runs, with one function for each block of
+equations, and the textbook view, Φ, Φ_q, Φ_t and γ as functions. Above 150 coordinates the textbook view is left out.
+
+Exit codes: 0 written or unchanged, 1 `--check` found a difference, 2 bad input.")]
 pub struct Generate {
     /// The description, a `.mech` file
     pub file: PathBuf,
@@ -97,10 +109,32 @@ pub struct Generate {
     /// Write nothing; exit with 1 if FILE is not what would be written
     #[arg(long, requires = "output")]
     pub check: bool,
+    /// The numbers that the module computes with
+    #[arg(long, value_enum, default_value_t = Precision::F64)]
+    pub scalar: Precision,
+}
+
+/// The numbers that generated code computes with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Precision {
+    /// Double precision
+    F64,
+    /// Single precision, for processors without hardware for more
+    F32,
 }
 
 /// Shows the equations, also those of a mechanism whose motion they do not determine.
 #[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  linkwright inspect mechanisms/two_body.mech
+  linkwright inspect mechanisms/excavator_tool.mech --format unicode
+  linkwright inspect mechanisms/two_body.mech --format rust
+
+Equations are also shown of a mechanism whose motion they do not determine. As text and in Unicode a last section says what
+the generated code solves: its blocks in their order, what no `output` needs, and how many operations each level takes.
+
+Exit codes: 0 shown, 2 bad input, with `--format rust` also where the equations do not determine the motion.")]
 pub struct Inspect {
     /// The description, a `.mech` file
     pub file: PathBuf,

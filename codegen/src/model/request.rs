@@ -3,7 +3,7 @@
 use super::resolve::Resolver;
 use super::{Point, Request, Requested};
 use crate::diagnostic::{Code, Diagnostic, nearest};
-use crate::syntax::{LEVELS, Output, OutputItem, Reference};
+use crate::syntax::{LEVELS, Name, Output, OutputItem, Reference};
 
 /// The coordinates of a body as `output` names them.
 const AXES: [&str; 3] = ["x", "y", "phi"];
@@ -31,9 +31,8 @@ impl Resolver<'_> {
                                 },
                             ],
                         ) => self
-                            .body(name)
-                            .filter(|body| body.0 > 0)
-                            .map(|body| Requested::Coordinate { body: body.0, axis }),
+                            .moving_body(name)
+                            .map(|body| Requested::Coordinate { body, axis }),
                         _ => {
                             self.diagnostics.push(
                                 Diagnostic::error(
@@ -51,6 +50,19 @@ impl Resolver<'_> {
             requests.extend(quantity.map(|quantity| Request { quantity, level }));
         }
         requests
+    }
+
+    /// The number of a body that has coordinates.
+    fn moving_body(&mut self, name: &Name) -> Option<usize> {
+        let body = self.body(name)?;
+        if body.0 == 0 {
+            self.diagnostics.push(
+                Diagnostic::error(Code::WrongForm, name.span, "the ground has no coordinates")
+                    .help("name a body that moves, as in `phi(1)`"),
+            );
+            return None;
+        }
+        Some(body.0)
     }
 
     /// A point by its name, or by the body that carries it.

@@ -2,10 +2,12 @@
 
 use std::fs;
 
+use linkwright_codegen::{Options, Scalar};
+
 use super::description::source;
 use super::inspect::module;
 use super::{Outcome, Problem, print, say};
-use crate::arguments::Generate;
+use crate::arguments::{Generate, Precision};
 use crate::file::replace;
 
 /// Writes the module, or compares it with the file that should hold it.
@@ -16,7 +18,7 @@ use crate::file::replace;
 /// The description has errors, or the file cannot be written.
 pub fn run(arguments: &Generate) -> Result<Outcome, Problem> {
     let source = source(&arguments.file)?;
-    let code = module(&source)?;
+    let code = module(&source, &options(arguments))?;
     let Some(path) = &arguments.output else {
         print(|output| output.write_all(code.as_bytes()))?;
         return Ok(Outcome::Done);
@@ -26,11 +28,15 @@ pub fn run(arguments: &Generate) -> Result<Outcome, Problem> {
         (_, true) => Ok(Outcome::Done),
         (true, false) => {
             say(&format!(
-                "error: `{}` is not what `{}` generates\n  = help: run `linkwright generate {} -o {}`",
+                "error: `{}` is not what `{}` generates\n  = help: run `linkwright generate {} -o {}{}`",
                 path.display(),
                 arguments.file.display(),
                 arguments.file.display(),
-                path.display()
+                path.display(),
+                match arguments.scalar {
+                    Precision::F64 => "",
+                    Precision::F32 => " --scalar f32",
+                }
             ));
             Ok(Outcome::Failed)
         }
@@ -38,5 +44,15 @@ pub fn run(arguments: &Generate) -> Result<Outcome, Problem> {
             replace(path, |output| output.write_all(code.as_bytes()))?;
             Ok(Outcome::Done)
         }
+    }
+}
+
+/// What the command line chooses about the code.
+fn options(arguments: &Generate) -> Options {
+    Options {
+        scalar: match arguments.scalar {
+            Precision::F64 => Scalar::F64,
+            Precision::F32 => Scalar::F32,
+        },
     }
 }

@@ -1,23 +1,25 @@
-//! *A description → its equations on stdout.*
+//! *A description → its equations and the blocks that generated code solves, on stdout.*
 
+use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::emit::{self, Notation};
+use linkwright_codegen::system::System;
 
 use super::description::{rendered, source, system, warn};
 use super::{Outcome, Problem, print};
 use crate::arguments::{Format, Inspect};
 
-/// Prints Φ, Φ_q, Φ_t and γ in the chosen format.
+/// Prints Φ, Φ_q, Φ_t and γ in the chosen format, as text also what generated code solves.
 ///
 /// # Errors
 /// The description has errors; for Rust also where its equations do not determine the motion.
 pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
     let source = source(&arguments.file)?;
     let text = match arguments.format {
-        Format::Text => emit::text::inspect(&system(&source)?, Notation::Ascii),
-        Format::Unicode => emit::text::inspect(&system(&source)?, Notation::Unicode),
+        Format::Text => equations(&system(&source)?, Notation::Ascii),
+        Format::Unicode => equations(&system(&source)?, Notation::Unicode),
         Format::Latex => emit::latex::inspect(&system(&source)?),
-        Format::Rust => module(&source)?,
+        Format::Rust => module(&source, &Options::default())?,
     };
     print(|output| {
         output.write_all(text.as_bytes())?;
@@ -29,12 +31,28 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
     Ok(Outcome::Done)
 }
 
+/// The equations and, where they determine the motion, what the solved view computes and leaves out.
+fn equations(system: &System, notation: Notation) -> String {
+    let mut text = emit::text::inspect(system, notation);
+    if let Some(report) = linkwright_codegen::report(system) {
+        if !text.ends_with('\n') {
+            text.push('\n');
+        }
+        text.push_str("\nwhat the generated code solves\n");
+        for line in emit::report::lines(&report) {
+            text.push_str(&format!("  {line}\n"));
+        }
+    }
+    text
+}
+
 /// The generated module; warnings go to stderr.
 ///
 /// # Errors
 /// All errors of the description.
-pub fn module(source: &Source) -> Result<String, Problem> {
-    let generated = linkwright_codegen::generate(source).map_err(|it| rendered(&it, source))?;
+pub fn module(source: &Source, options: &Options) -> Result<String, Problem> {
+    let generated =
+        linkwright_codegen::generate_with(source, options).map_err(|it| rendered(&it, source))?;
     warn(&generated.warnings, source);
     Ok(generated.code)
 }

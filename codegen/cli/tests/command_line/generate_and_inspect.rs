@@ -95,3 +95,58 @@ fn every_format_shows_the_equations() {
             .stdout
     );
 }
+
+#[test]
+fn single_precision_is_generated_on_request() {
+    let folder = Folder::new("scalar", EXAM);
+    let double = folder.run("generate a.mech").exits_with(0).stdout;
+    let same = folder.run("generate a.mech --scalar f64").exits_with(0);
+    assert_eq!(same.stdout, double);
+    assert!(!double.contains("f32"), "{double}");
+    let single = folder.run("generate a.mech --scalar f32").exits_with(0);
+    assert!(single.stdout.contains("t: f32"), "{}", single.stdout);
+    assert!(!single.stdout.contains("f64"), "{}", single.stdout);
+    folder.run("generate a.mech --scalar f16").exits_with(2);
+    // A check compares with the module of the same scalar, and says how to write it.
+    folder
+        .run("generate a.mech --scalar f32 -o a.rs")
+        .exits_with(0);
+    folder
+        .run("generate a.mech --scalar f32 -o a.rs --check")
+        .exits_with(0);
+    folder.run("generate a.mech -o a.rs --check").exits_with(1);
+    folder.run("generate a.mech -o a.rs").exits_with(0);
+    let ran = folder
+        .run("generate a.mech --scalar f32 -o a.rs --check")
+        .exits_with(1);
+    assert!(
+        ran.stderr
+            .contains("run `linkwright generate a.mech -o a.rs --scalar f32`"),
+        "{}",
+        ran.stderr
+    );
+}
+
+#[test]
+fn inspect_ends_with_what_the_generated_code_solves() {
+    const HEADING: &str = "\nwhat the generated code solves\n";
+    let folder = Folder::new("solved", EXAM.replace("drive", "output Q;\n    drive"));
+    for format in ["text", "unicode"] {
+        let ran = folder
+            .run(&format!("inspect a.mech --format {format}"))
+            .exits_with(0);
+        let (equations, solved) = ran.stdout.split_once(HEADING).expect("the heading");
+        assert!(!equations.contains("Blocks in solve order"), "{equations}");
+        for text in ["  Blocks in solve order: ", "  Position: ", "  All in all "] {
+            assert!(solved.contains(text), "{text} in {solved}");
+        }
+    }
+    let ran = folder.run("inspect a.mech --format latex").exits_with(0);
+    assert!(!ran.stdout.contains("Blocks in solve order"));
+    // Without the driver nothing is solved, and the equations are shown all the same.
+    let driver = "drive phi(1) = pi/6 + sin(2*t);";
+    let folder = Folder::new("undriven", EXAM.replace(driver, ""));
+    let ran = folder.run("inspect a.mech").exits_with(0);
+    assert!(ran.stdout.contains("revolute P(1, 2)"), "{}", ran.stdout);
+    assert!(!ran.stdout.contains(HEADING), "{}", ran.stdout);
+}

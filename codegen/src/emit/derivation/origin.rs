@@ -7,9 +7,23 @@ impl Writer<'_> {
     /// The row of the vector form whose residual this is, up to the sign.
     pub(super) fn row_of(&mut self, residual: ExprId) -> Option<usize> {
         let minus = self.graph().negate(residual);
-        let rows = &self.system.vector_form.rows;
-        rows.iter()
-            .position(|row| row.residual == residual || row.residual == minus)
+        (0..self.system.vector_form.rows.len()).find(|&row| {
+            let written = self.row_with_constants(row, None);
+            written == residual || written == minus
+        })
+    }
+
+    /// A row with the unknowns put in that are known to be constant, but for `unknown`.
+    fn row_with_constants(&mut self, row: usize, unknown: Option<usize>) -> ExprId {
+        let kept = unknown.map(|unknown| self.system.vector_form.unknowns[unknown].position);
+        let known: Vec<_> = self
+            .constants
+            .iter()
+            .copied()
+            .filter(|(symbol, _)| Some(*symbol) != kept)
+            .collect();
+        let residual = self.system.vector_form.rows[row].residual;
+        self.graph().substitute(residual, &known)
     }
 
     /// The row among these joints that says `unknown = value`.
@@ -21,17 +35,17 @@ impl Writer<'_> {
     ) -> Option<usize> {
         let variable = self.variable(unknown);
         let symbol = self.system.vector_form.unknowns[unknown].position;
-        let graph = &self.system.mechanism.graph;
-        let candidates: Vec<(usize, ExprId)> = self
-            .system
-            .vector_form
-            .rows
-            .iter()
-            .enumerate()
-            .filter(|(_, row)| {
-                joints.contains(&row.joint) && graph.depends_on(row.residual, symbol)
+        let rows = 0..self.system.vector_form.rows.len();
+        let mentioning: Vec<usize> = rows
+            .filter(|&row| {
+                let row = &self.system.vector_form.rows[row];
+                joints.contains(&row.joint)
+                    && self.system.mechanism.graph.depends_on(row.residual, symbol)
             })
-            .map(|(index, row)| (index, row.residual))
+            .collect();
+        let candidates: Vec<(usize, ExprId)> = mentioning
+            .into_iter()
+            .map(|row| (row, self.row_with_constants(row, Some(unknown))))
             .collect();
         let graph = self.graph();
         let difference = graph.subtract(variable, value);

@@ -16,7 +16,7 @@ pub(super) struct Writer<'a> {
     /// The block that finds each unknown, from 0; `None` while it is not found yet.
     pub found_in: Vec<Option<usize>>,
     /// Unknowns that are constant, with their values.
-    constants: Vec<(SymbolId, ExprId)>,
+    pub(super) constants: Vec<(SymbolId, ExprId)>,
     items: Vec<Item>,
 }
 

@@ -42,7 +42,18 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     let system = &*system;
     let mut report = Report::default();
     let mut all = blocks.clone();
-    prune(&mut all, &|symbol| is_coordinate(symbol, system), system);
+    // What the points take is counted on both sides.
+    all.extend(wanted.iter().map(|(_, last)| last.clone()));
+    let asked_for: HashSet<SymbolId> = wanted
+        .iter()
+        .flat_map(|(outputs, _)| outputs)
+        .flat_map(Output::fields)
+        .collect();
+    prune(
+        &mut all,
+        &|symbol| is_coordinate(symbol, system) || asked_for.contains(&symbol),
+        system,
+    );
     report.all_operations = operations(&all, system);
     let (outputs, asked) = match wanted {
         None => {
@@ -61,7 +72,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
                 constants,
             );
             blocks.push(last);
-            let asked: HashSet<SymbolId> = outputs.iter().flat_map(Output::fields).collect();
+            let asked = asked_for;
             prune(&mut blocks, &|symbol| asked.contains(&symbol), system);
             (Some(outputs), asked)
         }
@@ -69,7 +80,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     let is_empty = |block: &BlockProgram| block.actions.is_empty();
     report.left_out = blocks
         .iter()
-        .filter(|block| is_empty(block))
+        .filter(|block| is_empty(block) && !block.joints.is_empty())
         .map(|block| block.name.clone())
         .collect();
     blocks.retain(|block| !is_empty(block));

@@ -2,7 +2,7 @@
 
 use super::{Action, BlockProgram, Level};
 use crate::expr::{ExprId, SymbolId};
-use crate::model::Requested;
+use crate::model::{Request, Requested};
 use crate::program::Straight;
 use crate::program::constants::Constants;
 use crate::system::System;
@@ -46,7 +46,7 @@ pub(super) fn outputs(
     }
     let mut sections: [Vec<Action>; 3] = [const { Vec::new() }; 3];
     let mut found: Vec<Output> = Vec::new();
-    for request in system.mechanism.requests.clone() {
+    for request in highest_levels(&system.mechanism.requests) {
         let output = match request.quantity {
             Requested::Coordinate { body, axis } => {
                 let unknown = &system.vector_form.unknowns[3 * (body - 1) + axis];
@@ -77,9 +77,7 @@ pub(super) fn outputs(
                 Output::Point { name, fields }
             }
         };
-        if !found.contains(&output) {
-            found.push(output);
-        }
+        found.push(output);
     }
     let levels = [Level::Position, Level::Velocity, Level::Acceleration];
     let mut actions = Vec::new();
@@ -99,4 +97,19 @@ pub(super) fn outputs(
         reads_branch: false,
     };
     Some((found, block))
+}
+
+/// Each quantity once, up to the highest level that is asked for, in order of the first mention.
+fn highest_levels(requests: &[Request]) -> Vec<Request> {
+    let mut highest: Vec<Request> = Vec::new();
+    for request in requests {
+        match highest
+            .iter_mut()
+            .find(|other| other.quantity == request.quantity)
+        {
+            Some(other) => other.level = other.level.max(request.level),
+            None => highest.push(request.clone()),
+        }
+    }
+    highest
 }
