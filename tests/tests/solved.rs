@@ -8,6 +8,10 @@ use linkwright_mechanisms::{
 };
 use linkwright_tests::single;
 
+mod asked {
+    linkwright::include_mechanism!(asked);
+}
+
 mod folding {
     linkwright::include_mechanism!(folding);
 }
@@ -126,6 +130,34 @@ fn what_is_asked_for_is_the_same_as_of_the_whole() {
                     "t = {t}: {expected:?} {found:?}"
                 );
             }
+        }
+    }
+}
+
+#[test]
+fn single_quantities_are_those_of_the_whole_up_to_their_level() {
+    let mut whole = two_body::TwoBody::assemble(0.0).expect("the drawing assembles");
+    let mut single = asked::Asked::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=500 {
+        let t = f64::from(step) / 100.0;
+        let expected = *whole.advance(t).expect("the motion can be followed");
+        let found = single.advance(t).expect("the motion can be followed");
+        let pairs = [
+            (expected.point_p().position[0], found.point_p_position()[0]),
+            (expected.point_p().position[1], found.point_p_position()[1]),
+            (expected.point_q().position[0], found.point_q_position()[0]),
+            (expected.point_q().velocity[1], found.point_q_velocity()[1]),
+            (expected.q.phi2, found.phi2()),
+            (expected.qd.phi2, found.phi2_rate()),
+            (expected.q.y2, found.y2()),
+            (expected.qd.y2, found.y2_rate()),
+            (expected.qdd.y2, found.y2_acceleration()),
+        ];
+        for (expected, found) in pairs {
+            assert!(
+                (expected - found).abs() <= 1e-14 * expected.abs().max(1.0),
+                "{expected} {found} at {t}"
+            );
         }
     }
 }
