@@ -4,7 +4,7 @@
 //! sliding joint has its displacement ℓ as an unknown. Afterwards an unknown has a constant coefficient wherever a person
 //! would eliminate it by inspection. Time derivatives follow from the rule that an arm turns with its body: d(R s)/dt = φ̇ Ω R s.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::orientation::{Orientations, as_symbol};
 use super::{Coordinate, SymbolRole};
@@ -30,6 +30,8 @@ pub struct VectorForm {
     rates: HashMap<SymbolId, ExprId>,
     // Looked up, never iterated.
     arm_places: HashMap<(usize, Vector), usize>,
+    // The names of unknowns and arms; only looked up.
+    taken_names: HashSet<String>,
 }
 
 /// What is solved for.
@@ -82,6 +84,10 @@ impl VectorForm {
             points: Vec::new(),
             rates: HashMap::new(),
             arm_places: HashMap::new(),
+            taken_names: coordinates
+                .iter()
+                .map(|coordinate| coordinate.name.clone())
+                .collect(),
         };
         let Mechanism {
             graph,
@@ -169,13 +175,11 @@ impl VectorForm {
                 .map(|symbol| graph.variable(symbol));
         }
         let taken = |name: &str| {
-            self.arms.iter().any(|arm| arm.name == name)
-                || ["x", "y"].iter().any(|axis| {
-                    let component = format!("{name}_{axis}");
-                    self.unknowns
-                        .iter()
-                        .any(|unknown| unknown.name == component)
-                })
+            let names = &self.taken_names;
+            names.contains(name)
+                || ["x", "y"]
+                    .iter()
+                    .any(|axis| names.contains(&format!("{name}_{axis}")))
         };
         // The symbols are told apart by these names, so no two arms may share one.
         let base = apart(name, "point");
@@ -191,6 +195,7 @@ impl VectorForm {
         let backward = graph.multiply(turning, y);
         self.rates.insert(symbols[0], graph.negate(backward));
         self.rates.insert(symbols[1], graph.multiply(turning, x));
+        self.taken_names.insert(name.clone());
         self.arm_places.insert((leader, local), self.arms.len());
         self.arms.push(Arm {
             leader,
@@ -225,12 +230,12 @@ impl VectorForm {
             [Some(from), Some(to)] => format!("length_{from}_{to}"),
             _ => format!("length_{}", joint.slug),
         };
-        let taken = self.unknowns.iter().any(|unknown| unknown.name == name);
-        let name = if taken {
+        let name = if self.taken_names.contains(&name) {
             format!("{name}_{}", self.unknowns.len())
         } else {
             name
         };
+        self.taken_names.insert(name.clone());
         let [rate, acceleration] = ["'", "''"].map(|dots| graph.symbol(&format!("{name}{dots}")));
         let [i, j] = [0, 1].map(|side| {
             let mark = &joint.operands.marks[side];

@@ -1,6 +1,6 @@
 //! Every block of the plan → its function.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use super::block::lower_block;
 use super::evaluation::{evaluated, note_constants, operations};
@@ -123,13 +123,18 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         .collect();
     branches.retain(|branch| used.contains(&branch.symbol));
     let fields = fields(&blocks, &asked, outputs.is_none(), system);
+    let field_set = fields.iter().copied().collect();
+    let branch_places: HashMap<SymbolId, usize> = branches
+        .iter()
+        .enumerate()
+        .map(|(place, branch)| (branch.symbol, place))
+        .collect();
     for block in &mut blocks {
-        let reads_branch = evaluated(&block.actions, None).into_iter().any(|expr| {
-            branches
-                .iter()
-                .any(|branch| system.mechanism.graph.depends_on(expr, branch.symbol))
-        });
-        block.reads_branch = reads_branch;
+        let read = evaluated(&block.actions, None);
+        let mut symbols = read
+            .into_iter()
+            .flat_map(|expr| system.mechanism.graph.symbols(expr));
+        block.reads_branch = symbols.any(|symbol| branch_places.contains_key(symbol));
     }
     SolvedProgram {
         blocks,
@@ -137,6 +142,8 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         branches,
         outputs,
         report,
+        field_set,
+        branch_places,
     }
 }
 

@@ -19,6 +19,8 @@ mod two_rotations;
 pub use lower::lower;
 pub use outputs::Output;
 
+use std::collections::{HashMap, HashSet};
+
 use super::{Operations, Straight};
 use crate::expr::{ExprId, SymbolId};
 use crate::system::System;
@@ -36,6 +38,23 @@ pub struct SolvedProgram {
     pub outputs: Option<Vec<Output>>,
     /// What was kept and left out.
     pub report: Report,
+    // The same fields and branches by symbol; only looked up.
+    field_set: HashSet<SymbolId>,
+    branch_places: HashMap<SymbolId, usize>,
+}
+
+impl SolvedProgram {
+    /// Whether a value that is no coordinate is kept in the frame.
+    pub fn is_field(&self, symbol: SymbolId) -> bool {
+        self.field_set.contains(&symbol)
+    }
+
+    /// The assembly mode whose sign a symbol stands for.
+    pub fn branch_of(&self, symbol: SymbolId) -> Option<&Branch> {
+        self.branch_places
+            .get(&symbol)
+            .map(|&place| &self.branches[place])
+    }
 }
 
 /// What the solved view computes.

@@ -26,7 +26,7 @@ impl BlockNames<'_> {
         if self.local.contains(&symbol) {
             return false;
         }
-        self.coordinate(symbol).is_some() || self.solved.fields.contains(&symbol)
+        self.coordinate(symbol).is_some() || self.solved.is_field(symbol)
     }
 
     /// `q`, `qd` or `qdd` and the coordinate, where the frame holds all of them.
@@ -82,12 +82,7 @@ impl Names for BlockNames<'_> {
     }
 
     fn symbol(&self, symbol: SymbolId) -> TokenStream {
-        if let Some(branch) = self
-            .solved
-            .branches
-            .iter()
-            .find(|branch| branch.symbol == symbol)
-        {
+        if let Some(branch) = self.solved.branch_of(symbol) {
             let name = identifier(&branch.name);
             return quote!(branches.#name.sign::<f64>());
         }
