@@ -120,6 +120,12 @@ pub(in crate::emit::rust) fn blocks(
     } else {
         quote!(#[inline])
     };
+    // Most mechanisms have no capital letter in any name, and then no token needs to be looked at.
+    let has_capitals = system
+        .mechanism
+        .bodies
+        .iter()
+        .any(|body| body.name.contains(char::is_uppercase));
     let functions = solved.blocks.iter().enumerate().map(|(index, block)| {
         let needs = Needs::of(block, system);
         let names = BlockNames { system, solved, time: &block.time, local: HashSet::new() };
@@ -134,7 +140,8 @@ pub(in crate::emit::rust) fn blocks(
         } else {
             quote!(#inline fn #name(#parameters) { #(#time)* #(#actions)* })
         };
-        let (capitals, approximate) = (lints::capitals(&body), lints::approximate(&body));
+        let capitals = if has_capitals { lints::capitals(&body) } else { TokenStream::new() };
+        let approximate = lints::approximate(&body);
         quote!(#title #capitals #approximate #body)
     });
     quote!(#(#functions)*)
