@@ -58,8 +58,12 @@ export! {
 #[unsafe(no_mangle)]
 pub extern "C" fn excavator_tool(start: f64, end: f64, point: &mut Motion) -> bool {
     use linkwright_mechanisms::excavator_tool::ExcavatorTool;
-    let Ok(mut mechanism) = ExcavatorTool::assemble(start) else { return false };
-    let Ok(frame) = mechanism.advance(end) else { return false };
+    let Ok(mut mechanism) = ExcavatorTool::assemble(start) else {
+        return false;
+    };
+    let Ok(frame) = mechanism.advance(end) else {
+        return false;
+    };
     *point = frame.point_k();
     true
 }

@@ -37,7 +37,7 @@ pub(super) fn coordinates(system: &System) -> TokenStream {
     let field_docs = system
         .coordinates
         .iter()
-        .map(|coordinate| docs([field_text(coordinate, system)]));
+        .map(|coordinate| docs(field_text(coordinate, system)));
     let names = system
         .coordinates
         .iter()
@@ -96,13 +96,18 @@ pub(super) fn coordinates(system: &System) -> TokenStream {
     }
 }
 
-fn field_text(coordinate: &Coordinate, system: &System) -> String {
+/// What a coordinate is; the first of a body also carries what the description says of the body.
+fn field_text(coordinate: &Coordinate, system: &System) -> Vec<String> {
     let body = &system.mechanism.bodies[coordinate.body];
     let name = &body.name;
     match coordinate.position.index() % 3 {
-        0 => format!("x of body {name}."),
-        1 => format!("y of body {name}."),
-        _ => format!("Angle of body {name}."),
+        0 if body.docs.is_empty() => vec![format!("x of body {name}.")],
+        0 => [format!("x of body {name}."), String::new()]
+            .into_iter()
+            .chain(body.docs.iter().cloned())
+            .collect(),
+        1 => vec![format!("y of body {name}.")],
+        _ => vec![format!("Angle of body {name}.")],
     }
 }
 

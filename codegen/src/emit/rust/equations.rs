@@ -70,10 +70,19 @@ fn row_list(system: &System, of: &dyn Fn(&Row) -> ExprId) -> Vec<String> {
         .filter(|(_, row)| of(row) != zero)
         .map(|(index, row)| {
             let formula = text::formula(system, &row.bodies, Notation::Ascii, of(row));
-            format!(
-                "- {index}, {}: `{formula}`",
-                system.mechanism.joints[row.joint].label
-            )
+            let joint = &system.mechanism.joints[row.joint];
+            let first = index == 0 || system.rows[index - 1].joint != row.joint;
+            let remark = if first {
+                joint.docs.join(" ")
+            } else {
+                String::new()
+            };
+            let line = format!("- {index}, {}: `{formula}`", joint.label);
+            if remark.trim().is_empty() {
+                line
+            } else {
+                format!("{line}. {}", remark.trim())
+            }
         })
         .collect()
 }
