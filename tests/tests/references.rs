@@ -21,8 +21,14 @@ fn all_coordinates_rates_and_accelerations_agree_with_the_references() {
                 solver.kind(),
                 worst.relative()
             );
+            // Generated code runs the solved view, which is held to more.
+            let limit = if solver.kind() == "generated" {
+                1e-13
+            } else {
+                1e-12
+            };
             assert!(
-                worst.relative() <= 1e-12,
+                worst.relative() <= limit,
                 "{name}, {}: {worst:?}",
                 solver.kind()
             );

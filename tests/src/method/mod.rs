@@ -13,13 +13,25 @@ use linkwright_codegen::structure::{self, Step};
 
 use crate::description;
 
-/// The settings under which iterations are measured: label, tolerance, polish.
-const SETTINGS: [(&str, f64, bool); 4] = [
-    ("1e-6", 1e-6, false),
-    ("1e-9", 1e-9, false),
-    ("1e-12", 1e-12, false),
-    ("1e-12, polished", 1e-12, true),
-];
+/// A setting under which iterations are measured: label, tolerance, polish.
+type Setting = (&'static str, f64, bool);
+
+/// The settings that make sense in a scalar: no residual can be smaller than its rounding.
+fn settings(scalar: &str) -> &'static [Setting] {
+    match scalar {
+        "f32" => &[
+            ("1e-4", 1e-4, false),
+            ("1e-5", 1e-5, false),
+            ("1e-5, polished", 1e-5, true),
+        ],
+        _ => &[
+            ("1e-6", 1e-6, false),
+            ("1e-9", 1e-9, false),
+            ("1e-12", 1e-12, false),
+            ("1e-12, polished", 1e-12, true),
+        ],
+    }
+}
 
 /// q, q̇ and q̈ at a time.
 pub type Levels = [Vec<f64>; 3];
@@ -73,7 +85,11 @@ macro_rules! generated {
     ($($module:ident: $mechanism:ident),+ $(,)?) => {
         $(mod $module {
             pub(super) mod textbook {
-                $crate::method::textbook::textbook!($module);
+                $crate::method::textbook::textbook!([linkwright_mechanisms::$module], f64, "f64");
+            }
+
+            pub(super) mod single_textbook {
+                $crate::method::textbook::textbook!([$crate::single::$module], f32, "f32");
             }
 
             pub(super) mod solved {
@@ -91,6 +107,7 @@ macro_rules! generated {
                 $(stringify!($module) => {
                     let mut methods: Vec<Box<dyn Method>> = Vec::new();
                     methods.extend($module::textbook::methods());
+                    methods.extend($module::single_textbook::methods());
                     methods.extend($module::solved::methods(iterates(mechanism)));
                     methods.extend($module::single::methods(iterates(mechanism)));
                     // Further kinds: `methods.extend($module::<kind>::methods());`

@@ -9,7 +9,7 @@ macro_rules! solved {
         use linkwright::Settings;
         use $($source)*::{Coordinates, $mechanism};
 
-        use $crate::method::{Levels, Method, SETTINGS};
+        use $crate::method::{Levels, Method, settings};
 
         struct Solved {
             settings: Settings<$scalar>,
@@ -27,11 +27,7 @@ macro_rules! solved {
                 })];
             }
             let mut methods: Vec<Box<dyn Method>> = Vec::new();
-            for (setting, tolerance, polish) in SETTINGS {
-                // No residual of this scalar can be smaller than its rounding.
-                if tolerance < 10.0 * f64::from(<$scalar>::EPSILON) {
-                    continue;
-                }
+            for &(setting, tolerance, polish) in settings($name) {
                 methods.push(Box::new(Solved {
                     settings: Settings {
                         tolerance: tolerance as $scalar,

@@ -1,21 +1,22 @@
 //! The generated textbook view as methods: dense Newton-Raphson at several tolerances, polished or not, with the predictor or
 //! from the last pose.
 
-/// Implements [`super::Method`] for the textbook view of a module, and lists its methods.
+/// Implements [`super::Method`] for the textbook view of a module, given by its path in brackets, and lists its methods. The
+/// other arguments are the scalar of the module and how it is called.
 macro_rules! textbook {
-    ($module:ident) => {
+    ([$($source:tt)*], $scalar:ty, $name:literal) => {
         use std::hint::black_box;
 
         use linkwright::nalgebra::{Const, SVector};
         use linkwright::{Frame, Settings};
-        use linkwright_mechanisms::$module::{Coordinates, Textbook};
+        use $($source)*::{Coordinates, Textbook};
 
-        use $crate::method::{Levels, Method, SETTINGS};
+        use $crate::method::{Levels, Method, settings};
 
-        type State = Frame<f64, Const<{ Coordinates::COUNT }>>;
+        type State = Frame<$scalar, Const<{ Coordinates::COUNT }>>;
 
         struct Newton {
-            settings: Settings,
+            settings: Settings<$scalar>,
             setting: &'static str,
             predicts: bool,
         }
@@ -24,9 +25,9 @@ macro_rules! textbook {
         pub(in $crate::method) fn methods() -> Vec<Box<dyn Method>> {
             let mut methods: Vec<Box<dyn Method>> = Vec::new();
             for predicts in [false, true] {
-                for (setting, tolerance, polish) in SETTINGS {
+                for &(setting, tolerance, polish) in settings($name) {
                     let settings = Settings {
-                        tolerance,
+                        tolerance: tolerance as $scalar,
                         polish,
                         ..Settings::default()
                     };
@@ -42,12 +43,14 @@ macro_rules! textbook {
 
         impl Newton {
             fn assembled(&self, t: f64) -> State {
+                let t = t as $scalar;
                 let drawn = SVector::from(Coordinates::DRAWN.to_array());
                 linkwright::assemble(&Textbook, &drawn, t, &self.settings)
                     .unwrap_or_else(|failure| panic!("{failure}"))
             }
 
             fn advance(&self, state: &mut State, t: f64) {
+                let t = t as $scalar;
                 let next = if self.predicts {
                     linkwright::advance(&Textbook, state, t, &self.settings)
                 } else {
@@ -71,7 +74,7 @@ macro_rules! textbook {
             }
 
             fn scalar(&self) -> &'static str {
-                "f64"
+                $name
             }
 
             fn sweep(&mut self, times: &[f64]) {
@@ -92,7 +95,7 @@ macro_rules! textbook {
                     }
                     if indices.contains(&index) {
                         let levels = [&state.q, &state.qd, &state.qdd];
-                        records.push(levels.map(|level| level.as_slice().to_vec()));
+                        records.push(levels.map(|level| level.iter().map(|&value| f64::from(value)).collect()));
                     }
                 }
                 records
