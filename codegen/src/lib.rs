@@ -126,9 +126,9 @@ pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Di
         mut system,
         warnings,
     } = read(source)?;
-    let plan = check(&system)?;
+    check(&system)?;
     let solved = structure::plan(&mut system);
-    let program = program::lower(&mut system, plan, solved.as_ref());
+    let program = program::lower(&mut system, solved.as_ref());
     let code = emit::rust::module(&system, &program, options.scalar);
     Ok(Generated {
         name: system.mechanism.name.clone(),

@@ -44,9 +44,7 @@ impl Frame {
     /// R(φ) v: the vector `v` of this frame in global components.
     pub fn rotate(&self, v: Vector, graph: &mut Graph) -> Vector {
         let (sine, cosine) = (graph.sin(self.angle), graph.cos(self.angle));
-        let [c0, s1] = [graph.multiply(cosine, v[0]), graph.multiply(sine, v[1])];
-        let [s0, c1] = [graph.multiply(sine, v[0]), graph.multiply(cosine, v[1])];
-        [graph.subtract(c0, s1), graph.add(s0, c1)]
+        turned(cosine, sine, v, graph)
     }
 
     /// Rᵀ(φ) v: the global vector `v` in the components of this frame.
@@ -70,6 +68,13 @@ impl Mark {
     pub fn position(&self, graph: &mut Graph) -> Vector {
         add(self.frame.origin, self.arm, graph)
     }
+}
+
+/// `v` turned by the angle with this cosine and sine.
+pub fn turned(cosine: ExprId, sine: ExprId, v: Vector, graph: &mut Graph) -> Vector {
+    let [c0, s1] = [graph.multiply(cosine, v[0]), graph.multiply(sine, v[1])];
+    let [s0, c1] = [graph.multiply(sine, v[0]), graph.multiply(cosine, v[1])];
+    [graph.subtract(c0, s1), graph.add(s0, c1)]
 }
 
 /// a + b.

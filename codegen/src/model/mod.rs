@@ -150,11 +150,6 @@ pub enum Requested {
 }
 
 impl Mechanism {
-    /// How many coordinates the moving bodies have: three each.
-    pub fn coordinate_count(&self) -> usize {
-        3 * (self.bodies.len() - 1)
-    }
-
     /// The moving bodies, in written order.
     pub fn moving_bodies(&self) -> &[Body] {
         &self.bodies[1..]

@@ -4,20 +4,25 @@ use super::constants::Constants;
 use super::statements::Straight;
 use super::{LARGEST_TEXTBOOK, Program, Textbook, solved};
 use crate::expr::ExprId;
-use crate::structure::{Plan, SolvedPlan};
+use crate::structure::SolvedPlan;
 use crate::system::{Row, System};
 
 /// Straight-line code for Φ, Φ_q, Φ_t, γ and the motion of every point.
-pub fn lower(system: &mut System, plan: Plan, solved_plan: Option<&SolvedPlan>) -> Program {
+pub fn lower(system: &mut System, solved_plan: Option<&SolvedPlan>) -> Program {
     let mut constants = Constants::default();
     let solved = solved_plan.map(|plan| solved::lower(system, plan, &mut constants));
     let system = &*system;
     // Without a solved view the dense system is all there is, whatever its size.
     let is_small = system.coordinates.len() <= LARGEST_TEXTBOOK;
     let textbook = (is_small || solved.is_none()).then(|| textbook(system, &mut constants));
+    // The points of a mechanism with outputs are among its blocks.
+    let whole = solved
+        .as_ref()
+        .is_none_or(|solved| solved.outputs.is_none());
     let points = system
         .outputs
         .iter()
+        .filter(|_| whole)
         .map(|output| {
             let components = [output.position, output.velocity, output.acceleration].concat();
             let results = components
@@ -28,7 +33,6 @@ pub fn lower(system: &mut System, plan: Plan, solved_plan: Option<&SolvedPlan>) 
         })
         .collect();
     Program {
-        plan,
         solved,
         constants,
         textbook,

@@ -18,20 +18,16 @@ pub use lower::lower;
 pub use operations::{LARGEST_PRODUCT, Operations};
 pub use statements::{Inputs, Statement, Straight};
 
-use crate::structure::Plan;
-
 /// What is emitted for a mechanism.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// In which blocks the unknowns are solved in the textbook view.
-    pub plan: Plan,
     /// The solved view.
     pub solved: Option<solved::SolvedProgram>,
     /// The constants of all functions that are no short decimals, each once.
     pub constants: Constants,
     /// The functions of the textbook view; left out of mechanisms whose dense matrices fit no stack.
     pub textbook: Option<Textbook>,
-    /// The motion of each point: position, velocity, acceleration, x and y each.
+    /// The motion of each point: position, velocity, acceleration, x and y each. Empty where single outputs are asked for.
     pub points: Vec<Straight>,
 }
 

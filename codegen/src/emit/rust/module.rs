@@ -83,13 +83,7 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
             &own.gamma,
         ]
     });
-    // The points of a mechanism with outputs are among its blocks.
-    let whole = program
-        .solved
-        .as_ref()
-        .is_none_or(|solved| solved.outputs.is_none());
-    let points = program.points.iter().filter(|_| whole);
-    let calls_math = functions.chain(points).any(|straight| {
+    let calls_math = functions.chain(&program.points).any(|straight| {
         let operations = &straight.operations;
         operations.sines
             + operations.arctangents

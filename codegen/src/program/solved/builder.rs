@@ -2,7 +2,7 @@
 
 use super::{Action, Branch, Level};
 use crate::expr::{ExprId, Graph, Node, Number, Rational, SymbolId, Tape};
-use crate::joint::geometry::{Vector, dot};
+use crate::joint::geometry::{Vector, dot, turned};
 use crate::system::System;
 
 /// The actions of one block in the making.
@@ -145,11 +145,7 @@ impl Builder<'_> {
 
     /// R(φ) v.
     pub(super) fn turn(&mut self, direction: Direction, v: Vector) -> Vector {
-        let graph = self.graph();
-        let Direction { cosine, sine } = direction;
-        let [cx, sy] = [graph.multiply(cosine, v[0]), graph.multiply(sine, v[1])];
-        let [sx, cy] = [graph.multiply(sine, v[0]), graph.multiply(cosine, v[1])];
-        [graph.subtract(cx, sy), graph.add(sx, cy)]
+        turned(direction.cosine, direction.sine, v, self.graph())
     }
 
     /// Sine and cosine of an angle that is known explicitly, where an arm turns with it.
@@ -266,6 +262,10 @@ impl Builder<'_> {
 
     /// The value of an expression of unknowns and arms in the drawing.
     pub(super) fn drawn_value(&self, expr: ExprId) -> f64 {
+        // Most are constant, and need no table of all symbols.
+        if let Some(value) = self.system.mechanism.graph.constant_value(expr) {
+            return value;
+        }
         let mut symbols = self.drawn.to_vec();
         symbols.resize(self.system.mechanism.graph.symbol_count(), 0.0);
         let (mut workspace, mut result) = (Vec::new(), [0.0]);
@@ -286,19 +286,12 @@ impl Builder<'_> {
     }
 
     /// A new assembly mode, positive or negative as in the drawing.
-    pub(super) fn branch(&mut self, name: &str, meaning: String, drawn: (f64, f64)) -> ExprId {
+    pub(super) fn branch(&mut self, name: &str, meaning: String, drawn: f64) -> ExprId {
         let symbol = self.system.intermediate("branch");
-        let (value, scale) = drawn;
-        let certainty = if scale > 0.0 {
-            (value / scale).abs()
-        } else {
-            0.0
-        };
         self.branches.push(Branch {
             name: name.to_string(),
             symbol,
-            positive: value >= 0.0,
-            certainty,
+            positive: drawn >= 0.0,
             meaning,
         });
         self.graph().variable(symbol)

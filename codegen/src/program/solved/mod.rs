@@ -204,8 +204,6 @@ pub struct Branch {
     pub symbol: SymbolId,
     /// Whether it is positive in the drawing.
     pub positive: bool,
-    /// How far the drawing is from the change of sign: the sine of the angle between the links, or the like.
-    pub certainty: f64,
     /// What its sign tells apart.
     pub meaning: String,
 }

@@ -58,7 +58,7 @@ impl Builder<'_> {
             let [c, s] = [c, s].map(|part| self.drawn_local(part));
             let symbol = self.system.vector_form.unknowns[unknown].position;
             let (sine, cosine) = self.drawn[symbol.index()].sin_cos();
-            (c * sine - s * cosine, c.hypot(s))
+            c * sine - s * cosine
         };
         let branch = self.branch(&name, format!("which of two values {name} takes"), drawn);
         let root = self.graph().sqrt(excess);

@@ -97,10 +97,7 @@ impl Builder<'_> {
         let drawn = {
             let w = self.drawn_turn(angle, p);
             let line = d.map(|component| self.drawn_local(component));
-            (
-                w[0] * line[0] + w[1] * line[1],
-                w[0].hypot(w[1]) * line[0].hypot(line[1]),
-            )
+            w[0] * line[0] + w[1] * line[1]
         };
         let branch = self.branch(
             &name,
@@ -175,8 +172,7 @@ impl Builder<'_> {
         let drawn = {
             let position = self.system.vector_form.unknowns[slide].position;
             let length = self.drawn[position.index()];
-            let k = self.drawn_value(a) + length;
-            (k, k.hypot(self.drawn_value(b)))
+            self.drawn_value(a) + length
         };
         let meaning = "whether the point lies ahead on the line or behind its foot".to_string();
         let branch = self.branch(&name, meaning, drawn);

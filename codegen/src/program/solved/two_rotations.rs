@@ -57,8 +57,7 @@ impl Builder<'_> {
         let drawn = {
             let w = self.drawn_turn(angles[0], p);
             let b = minus.map(|component| self.drawn_value(component));
-            let size = |v: [f64; 2]| v[0].hypot(v[1]);
-            (w[0] * b[1] - w[1] * b[0], size(w) * size(b))
+            w[0] * b[1] - w[1] * b[0]
         };
         let branch = self.branch(&format!("{}_{}", names[0], names[1]), meaning, drawn);
         let root = self.graph().sqrt(excess);
