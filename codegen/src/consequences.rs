@@ -48,6 +48,7 @@ fn unread_text<'a>(document: &Document, source: &'a Source, syntax: &Diagnostics
             Statement::Joint(statement) => statement.span,
             Statement::Drive(statement) => statement.span,
             Statement::Output(statement) => statement.span,
+            Statement::Transmission(statement) => statement.span,
         };
         texts.extend(text_of(
             Span {

@@ -15,6 +15,7 @@ mod request;
 mod resolve;
 mod slug;
 mod synonyms;
+mod transmission;
 
 pub use dimension::Dimension;
 pub use resolve::resolve;
@@ -47,6 +48,8 @@ pub struct Mechanism {
     pub points: Vec<Point>,
     /// What the generated code is asked for; empty means everything.
     pub requests: Vec<Request>,
+    /// What the drivers move and how fast: the quantities of `transmission` statements, each once.
+    pub transmissions: Vec<Requested>,
     /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }
@@ -135,7 +138,7 @@ pub struct Request {
     pub level: usize,
 }
 
-/// What an `output` statement can name.
+/// What an `output` or a `transmission` statement can name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Requested {
     /// The motion of a point: an index into the mechanism's points.

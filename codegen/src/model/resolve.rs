@@ -114,7 +114,7 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
             // Points are known once all bodies are.
-            syntax::Statement::Output(_) => {}
+            syntax::Statement::Output(_) | syntax::Statement::Transmission(_) => {}
         }
     }
     if resolver.bodies.len() == 1 && !resolver.diagnostics.has_errors() {
@@ -138,6 +138,7 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
     let requests = statements
         .flat_map(|output| resolver.requests(output, &points))
         .collect();
+    let transmissions = resolver.transmissions(&item.statements, &points);
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
     Mechanism {
@@ -154,6 +155,7 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
             .collect(),
         points,
         requests,
+        transmissions,
         characteristic_length,
     }
 }

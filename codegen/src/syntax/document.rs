@@ -51,6 +51,8 @@ pub enum Statement {
     Drive(Drive),
     /// `output K, phi(1);`
     Output(Output),
+    /// `transmission K, phi(1);`
+    Transmission(Transmission),
 }
 
 /// `const NAME = EXPRESSION;`
@@ -277,6 +279,17 @@ pub struct Output {
     /// Up to which level, if not all: one of [`LEVELS`](super::LEVELS).
     pub level: Option<Name>,
     /// What is wanted; at least one.
+    pub items: Vec<OutputItem>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `transmission K, phi(1);`: what the drivers move, and how fast.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Transmission {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// What is moved; at least one.
     pub items: Vec<OutputItem>,
     /// The whole statement with its semicolon.
     pub span: Span,

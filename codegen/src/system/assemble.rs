@@ -1,5 +1,6 @@
 //! The rows of every joint, and their derivatives.
 
+use super::direction::directions;
 use super::row_name::RowNames;
 use super::{Coordinate, Entry, Output, Row, SymbolRole, System, VectorForm};
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -59,6 +60,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             }
         })
         .collect();
+    let directions = directions(&mut mechanism, &rows);
     let vector_form = VectorForm::new(&mut mechanism, &coordinates);
     let mut roles = roles(&mechanism, &coordinates);
     vector_form.note_roles(&mut roles, coordinates.len());
@@ -67,6 +69,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         coordinates,
         rows,
         outputs,
+        directions,
         vector_form,
         roles,
     }

@@ -2,16 +2,19 @@
 //!
 //! The textbook view: Φ(q, t) in absolute coordinates, rows in written order, with Φ_q, Φ_t and γ by differentiation alone.
 //! Afterwards the Jacobian lists exactly the entries that are not identically zero, row by row, and every point has its
-//! position, velocity and acceleration as expressions of q, q̇, q̈. Deliberately unknown here: joint kinds, and how the
+//! position, velocity and acceleration as expressions of q, q̇, q̈; every direction that a statement asks for has its column
+//! ∂Φ/∂δ. Deliberately unknown here: joint kinds, and how the
 //! equations are solved.
 
 mod assemble;
+mod direction;
 mod orientation;
 mod row_name;
 mod vector_form;
 mod written_order;
 
 pub use assemble::assemble;
+pub use direction::{Cause, Direction};
 pub use orientation::Orientations;
 pub use vector_form::{Arm, Unknown, VectorForm, VectorRow};
 pub use written_order::WrittenOrder;
@@ -31,6 +34,8 @@ pub struct System {
     pub rows: Vec<Row>,
     /// The motion of every declared point.
     pub outputs: Vec<Output>,
+    /// What the pose is moved along besides time, where a statement asks for it.
+    pub directions: Vec<Direction>,
     /// The same constraints in vector form.
     pub vector_form: VectorForm,
     /// What each symbol of the graph is, by [`SymbolId::index`].

@@ -141,12 +141,19 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
             quote!(#text pub fn #name(&self) -> Motion { #body })
         },
     );
-    let (shared, drawn) = match &program.solved {
+    let (shared, drawn, transmissions, transmitted) = match &program.solved {
         Some(solved) => (
             solved::frame_fields(system, solved),
             solved::frame_values(system, solved),
+            solved::transmissions(system, solved),
+            solved::transmitted(system, solved),
         ),
-        None => (TokenStream::new(), TokenStream::new()),
+        None => Default::default(),
+    };
+    let also = if transmitted.is_empty() {
+        TokenStream::new()
+    } else {
+        quote!(&& all_finite(&[#(#transmitted),*]))
     };
     let zeros = system.coordinates.iter().map(|_| quote!(0.0));
     let at_rest = quote!(Coordinates::from_array([#(#zeros),*]));
@@ -156,7 +163,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
         quote! {
             /// Whether every coordinate, rate and acceleration is a number.
             fn is_finite(&self) -> bool {
-                [self.q, self.qd, self.qdd].iter().all(|values| all_finite(&values.to_array()))
+                [self.q, self.qd, self.qdd].iter().all(|values| all_finite(&values.to_array())) #also
             }
         }
     };
@@ -172,6 +179,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     let implementation = quote! {
         impl Frame {
             #(#methods)*
+            #transmissions
             #private
         }
     };

@@ -35,9 +35,12 @@ pub(super) fn needed(
     for action in actions.into_iter().rev() {
         let wanted = |symbol: SymbolId| live.contains(&symbol) || kept(symbol);
         let keep = match &action {
-            Action::Let { .. } | Action::SineCosine { .. } => {
+            Action::Let { .. } | Action::SineCosine { .. } | Action::Solve { .. } => {
                 action.targets().into_iter().any(wanted)
             }
+            Action::Factorize => needed
+                .iter()
+                .any(|later| matches!(later, Action::Solve { .. })),
             Action::Angle { unknown, .. } => wanted(system.vector_form.unknowns[*unknown].position),
             Action::Newton => {
                 let found = newton.into_iter().flat_map(|newton| &newton.unknowns);
@@ -62,7 +65,7 @@ pub(super) fn needed(
         for expr in action.values() {
             live.extend(system.mechanism.graph.symbols(expr));
         }
-        if let (Action::Newton, Some(newton)) = (&action, newton) {
+        if let (Action::Newton | Action::Factorize, Some(newton)) = (&action, newton) {
             for expr in newton.expressions() {
                 live.extend(system.mechanism.graph.symbols(expr));
             }

@@ -13,11 +13,14 @@ mod lower;
 mod newton;
 mod one_angle;
 mod outputs;
+mod responses;
 mod slides;
+mod transmissions;
 mod two_rotations;
 
 pub use lower::lower;
 pub use outputs::Output;
+pub use transmissions::Transmission;
 
 use std::collections::{HashMap, HashSet};
 
@@ -36,6 +39,8 @@ pub struct SolvedProgram {
     pub branches: Vec<Branch>,
     /// What is asked for; `None` where everything is.
     pub outputs: Option<Vec<Output>>,
+    /// What the drivers transmit, in written order.
+    pub transmissions: Vec<Transmission>,
     /// What was kept and left out.
     pub report: Report,
     // The same fields and branches by symbol; only looked up.
@@ -70,6 +75,8 @@ pub struct Report {
     pub operations: [Operations; 3],
     /// The same with nothing left out.
     pub all_operations: [Operations; 3],
+    /// What the transmissions take beside the pose; `None` where there are none.
+    pub transmission: Option<Operations>,
 }
 
 /// The function of one block.
@@ -91,7 +98,7 @@ pub struct BlockProgram {
     pub reads_branch: bool,
 }
 
-/// Position, velocity or acceleration.
+/// Position, velocity, acceleration, or what the pose does along a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
     /// The pose.
@@ -100,6 +107,8 @@ pub enum Level {
     Velocity,
     /// Second rates.
     Acceleration,
+    /// Derivatives of the pose along a direction: an index into the system's directions.
+    Response(usize),
 }
 
 /// One statement.
@@ -157,6 +166,15 @@ pub enum Action {
     },
     /// Runs the block's Newton-Raphson, which finds the tears with their rates and accelerations.
     Newton,
+    /// Factorizes the block's Jacobian at the tears that Newton-Raphson found.
+    Factorize,
+    /// Solves with the factorized Jacobian.
+    Solve {
+        /// What is found: one symbol a tear.
+        targets: Vec<SymbolId>,
+        /// The right-hand side: one expression a row.
+        right_hand_side: Vec<ExprId>,
+    },
 }
 
 impl Action {
@@ -176,7 +194,40 @@ impl Action {
                 vec![*excess, *scale, *distance, *longest, *shortest]
             }
             Action::Nonzero { value, scale } => vec![*value, *scale],
-            Action::Section(_) | Action::Comment(_) | Action::Newton => Vec::new(),
+            Action::Solve {
+                right_hand_side, ..
+            } => right_hand_side.clone(),
+            Action::Section(_) | Action::Comment(_) | Action::Newton | Action::Factorize => {
+                Vec::new()
+            }
+        }
+    }
+
+    /// Changes the expressions that it evaluates.
+    fn change_values(&mut self, change: &mut dyn FnMut(ExprId) -> ExprId) {
+        let mut each = |values: &mut [&mut ExprId]| {
+            for value in values {
+                **value = change(**value);
+            }
+        };
+        match self {
+            Action::Let { value, .. } => each(&mut [value]),
+            Action::SineCosine { angle, .. } => each(&mut [angle]),
+            Action::Angle { sine, cosine, .. } => each(&mut [sine, cosine]),
+            Action::Reach {
+                excess,
+                scale,
+                distance,
+                longest,
+                shortest,
+            } => each(&mut [excess, scale, distance, longest, shortest]),
+            Action::Nonzero { value, scale } => each(&mut [value, scale]),
+            Action::Solve {
+                right_hand_side, ..
+            } => right_hand_side
+                .iter_mut()
+                .for_each(|value| each(&mut [value])),
+            Action::Section(_) | Action::Comment(_) | Action::Newton | Action::Factorize => {}
         }
     }
 
@@ -185,12 +236,14 @@ impl Action {
         match self {
             Action::Let { target, .. } => vec![*target],
             Action::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
+            Action::Solve { targets, .. } => targets.clone(),
             Action::Section(_)
             | Action::Comment(_)
             | Action::Angle { .. }
             | Action::Reach { .. }
             | Action::Nonzero { .. }
-            | Action::Newton => Vec::new(),
+            | Action::Newton
+            | Action::Factorize => Vec::new(),
         }
     }
 }

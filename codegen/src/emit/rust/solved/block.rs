@@ -14,7 +14,7 @@ use crate::emit::rust::literal::count;
 use crate::expr::{ExprId, SymbolId};
 use crate::program::solved::{Action, BlockProgram, Level, SolvedProgram};
 use crate::program::{LARGEST_TEXTBOOK, Program};
-use crate::system::{SymbolRole, System, Unknown};
+use crate::system::{Cause, SymbolRole, System, Unknown};
 
 /// What a block's function needs to be given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -182,6 +182,11 @@ pub(super) fn statement(
         Action::Section(Level::Position) => comment("Position."),
         Action::Section(Level::Velocity) => comment("Velocity."),
         Action::Section(Level::Acceleration) => comment("Acceleration."),
+        Action::Section(Level::Response(direction)) => {
+            let Cause::Driver(joint) = names.system.directions[*direction].cause;
+            let label = &names.system.mechanism.joints[joint].label;
+            comment(&format!("Response to {label}."))
+        }
         Action::Comment(text) => comment(text),
         Action::Let { target, value } => assignment(*target, writer.expression(*value, &[]), names),
         Action::SineCosine {
@@ -235,6 +240,24 @@ pub(super) fn statement(
             }
         }
         Action::Newton => newton_call(index, block, names),
+        Action::Factorize => factorization(index, block, names),
+        Action::Solve {
+            targets,
+            right_hand_side,
+        } => {
+            let values = right_hand_side
+                .iter()
+                .map(|&value| writer.expression(value, &[]));
+            let assignments = targets.iter().enumerate().map(|(place, &target)| {
+                let place = count(place);
+                assignment(target, quote!(response[#place]), names)
+            });
+            quote! {
+                let mut response = SVector::from([#(#values),*]);
+                factorization.solve(&mut response);
+                #(#assignments)*
+            }
+        }
     }
 }
 
@@ -287,6 +310,23 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
         #(#q = tears.q[#places];)*
         #(#qd = tears.qd[#places];)*
         #(#qdd = tears.qdd[#places];)*
+    }
+}
+
+/// The call of the runtime that factorizes the Jacobian at the tears.
+fn factorization(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> TokenStream {
+    let Some(newton) = &block.newton else {
+        return TokenStream::new();
+    };
+    let (number, type_name) = (count(index), equations_name(block));
+    let q = newton.unknowns.iter().map(|&unknown| {
+        let symbol = names.system.vector_form.unknowns[unknown].position;
+        names.field(symbol, "at")
+    });
+    quote! {
+        let tears = SVector::from([#(#q),*]);
+        let factorization = kinematics::factorize(&#type_name { at }, &tears, t, settings)
+            .map_err(|failure| failure.in_block(#number))?;
     }
 }
 
