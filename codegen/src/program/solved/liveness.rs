@@ -65,7 +65,7 @@ pub(super) fn needed(
         for expr in action.values() {
             live.extend(system.mechanism.graph.symbols(expr));
         }
-        if let (Action::Newton | Action::Factorize, Some(newton)) = (&action, newton) {
+        if let (Action::Newton, Some(newton)) = (&action, newton) {
             for expr in newton.expressions() {
                 live.extend(system.mechanism.graph.symbols(expr));
             }
