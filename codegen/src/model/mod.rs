@@ -19,7 +19,7 @@ mod synonyms;
 
 pub use dimension::Dimension;
 pub use motions::resolve;
-pub(crate) use resolve::type_name;
+pub use resolve::type_name;
 pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
