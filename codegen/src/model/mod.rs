@@ -18,8 +18,7 @@ mod slug;
 mod synonyms;
 
 pub use dimension::Dimension;
-pub use resolve::resolve;
-pub(crate) use resolve::type_name;
+pub use resolve::{resolve, type_name};
 pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
