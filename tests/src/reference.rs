@@ -16,6 +16,8 @@ pub const REFERENCES: &[(&str, &str)] = &[
     ("excavator_pins", "excavator.csv"),
     ("arm", "arm.csv"),
     ("scissor", "scissor.csv"),
+    ("jansen", "jansen.csv"),
+    ("peaucellier", "peaucellier.csv"),
 ];
 
 /// The reference of a mechanism.
