@@ -37,7 +37,6 @@ fn jansens_foot_walks_on_level_ground() {
                 .expect("the motion is regular")
                 .point_t()
                 .position
-                .into()
         })
         .collect();
     let lowest = path.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min);
