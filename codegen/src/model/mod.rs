@@ -7,6 +7,7 @@
 mod dimension;
 mod expression;
 mod joints;
+mod lines;
 mod motions;
 mod names;
 mod not_finite;
