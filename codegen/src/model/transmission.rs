@@ -9,7 +9,7 @@ impl Resolver<'_> {
     /// What all `transmission` statements name, in written order; items with an error are reported and left out.
     pub(super) fn transmissions(
         &mut self,
-        statements: &[Statement],
+        statements: &[&Statement],
         points: &[Point],
     ) -> Vec<Requested> {
         let mut found: Vec<(Requested, Span)> = Vec::new();
@@ -34,11 +34,50 @@ impl Resolver<'_> {
                         .also(earlier, "first named here")
                         .help("remove one of them"),
                     ),
-                    None => found.push((quantity, place(item))),
+                    None => {
+                        self.reject_equal_names(quantity, place(item), &found, points);
+                        found.push((quantity, place(item)));
+                    }
                 }
             }
         }
         found.into_iter().map(|(quantity, _)| quantity).collect()
+    }
+
+    /// The functions of a point and of a coordinate are named alike, so a point must not be called like a coordinate beside it.
+    fn reject_equal_names(
+        &mut self,
+        quantity: Requested,
+        span: Span,
+        earlier: &[(Requested, Span)],
+        points: &[Point],
+    ) {
+        let name = self.generated_name(quantity, points);
+        let other = earlier
+            .iter()
+            .find(|(other, _)| self.generated_name(*other, points) == name);
+        if let Some(&(_, other)) = other {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::NameNotAllowed,
+                    span,
+                    format!("both would be `transmission_{name}` in the generated code"),
+                )
+                .also(other, "the other one")
+                .help("give the point another name"),
+            );
+        }
+    }
+
+    /// What functions of a quantity are named after: `k` of the point `K`, `phi_c1` of the angle of the body `c1`.
+    fn generated_name(&self, quantity: Requested, points: &[Point]) -> String {
+        match quantity {
+            Requested::Point(place) => points[place].name.to_lowercase(),
+            Requested::Coordinate { body, axis } => self.bodies[body]
+                .coordinates
+                .map(|symbols| self.graph.symbol_name(symbols[axis]).to_string())
+                .unwrap_or_default(),
+        }
     }
 
     /// A transmission has a column for each driver, so there must be one.

@@ -43,7 +43,8 @@ pub(super) fn directions(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<Directi
         .filter(|(_, joint)| joint.role == Role::Driver);
     let mut directions = Vec::new();
     for (index, joint) in drivers {
-        let (Some(quantity), Some(value)) = (joint.kind.value(), joint.operands.value) else {
+        let (Some(quantity), Some(value)) = (joint.kind.value().quantity(), joint.operands.value)
+        else {
             continue;
         };
         let symbol = graph.symbol(&format!("{} shift", joint.slug));

@@ -1,8 +1,8 @@
 //! One block of the plan → its function: positions, then rates, then accelerations, then responses to each direction.
 
 use super::builder::Builder;
-use super::responses::Responses;
 use super::evaluation::{evaluated, functions_of_time, note_constants};
+use super::responses::Responses;
 use super::{Action, BlockProgram, Level};
 use crate::expr::ExprId;
 use crate::program::constants::Constants;

@@ -89,7 +89,7 @@ impl Responses {
             SymbolRole::Position(unknown) => along.values[unknown].unwrap_or(zero),
             SymbolRole::Arm(place) => {
                 let arm = &form.arms[place];
-                let turning = along.values[form.angle_of(arm.leader)].unwrap_or(zero);
+                let turning = along.values[arm.angle].unwrap_or(zero);
                 let [x, y] = arm.symbols.map(|component| graph.variable(component));
                 let across = if symbol == arm.symbols[0] {
                     graph.negate(y)

@@ -34,7 +34,10 @@ pub(in crate::emit::rust) fn transmissions(system: &System, solved: &SolvedProgr
 }
 
 /// The values that must be numbers, with a comma before each.
-pub(in crate::emit::rust) fn transmitted(system: &System, solved: &SolvedProgram) -> Vec<TokenStream> {
+pub(in crate::emit::rust) fn transmitted(
+    system: &System,
+    solved: &SolvedProgram,
+) -> Vec<TokenStream> {
     let fields = solved.transmissions.iter().flat_map(Transmission::fields);
     fields
         .map(|symbol| {
@@ -69,8 +72,10 @@ fn functions(transmission: &Transmission, system: &System) -> TokenStream {
     let matrix = fields.iter().map(|column| quote!([#(#column),*]));
     let is_point = rows.len() == 2;
     let unit = |quantity: Quantity| match quantity {
-        Quantity::Length => "m",
-        Quantity::Angle => "rad",
+        Quantity::Length => "m".to_string(),
+        Quantity::Angle => "rad".to_string(),
+        Quantity::Power(0) => "1".to_string(),
+        Quantity::Power(exponent) => format!("m^{exponent}"),
     };
     let drivers = system.directions.iter().map(|direction| {
         let Cause::Driver(joint) = direction.cause;
@@ -83,25 +88,30 @@ fn functions(transmission: &Transmission, system: &System) -> TokenStream {
         .collect();
     let shape = if is_point { "Rows: x, y. " } else { "" };
     let about_rate = docs([
-        format!("The rate of {what} per unit rate of each driver, so that the rate is this matrix times the rates of the drivers."),
+        format!(
+            "The rate of {what} per unit rate of each driver, so that the rate is this matrix times the rates of the drivers."
+        ),
         String::new(),
         format!("{shape}Columns: {}.", listed.join(", ")),
     ]);
     let (load, given) = match (is_point, rows[0]) {
         (true, _) => (format!("a force (N) at {what}"), quote!([f64; 2])),
-        (false, Quantity::Length) => (format!("a force (N) along {what}"), quote!(f64)),
         (false, Quantity::Angle) => (format!("a torque (N·m) on {what}"), quote!(f64)),
+        (false, _) => (format!("a force (N) along {what}"), quote!(f64)),
     };
-    let about_force = docs([
-        format!("What {load} does to each driver: the forces (N; for angles torques, N·m) along the drivers with the same power, which is the transposed transmission times the load. A driver that holds the load pushes back with as much."),
-    ]);
+    let about_force = docs([format!(
+        "What {load} does to each driver: the forces (N; for angles torques, N·m) along the drivers with the same power, which is the transposed transmission times the load. A driver that holds the load pushes back with as much."
+    )]);
     let (parameter, pull) = if is_point {
         (quote!(force), vec![quote!(force[0]), quote!(force[1])])
     } else {
         (quote!(load), vec![quote!(load)])
     };
     let forces = fields.iter().map(|column| {
-        let products = column.iter().zip(&pull).map(|(rate, pull)| quote!(#rate * #pull));
+        let products = column
+            .iter()
+            .zip(&pull)
+            .map(|(rate, pull)| quote!(#rate * #pull));
         quote!(#(#products)+*)
     });
     quote! {
