@@ -47,6 +47,7 @@ fn unread_text<'a>(document: &Document, source: &'a Source, syntax: &Diagnostics
             Statement::Body(statement) => statement.span,
             Statement::Joint(statement) => statement.span,
             Statement::Drive(statement) => statement.span,
+            Statement::Curve(statement) => statement.span,
             Statement::Output(statement) => statement.span,
         };
         texts.extend(text_of(
