@@ -1,6 +1,6 @@
 //! Flat-faced follower: a straight face of one body stays tangent to a curve of another.
 
-use super::geometry::{Mark, dot, perpendicular, subtract};
+use super::geometry::{dot, perpendicular, subtract};
 use super::{Contact, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
@@ -53,13 +53,10 @@ impl Kind for Flat {
     /// A face touches a curve from outside, so the curve must not be hollow anywhere.
     fn contact(&self, operands: &Resolved, graph: &mut Graph) -> Option<Contact> {
         let (face, curve) = (operands.axis?, operands.curve?);
-        let frame = operands.marks[0].frame;
-        let touched = curve.position(curve.point, graph);
-        let arm = subtract(touched, frame.origin, graph);
-        let local = frame.unrotate(arm, graph);
         Some(Contact {
             normal: perpendicular(face.turned, graph),
-            follower: Mark { frame, local, arm },
+            follower: operands.marks[0].frame,
+            place: curve.position(curve.point, graph),
             fit: Some((
                 curve.curvature(graph),
                 "a flat face does not reach into a hollow of the curve",

@@ -44,7 +44,8 @@ impl Kind for PointOnCurve {
         let normal = curve.normal(graph);
         Some(Contact {
             normal: curve.rotate(normal, graph),
-            follower: operands.marks[0],
+            follower: operands.marks[0].frame,
+            place: operands.marks[0].position(graph),
             fit: None,
         })
     }

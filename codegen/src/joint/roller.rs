@@ -68,7 +68,8 @@ impl Kind for Roller {
         let one = graph.one();
         Some(Contact {
             normal: curve.rotate(normal, graph),
-            follower: operands.marks[0],
+            follower: operands.marks[0].frame,
+            place: operands.marks[0].position(graph),
             fit: Some((
                 graph.add(one, turn),
                 "the roller does not fit into the curve",

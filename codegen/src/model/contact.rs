@@ -9,6 +9,7 @@ use super::search::{Along, Minima, Minimum, minima};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{ExprId, Number};
 use crate::joint::{Curve, Resolved};
+use crate::syntax::Reference;
 
 /// What beside the best place counts as just as good, in shares of the size of the curve.
 const AS_GOOD: f64 = 1e-3;
@@ -17,6 +18,25 @@ const AS_GOOD: f64 = 1e-3;
 const FAR: f64 = 0.25;
 
 impl Resolver<'_> {
+    /// The curve of this name; `None` also where its own statement has an error.
+    pub(super) fn named_curve(&mut self, reference: &Reference) -> Option<DrawnCurve> {
+        if let (None, Some(&curve)) = (&reference.body, self.curves.get(&reference.name.text)) {
+            return curve;
+        }
+        let name = &reference.name;
+        let diagnostic = match &reference.body {
+            Some(_) => Diagnostic::error(
+                Code::WrongForm,
+                reference.span,
+                "a curve is wanted here, not a point",
+            )
+            .help("declare `curve NAME(s) on BODY = (X, Y);` and write its name alone"),
+            None => self.curves.unknown(&name.text, name.span),
+        };
+        self.diagnostics.push(diagnostic);
+        None
+    }
+
     /// The curve with a parameter of its own for this joint; where it is touched is found by [`Resolver::touch`].
     pub(super) fn touched_curve(&mut self, drawn: &DrawnCurve, slug: &str) -> Curve {
         let base = format!("s_{slug}");

@@ -4,15 +4,19 @@
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
 //! determine the motion.
 
+mod contact;
+mod curve;
 mod dimension;
 mod expression;
 mod joints;
+mod lines;
 mod names;
 mod not_finite;
 mod operands;
 mod points;
 mod request;
 mod resolve;
+mod search;
 mod slug;
 mod synonyms;
 

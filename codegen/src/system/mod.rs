@@ -40,7 +40,7 @@ pub struct System {
 /// What a symbol stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SymbolRole {
-    /// The coordinate q_k; the displacements of the vector form are numbered after the coordinates.
+    /// The coordinate q_k; the auxiliary unknowns of the vector form are numbered after the coordinates.
     Position(usize),
     /// The rate q̇_k.
     Rate(usize),
@@ -153,7 +153,7 @@ impl System {
         symbol
     }
 
-    /// The name of an unknown: a coordinate, or a displacement of the vector form.
+    /// The name of an unknown: a coordinate, or an auxiliary unknown of the vector form.
     pub fn unknown_name(&self, unknown: usize) -> &str {
         &self.vector_form.unknowns[unknown].name
     }
@@ -165,11 +165,10 @@ impl System {
         name.split(' ').next().unwrap_or(name)
     }
 
-    /// Where residuals of row `row` are judged against: the characteristic length for lengths, 1 rad for angles.
+    /// What values of a quantity are judged against: the characteristic length to the power of metres, 1 rad for angles.
     pub fn scale(&self, quantity: Quantity) -> f64 {
-        match quantity {
-            Quantity::Length => self.mechanism.characteristic_length,
-            Quantity::Angle => 1.0,
-        }
+        self.mechanism
+            .characteristic_length
+            .powi(quantity.power_of_length())
     }
 }

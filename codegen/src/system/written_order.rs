@@ -36,7 +36,7 @@ impl<'a> WrittenOrder<'a> {
             // An arm stands where the angle that turns it would stand.
             SymbolRole::Arm(arm) => {
                 let form = &self.system.vector_form;
-                (form.angle_of(form.arms[arm].leader), 0)
+                (form.arms[arm].angle, 0)
             }
             SymbolRole::Intermediate => {
                 return usize::MAX - self.graph().symbol_count() + symbol.index();

@@ -19,13 +19,23 @@ pub(super) fn characteristic_length(system: &System) -> TokenStream {
     }
 }
 
+/// What values of a quantity are judged against.
+pub(super) fn scale(quantity: Quantity) -> TokenStream {
+    let power = quantity.power_of_length();
+    let product = (1..power.unsigned_abs()).fold(
+        quote!(CHARACTERISTIC_LENGTH),
+        |product, _| quote!(#product * CHARACTERISTIC_LENGTH),
+    );
+    match power {
+        0 => quote!(1.0),
+        1.. => product,
+        _ => quote!(1.0 / (#product)),
+    }
+}
+
 /// `struct Textbook`: the dense system as the runtime solves it.
 pub(super) fn textbook(system: &System) -> TokenStream {
     let size = count(system.rows.len());
-    let scale = |quantity| match quantity {
-        Quantity::Length => quote!(CHARACTERISTIC_LENGTH),
-        Quantity::Angle => quote!(1.0),
-    };
     let scales = system.rows.iter().map(|row| scale(row.quantity));
     let column_scales = system
         .coordinates
