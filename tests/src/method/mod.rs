@@ -62,7 +62,7 @@ pub trait Method {
 /// All methods of a mechanism; the first is the baseline.
 ///
 /// # Panics
-/// If the mechanism is not described, or limited by `output` statements.
+/// If the mechanism is not described, or its module is not in the list below.
 pub fn methods(mechanism: &str) -> Vec<Box<dyn Method>> {
     let mut methods: Vec<Box<dyn Method>> =
         vec![Box::new(Dense::new(&description::system(mechanism)))];
@@ -79,10 +79,10 @@ fn iterates(mechanism: &str) -> bool {
     steps.any(|step| matches!(step, Step::Newton { .. }))
 }
 
-/// Every compiled module. Types of different modules have nothing in common, so a macro per kind of generated solver
-/// implements [`Method`] in a module of its own; further kinds are further macros with their lines in it.
-macro_rules! registry {
-    ($($module:ident: $mechanism:ident { $($point:literal => $motion:ident,)+ })+) => {
+/// A line per mechanism whose methods are compared: those that the baseline is written for. Types of different modules have nothing in common, so a macro per kind of generated solver
+/// implements [`Method`] in a module of its own; further kinds are further macros with their lines below.
+macro_rules! generated {
+    ($($module:ident: $mechanism:ident),+ $(,)?) => {
         $(mod $module {
             pub(super) mod textbook {
                 $crate::method::textbook::textbook!([linkwright_mechanisms::$module], f64, "f64");
@@ -100,6 +100,9 @@ macro_rules! registry {
                 $crate::method::solved::solved!([$crate::single::$module], $mechanism, f32, "f32");
             }
         })+
+
+        /// The mechanisms whose methods are compared.
+        pub const STUDIED: &[&str] = &[$(stringify!($module)),+];
 
         /// The generated solvers of a mechanism.
         fn generated(mechanism: &str) -> Vec<Box<dyn Method>> {
@@ -119,4 +122,15 @@ macro_rules! registry {
     };
 }
 
-include!(concat!(env!("OUT_DIR"), "/registry.rs"));
+generated! {
+    two_body: TwoBody,
+    four_bar: FourBar,
+    slider_crank: SliderCrank,
+    inverted_slider_crank: InvertedSliderCrank,
+    stephenson: Stephenson,
+    platform_3rpr: Platform3rpr,
+    excavator: Excavator,
+    excavator_pins: ExcavatorPins,
+    arm: Arm,
+    scissor: Scissor,
+}
