@@ -1,8 +1,8 @@
 //! How the operands of a kind are written, and what they are once resolved.
 
 use super::curve::Curve;
-use super::quantity::Quantity;
 use super::geometry::{Frame, Mark, Vector, subtract};
+use super::quantity::Quantity;
 use crate::expr::{ExprId, Graph};
 
 /// What a statement of a kind must give beside its keyword: what stands in the parentheses, and its line.

@@ -86,7 +86,9 @@ impl Resolver<'_> {
             }
         }
         let mut along = Along::new(&self.graph, &drawn.point, drawn.parameter, &symbols);
-        let size = minima(drawn.range, |place| along.square(place)).largest.sqrt();
+        let size = minima(drawn.range, |place| along.square(place))
+            .largest
+            .sqrt();
         let candidates = searched
             .iter()
             .flat_map(|(side, minima)| minima.iter().map(|minimum| (*side, *minimum)));
@@ -112,18 +114,33 @@ impl Resolver<'_> {
             let apart = (there[0] - x).hypot(there[1] - y) > AS_GOOD * size;
             (apart || *other != side) && minimum.cost.sqrt() - distance <= AS_GOOD * size
         });
-        if let Some((_, rival)) = rival {
+        let is_even = searched
+            .iter()
+            .any(|(_, minima)| minima.largest.sqrt() - distance <= AS_GOOD * size);
+        let doubt = match rival {
+            _ if is_even => Some("every point of it is as near".to_string()),
+            Some((other, _)) if *other != side => Some(format!(
+                "both sides of it are as near, at {}",
+                shown(place, drawn.quantity)
+            )),
+            Some((_, rival)) => {
+                let (low, high) = (place.min(rival.place), place.max(rival.place));
+                Some(format!(
+                    "{} and {} are as near",
+                    shown(low, drawn.quantity),
+                    shown(high, drawn.quantity)
+                ))
+            }
+            None => None,
+        };
+        if let Some(doubt) = doubt {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::DegenerateGeometry,
                     given.span,
                     "the drawing does not tell where the curve is touched",
                 )
-                .label(format!(
-                    "{} and {} are as near",
-                    shown(place, drawn.quantity),
-                    shown(rival.place, drawn.quantity)
-                ))
+                .label(doubt)
                 .help("draw the bodies such that one place of the curve is nearest"),
             );
             return None;
@@ -135,10 +152,7 @@ impl Resolver<'_> {
                     given.span,
                     format!("in the drawing this is {distance:.3} m away from touching its curve"),
                 )
-                .label(format!(
-                    "nearest at {}",
-                    shown(place, drawn.quantity)
-                ))
+                .label(format!("nearest at {}", shown(place, drawn.quantity)))
                 .help("draw the bodies as they touch; the mechanism is assembled from there"),
             );
         }

@@ -2,10 +2,10 @@
 //!
 //! Afterwards a curve is a pair of expressions of constants and of its own parameter, with the range in which it is drawn.
 
+use super::Dimension;
 use super::expression::BUILT_IN;
 use super::resolve::Resolver;
 use super::search::{Along, Range, minima};
-use super::Dimension;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
@@ -45,7 +45,8 @@ impl Resolver<'_> {
     fn drawn_curve(&mut self, curve: &syntax::Curve) -> Option<DrawnCurve> {
         let body = self.body(&curve.body);
         let name = &curve.parameter;
-        let taken = BUILT_IN.contains(&name.text.as_str()) || self.constants.get(&name.text).is_some();
+        let taken =
+            BUILT_IN.contains(&name.text.as_str()) || self.constants.get(&name.text).is_some();
         if taken {
             self.diagnostics.push(
                 Diagnostic::error(
@@ -91,7 +92,10 @@ impl Resolver<'_> {
         };
         self.parameter = None;
         let (body, point) = (body?, point?);
-        if point.iter().all(|&part| !self.graph.depends_on(part, parameter)) {
+        if point
+            .iter()
+            .all(|&part| !self.graph.depends_on(part, parameter))
+        {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::DegenerateGeometry,
@@ -113,10 +117,15 @@ impl Resolver<'_> {
     }
 
     /// `from A to B`, and what it measures.
-    fn range(&mut self, ends: &[syntax::Expression; 2], is_polar: bool) -> Option<(Range, Dimension)> {
+    fn range(
+        &mut self,
+        ends: &[syntax::Expression; 2],
+        is_polar: bool,
+    ) -> Option<(Range, Dimension)> {
         let [from, to] = ends;
         let first = if is_polar {
-            self.constant(from, Dimension::Angle).map(|value| (value, Dimension::Angle))
+            self.constant(from, Dimension::Angle)
+                .map(|value| (value, Dimension::Angle))
         } else {
             self.value(from)
         };
@@ -139,7 +148,14 @@ impl Resolver<'_> {
             return None;
         };
         if first < second {
-            return Some((Range { from: first, to: second, is_closed: false }, dimension));
+            return Some((
+                Range {
+                    from: first,
+                    to: second,
+                    is_closed: false,
+                },
+                dimension,
+            ));
         }
         self.diagnostics.push(
             Diagnostic::error(
@@ -187,7 +203,11 @@ pub(super) fn shown(value: f64, quantity: Quantity) -> String {
     let rounded = |value: f64| {
         let text = format!("{value:.4}");
         let text = text.trim_end_matches('0').trim_end_matches('.');
-        if text == "-0" { "0".to_string() } else { text.to_string() }
+        if text == "-0" {
+            "0".to_string()
+        } else {
+            text.to_string()
+        }
     };
     match quantity {
         Quantity::Angle => format!("{}deg", rounded(value.to_degrees())),

@@ -1,7 +1,7 @@
 //! The statements of a document, in written order → a mechanism.
 
-use super::expression::{BUILT_IN, Value, listed};
 use super::curve::{DrawnCurve, Parameter};
+use super::expression::{BUILT_IN, Value, listed};
 use super::names::Names;
 use super::{Body, Dimension, Joint, Mechanism, NamedMark};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};

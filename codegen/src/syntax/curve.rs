@@ -13,11 +13,7 @@ use crate::diagnostic::Span;
 const FORM: &str = "a curve is written `curve NAME(s) on BODY = (X, Y);` or `curve NAME(a) on BODY = polar RADIUS;`";
 
 /// The statement after its first word.
-pub(super) fn curve(
-    tokens: &mut Tokens<'_>,
-    docs: Vec<String>,
-    start: Span,
-) -> Outcome<Statement> {
+pub(super) fn curve(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
     let name = identifier(tokens, "the name of a curve")?;
     let Some((mut inner, _)) = tokens.group(Delimiter::Parenthesis) else {
         return Err(tokens.unexpected("`(` and the parameter of the curve", FORM));
