@@ -225,7 +225,7 @@ fn generated_code_agrees_with_the_interpreter() {
     let text = std::fs::read_to_string(path).expect("the description");
     let read =
         linkwright_codegen::read(&Source::new("rocking_cams.mech", text)).expect("no errors");
-    let equations = Interpreter::new(&read.system);
+    let equations = Interpreter::new(&read.motions[0]);
     let mut generated = rocking_cams::RockingCams::assemble(0.0).expect("the drawing assembles");
     let start = equations.estimate().clone();
     let settings = linkwright::Settings::default();
@@ -332,12 +332,12 @@ fn a_roller_runs_inside_where_it_is_drawn_inside() {
         drive phi(arm) = t;
     }";
     let read = linkwright_codegen::read(&Source::new("ring.mech", text)).expect("no errors");
-    let equations = Interpreter::new(&read.system);
+    let equations = Interpreter::new(&read.motions[0]);
     let settings = linkwright::Settings::default();
     let pose =
         linkwright::assemble(&equations, equations.estimate(), 0.5, &settings).expect("a pose");
     let place = |name: &str| {
-        let found = read.system.coordinates.iter();
+        let found = read.motions[0].coordinates.iter();
         found.map(|it| it.name.as_str()).position(|it| it == name)
     };
     let [x, y] = ["x_hub", "y_hub"].map(|name| pose.q[place(name).expect("a coordinate")]);
