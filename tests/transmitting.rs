@@ -39,6 +39,7 @@ pub fn write(folders: &[&str]) {
             let angle_fields: Vec<&str> = system
                 .coordinates
                 .iter()
+                .take(3 * mechanism.moving_bodies().len())
                 .skip(2)
                 .step_by(3)
                 .map(|it| it.name.as_str())

@@ -13,6 +13,7 @@
 
 mod body;
 mod brackets;
+mod curve;
 mod document;
 mod expression;
 mod literal;
@@ -41,10 +42,11 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 7] = [
+pub const KEYWORDS: [&str; 8] = [
     "const",
     "point",
     "body",
+    "curve",
     "drive",
     "output",
     "transmission",

@@ -97,7 +97,12 @@ fn roles(mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<SymbolRole> {
 }
 
 fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
-    let Mechanism { graph, bodies, .. } = mechanism;
+    let Mechanism {
+        graph,
+        bodies,
+        joints,
+        ..
+    } = mechanism;
     let mut coordinates = Vec::with_capacity(3 * bodies.len());
     let moving = |(index, body): (usize, &Body)| {
         body.coordinates
@@ -120,6 +125,22 @@ fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
                 estimate: estimate[axis],
             });
         }
+    }
+    for (joint, curve) in joints
+        .iter()
+        .enumerate()
+        .filter_map(|(index, joint)| Some((index, joint.operands.curve?)))
+    {
+        let name = graph.symbol_name(curve.parameter).to_string();
+        coordinates.push(Coordinate {
+            rate: graph.symbol(&format!("{name}'")),
+            acceleration: graph.symbol(&format!("{name}''")),
+            name,
+            position: curve.parameter,
+            describes: Described::Contact { joint },
+            quantity: curve.quantity,
+            estimate: curve.estimate,
+        });
     }
     coordinates
 }
