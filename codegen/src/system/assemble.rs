@@ -1,5 +1,6 @@
 //! The rows of every joint, and their derivatives.
 
+use super::pressure::pressures;
 use super::row_name::RowNames;
 use super::{Coordinate, Described, Entry, Output, Row, SymbolRole, System, VectorForm};
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -69,6 +70,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             }
         })
         .collect();
+    let pressures = pressures(&mut mechanism, &coordinates);
     let vector_form = VectorForm::new(&mut mechanism, &coordinates);
     let mut roles = roles(&mechanism, &coordinates);
     vector_form.note_roles(&mut roles, coordinates.len());
@@ -77,6 +79,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         coordinates,
         rows,
         outputs,
+        pressures,
         vector_form,
         roles,
     }
