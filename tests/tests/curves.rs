@@ -344,3 +344,71 @@ fn a_roller_runs_inside_where_it_is_drawn_inside() {
     assert!((x.hypot(y) - 0.032).abs() < 1e-14, "{}", x.hypot(y));
     assert_eq!(equations.dimension().0, 7);
 }
+
+/// tan α = |dr/da| / r for a tip on the line through the axle (Norton 2009, section 7.2).
+#[test]
+fn the_pressure_angle_of_a_polar_cam_is_that_of_the_textbook() {
+    let mut cam = cam_polar::CamPolar::assemble(0.0).expect("the drawing assembles");
+    let mut resting = 0;
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cam.advance(t).expect("a turn of the cam");
+        let wanted = (0.01 * t.sin()).abs() / (0.04 + 0.01 * t.cos());
+        match frame.pressure_angle_tip() {
+            Some(angle) => assert!((angle.tan() - wanted).abs() < 1e-13, "{t}: {angle}"),
+            None => {
+                assert!(wanted < 1e-7, "{t}: {wanted}");
+                resting += 1;
+            }
+        }
+    }
+    assert_eq!(resting, 1, "at the top of the lift");
+}
+
+/// The normal of a disc goes through its center: sin α = e |cos θ| / (R + ρ). A flat face across its guide has none.
+#[test]
+fn pressure_angles_of_an_eccentric_disc_are_those_of_its_triangle() {
+    let mut roller = cam_roller::CamRoller::assemble(0.0).expect("the drawing assembles");
+    let mut face = cam_flat::CamFlat::assemble(0.0).expect("the drawing assembles");
+    for step in 1..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let angle = roller
+            .advance(t)
+            .expect("a turn of the cam")
+            .pressure_angle_wheel();
+        let wanted = 0.01 * (2.0 * t).sin().abs() / 0.038;
+        let angle = angle.expect("it moves");
+        assert!((angle.sin() - wanted).abs() < 1e-13, "{t}: {angle}");
+        let frame = face.advance(t).expect("a turn of the cam");
+        let angle = frame.pressure_angle_flat_follower_rim().expect("it moves");
+        assert!(angle < 1e-13, "{t}: {angle}");
+    }
+}
+
+/// A lever's point moves across the line to its pivot, so the angle between the normal and that line is the complement.
+#[test]
+fn the_pressure_angle_of_a_lever_is_measured_against_its_arc() {
+    let mut cams = rocking_cams::RockingCams::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cams.advance(t).expect("a turn of the cam");
+        let Some(angle) = frame.pressure_angle_roller_lever_p_oval() else {
+            continue;
+        };
+        let (q, p) = (frame.q, frame.point_p().position);
+        // The normal from the slope of the oval, and the arm from the pivot.
+        let (x, y) = (
+            0.032 * q.s_roller_lever_p_oval.cos(),
+            0.04 * q.s_roller_lever_p_oval.sin(),
+        );
+        let (sine, cosine) = q.phi_cam.sin_cos();
+        let normal = [cosine * x - sine * y, sine * x + cosine * y];
+        let arm = [p[0] - q.x_lever, p[1] - q.y_lever];
+        let sine = (normal[0] * arm[0] + normal[1] * arm[1])
+            / (normal[0].hypot(normal[1]) * arm[0].hypot(arm[1]));
+        assert!(
+            (angle.sin() - sine.abs()).abs() < 1e-12,
+            "{t}: {angle} and {sine}"
+        );
+    }
+}

@@ -9,6 +9,7 @@
 
 use std::cell::RefCell;
 
+use linkwright::contact::pressure_angle;
 use linkwright::{Equations, Failure, Frame, Motion, Settings, kinematics};
 use linkwright_codegen::expr::{ExprId, SymbolId, Tape};
 use linkwright_codegen::model::Requested;
@@ -35,6 +36,9 @@ pub struct Interpreter {
     columns: Tape,
     directions: usize,
     transmissions: Vec<Requested>,
+    /// Three results per contact: the velocity of the follower along and across the normal, and the square of the sliding speed.
+    pressures: Tape,
+    pressure_count: usize,
     estimate: DVector<f64>,
     row_scales: Vec<f64>,
     coordinate_scales: Vec<f64>,
@@ -93,6 +97,11 @@ impl Interpreter {
             .iter()
             .flat_map(|direction| direction.column.iter().copied())
             .collect();
+        let pressures: Vec<ExprId> = system
+            .pressures
+            .iter()
+            .flat_map(|pressure| [pressure.along, pressure.across, pressure.sliding])
+            .collect();
         let coordinates = &system.coordinates;
         Interpreter {
             dimension,
@@ -101,6 +110,8 @@ impl Interpreter {
             time_derivative: rows(|row| row.time_derivative),
             gamma: rows(|row| row.gamma),
             outputs: Tape::new(graph, &motions),
+            pressures: Tape::new(graph, &pressures),
+            pressure_count: system.pressures.len(),
             output_names: system
                 .outputs
                 .iter()
@@ -132,7 +143,7 @@ impl Interpreter {
             scratch: RefCell::new(Scratch {
                 symbols: vec![0.0; graph.symbol_count()],
                 workspace: Vec::new(),
-                results: vec![0.0; places.len().max(motions.len()).max(columns.len())],
+                results: vec![0.0; places.len().max(motions.len()).max(pressures.len())],
             }),
             places,
         }
@@ -146,6 +157,22 @@ impl Interpreter {
     /// The names of the points, in the order of [`Interpreter::points`].
     pub fn point_names(&self) -> &[String] {
         &self.output_names
+    }
+
+    /// The pressure angle of every contact at `frame`, in rad and in the order of [`System::pressures`]; none where the follower
+    /// rests.
+    pub fn pressure_angles(&self, frame: &Frame<f64, Dyn>) -> Vec<Option<f64>> {
+        let scratch = &mut *self.scratch.borrow_mut();
+        self.fill(&mut scratch.symbols, &self.positions, frame.q.as_slice());
+        self.fill(&mut scratch.symbols, &self.rates, frame.qd.as_slice());
+        scratch.symbols[self.time.index()] = frame.t;
+        let results = &mut scratch.results[..3 * self.pressure_count];
+        self.pressures
+            .evaluate(&scratch.symbols, &mut scratch.workspace, results);
+        results
+            .chunks_exact(3)
+            .map(|it| pressure_angle(it[0], it[1], it[2]))
+            .collect()
     }
 
     /// The motion of every declared point at `frame`, in the order of [`System::outputs`].

@@ -1,6 +1,7 @@
 //! The rows of every joint, and their derivatives.
 
 use super::direction::directions;
+use super::pressure::pressures;
 use super::row_name::RowNames;
 use super::{Coordinate, Described, Entry, Output, Row, SymbolRole, System, VectorForm};
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -71,6 +72,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         })
         .collect();
     let directions = directions(&mut mechanism, &rows);
+    let pressures = pressures(&mut mechanism, &coordinates);
     let vector_form = VectorForm::new(&mut mechanism, &coordinates);
     let mut roles = roles(&mechanism, &coordinates);
     vector_form.note_roles(&mut roles, coordinates.len());
@@ -80,6 +82,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         rows,
         outputs,
         directions,
+        pressures,
         vector_form,
         roles,
     }

@@ -9,6 +9,7 @@
 mod assemble;
 mod direction;
 mod orientation;
+mod pressure;
 mod row_name;
 mod vector_form;
 mod written_order;
@@ -16,6 +17,7 @@ mod written_order;
 pub use assemble::assemble;
 pub use direction::{Cause, Direction};
 pub use orientation::Orientations;
+pub use pressure::Pressure;
 pub use vector_form::{Arm, Unknown, VectorForm, VectorRow};
 pub use written_order::WrittenOrder;
 
@@ -36,6 +38,8 @@ pub struct System {
     pub outputs: Vec<Output>,
     /// What the pose is moved along besides time, where a statement asks for it.
     pub directions: Vec<Direction>,
+    /// The pressure angles of cams and their followers.
+    pub pressures: Vec<Pressure>,
     /// The same constraints in vector form.
     pub vector_form: VectorForm,
     /// What each symbol of the graph is, by [`SymbolId::index`].

@@ -32,8 +32,13 @@ pub(super) fn needed(
     let mut needed = Vec::with_capacity(actions.len());
     // Whether anything after this place remains at all, and whether anything does before the next comment.
     let (mut remains, mut followed) = (false, false);
-    for action in actions.into_iter().rev() {
+    for mut action in actions.into_iter().rev() {
         let wanted = |symbol: SymbolId| live.contains(&symbol) || kept(symbol);
+        if let Action::Solve { targets, .. } = &mut action {
+            for target in targets {
+                *target = target.filter(|&symbol| wanted(symbol));
+            }
+        }
         let keep = match &action {
             Action::Let { .. } | Action::SineCosine { .. } | Action::Solve { .. } => {
                 action.targets().into_iter().any(wanted)

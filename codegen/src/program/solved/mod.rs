@@ -170,8 +170,8 @@ pub enum Action {
     Factorize,
     /// Solves with the factorized Jacobian.
     Solve {
-        /// What is found: one symbol a tear.
-        targets: Vec<SymbolId>,
+        /// What is found: one symbol a tear, none where nothing needs it.
+        targets: Vec<Option<SymbolId>>,
         /// The right-hand side: one expression a row.
         right_hand_side: Vec<ExprId>,
     },
@@ -236,7 +236,7 @@ impl Action {
         match self {
             Action::Let { target, .. } => vec![*target],
             Action::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
-            Action::Solve { targets, .. } => targets.clone(),
+            Action::Solve { targets, .. } => targets.iter().copied().flatten().collect(),
             Action::Section(_)
             | Action::Comment(_)
             | Action::Angle { .. }

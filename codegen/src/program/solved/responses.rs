@@ -206,7 +206,7 @@ impl Builder<'_> {
         let mut targets = Vec::with_capacity(newton.unknowns.len());
         for &unknown in &newton.unknowns {
             let target = self.response_symbol(unknown, direction);
-            targets.push(target);
+            targets.push(Some(target));
             let value = self.graph().variable(target);
             self.responses.directions[direction].values[unknown] = Some(value);
         }

@@ -248,9 +248,10 @@ pub(super) fn statement(
             let values = right_hand_side
                 .iter()
                 .map(|&value| writer.expression(value, &[]));
-            let assignments = targets.iter().enumerate().map(|(place, &target)| {
+            let found = targets.iter().enumerate();
+            let assignments = found.filter_map(|(place, target)| {
                 let place = count(place);
-                assignment(target, quote!(response[#place]), names)
+                Some(assignment((*target)?, quote!(response[#place]), names))
             });
             quote! {
                 let mut response = SVector::from([#(#values),*]);
