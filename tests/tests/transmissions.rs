@@ -30,13 +30,16 @@ pub struct Instant {
     samples: Vec<Sample>,
 }
 
+/// q, q̇ and q̈ of one frame.
+type Original = [Vec<f64>; 3];
+
 /// A mechanism of which every point and every angle is asked for.
 pub struct Transmitting {
     name: &'static str,
     /// The frames at these times, with the samples under a load.
     sample: fn(&[f64], [f64; 2]) -> Vec<Instant>,
     /// q, q̇ and q̈ of the mechanism without transmissions.
-    original: Option<fn(&[f64]) -> Vec<[Vec<f64>; 3]>>,
+    original: Option<fn(&[f64]) -> Vec<Original>>,
 }
 
 macro_rules! point_sample {
