@@ -42,7 +42,9 @@ fn unread_text<'a>(document: &Document, source: &'a Source, syntax: &Diagnostics
     let mut position = document.mechanism.span.start;
     for statement in &document.mechanism.statements {
         let span = match statement {
-            Statement::Constant(statement) => statement.span,
+            Statement::Constant(statement)
+            | Statement::Parameter(statement)
+            | Statement::Input(statement) => statement.span,
             Statement::Points(statement) => statement.span,
             Statement::Body(statement) => statement.span,
             Statement::Joint(statement) => statement.span,

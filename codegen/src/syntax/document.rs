@@ -41,6 +41,10 @@ pub struct Name {
 pub enum Statement {
     /// `const NAME = EXPRESSION;`
     Constant(Constant),
+    /// `param NAME = EXPRESSION;`: a constant that can be changed at run time.
+    Parameter(Constant),
+    /// `input NAME = EXPRESSION;`: a signal that is supplied at run time, with its value at assembly.
+    Input(Constant),
     /// `point A = (X, Y), B = (X, Y);`
     Points(Points),
     /// `body NAME at (X, Y, ANGLE) { members }`
@@ -53,7 +57,7 @@ pub enum Statement {
     Output(Output),
 }
 
-/// `const NAME = EXPRESSION;`
+/// `const NAME = EXPRESSION;`, and `param` and `input` in the same form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
     /// The `///` lines above it.

@@ -40,7 +40,9 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 5] = ["const", "point", "body", "drive", "output"];
+pub const KEYWORDS: [&str; 7] = [
+    "const", "param", "input", "point", "body", "drive", "output",
+];
 
 /// Reads a description. Never panics and never overflows the stack, whatever the text.
 ///

@@ -6,6 +6,7 @@ mod coordinates;
 mod docs;
 mod equations;
 mod expression;
+mod given;
 mod layout;
 mod lints;
 mod literal;

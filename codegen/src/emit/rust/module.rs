@@ -7,6 +7,7 @@ use super::coordinates::{coordinates, frame};
 use super::docs::docs;
 use super::equations::equations;
 use super::expression::identifier;
+use super::given::{Given, only, structures};
 use super::layout::laid_out;
 use super::lints;
 use super::literal::float;
@@ -31,6 +32,7 @@ pub fn module(system: &System, program: &Program, scalar: Scalar) -> String {
         imports(system, program, has_newton),
         constants(system, program),
         coordinates(system),
+        structures(system, program),
         program
             .textbook
             .as_ref()
@@ -69,7 +71,7 @@ fn solver(system: &System, program: &Program) -> TokenStream {
             let mechanism = solved::mechanism(system, program, blocks);
             quote!(#branches #newton #functions #mechanism)
         }
-        None => mechanism(system),
+        None => mechanism(system, program),
     }
 }
 
@@ -83,7 +85,9 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
             &own.gamma,
         ]
     });
-    let calls_math = functions.chain(&program.points).any(|straight| {
+    let straight = functions.chain(&program.points).chain(&program.drawn);
+    let mut straight = straight.into_iter();
+    let calls_math = straight.any(|straight| {
         let operations = &straight.operations;
         operations.sines
             + operations.arctangents
@@ -126,6 +130,11 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
         if has(|action| matches!(action, Action::Reach { .. } | Action::Nonzero { .. })) {
             closed.push(quote!(spans));
         }
+    }
+    let given = Given::of(system);
+    if program.solved.is_none() && given.any() {
+        closed.push(quote!(all_finite));
+        closed.push(quote!(failed));
     }
     let kind = if closed.is_empty() {
         TokenStream::new()
@@ -172,11 +181,12 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
     } else {
         TokenStream::new()
     };
+    let signal = only(given.inputs, quote!(Signal,));
     quote! {
         #closed
         #math
         #matrices
-        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #step #kinematics};
+        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #signal #step #kinematics};
     }
 }
 
