@@ -16,10 +16,15 @@ pub fn names() -> Vec<String> {
         .collect()
 }
 
-/// The names of the mechanisms that are not limited by `output` statements: those whose frames hold all coordinates.
+/// The names of the mechanisms that are not limited by `output` statements, so that their frames hold all coordinates, and that
+/// have neither parameters nor inputs.
 pub fn whole() -> Vec<String> {
     let mut names = names();
-    names.retain(|name| system(name).mechanism.requests.is_empty());
+    names.retain(|name| {
+        let mechanism = system(name).mechanism;
+        let given = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
+        !given && mechanism.requests.is_empty()
+    });
     names
 }
 

@@ -78,6 +78,8 @@ codes! {
     NotConstant = "K23";
     /// A direction of zero length, or other geometry that determines nothing.
     DegenerateGeometry = "K24";
+    /// A value that a joint of this kind cannot have.
+    ValueNotAllowed = "K25";
     /// A statement with the wrong operands, a missing or a superfluous `along`, or a missing or superfluous value.
     WrongForm = "K30";
     /// A mechanism without bodies.

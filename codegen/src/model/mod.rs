@@ -8,6 +8,7 @@ mod dimension;
 mod expression;
 mod given;
 mod joints;
+mod lines;
 mod names;
 mod not_finite;
 mod operands;
@@ -19,8 +20,7 @@ mod synonyms;
 
 pub use dimension::Dimension;
 pub(crate) use given::field_name;
-pub use resolve::resolve;
-pub(crate) use resolve::type_name;
+pub use resolve::{resolve, type_name};
 pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;

@@ -195,7 +195,7 @@ fn coordinate_names(body: &str) -> [String; 3] {
 }
 
 /// The name of the type that a mechanism becomes: `TwoBody` of `two_body`.
-pub(crate) fn type_name(mechanism: &str) -> String {
+pub fn type_name(mechanism: &str) -> String {
     let words = mechanism.split('_').filter(|word| !word.is_empty());
     words
         .map(|word| {

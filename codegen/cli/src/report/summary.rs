@@ -137,7 +137,7 @@ fn residuals(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
         _ => String::new(),
     };
     let unit = match solution.system.rows.is_empty() {
-        true => "",
+        true => String::new(),
         false => unit(&solution.system, found.row),
     };
     let text = format!(

@@ -10,7 +10,7 @@ use super::literal::{count, float};
 use crate::joint::Quantity;
 use crate::model::type_name;
 use crate::program::Program;
-use crate::system::System;
+use crate::system::{Coordinate, System};
 
 /// What lengths are judged against.
 pub(super) fn characteristic_length(system: &System) -> TokenStream {
@@ -18,6 +18,20 @@ pub(super) fn characteristic_length(system: &System) -> TokenStream {
     quote! {
         /// The largest coordinate in the drawing, in m: residuals in m are judged against it.
         const CHARACTERISTIC_LENGTH: f64 = #length;
+    }
+}
+
+/// What values of a quantity are judged against.
+pub(super) fn scale(quantity: Quantity) -> TokenStream {
+    let power = quantity.power_of_length();
+    let product = (1..power.unsigned_abs()).fold(
+        quote!(CHARACTERISTIC_LENGTH),
+        |product, _| quote!(#product * CHARACTERISTIC_LENGTH),
+    );
+    match power {
+        0 => quote!(1.0),
+        1.. => product,
+        _ => quote!(1.0 / (#product)),
     }
 }
 
@@ -33,10 +47,24 @@ pub(super) fn textbook(system: &System) -> TokenStream {
             pub struct Textbook;
         )
     };
-    let scales = system.rows.iter().map(|row| match row.quantity {
-        Quantity::Length => quote!(CHARACTERISTIC_LENGTH),
-        Quantity::Angle => quote!(1.0),
-    });
+    let scales = system.rows.iter().map(|row| scale(row.quantity));
+    let column_scales = system
+        .coordinates
+        .iter()
+        .map(|coordinate| scale(coordinate.quantity));
+    let is_pose = |coordinate: &Coordinate| coordinate.describes.body().is_some();
+    let coordinate_scale = if system.coordinates.iter().all(is_pose) {
+        quote!(if column % 3 == 2 {
+            1.0
+        } else {
+            CHARACTERISTIC_LENGTH
+        })
+    } else {
+        quote! {
+            const SCALES: [f64; #size] = [#(#column_scales),*];
+            SCALES.get(column).copied().unwrap_or(1.0)
+        }
+    };
     quote! {
         /// What the residual of each row is judged against.
         const ROW_SCALES: [f64; #size] = [#(#scales),*];
@@ -83,7 +111,7 @@ pub(super) fn textbook(system: &System) -> TokenStream {
             }
 
             fn coordinate_scale(&self, column: usize) -> f64 {
-                if column % 3 == 2 { 1.0 } else { CHARACTERISTIC_LENGTH }
+                #coordinate_scale
             }
         }
     }
