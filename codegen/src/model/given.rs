@@ -7,9 +7,9 @@
 use super::dimension::Dimension;
 use super::expression::Value;
 use super::resolve::Resolver;
-use super::{Input, Parameter};
+use super::{Input, Mechanism, Parameter};
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::{ExprId, SymbolId};
+use crate::expr::ExprId;
 use crate::syntax::{self, Name};
 
 /// What a statement declares, for messages.
@@ -49,6 +49,7 @@ impl Resolver<'_> {
             symbol,
             nominal,
             dimension,
+            used: false,
             span: name.span,
         });
     }
@@ -71,6 +72,7 @@ impl Resolver<'_> {
             symbols: [value, rate, acceleration],
             initial,
             dimension,
+            used: false,
             span: name.span,
         });
     }
@@ -188,33 +190,46 @@ impl Resolver<'_> {
         self.mentioned.extend(symbols.iter().copied());
     }
 
-    /// Warns of parameters and inputs that nothing mentions.
-    pub(super) fn report_unused(&mut self) {
-        let parameters = self
+    /// Notes which parameters and inputs are used, once all statements have been read.
+    pub(super) fn note_used(&mut self) {
+        for parameter in &mut self.parameters {
+            parameter.used = self.mentioned.contains(&parameter.symbol);
+        }
+        for input in &mut self.inputs {
+            input.used = self.mentioned.contains(&input.symbols[0]);
+        }
+    }
+}
+
+/// Warnings of the parameters and inputs that no motion uses.
+pub(super) fn unused(mechanisms: &[Mechanism]) -> Vec<Diagnostic> {
+    let declared = |mechanism: &Mechanism| -> Vec<(Sort, String, Span, bool)> {
+        let parameters = mechanism
             .parameters
             .iter()
-            .map(|own| (Sort::Parameter, &own.name, own.symbol, own.span));
-        let inputs = self
+            .map(|own| (Sort::Parameter, own.name.clone(), own.span, own.used));
+        let inputs = mechanism
             .inputs
             .iter()
-            .map(|own| (Sort::Input, &own.name, own.symbols[0], own.span));
-        let unused: Vec<Diagnostic> = parameters
-            .chain(inputs)
-            .filter(|(_, _, symbol, _): &(Sort, &String, SymbolId, Span)| {
-                !self.mentioned.contains(symbol)
-            })
-            .map(|(sort, name, _, span)| {
-                let noun = sort.noun();
-                Diagnostic::warning(
-                    Code::UnusedName,
-                    span,
-                    format!("the {noun} `{name}` is not used"),
-                )
-                .help("use it in a statement below, or remove it")
-            })
-            .collect();
-        self.diagnostics.extend(unused);
+            .map(|own| (Sort::Input, own.name.clone(), own.span, own.used));
+        parameters.chain(inputs).collect()
+    };
+    let mut found: Vec<(Sort, String, Span, bool)> = Vec::new();
+    for (sort, name, span, used) in mechanisms.iter().flat_map(declared) {
+        match found.iter_mut().find(|earlier| earlier.2 == span) {
+            Some(earlier) => earlier.3 |= used,
+            None => found.push((sort, name, span, used)),
+        }
     }
+    found
+        .into_iter()
+        .filter(|(.., used)| !used)
+        .map(|(sort, name, span, _)| {
+            let message = format!("the {} `{name}` is not used", sort.noun());
+            Diagnostic::warning(Code::UnusedName, span, message)
+                .help("use it in a statement below, or remove it")
+        })
+        .collect()
 }
 
 /// The field of the generated structure: the name in lower case.

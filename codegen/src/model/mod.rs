@@ -1,4 +1,4 @@
-//! Document → Mechanism.
+//! Document → Mechanism, one for each of its motions.
 //!
 //! Afterwards every name is an id, every number an exact expression in SI units, every point a local vector in the frame of
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
@@ -9,6 +9,7 @@ mod expression;
 mod given;
 mod joints;
 mod lines;
+mod motions;
 mod names;
 mod not_finite;
 mod operands;
@@ -20,7 +21,8 @@ mod synonyms;
 
 pub use dimension::Dimension;
 pub(crate) use given::field_name;
-pub use resolve::{resolve, type_name};
+pub use motions::resolve;
+pub use resolve::type_name;
 pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
@@ -33,6 +35,8 @@ use crate::joint::{Kind, Resolved};
 pub struct Mechanism {
     /// Its name as written; an identifier in snake case by custom.
     pub name: String,
+    /// Which of its motions this is, where it has several.
+    pub motion: Option<Motion>,
     /// Documentation lines of the file and of the mechanism.
     pub docs: Vec<String>,
     /// Where the name stands.
@@ -70,6 +74,8 @@ pub struct Parameter {
     pub nominal: ExprId,
     /// What it measures.
     pub dimension: Dimension,
+    /// Whether a statement mentions it.
+    pub used: bool,
     /// Where its name stands.
     pub span: Span,
 }
@@ -87,6 +93,19 @@ pub struct Input {
     pub initial: ExprId,
     /// What its value measures.
     pub dimension: Dimension,
+    /// Whether a statement mentions it.
+    pub used: bool,
+    /// Where its name stands.
+    pub span: Span,
+}
+
+/// One way in which a mechanism is driven.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Motion {
+    /// Its name as written: the name of its generated module.
+    pub name: String,
+    /// Its documentation lines.
+    pub docs: Vec<String>,
     /// Where its name stands.
     pub span: Span,
 }
@@ -200,6 +219,14 @@ impl Mechanism {
             rates.push((rate, self.graph.variable(acceleration)));
         }
         rates
+    }
+
+    /// How a person names it: `excavator`, and of several motions `excavator, motion reach`.
+    pub fn title(&self) -> String {
+        match &self.motion {
+            Some(motion) => format!("{}, motion {}", self.name, motion.name),
+            None => self.name.clone(),
+        }
     }
 
     /// The moving bodies, in written order.
