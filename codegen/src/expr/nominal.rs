@@ -29,6 +29,15 @@ impl Graph {
         self.nominal_values.get(symbol.index()).copied().flatten()
     }
 
+    /// Puts the nominal values into a table of all symbols, and leaves the other entries as they are.
+    pub fn fill_nominal(&self, symbols: &mut [f64]) {
+        for (place, nominal) in symbols.iter_mut().zip(&self.nominal_values) {
+            if let Some(nominal) = nominal {
+                *place = *nominal;
+            }
+        }
+    }
+
     /// Whether every symbol of the expression has a nominal value, so that the expression does not move. Constants are fixed.
     pub fn is_fixed(&self, expr: ExprId) -> bool {
         let symbols = self.symbols(expr);

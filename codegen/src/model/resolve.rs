@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use super::curve::{self, DrawnCurve};
 use super::expression::{BUILT_IN, Value, listed};
 use super::names::Names;
 use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter};
@@ -30,6 +31,10 @@ pub(super) struct Resolver<'a> {
     /// Whether the mechanism has parameters or inputs anywhere, which takes some names in the generated code.
     pub has_given: bool,
     pub drawn: Names<DrawnPoint>,
+    /// Curves; nothing where the statement has an error.
+    pub curves: Names<Option<DrawnCurve>>,
+    /// The parameter of the curve whose formula is read.
+    pub parameter: Option<curve::Parameter>,
     pub body_ids: Names<BodyId>,
     /// The names that drivers were given.
     pub drivers: Names<()>,
@@ -100,6 +105,8 @@ pub(super) fn resolve_statements(
             )
         }),
         drawn: Names::new("point"),
+        curves: Names::new("curve"),
+        parameter: None,
         body_ids: Names::new("body"),
         drivers: Names::new("driver"),
         bodies: vec![Body {
@@ -128,6 +135,7 @@ pub(super) fn resolve_statements(
             syntax::Statement::Input(input) => resolver.add_input(input),
             syntax::Statement::Points(points) => resolver.add_points(points),
             syntax::Statement::Body(body) => resolver.add_body(body),
+            syntax::Statement::Curve(curve) => resolver.add_curve(curve),
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
             // Points are known once all bodies are.

@@ -33,12 +33,23 @@ pub fn lower(system: &mut System, solved_plan: Option<&SolvedPlan>) -> Program {
         })
         .collect();
     let drawn = drawn(system, &mut constants);
+    let pressures = system
+        .pressures
+        .iter()
+        .filter(|_| whole)
+        .map(|pressure| {
+            let components = [pressure.along, pressure.across, pressure.sliding];
+            let results = components.map(|component| (component, Vec::new()));
+            Straight::new(results.to_vec(), system, &mut constants)
+        })
+        .collect();
     Program {
         solved,
         constants,
         textbook,
         drawn,
         points,
+        pressures,
     }
 }
 

@@ -140,6 +140,7 @@ pub(super) fn kept_in_frame(program: &Program) -> bool {
     program
         .points
         .iter()
+        .chain(&program.pressures)
         .any(|straight| straight.inputs.parameters)
 }
 

@@ -153,9 +153,7 @@ fn drawn_values(system: &System) -> Vec<f64> {
     let form = &system.vector_form;
     let mut values = vec![0.0; graph.symbol_count()];
     let constant = |expr: ExprId| graph.constant_value(expr).unwrap_or(0.0);
-    for parameter in &system.mechanism.parameters {
-        values[parameter.symbol.index()] = constant(parameter.nominal);
-    }
+    graph.fill_nominal(&mut values);
     for unknown in &form.unknowns {
         values[unknown.position.index()] = constant(unknown.estimate);
     }
