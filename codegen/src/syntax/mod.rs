@@ -42,8 +42,10 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 8] = [
+pub const KEYWORDS: [&str; 10] = [
     "const",
+    "param",
+    "input",
     "point",
     "body",
     "curve",

@@ -93,14 +93,17 @@ impl VectorForm {
                 .collect(),
         };
         let moved = !mechanism.transmissions.is_empty();
+        form.rates.extend(mechanism.explicit_rates());
         let Mechanism {
             graph,
             joints,
             bodies,
             points,
+            parameters,
             ..
         } = mechanism;
-        form.rates.insert(mechanism.time, graph.one());
+        let fixed = parameters.iter().map(|own| (own.symbol, graph.zero()));
+        form.rates.extend(fixed);
         // Which angles are tied must be known before the first arm is made.
         for joint in joints.iter() {
             // A driver that holds an angle ties it, unless its value is to be moved.
@@ -167,7 +170,7 @@ impl VectorForm {
         }
     }
 
-    /// d/dt of an expression of unknowns, rates, arms and t.
+    /// d/dt of an expression of unknowns, rates, arms, parameters, inputs and t.
     pub fn rate(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
         let symbols = graph.symbols(expr).to_vec();
         let mut terms = Vec::with_capacity(symbols.len());

@@ -17,6 +17,8 @@ pub(super) struct Responses {
     directions: Vec<Along>,
     /// The turned vectors of links that change their length: which angle turns them, and the other component, by component.
     turned: HashMap<SymbolId, Turned>,
+    /// What local values are that depend on parameters alone.
+    fixed: HashMap<SymbolId, ExprId>,
     /// The names of all values that a frame could hold; only looked up.
     taken: HashSet<String>,
 }
@@ -61,6 +63,7 @@ impl Responses {
         Responses {
             directions,
             turned: HashMap::new(),
+            fixed: HashMap::new(),
             taken,
         }
     }
@@ -98,10 +101,13 @@ impl Responses {
                 };
                 graph.multiply(turning, across)
             }
-            SymbolRole::Time => zero,
+            SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. } => zero,
             _ if symbol == along.symbol => graph.one(),
             _ if self.directions.iter().any(|other| other.symbol == symbol) => zero,
             _ => {
+                if let Some(&value) = self.fixed.get(&symbol) {
+                    return self.along(value, direction, system);
+                }
                 let Some(turned) = self.turned.get(&symbol) else {
                     unreachable!("`{}` has no rule of response", graph.symbol_name(symbol))
                 };
@@ -154,6 +160,11 @@ impl Builder<'_> {
         let name = self.system.unknown_name(unknown).to_string();
         let name = self.responses.name(&name, direction);
         self.system.intermediate(&name)
+    }
+
+    /// States what a local value is that depends on parameters alone.
+    pub(super) fn fix(&mut self, symbol: SymbolId, value: ExprId) {
+        self.responses.fixed.insert(symbol, value);
     }
 
     /// States that the symbols of a turned vector respond as R(φ) p does.
