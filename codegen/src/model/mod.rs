@@ -7,6 +7,7 @@
 mod dimension;
 mod expression;
 mod joints;
+mod law;
 mod names;
 mod not_finite;
 mod operands;
