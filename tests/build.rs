@@ -1,4 +1,6 @@
-//! Generates the mechanisms that only tests need, and the repository's in single precision.
+//! Generates the mechanisms that only tests need, the repository's in single precision, and a list of the latter.
+
+mod registry;
 
 use linkwright_codegen::{Options, Scalar};
 
@@ -8,4 +10,5 @@ fn main() {
         scalar: Scalar::F32,
     };
     linkwright_codegen::build_with("../mechanisms", &single);
+    registry::write("../mechanisms");
 }

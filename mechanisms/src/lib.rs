@@ -68,3 +68,13 @@ pub mod scissor {
 pub mod stephenson {
     linkwright::include_mechanism!(stephenson);
 }
+
+/// Theo Jansen's walking leg.
+pub mod jansen {
+    linkwright::include_mechanism!(jansen);
+}
+
+/// Peaucellier's cell, whose point R moves on a straight line.
+pub mod peaucellier {
+    linkwright::include_mechanism!(peaucellier);
+}

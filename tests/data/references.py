@@ -444,6 +444,51 @@ def stephenson():
     return with_pins(["crank", "coupler", "rocker", "link", "arm"], drawn, ["B", "C"], place, equations, poses)
 
 
+def linkage(bodies, drawn, unknown, place, lengths):
+    """Bodies `name base tip` whose frame is at the base with the x axis through the tip; `lengths` between pins, `AB 0.25`."""
+    bodies = [entry.split() for entry in bodies.split(",")]
+    lengths = [(pair, exact(length)) for pair, length in (entry.split() for entry in lengths.split(","))]
+
+    def equations(p, t):
+        return [apart(p[a], p[b], Jet(length)) for (a, b), length in lengths]
+
+    def poses(p):
+        q = []
+        for _, base, tip in bodies:
+            arm = p[tip] - p[base]
+            q += [p[base].x, p[base].y, atan2(arm.y, arm.x)]
+        return q
+
+    return with_pins([name for name, _, _ in bodies], points(drawn), unknown, place, equations, poses)
+
+
+def jansen():
+    def place(now, t):
+        now["M"] = Point(exact("0.15"), 0).turned(cos(3 * t), sin(3 * t))
+
+    return linkage(
+        "crank O M, upper M U, rocker C U, lower M W, swing C W, shank V F, foot W F",
+        "O 0 0, C -0.38 -0.078, M 0.15 0, U -0.24 0.31, V -0.75 0.08, W -0.27 -0.46, F -0.59 -0.28",
+        ["U", "V", "W", "F"],
+        place,
+        "MU 0.5, CU 0.415, CV 0.401, UV 0.558, MW 0.619, CW 0.393, VF 0.394, WF 0.367",
+    )
+
+
+def peaucellier():
+    def place(now, t):
+        swing = mp.pi / 3 * sin(2 * t)
+        now["P"] = now["Q"] + Point(exact("0.075"), 0).turned(cos(swing), sin(swing))
+
+    return linkage(
+        "crank Q P, upper O A, lower O B, near_upper P A, near_lower P B, far_upper R A, far_lower R B",
+        "O 0 0, Q 0.075 0, P 0.15 0, A 0.21 0.137, B 0.21 -0.137, R 0.267 0",
+        ["A", "B", "R"],
+        place,
+        "OA 0.25, OB 0.25, PA 0.15, PB 0.15, RA 0.15, RB 0.15",
+    )
+
+
 # The file of a mechanism, without its extension.
 TABLES = {
     "exam": two_body,
@@ -456,6 +501,8 @@ TABLES = {
     "platform_3rpr": platform_3rpr,
     "scissor": scissor,
     "stephenson": stephenson,
+    "jansen": jansen,
+    "peaucellier": peaucellier,
 }
 
 

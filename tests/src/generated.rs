@@ -1,6 +1,6 @@
 //! *The compiled modules of `linkwright-mechanisms`* → *one list*, each module wrapped as a [`Solver`].
 //!
-//! The list is written out, because modules have no names at run time; a test compares it with the descriptions.
+//! Modules have no names at run time, so the build script writes the list from the descriptions.
 
 use linkwright::{Frame, Motion, Step};
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -28,8 +28,8 @@ pub fn module(name: &str) -> &'static Module {
         .unwrap_or_else(|| panic!("`{name}` is not compiled"))
 }
 
-macro_rules! modules {
-    ($($module:ident: $mechanism:ident { $($point:literal => $motion:ident),+ $(,)? })+) => {
+macro_rules! registry {
+    ($($module:ident: $mechanism:ident { $($point:literal => $motion:ident,)+ })+) => {
         /// Every compiled module.
         pub const MODULES: &[Module] = &[$(Module {
             name: stringify!($module),
@@ -133,40 +133,4 @@ macro_rules! modules {
     };
 }
 
-modules! {
-    two_body: TwoBody { "P" => point_p, "Q" => point_q }
-    excavator: Excavator {
-        "A" => point_a, "B" => point_b, "D" => point_d, "E" => point_e, "F" => point_f, "G" => point_g, "H" => point_h,
-        "I" => point_i, "J" => point_j, "L" => point_l, "M" => point_m, "N" => point_n, "K" => point_k,
-    }
-    excavator_pins: ExcavatorPins {
-        "A" => point_a, "B" => point_b, "D" => point_d, "E" => point_e, "F" => point_f, "G" => point_g, "H" => point_h,
-        "I" => point_i, "J" => point_j, "L" => point_l, "M" => point_m, "N" => point_n, "K" => point_k,
-    }
-    arm: Arm {
-        "A" => point_a, "B" => point_b, "D" => point_d, "E" => point_e, "F" => point_f, "G" => point_g, "H" => point_h,
-        "I" => point_i, "J" => point_j, "K" => point_k, "L" => point_l, "M" => point_m, "N" => point_n,
-    }
-    four_bar: FourBar {
-        "A" => point_a, "D" => point_d, "B" => point_b, "C" => point_c, "P" => point_p,
-    }
-    slider_crank: SliderCrank {
-        "A" => point_a, "B" => point_b, "C" => point_c,
-    }
-    inverted_slider_crank: InvertedSliderCrank {
-        "A" => point_a, "B" => point_b, "D" => point_d, "S" => point_s,
-    }
-    platform_3rpr: Platform3rpr {
-        "A" => point_a, "B" => point_b, "C" => point_c, "P" => point_p, "Q" => point_q, "R" => point_r,
-    }
-    scissor: Scissor {
-        "A" => point_a, "B" => point_b, "M1" => point_m1, "L1" => point_l1, "R1" => point_r1, "M2" => point_m2,
-        "L2" => point_l2, "R2" => point_r2, "M3" => point_m3, "L3" => point_l3, "R3" => point_r3, "M4" => point_m4,
-        "L4" => point_l4, "R4" => point_r4, "M5" => point_m5, "L5" => point_l5, "R5" => point_r5, "M6" => point_m6,
-        "L6" => point_l6, "R6" => point_r6,
-    }
-    stephenson: Stephenson {
-        "A" => point_a, "B" => point_b, "C" => point_c, "D" => point_d, "E" => point_e, "F" => point_f,
-        "G" => point_g,
-    }
-}
+include!(concat!(env!("OUT_DIR"), "/registry.rs"));

@@ -29,11 +29,12 @@ impl Motion {
         );
         let source = Source::new("driven.mech", text);
         let read = read(&source).unwrap_or_else(|found| panic!("{}", found.render(&source)));
-        let mechanism = read.system.mechanism;
+        let system = read.only().expect("one motion");
+        let residual = system.rows[2].residual;
+        let mechanism = system.mechanism;
         let mut graph = mechanism.graph;
         let angle = mechanism.bodies[1].coordinates.expect("a moving body")[2];
         let zero = graph.zero();
-        let residual = read.system.rows[2].residual;
         // Φ is φ − f(t).
         let negative = graph.substitute(residual, &[(angle, zero)]);
         let mut orders = vec![graph.negate(negative)];

@@ -16,16 +16,26 @@ pub const REFERENCES: &[(&str, &str)] = &[
     ("excavator_pins", "excavator.csv"),
     ("arm", "arm.csv"),
     ("scissor", "scissor.csv"),
+    ("jansen", "jansen.csv"),
+    ("peaucellier", "peaucellier.csv"),
 ];
+
+/// The file of a mechanism's reference.
+///
+/// # Panics
+/// If it has none.
+pub fn file(mechanism: &str) -> &'static str {
+    let entry = REFERENCES.iter().find(|(name, _)| *name == mechanism);
+    let (_, file) = entry.unwrap_or_else(|| panic!("`{mechanism}` has no reference"));
+    file
+}
 
 /// The reference of a mechanism.
 ///
 /// # Panics
 /// If it has none.
 pub fn reference(mechanism: &str) -> Table {
-    let entry = REFERENCES.iter().find(|(name, _)| *name == mechanism);
-    let (_, file) = entry.unwrap_or_else(|| panic!("`{mechanism}` has no reference"));
-    Table::read(file)
+    Table::read(file(mechanism))
 }
 
 /// What the errors of each column after t are measured in: the largest absolute value in the column, or, in a column of zeros,

@@ -25,7 +25,7 @@ impl Sample {
             .coordinates
             .iter()
             .map(|coordinate| match coordinate.quantity {
-                Quantity::Length => random.between(-2.0, 2.0),
+                Quantity::Length | Quantity::Power(_) => random.between(-2.0, 2.0),
                 Quantity::Angle => random.between(-PI, PI),
             });
         let q: Vec<f64> = q.collect();

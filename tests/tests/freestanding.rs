@@ -5,7 +5,6 @@
 //! that the library needs from outside.
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -94,24 +93,6 @@ fn no_panic_path_and_no_allocator_survives_and_nothing_of_std_is_needed() {
         assert!(defined.contains(&name), "{name} is not in the library");
     }
     println!("undefined: {own:?}");
-}
-
-/// All points are exported too, not only the mechanisms.
-#[test]
-fn every_point_is_in_the_library() {
-    let text =
-        fs::read_to_string(files::package("freestanding/src/mechanisms.rs")).expect("the list");
-    let list = text.split("export! {").nth(1).expect("the list");
-    for name in description::whole() {
-        let start = list
-            .find(&format!("{name}: "))
-            .unwrap_or_else(|| panic!("{name} is not listed"));
-        let block = list[start..].split('}').next().unwrap_or_default();
-        for output in description::system(&name).outputs {
-            let motion = format!("point_{}", output.name.to_lowercase());
-            assert!(block.contains(&motion), "{motion} of {name} is not listed");
-        }
-    }
 }
 
 #[test]

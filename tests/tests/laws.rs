@@ -321,9 +321,8 @@ fn generated_code_agrees_with_the_interpreter() {
     let path = files::package("descriptions").join("laws.mech");
     let text = std::fs::read_to_string(path).expect("the description");
     let source = Source::new("laws.mech", text);
-    let system = read(&source)
-        .unwrap_or_else(|found| panic!("{}", found.render(&source)))
-        .system;
+    let read = read(&source).unwrap_or_else(|found| panic!("{}", found.render(&source)));
+    let system = read.only().expect("one motion");
     let rows = &system.rows;
     let roots: Vec<_> = rows
         .iter()

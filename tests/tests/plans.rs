@@ -20,12 +20,14 @@ fn steps(name: &str) -> Vec<String> {
 #[test]
 fn every_mechanism_is_solved_as_a_person_would() {
     let two_rotations = "two rotations";
-    let plans: [(&str, Vec<&str>); 10] = [
+    let plans: [(&str, Vec<&str>); 12] = [
         ("arm", vec![two_rotations; 4]),
         ("excavator", vec![two_rotations; 4]),
         ("excavator_pins", vec![two_rotations; 4]),
         ("four_bar", vec![two_rotations]),
         ("inverted_slider_crank", vec!["rotation and slide"]),
+        ("jansen", vec![two_rotations; 3]),
+        ("peaucellier", vec![two_rotations; 3]),
         ("platform_3rpr", vec!["Newton of size 4"]),
         ("scissor", vec![two_rotations; 6]),
         ("slider_crank", vec!["one angle"]),

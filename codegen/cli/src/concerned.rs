@@ -34,7 +34,11 @@ impl Concerned {
         );
         let bodies = taking_part(
             mechanism.bodies.len(),
-            system.coordinates.iter().map(|coordinate| coordinate.body),
+            system
+                .coordinates
+                .iter()
+                .filter_map(|coordinate| coordinate.describes.body()),
+            // The poses come first; where a joint touches its curve follows from them.
             weakness.coordinates.as_slice(),
         );
         Concerned {

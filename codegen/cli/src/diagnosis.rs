@@ -3,6 +3,7 @@
 //! The module does not solve anything; it evaluates Φ and Φ_q where the solver stopped.
 
 use linkwright::{Equations, FailureKind};
+use linkwright_codegen::joint::Quantity;
 use linkwright_codegen::system::System;
 use nalgebra::{DMatrix, DVector};
 
@@ -190,10 +191,12 @@ fn drawing(system: &System, interpreter: &Interpreter, t: f64) -> String {
 }
 
 /// What the residual of a row is measured in.
-pub fn unit(system: &System, row: usize) -> &'static str {
+pub fn unit(system: &System, row: usize) -> String {
     match system.rows[row].quantity {
-        linkwright_codegen::joint::Quantity::Length => "m",
-        linkwright_codegen::joint::Quantity::Angle => "rad",
+        Quantity::Length => "m".to_string(),
+        Quantity::Angle => "rad".to_string(),
+        Quantity::Power(0) => "1".to_string(),
+        Quantity::Power(exponent) => format!("m^{exponent}"),
     }
 }
 

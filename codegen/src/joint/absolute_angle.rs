@@ -1,6 +1,6 @@
 //! Absolute angle: a body does not turn.
 
-use super::{Kind, Operands, Quantity, Resolved, Row};
+use super::{Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// φ_i − C = 0 (Haug 1989, section 3.2).
@@ -25,11 +25,11 @@ impl Kind for AbsoluteAngle {
     }
 
     fn operands(&self) -> Operands {
-        Operands::Body
+        Operands::BODY
     }
 
-    fn value(&self) -> Option<Quantity> {
-        Some(Quantity::Angle)
+    fn value(&self) -> Value {
+        Value::Required(Quantity::Angle)
     }
 
     fn example(&self) -> &'static str {

@@ -1,6 +1,6 @@
 //! Absolute x and absolute y: a point of a body stays on a vertical or horizontal line.
 
-use super::{Kind, Operands, Quantity, Resolved, Row};
+use super::{Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// x_i + (R_i s_i)_x − C = 0 (Haug 1989, section 3.2).
@@ -29,11 +29,11 @@ impl Kind for AbsoluteX {
     }
 
     fn operands(&self) -> Operands {
-        Operands::Point
+        Operands::POINT
     }
 
-    fn value(&self) -> Option<Quantity> {
-        Some(Quantity::Length)
+    fn value(&self) -> Value {
+        Value::Required(Quantity::Length)
     }
 
     fn example(&self) -> &'static str {
@@ -51,11 +51,11 @@ impl Kind for AbsoluteY {
     }
 
     fn operands(&self) -> Operands {
-        Operands::Point
+        Operands::POINT
     }
 
-    fn value(&self) -> Option<Quantity> {
-        Some(Quantity::Length)
+    fn value(&self) -> Value {
+        Value::Required(Quantity::Length)
     }
 
     fn example(&self) -> &'static str {

@@ -1,7 +1,7 @@
 //! Absolute angle driver: a body's angle is a function of time.
 
 use super::absolute_angle::angle_row;
-use super::{Kind, Operands, Quantity, Resolved, Row};
+use super::{Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// φ_i − f(t) = 0 (Haug 1989, section 3.5).
@@ -13,11 +13,11 @@ impl Kind for AngleDriver {
     }
 
     fn operands(&self) -> Operands {
-        Operands::Body
+        Operands::BODY
     }
 
-    fn value(&self) -> Option<Quantity> {
-        Some(Quantity::Angle)
+    fn value(&self) -> Value {
+        Value::Required(Quantity::Angle)
     }
 
     fn example(&self) -> &'static str {

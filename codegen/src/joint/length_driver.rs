@@ -1,7 +1,7 @@
 //! Length driver: the distance between the two points of a translational joint, along it, is a function of time.
 
 use super::geometry::offset_along;
-use super::{Kind, Operands, Quantity, Resolved, Row};
+use super::{Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// (R_i u)ᵀ (r_j + R_j s_j − r_i − R_i s_i) − f(t) = 0, with u along the line, fixed in body i (Haug 1989, section 3.5).
@@ -15,11 +15,11 @@ impl Kind for LengthDriver {
     }
 
     fn operands(&self) -> Operands {
-        Operands::AxisOf
+        Operands::LINE_OF_JOINT
     }
 
-    fn value(&self) -> Option<Quantity> {
-        Some(Quantity::Length)
+    fn value(&self) -> Value {
+        Value::Required(Quantity::Length)
     }
 
     fn example(&self) -> &'static str {
@@ -27,11 +27,10 @@ impl Kind for LengthDriver {
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let (Some(axis), Some(value)) = (operands.axis, operands.value) else {
+        let (Some((axis, i, j)), Some(value)) = (operands.along(), operands.value) else {
             return Vec::new();
         };
-        let [i, j] = [&operands.marks[0], &operands.marks[1]];
-        let length = offset_along(axis.direction, axis.turned, i, j, graph);
+        let length = offset_along(axis.direction, axis.turned, &i, &j, graph);
         let residual = graph.subtract(length, value);
         vec![Row {
             residual,
@@ -42,11 +41,12 @@ impl Kind for LengthDriver {
 
     /// ℓ − f(t) = 0, with the displacement of the joint that is driven.
     fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let (Some(axis), Some(value)) = (operands.axis, operands.value) else {
+        let (Some(displacement), Some(value)) = (operands.auxiliaries.first(), operands.value)
+        else {
             return Vec::new();
         };
         vec![Row {
-            residual: graph.subtract(axis.displacement, value),
+            residual: graph.subtract(displacement.value, value),
             quantity: Quantity::Length,
             component: "",
         }]

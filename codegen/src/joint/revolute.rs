@@ -1,7 +1,7 @@
 //! Revolute joint: a point of one body stays on a point of another.
 
 use super::geometry::subtract;
-use super::{Kind, Operands, Quantity, Resolved, Row};
+use super::{Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// r_i + R_i s_i − r_j − R_j s_j = 0 (Haug 1989, section 3.3).
@@ -13,11 +13,11 @@ impl Kind for Revolute {
     }
 
     fn operands(&self) -> Operands {
-        Operands::PointPair
+        Operands::PINS
     }
 
-    fn value(&self) -> Option<Quantity> {
-        None
+    fn value(&self) -> Value {
+        Value::None
     }
 
     fn example(&self) -> &'static str {

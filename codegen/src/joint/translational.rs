@@ -1,7 +1,7 @@
 //! Translational joint: two bodies slide along a common line and keep their relative angle.
 
 use super::geometry::{offset_along, perpendicular, subtract};
-use super::{Kind, Operands, Quantity, Resolved, Row};
+use super::{Auxiliary, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::{ExprId, Graph};
 
 /// φ_i − φ_j − φ⁰ = 0 and (R_i v)ᵀ (r_j + R_j s_j − r_i − R_i s_i) = 0, with v across the line, fixed in body i
@@ -14,20 +14,23 @@ impl Kind for Translational {
     }
 
     fn operands(&self) -> Operands {
-        Operands::BodiesAlong
+        Operands::BODIES_ALONG
     }
 
-    fn value(&self) -> Option<Quantity> {
-        None
+    fn value(&self) -> Value {
+        Value::None
     }
 
     fn example(&self) -> &'static str {
         "`translational (1, 2) along P -> Q;` with P on body 1 and Q on body 2"
     }
 
+    fn auxiliaries(&self) -> &'static [Auxiliary] {
+        &[Auxiliary::Displacement]
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let [i, j] = [operands.marks[0], operands.marks[1]];
-        let Some(axis) = operands.axis else {
+        let Some((axis, i, j)) = operands.along() else {
             return Vec::new();
         };
         let [across, turned] =
@@ -45,14 +48,14 @@ impl Kind for Translational {
 
     /// φ_i − φ_j − φ⁰ = 0 and r_j + R_j s_j − r_i − R_i s_i − ℓ R_i u = 0.
     fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let Some(axis) = operands.axis else {
+        let (Some(axis), [displacement]) = (operands.axis, &operands.auxiliaries[..]) else {
             return Vec::new();
         };
         let [i, j] = [0, 1].map(|side| operands.marks[side].position(graph));
         let gap = subtract(j, i, graph);
         let slide = axis
             .turned
-            .map(|component| graph.multiply(axis.displacement, component));
+            .map(|component| graph.multiply(displacement.value, component));
         let open = subtract(gap, slide, graph);
         let row = |residual, component| Row {
             residual,

@@ -34,6 +34,7 @@ impl Dimension {
         match quantity {
             Quantity::Length => Dimension::LENGTH,
             Quantity::Angle => Dimension::Angle,
+            Quantity::Power(length) => Dimension::Marked { length, time: 0 },
         }
     }
 

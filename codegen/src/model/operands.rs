@@ -1,15 +1,16 @@
-//! Operands of joint and drive statements → marks and axes.
+//! Operands of joint and drive statements → marks.
 //!
 //! Every kind says which form of operands it takes; nothing here depends on the kind beyond that form.
 
-use super::resolve::{DrawnPoint, Resolver};
-use super::{Joint, Role};
-use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::joint::geometry::{BodyId, Mark, Vector, dot, subtract};
-use crate::joint::{Axis, Kind, Operands, Resolved};
-use crate::syntax::{Direction, Expression, Name, Reference};
-
+use super::Role;
 use super::dimension::Dimension;
+use super::resolve::{DrawnPoint, Resolver};
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::joint::geometry::{BodyId, Mark, Vector, subtract};
+use crate::joint::{
+    Auxiliary, AuxiliaryUnknown, Drawn, Kind, Line, Refusal, Resolved, Slot, Value,
+};
+use crate::syntax::{Direction, Expression, Name, Reference};
 
 /// What a joint or drive statement gives its kind.
 pub(super) struct Given<'a> {
@@ -22,21 +23,27 @@ pub(super) struct Given<'a> {
     pub span: Span,
 }
 
+/// Whether a value stands where one must, and none where none may.
+fn value_fits(given: &Given<'_>) -> bool {
+    match given.kind.value() {
+        Value::None => given.value.is_none(),
+        Value::Required(_) => given.value.is_some(),
+        Value::OrAsDrawn(_) => true,
+    }
+}
+
 impl Resolver<'_> {
     /// The operands in the form that the kind takes; `None` after an error.
     pub(super) fn operands(&mut self, given: &Given<'_>) -> Option<Resolved> {
         let form = given.kind.operands();
-        let count = match form {
-            Operands::Body | Operands::Point => 1,
-            Operands::PointPair | Operands::BodiesAlong | Operands::AxisOf => 2,
-        };
-        let along_fits = given.along.is_some() == (form == Operands::BodiesAlong);
-        let value_fits = given.value.is_some() == given.kind.value().is_some();
-        if given.operands.len() != count || !along_fits || !value_fits {
-            self.report_form(given, count);
+        let count = given.operands.len();
+        let along_fits = given.along.is_some() == form.is_along();
+        if !(form.fewest()..=form.slots.len()).contains(&count) || !along_fits || !value_fits(given)
+        {
+            self.report_form(given);
             return None;
         }
-        let value = match (given.value, given.kind.value()) {
+        let value = match (given.value, given.kind.value().quantity()) {
             (Some(written), Some(quantity)) => {
                 let expected = Dimension::of(quantity);
                 let value = match given.role {
@@ -48,24 +55,112 @@ impl Resolver<'_> {
             }
             _ => Some(None),
         };
-        let (marks, axis) = match form {
-            Operands::Body => (vec![self.origin_mark(&given.operands[0])?], None),
-            Operands::Point => (vec![self.point_mark(&given.operands[0])?], None),
-            Operands::PointPair => (self.point_pair(given)?, None),
-            Operands::BodiesAlong => self.sliding_pair(given)?,
-            Operands::AxisOf => self.existing_axis(given)?,
+        let (marks, axis, shared) = match form.line {
+            Line::None => (self.listed_marks(form.slots, given)?, None, Vec::new()),
+            Line::Between => {
+                let (marks, axis) = self.sliding_pair(given)?;
+                (marks, Some(axis), Vec::new())
+            }
+            Line::On(owner) => {
+                let (marks, axis) = self.line_on_body(form.slots, owner, given)?;
+                (marks, Some(axis), Vec::new())
+            }
+            Line::Existing => self.existing_line(given)?,
         };
-        Some(Resolved {
+        let drawn: Vec<Drawn> = marks
+            .iter()
+            .map(|mark| Drawn {
+                frame: self.bodies[mark.frame.body.0].drawn,
+                position: self.drawn_mark(mark),
+            })
+            .collect();
+        let auxiliaries = match form.line {
+            Line::Existing => shared,
+            _ => self.auxiliaries(given.kind),
+        };
+        let operands = Resolved {
             marks,
+            drawn,
             axis,
             value: value?,
-        })
+            auxiliaries,
+        };
+        match given.kind.refusal(&operands, &self.graph) {
+            None => Some(operands),
+            Some(Refusal { problem, help }) => {
+                let span = given.value.map_or(given.span, |value| value.span);
+                self.diagnostics
+                    .push(Diagnostic::error(Code::ValueNotAllowed, span, problem).help(help));
+                None
+            }
+        }
     }
 
-    fn report_form(&mut self, given: &Given<'_>, count: usize) {
+    /// Symbols for the unknowns that the vector form of this joint has beyond the coordinates.
+    fn auxiliaries(&mut self, kind: &dyn Kind) -> Vec<AuxiliaryUnknown> {
+        // No coordinate can have such a name: it begins with a digit, the joint's number.
+        let joint = self.joints.len();
+        let unknown = |(number, &kind): (usize, &Auxiliary)| {
+            let name = match number {
+                0 => format!("{joint} displacement"),
+                _ => format!("{joint} displacement {number}"),
+            };
+            let symbol = self.graph.symbol(&name);
+            let value = self.graph.variable(symbol);
+            let turned = match kind {
+                Auxiliary::LinkAngle => [self.graph.cos(value), self.graph.sin(value)],
+                Auxiliary::Displacement | Auxiliary::Distance => [self.graph.zero(); 2],
+            };
+            AuxiliaryUnknown {
+                kind,
+                value,
+                turned,
+            }
+        };
+        kind.auxiliaries().iter().enumerate().map(unknown).collect()
+    }
+
+    /// The mark of every slot; the ground for a carrier that is not written.
+    pub(super) fn listed_marks(&mut self, slots: &[Slot], given: &Given<'_>) -> Option<Vec<Mark>> {
+        let marks: Vec<Option<Mark>> = given
+            .operands
+            .iter()
+            .zip(slots)
+            .map(|(operand, slot)| match slot {
+                Slot::Body | Slot::Counterpart | Slot::Carrier => self.origin_mark(operand),
+                Slot::Point => self.point_mark(operand),
+                Slot::Pin => self.pin_mark(operand, given),
+                Slot::GroundPoint => self.ground_mark(operand),
+            })
+            .collect();
+        let mut marks: Vec<Mark> = marks.into_iter().collect::<Option<_>>()?;
+        for _ in &slots[marks.len()..] {
+            let ground = self.bodies[BodyId::GROUND.0].frame;
+            marks.push(Mark::new(ground, [self.graph.zero(); 2], &mut self.graph));
+        }
+        self.different_bodies(&marks, given)?;
+        let counterpart = slots.iter().position(|slot| *slot == Slot::Counterpart);
+        if let Some(at) = counterpart {
+            let place = self.drawn_mark(&marks[1 - at]);
+            let drawn = self.bodies[marks[at].frame.body.0].drawn;
+            let gap = subtract(place, drawn.origin, &mut self.graph);
+            let local = drawn.unrotate(gap, &mut self.graph);
+            marks[at] = Mark::new(marks[at].frame, local, &mut self.graph);
+        }
+        Some(marks)
+    }
+
+    fn report_form(&mut self, given: &Given<'_>) {
         let keyword = given.kind.keyword();
-        let (problem, span) = if given.operands.len() != count {
-            let noun = if count == 1 { "operand" } else { "operands" };
+        let form = given.kind.operands();
+        let (fewest, most) = (form.fewest(), form.slots.len());
+        let (problem, span) = if !(fewest..=most).contains(&given.operands.len()) {
+            let noun = if most == 1 { "operand" } else { "operands" };
+            let count = if fewest == most {
+                most.to_string()
+            } else {
+                format!("{fewest} or {most}")
+            };
             (
                 format!(
                     "`{keyword}` takes {count} {noun}, not {}",
@@ -73,7 +168,7 @@ impl Resolver<'_> {
                 ),
                 given.span,
             )
-        } else if given.value.is_some() != given.kind.value().is_some() {
+        } else if !value_fits(given) {
             match given.value {
                 Some(value) => (format!("`{keyword}` takes no value"), value.span),
                 None => (format!("`{keyword}` needs a value after `=`"), given.span),
@@ -81,10 +176,16 @@ impl Resolver<'_> {
         } else {
             match given.along {
                 Some(along) => (format!("`{keyword}` takes no `along`"), along.span),
-                None => (
-                    format!("`{keyword}` needs the line to slide on: `along P -> Q`"),
-                    given.span,
-                ),
+                None => {
+                    let line = match form.line {
+                        Line::Between => "the line to slide on",
+                        _ => "a line",
+                    };
+                    (
+                        format!("`{keyword}` needs {line}: `along P -> Q`"),
+                        given.span,
+                    )
+                }
             }
         };
         self.diagnostics.push(
@@ -106,7 +207,7 @@ impl Resolver<'_> {
     }
 
     /// A body named alone, for its origin.
-    fn origin_mark(&mut self, reference: &Reference) -> Option<Mark> {
+    pub(super) fn origin_mark(&mut self, reference: &Reference) -> Option<Mark> {
         if reference.body.is_some() {
             self.diagnostics.push(
                 Diagnostic::error(
@@ -139,7 +240,7 @@ impl Resolver<'_> {
     }
 
     /// The point of this name on a body. The ground carries every drawn point.
-    fn mark_on(&mut self, body: BodyId, name: &Name) -> Option<Mark> {
+    pub(super) fn mark_on(&mut self, body: BodyId, name: &Name) -> Option<Mark> {
         let carrier = &self.bodies[body.0];
         if let Some(mark) = carrier.marks.iter().find(|mark| mark.name == name.text) {
             return Some(mark.mark);
@@ -187,193 +288,85 @@ impl Resolver<'_> {
         None
     }
 
-    /// `P(1, 2)` or `(1.P, 2.Q)`, in any mixture.
-    fn point_pair(&mut self, given: &Given<'_>) -> Option<Vec<Mark>> {
-        let marks: Vec<Option<Mark>> = given
-            .operands
-            .iter()
-            .map(|operand| match (&operand.body, given.name) {
-                (Some(_), _) => self.point_mark(operand),
-                (None, Some(point)) => {
-                    let body = self.body(&operand.name)?;
-                    self.mark_on(body, point)
-                }
-                (None, None) => {
-                    self.diagnostics.push(
-                        Diagnostic::error(
-                            Code::WrongForm,
-                            operand.span,
-                            "the point of this body is not named",
-                        )
-                        .help(format!("write {}", given.kind.example())),
-                    );
-                    None
-                }
-            })
-            .collect();
-        let marks: Vec<Mark> = marks.into_iter().collect::<Option<_>>()?;
-        self.two_bodies(&marks, given)?;
-        Some(marks)
-    }
-
-    fn two_bodies(&mut self, marks: &[Mark], given: &Given<'_>) -> Option<()> {
-        if marks[0].frame.body != marks[1].frame.body {
-            return Some(());
-        }
-        let name = &self.bodies[marks[0].frame.body.0].name;
-        self.diagnostics.push(
-            Diagnostic::error(
-                Code::JointOnOneBody,
-                given.span,
-                format!("this joins body `{name}` to itself"),
-            )
-            .help("a joint needs two bodies; the fixed frame is called `ground`"),
-        );
-        None
-    }
-
-    /// `(1, 2) along P -> Q`: P on the first body, Q on the second, the line as drawn.
-    fn sliding_pair(&mut self, given: &Given<'_>) -> Option<(Vec<Mark>, Option<Axis>)> {
-        let along = given.along?;
-        let ends = [
-            (&given.operands[0], &along.from),
-            (&given.operands[1], &along.to),
-        ];
-        let marks: Vec<Option<Mark>> = ends
-            .iter()
-            .map(|(operand, end)| {
-                let origin = self.origin_mark(operand)?;
-                let mark = match &end.body {
-                    None => self.mark_on(origin.frame.body, &end.name)?,
-                    Some(_) => self.point_mark(end)?,
-                };
-                if mark.frame.body == origin.frame.body {
-                    return Some(mark);
-                }
-                let sliding = &operand.name.text;
+    /// `P` or `ground.P`: a point of the drawing as the ground carries it.
+    fn ground_mark(&mut self, reference: &Reference) -> Option<Mark> {
+        match &reference.body {
+            None => self.mark_on(BodyId::GROUND, &reference.name),
+            Some(body) if body.text == "ground" => self.point_mark(reference),
+            Some(body) => {
                 self.diagnostics.push(
-                    Diagnostic::error(Code::PointNotOnBody, end.span, format!("this point is not on body `{sliding}`"))
-                        .also(operand.span, "the body that slides")
-                        .help("name the ends of the line in the order of the bodies: `(1, 2) along P -> Q` has P on 1 and Q on 2"),
+                    Diagnostic::error(
+                        Code::WrongForm,
+                        reference.span,
+                        format!("a point of the ground is wanted here, not one of body `{}`", body.text),
+                    )
+                    .help("name a point of the drawing; between points of two bodies the distance is `relative_distance`"),
                 );
                 None
-            })
-            .collect();
-        let marks: Vec<Mark> = marks.into_iter().collect::<Option<_>>()?;
-        self.two_bodies(&marks, given)?;
-        let drawn = [self.drawn_mark(&marks[0]), self.drawn_mark(&marks[1])];
-        let direction = self.unit_direction(drawn[0], drawn[1], along.span)?;
-        let frames = [0, 1].map(|side| self.bodies[marks[side].frame.body.0].drawn);
-        let direction = frames[0].unrotate(direction, &mut self.graph);
-        let relative_angle = self.graph.subtract(frames[0].angle, frames[1].angle);
-        let turned = marks[0].frame.rotate(direction, &mut self.graph);
-        // No coordinate can have this name: its joint's number begins with a digit.
-        let slide = self
-            .graph
-            .symbol(&format!("{} displacement", self.joints.len()));
-        let displacement = self.graph.variable(slide);
-        let axis = Axis {
-            direction,
-            turned,
-            displacement,
-            relative_angle,
+            }
+        }
+    }
+
+    /// `1.P`, or `1` for the point of the joint's name on it.
+    fn pin_mark(&mut self, operand: &Reference, given: &Given<'_>) -> Option<Mark> {
+        match (&operand.body, given.name) {
+            (Some(_), _) => self.point_mark(operand),
+            (None, Some(point)) => {
+                let body = self.body(&operand.name)?;
+                self.mark_on(body, point)
+            }
+            (None, None) => {
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        Code::WrongForm,
+                        operand.span,
+                        "the point of this body is not named",
+                    )
+                    .help(format!("write {}", given.kind.example())),
+                );
+                None
+            }
+        }
+    }
+
+    /// No body may occur twice among the operands.
+    pub(super) fn different_bodies(&mut self, marks: &[Mark], given: &Given<'_>) -> Option<()> {
+        let bodies: Vec<BodyId> = marks.iter().map(|mark| mark.frame.body).collect();
+        let twice = (1..bodies.len()).find(|&at| bodies[..at].contains(&bodies[at]));
+        let Some(at) = twice else {
+            return Some(());
         };
-        Some((marks, Some(axis)))
+        let name = &self.bodies[bodies[at].0].name;
+        let carrier = given.kind.operands().slots.get(at) == Some(&Slot::Carrier);
+        let (problem, help) = if carrier {
+            (
+                format!("body `{name}` cannot be its own carrier"),
+                "name a third body as the carrier; without one it is the `ground`",
+            )
+        } else {
+            (
+                format!("this joins body `{name}` to itself"),
+                "a joint needs two bodies; the fixed frame is called `ground`",
+            )
+        };
+        self.diagnostics
+            .push(Diagnostic::error(Code::JointOnOneBody, given.span, problem).help(help));
+        None
     }
 
     /// Where a mark is in the drawing. Turning the local vector of a point given there back again would give the same place in
     /// longer terms.
-    fn drawn_mark(&mut self, mark: &Mark) -> Vector {
+    pub(super) fn drawn_mark(&mut self, mark: &Mark) -> Vector {
         let body = &self.bodies[mark.frame.body.0];
         if let Some(named) = body.marks.iter().find(|named| named.mark == *mark) {
             return named.drawn;
         }
         let frame = body.drawn;
+        let zero = self.graph.zero();
+        if mark.local == [zero, zero] {
+            return frame.origin;
+        }
         Mark::new(frame, mark.local, &mut self.graph).position(&mut self.graph)
-    }
-
-    /// The unit vector from one drawn point to another.
-    pub(super) fn unit_direction(
-        &mut self,
-        from: Vector,
-        to: Vector,
-        span: Span,
-    ) -> Option<Vector> {
-        let graph = &mut self.graph;
-        let gap = subtract(to, from, graph);
-        let square = dot(gap, gap, graph);
-        let length = graph.sqrt(square);
-        let measured = graph.constant_value(length).unwrap_or(0.0);
-        if measured > 0.0 && measured.is_finite() {
-            return Some([graph.divide(gap[0], length), graph.divide(gap[1], length)]);
-        }
-        self.diagnostics.push(
-            Diagnostic::error(
-                Code::DegenerateGeometry,
-                span,
-                "this direction has no length in the drawing",
-            )
-            .label("both points are at the same place")
-            .help("name two points that are apart in the drawing"),
-        );
-        None
-    }
-
-    /// `(P, Q)`: the axis of the one joint that was written `along P -> Q`.
-    fn existing_axis(&mut self, given: &Given<'_>) -> Option<(Vec<Mark>, Option<Axis>)> {
-        let wanted = [&given.operands[0], &given.operands[1]];
-        let same = |written: &Reference, end: &Reference| {
-            let bodies = match (&written.body, &end.body) {
-                (Some(one), Some(other)) => one.text == other.text,
-                _ => true,
-            };
-            bodies && written.name.text == end.name.text
-        };
-        let matching = |from: &Reference,
-                        to: &Reference,
-                        joints: &[(Joint, Option<Direction>)]|
-         -> Vec<usize> {
-            let fits = |along: &Direction| same(from, &along.from) && same(to, &along.to);
-            (0..joints.len())
-                .filter(|&at| joints[at].1.as_ref().is_some_and(fits))
-                .collect()
-        };
-        let found = matching(wanted[0], wanted[1], &self.joints);
-        if let [only] = found[..] {
-            let operands = &self.joints[only].0.operands;
-            return Some((operands.marks.clone(), operands.axis));
-        }
-        let span = wanted[0].span.to(wanted[1].span);
-        let [p, q] = [&wanted[0].name.text, &wanted[1].name.text];
-        let diagnostic = if let Some(&first) = found.first() {
-            Diagnostic::error(
-                Code::WrongForm,
-                span,
-                format!("several joints slide along {p} -> {q}"),
-            )
-            .also(self.joints[first].0.span, "one of them")
-            .help("name the points with their bodies: `length(1.P, 2.Q)`")
-        } else if let Some(&reverse) = matching(wanted[1], wanted[0], &self.joints).first() {
-            Diagnostic::error(
-                Code::WrongForm,
-                span,
-                format!("no joint slides along {p} -> {q}"),
-            )
-            .also(
-                self.joints[reverse].0.span,
-                format!("this one slides along {q} -> {p}"),
-            )
-            .help(format!("write `{}({q}, {p})`", given.kind.keyword()))
-        } else {
-            Diagnostic::error(
-                Code::WrongForm,
-                span,
-                format!("no joint above slides along {p} -> {q}"),
-            )
-            .help(format!("write {}", given.kind.example()))
-        };
-        self.diagnostics.push(diagnostic);
-        None
     }
 
     /// A point named in an expression or direction, where it is in the drawing.

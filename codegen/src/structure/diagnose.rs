@@ -1,10 +1,9 @@
 //! Parts that are not square → messages that name bodies and joints.
 
 use super::Parts;
-use crate::diagnostic::{Code, Diagnostic, Diagnostics};
-use crate::joint::Quantity;
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::model::{Joint, Role};
-use crate::system::System;
+use crate::system::{Described, System};
 
 /// How many places a message points at before it says how many more there are.
 const SHOWN: usize = 6;
@@ -55,13 +54,16 @@ fn too_few(system: &System, parts: &Parts) -> Diagnostic {
     let mut bodies: Vec<usize> = parts
         .under_columns
         .iter()
-        .map(|&column| system.coordinates[column].body)
+        .filter_map(|&column| system.coordinates[column].describes.body())
         .collect();
     bodies.dedup();
     let bodies: Vec<_> = bodies
         .iter()
         .map(|&body| &system.mechanism.bodies[body])
         .collect();
+    if bodies.is_empty() {
+        return undetermined_contact(system, parts);
+    }
     let left = parts.free_columns.len();
     let names = listed(bodies.iter().map(|body| body.name.as_str()));
     let noun = if bodies.len() == 1 { "body" } else { "bodies" };
@@ -87,6 +89,27 @@ fn too_few(system: &System, parts: &Parts) -> Diagnostic {
         .note(balance(system))
 }
 
+/// All bodies are held, but nothing says where a joint touches its curve.
+fn undetermined_contact(system: &System, parts: &Parts) -> Diagnostic {
+    let joints = parts.under_columns.iter().filter_map(|&column| {
+        match system.coordinates[column].describes {
+            Described::Contact { joint } => Some(&system.mechanism.joints[joint]),
+            Described::Pose { .. } => None,
+        }
+    });
+    let joints: Vec<&Joint> = joints.collect();
+    let labels = listed(joints.iter().map(|joint| joint.label.as_str()));
+    let span = joints.first().map_or(Span::default(), |joint| joint.span);
+    Diagnostic::error(
+        Code::TooFewEquations,
+        span,
+        format!("nothing determines where {labels} touches its curve"),
+    )
+    .label("can slide along the curve")
+    .help("give the curve another shape, or remove the joint")
+    .note(balance(system))
+}
+
 /// What to add so that everything is determined.
 fn remedy(system: &System, parts: &Parts) -> String {
     let loose = (1..system.mechanism.bodies.len())
@@ -102,15 +125,18 @@ fn remedy(system: &System, parts: &Parts) -> String {
         };
     }
     // A driver can only help where an angle is among what is free.
-    let angle = parts
-        .under_columns
-        .iter()
-        .map(|&column| &system.coordinates[column])
-        .find(|coordinate| coordinate.quantity == Quantity::Angle);
+    let angle =
+        parts
+            .under_columns
+            .iter()
+            .find_map(|&column| match system.coordinates[column].describes {
+                Described::Pose { body, axis: 2 } => Some(body),
+                _ => None,
+            });
     match angle {
         Some(angle) => format!(
             "prescribe what moves, for example `drive phi({}) = t;`, or add the missing joint",
-            system.mechanism.bodies[angle.body].name
+            system.mechanism.bodies[angle].name
         ),
         None => {
             "add the missing joint, or prescribe what moves with a `drive` statement".to_string()

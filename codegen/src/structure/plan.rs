@@ -240,7 +240,7 @@ fn incidence(form: &VectorForm, graph: &Graph) -> Incidence {
     }
     for arm in &form.arms {
         for symbol in arm.symbols {
-            unknown_of[symbol.index()] = Some(form.angle_of(arm.leader));
+            unknown_of[symbol.index()] = Some(arm.angle);
         }
     }
     let pattern = |residual: ExprId| {

@@ -1,7 +1,7 @@
 //! The rows of every joint, and their derivatives.
 
 use super::row_name::RowNames;
-use super::{Coordinate, Entry, Output, Row, SymbolRole, System, VectorForm};
+use super::{Coordinate, Described, Entry, Output, Row, SymbolRole, System, VectorForm};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{self, Quantity};
 use crate::model::{Body, Mechanism};
@@ -9,7 +9,16 @@ use crate::model::{Body, Mechanism};
 /// States Φ row by row in written order and differentiates it.
 pub fn assemble(mut mechanism: Mechanism) -> System {
     let coordinates = coordinates(&mut mechanism);
-    let by_body = |body: usize| &coordinates[3 * (body - 1)..3 * body];
+    // The poses come first, three coordinates to a body; then what only one joint has.
+    let of_body = |body: usize| match body {
+        0 => 0..0,
+        body => 3 * (body - 1)..3 * body,
+    };
+    let (poses, all) = (3 * mechanism.moving_bodies().len(), &coordinates);
+    let of_joint = |joint: usize| {
+        let own = Described::Contact { joint };
+        (poses..all.len()).filter(move |&at| all[at].describes == own)
+    };
     let mut rows = Vec::new();
     let mut row_names = RowNames::default();
     let Mechanism {
@@ -26,13 +35,15 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             .iter()
             .map(|mark| mark.frame.body.0)
             .collect();
-        let mut involved: Vec<&Coordinate> = bodies
+        let mut involved: Vec<usize> = bodies
             .iter()
-            .filter(|&&body| body > 0)
-            .flat_map(|&body| by_body(body))
+            .flat_map(|&body| of_body(body))
+            .chain(of_joint(index))
             .collect();
-        involved.sort_by_key(|coordinate| coordinate.position);
-        involved.dedup_by_key(|coordinate| coordinate.position);
+        involved.sort_unstable();
+        involved.dedup();
+        let involved: Vec<(usize, &Coordinate)> =
+            involved.iter().map(|&at| (at, &coordinates[at])).collect();
         let stated = joint.kind.rows(&joint.operands, graph);
         let names = row_names.of(joint, &stated);
         for (stated, name) in stated.into_iter().zip(names) {
@@ -45,10 +56,9 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         .iter()
         .map(|point| {
             let position = point.mark.position(graph);
-            let moving: Vec<&Coordinate> = match point.mark.frame.body.0 {
-                0 => Vec::new(),
-                body => by_body(body).iter().collect(),
-            };
+            let moving: Vec<&Coordinate> = of_body(point.mark.frame.body.0)
+                .map(|at| &coordinates[at])
+                .collect();
             let velocity = position.map(|component| rate(component, &moving, graph));
             let acceleration = velocity.map(|component| rate(component, &moving, graph));
             Output {
@@ -98,7 +108,7 @@ fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
                 acceleration: graph.symbol(&format!("{name}''")),
                 name,
                 position,
-                body,
+                describes: Described::Pose { body, axis },
                 quantity: if axis == 2 {
                     Quantity::Angle
                 } else {
@@ -117,28 +127,28 @@ fn differentiate(
     joint: usize,
     name: String,
     bodies: &[usize],
-    involved: &[&Coordinate],
+    involved: &[(usize, &Coordinate)],
     time: SymbolId,
     graph: &mut Graph,
 ) -> Row {
     let residual = stated.residual;
     let derivatives: Vec<ExprId> = involved
         .iter()
-        .map(|coordinate| graph.derivative(residual, coordinate.position))
+        .map(|(_, coordinate)| graph.derivative(residual, coordinate.position))
         .collect();
     let time_derivative = graph.derivative(residual, time);
     // Φ_q q̇, whose derivative along q̇ is (Φ_q q̇)_q q̇ and whose partial derivative in t is Φ_qt q̇.
     let products: Vec<ExprId> = involved
         .iter()
         .zip(&derivatives)
-        .map(|(coordinate, &derivative)| {
+        .map(|((_, coordinate), &derivative)| {
             let rate = graph.variable(coordinate.rate);
             graph.multiply(derivative, rate)
         })
         .collect();
     let constraint_rate = graph.sum(&products);
     let mut terms = Vec::with_capacity(involved.len() + 3);
-    for coordinate in involved {
+    for (_, coordinate) in involved {
         let partial = graph.derivative(constraint_rate, coordinate.position);
         let rate = graph.variable(coordinate.rate);
         terms.push(graph.multiply(partial, rate));
@@ -148,15 +158,11 @@ fn differentiate(
     let total = graph.sum(&terms);
     let gamma = graph.negate(total);
     let zero = graph.zero();
-    // The coordinates are numbered as their symbols are, three to a body.
     let jacobian = involved
         .iter()
         .zip(derivatives)
         .filter(|(_, value)| *value != zero)
-        .map(|(coordinate, value)| Entry {
-            coordinate: coordinate.position.index(),
-            value,
-        })
+        .map(|(&(coordinate, _), value)| Entry { coordinate, value })
         .collect();
     let quantity = stated.quantity;
     Row {

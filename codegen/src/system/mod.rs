@@ -25,7 +25,7 @@ use crate::model::Mechanism;
 pub struct System {
     /// The mechanism; its graph holds every expression below.
     pub mechanism: Mechanism,
-    /// q: x, y, φ of every moving body in written order.
+    /// q: x, y, φ of every moving body in written order, then the contact parameters of the joints in written order.
     pub coordinates: Vec<Coordinate>,
     /// Φ and what is derived from it, a row per scalar equation, in written order.
     pub rows: Vec<Row>,
@@ -40,7 +40,7 @@ pub struct System {
 /// What a symbol stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SymbolRole {
-    /// The coordinate q_k; the displacements of the vector form are numbered after the coordinates.
+    /// The coordinate q_k; the auxiliary unknowns of the vector form are numbered after the coordinates.
     Position(usize),
     /// The rate q̇_k.
     Rate(usize),
@@ -54,6 +54,33 @@ pub enum SymbolRole {
     Time,
 }
 
+/// What a coordinate says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Described {
+    /// Where a body is, or how it is turned.
+    Pose {
+        /// An index into the mechanism's bodies.
+        body: usize,
+        /// 0 for x, 1 for y, 2 for φ.
+        axis: usize,
+    },
+    /// Where a joint touches its curve: an artificial coordinate (Nikravesh 1988, section 4.2.4).
+    Contact {
+        /// An index into the mechanism's joints.
+        joint: usize,
+    },
+}
+
+impl Described {
+    /// The body whose pose it belongs to.
+    pub fn body(self) -> Option<usize> {
+        match self {
+            Described::Pose { body, .. } => Some(body),
+            Described::Contact { .. } => None,
+        }
+    }
+}
+
 /// One coordinate with its derivatives.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
@@ -65,9 +92,9 @@ pub struct Coordinate {
     pub rate: SymbolId,
     /// Its acceleration q̈_k.
     pub acceleration: SymbolId,
-    /// Which body it belongs to: an index into the mechanism's bodies.
-    pub body: usize,
-    /// Whether it is a length (x, y) or an angle (φ).
+    /// What it says.
+    pub describes: Described,
+    /// Whether it is a length (x, y) or an angle (φ); a contact parameter is what the description measures it in.
     pub quantity: Quantity,
     /// Its value in the drawing.
     pub estimate: ExprId,
@@ -126,7 +153,7 @@ impl System {
         symbol
     }
 
-    /// The name of an unknown: a coordinate, or a displacement of the vector form.
+    /// The name of an unknown: a coordinate, or an auxiliary unknown of the vector form.
     pub fn unknown_name(&self, unknown: usize) -> &str {
         &self.vector_form.unknowns[unknown].name
     }
@@ -138,11 +165,10 @@ impl System {
         name.split(' ').next().unwrap_or(name)
     }
 
-    /// Where residuals of row `row` are judged against: the characteristic length for lengths, 1 rad for angles.
+    /// What values of a quantity are judged against: the characteristic length to the power of metres, 1 rad for angles.
     pub fn scale(&self, quantity: Quantity) -> f64 {
-        match quantity {
-            Quantity::Length => self.mechanism.characteristic_length,
-            Quantity::Angle => 1.0,
-        }
+        self.mechanism
+            .characteristic_length
+            .powi(quantity.power_of_length())
     }
 }

@@ -1,7 +1,7 @@
 //! The same constraints in vector form: what the solved view starts from.
 //!
 //! Every turned local vector R s is a pair of symbols, an *arm*, so that the rows are linear in positions and arms, and a
-//! sliding joint has its displacement ℓ as an unknown. Afterwards an unknown has a constant coefficient wherever a person
+//! sliding joint has its displacement ℓ as an unknown, a link without a body its angle ψ. Afterwards an unknown has a constant coefficient wherever a person
 //! would eliminate it by inspection. Time derivatives follow from the rule that an arm turns with its body: d(R s)/dt = φ̇ Ω R s.
 
 use std::collections::{HashMap, HashSet};
@@ -9,14 +9,14 @@ use std::collections::{HashMap, HashSet};
 use super::orientation::{Orientations, as_symbol};
 use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{Frame, Mark, Vector};
-use crate::joint::{Operands, Quantity, Resolved};
-use crate::model::{Joint, Mechanism, apart};
+use crate::joint::geometry::{Frame, Mark, Vector, dot, offset_along};
+use crate::joint::{Auxiliary, AuxiliaryUnknown, Quantity, Resolved};
+use crate::model::{Body, Joint, Mechanism, apart};
 
 /// The vector form of a mechanism.
 #[derive(Clone, Debug)]
 pub struct VectorForm {
-    /// The coordinates in their order, then the displacements.
+    /// The coordinates in their order, then the auxiliary unknowns of the joints.
     pub unknowns: Vec<Unknown>,
     /// As many rows as unknowns where the mechanism is driven.
     pub rows: Vec<VectorRow>,
@@ -30,6 +30,8 @@ pub struct VectorForm {
     rates: HashMap<SymbolId, ExprId>,
     // Looked up, never iterated.
     arm_places: HashMap<(usize, Vector), usize>,
+    // The unknowns beyond the coordinates, by symbol; only looked up.
+    auxiliary_places: HashMap<SymbolId, usize>,
     // The names of unknowns and arms; only looked up.
     taken_names: HashSet<String>,
 }
@@ -60,12 +62,12 @@ pub struct VectorRow {
     pub residual: ExprId,
 }
 
-/// A local vector turned with a body: a = R(φ) s.
+/// A local vector turned with a body or a link: a = R(φ) s.
 #[derive(Clone, Debug)]
 pub struct Arm {
-    /// The body whose angle turns it; no follower.
-    pub leader: usize,
-    /// s in the leader's orientation.
+    /// The unknown angle that turns it: that of a body that is no follower, or of a link without a body.
+    pub angle: usize,
+    /// s in the orientation of that angle.
     pub local: Vector,
     /// a.
     pub symbols: [SymbolId; 2],
@@ -74,7 +76,7 @@ pub struct Arm {
 }
 
 impl VectorForm {
-    /// The vector form of every joint, with the drawn values of the displacements.
+    /// The vector form of every joint, with the drawn values of the auxiliary unknowns.
     pub(super) fn new(mechanism: &mut Mechanism, coordinates: &[Coordinate]) -> VectorForm {
         let mut form = VectorForm {
             unknowns: coordinates.iter().map(unknown_of).collect(),
@@ -84,6 +86,7 @@ impl VectorForm {
             points: Vec::new(),
             rates: HashMap::new(),
             arm_places: HashMap::new(),
+            auxiliary_places: HashMap::new(),
             taken_names: coordinates
                 .iter()
                 .map(|coordinate| coordinate.name.clone())
@@ -106,9 +109,7 @@ impl VectorForm {
             }
         }
         for (index, joint) in joints.iter().enumerate() {
-            if joint.kind.operands() == Operands::BodiesAlong {
-                form.add_displacement(joint, bodies, graph);
-            }
+            form.add_auxiliaries(joint, bodies, graph);
             let operands = form.with_arms(&joint.operands, bodies, graph);
             let rows = joint.kind.vector_rows(&operands, graph);
             form.rows.extend(rows.iter().map(|row| VectorRow {
@@ -158,18 +159,16 @@ impl VectorForm {
 
     /// The arms that turn with the angle `unknown`.
     pub fn arms_of(&self, unknown: usize) -> impl Iterator<Item = &Arm> {
-        self.arms
-            .iter()
-            .filter(move |arm| self.angle_of(arm.leader) == unknown)
+        self.arms.iter().filter(move |arm| arm.angle == unknown)
     }
 
-    /// The arm R(φ) s of a local vector in the orientation of `leader`; a zero vector stays zero.
-    pub fn arm(&mut self, leader: usize, local: Vector, name: &str, graph: &mut Graph) -> Vector {
+    /// The arm R(φ) s of a local vector in the orientation of the unknown `angle`; a zero vector stays zero.
+    pub fn arm(&mut self, angle: usize, local: Vector, name: &str, graph: &mut Graph) -> Vector {
         let zero = graph.zero();
         if local == [zero, zero] {
             return local;
         }
-        if let Some(&place) = self.arm_places.get(&(leader, local)) {
+        if let Some(&place) = self.arm_places.get(&(angle, local)) {
             return self.arms[place]
                 .symbols
                 .map(|symbol| graph.variable(symbol));
@@ -191,14 +190,14 @@ impl VectorForm {
         }
         let symbols = ["x", "y"].map(|axis| graph.symbol(&format!("{name}_{axis} arm")));
         let [x, y] = symbols.map(|symbol| graph.variable(symbol));
-        let turning = graph.variable(self.unknowns[self.angle_of(leader)].rate);
+        let turning = graph.variable(self.unknowns[angle].rate);
         let backward = graph.multiply(turning, y);
         self.rates.insert(symbols[0], graph.negate(backward));
         self.rates.insert(symbols[1], graph.multiply(turning, x));
         self.taken_names.insert(name.clone());
-        self.arm_places.insert((leader, local), self.arms.len());
+        self.arm_places.insert((angle, local), self.arms.len());
         self.arms.push(Arm {
-            leader,
+            angle,
             local,
             symbols,
             name,
@@ -206,85 +205,102 @@ impl VectorForm {
         [x, y]
     }
 
-    fn add_displacement(
+    /// The auxiliary unknowns of one joint, named after the points that it concerns.
+    fn add_auxiliaries(&mut self, joint: &Joint, bodies: &[Body], graph: &mut Graph) {
+        // A driver on the line of another joint has that joint's unknowns, and none of its own.
+        let own = joint.kind.auxiliaries().len();
+        for auxiliary in joint.operands.auxiliaries.iter().take(own) {
+            let Some(position) = as_symbol(auxiliary.value, graph) else {
+                continue;
+            };
+            let ends = [0, 1].map(|side| {
+                let mark = joint.operands.marks.get(side)?;
+                let carried = bodies[mark.frame.body.0]
+                    .marks
+                    .iter()
+                    .find(|other| other.mark.local == mark.local);
+                carried.map(|carried| carried.name.to_lowercase())
+            });
+            let prefix = match auxiliary.kind {
+                Auxiliary::Displacement | Auxiliary::Distance => "length",
+                Auxiliary::LinkAngle => "psi",
+            };
+            let name = match ends {
+                [Some(from), Some(to)] => format!("{prefix}_{from}_{to}"),
+                _ => format!("{prefix}_{}", joint.slug),
+            };
+            let name = if self.taken_names.contains(&name) {
+                format!("{name}_{}", self.unknowns.len())
+            } else {
+                name
+            };
+            self.taken_names.insert(name.clone());
+            let [rate, acceleration] =
+                ["'", "''"].map(|dots| graph.symbol(&format!("{name}{dots}")));
+            let estimate = in_drawing(auxiliary.kind, &joint.operands, bodies, graph);
+            self.auxiliary_places.insert(position, self.unknowns.len());
+            self.unknowns.push(Unknown {
+                name,
+                position,
+                rate,
+                acceleration,
+                quantity: auxiliary.kind.quantity(),
+                estimate,
+            });
+        }
+    }
+
+    /// An auxiliary unknown with symbols for the vector that it turns.
+    fn auxiliary_with_arm(
         &mut self,
-        joint: &Joint,
-        bodies: &[crate::model::Body],
+        auxiliary: &AuxiliaryUnknown,
         graph: &mut Graph,
-    ) {
-        let Some(axis) = joint.operands.axis else {
-            return;
-        };
-        let Some(position) = as_symbol(axis.displacement, graph) else {
-            return;
-        };
-        let ends = [0, 1].map(|side| {
-            let mark = &joint.operands.marks[side];
-            let carried = bodies[mark.frame.body.0]
-                .marks
-                .iter()
-                .find(|other| other.mark.local == mark.local);
-            carried.map(|carried| carried.name.to_lowercase())
-        });
-        let name = match ends {
-            [Some(from), Some(to)] => format!("length_{from}_{to}"),
-            _ => format!("length_{}", joint.slug),
-        };
-        let name = if self.taken_names.contains(&name) {
-            format!("{name}_{}", self.unknowns.len())
-        } else {
-            name
-        };
-        self.taken_names.insert(name.clone());
-        let [rate, acceleration] = ["'", "''"].map(|dots| graph.symbol(&format!("{name}{dots}")));
-        let [i, j] = [0, 1].map(|side| {
-            let mark = &joint.operands.marks[side];
-            Mark::new(bodies[mark.frame.body.0].drawn, mark.local, graph)
-        });
-        let turned = i.frame.rotate(axis.direction, graph);
-        let estimate = crate::joint::geometry::offset_along(axis.direction, turned, &i, &j, graph);
-        let quantity = Quantity::Length;
-        self.unknowns.push(Unknown {
-            name,
-            position,
-            rate,
-            acceleration,
-            quantity,
-            estimate,
-        });
+    ) -> AuxiliaryUnknown {
+        let place = as_symbol(auxiliary.value, graph)
+            .and_then(|symbol| self.auxiliary_places.get(&symbol).copied());
+        match (auxiliary.kind, place) {
+            (Auxiliary::LinkAngle, Some(place)) => {
+                let ends = self.unknowns[place].name.replacen("psi", "link", 1);
+                let along = [graph.one(), graph.zero()];
+                let turned = self.arm(place, along, &ends, graph);
+                AuxiliaryUnknown {
+                    turned,
+                    ..*auxiliary
+                }
+            }
+            _ => *auxiliary,
+        }
     }
 
     /// The operands with symbols for all turned vectors.
-    fn with_arms(
-        &mut self,
-        operands: &Resolved,
-        bodies: &[crate::model::Body],
-        graph: &mut Graph,
-    ) -> Resolved {
+    fn with_arms(&mut self, operands: &Resolved, bodies: &[Body], graph: &mut Graph) -> Resolved {
         let marks = operands
             .marks
             .iter()
             .map(|mark| self.mark_with_arm(mark, bodies, graph))
             .collect();
         let axis = operands.axis.map(|axis| {
-            let body = operands.marks[0].frame.body.0;
+            let frame = operands.marks[axis.owner].frame;
+            let body = frame.body.0;
             let name = format!("axis_{}", bodies[body].name.to_lowercase());
-            let turned = self.turned(&operands.marks[0].frame, axis.direction, &name, graph);
+            let turned = self.turned(&frame, axis.direction, &name, graph);
             crate::joint::Axis { turned, ..axis }
         });
+        let auxiliaries = operands
+            .auxiliaries
+            .iter()
+            .map(|auxiliary| self.auxiliary_with_arm(auxiliary, graph))
+            .collect();
         Resolved {
             marks,
+            drawn: operands.drawn.clone(),
             axis,
             value: operands.value,
+            auxiliaries,
         }
     }
 
-    fn mark_with_arm(
-        &mut self,
-        mark: &Mark,
-        bodies: &[crate::model::Body],
-        graph: &mut Graph,
-    ) -> Mark {
+    fn mark_with_arm(&mut self, mark: &Mark, bodies: &[Body], graph: &mut Graph) -> Mark {
         let body = &bodies[mark.frame.body.0];
         let named = body
             .marks
@@ -307,7 +323,7 @@ impl VectorForm {
         if leader.0 == 0 {
             local
         } else {
-            self.arm(leader.0, local, name, graph)
+            self.arm(self.angle_of(leader.0), local, name, graph)
         }
     }
 
@@ -331,6 +347,37 @@ fn set(roles: &mut Vec<SymbolRole>, symbol: SymbolId, role: SymbolRole) {
         roles.resize(symbol.index() + 1, SymbolRole::Intermediate);
     }
     roles[symbol.index()] = role;
+}
+
+/// The value of an auxiliary unknown in the drawing.
+fn in_drawing(
+    auxiliary: Auxiliary,
+    operands: &Resolved,
+    bodies: &[Body],
+    graph: &mut Graph,
+) -> ExprId {
+    let drawn = |mark: &Mark, graph: &mut Graph| {
+        Mark::new(bodies[mark.frame.body.0].drawn, mark.local, graph)
+    };
+    match auxiliary {
+        Auxiliary::Displacement => match operands.along() {
+            Some((axis, i, j)) => {
+                let [i, j] = [i, j].map(|mark| drawn(&mark, graph));
+                let turned = i.frame.rotate(axis.direction, graph);
+                offset_along(axis.direction, turned, &i, &j, graph)
+            }
+            None => graph.zero(),
+        },
+        Auxiliary::Distance => {
+            let gap = operands.drawn_gap(graph);
+            let square = dot(gap, gap, graph);
+            graph.sqrt(square)
+        }
+        Auxiliary::LinkAngle => {
+            let [x, y] = operands.drawn_gap(graph);
+            graph.atan2(y, x)
+        }
+    }
 }
 
 fn unknown_of(coordinate: &Coordinate) -> Unknown {

@@ -3,7 +3,7 @@
 //! The arena sorts operands by id, so that equal expressions are one node. A person writes the coordinates of the first body of
 //! a joint before those of the second, constants after them, and functions of time last.
 
-use super::{SymbolRole, System};
+use super::{Described, SymbolRole, System};
 use crate::expr::{ExprId, Factor, Graph, Node, SymbolId, Term};
 
 /// The written order of one formula.
@@ -36,22 +36,24 @@ impl<'a> WrittenOrder<'a> {
             // An arm stands where the angle that turns it would stand.
             SymbolRole::Arm(arm) => {
                 let form = &self.system.vector_form;
-                (form.angle_of(form.arms[arm].leader), 0)
+                (form.arms[arm].angle, 0)
             }
             SymbolRole::Intermediate => {
                 return usize::MAX - self.graph().symbol_count() + symbol.index();
             }
             SymbolRole::Time => return usize::MAX,
         };
+        let after_all_poses =
+            9 * (self.bodies.len() + self.system.mechanism.bodies.len()) + 3 * unknown + level;
         let Some(coordinate) = self.system.coordinates.get(unknown) else {
-            return 9 * (self.bodies.len() + self.system.mechanism.bodies.len())
-                + 3 * unknown
-                + level;
+            return after_all_poses;
         };
-        let body = coordinate.body;
+        let Described::Pose { body, axis } = coordinate.describes else {
+            return after_all_poses;
+        };
         let place = self.bodies.iter().position(|&named| named == body);
         let place = place.unwrap_or(self.bodies.len() + body);
-        (3 * place + unknown % 3) * 3 + level
+        (3 * place + axis) * 3 + level
     }
 
     fn first_symbol(&self, expr: ExprId) -> Option<usize> {

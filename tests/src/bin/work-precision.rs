@@ -10,7 +10,8 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use linkwright_tests::files;
-use linkwright_tests::reference::REFERENCES;
+use linkwright_tests::method::STUDIED;
+use linkwright_tests::reference;
 use linkwright_tests::study::environment::Environment;
 use linkwright_tests::study::measurement::{Effort, measure};
 use linkwright_tests::study::{chart, outputs, table};
@@ -55,9 +56,9 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if cfg!(debug_assertions) {
         eprintln!("warning: not a release build; the times mean nothing");
     }
-    let known = |name: &String| REFERENCES.iter().any(|(known, _)| known == name);
+    let known = |name: &String| STUDIED.contains(&name.as_str());
     if let Some(unknown) = arguments.only.iter().find(|name| !known(name)) {
-        return Err(format!("`{unknown}` has no reference").into());
+        return Err(format!("`{unknown}` is not compared with the baseline").into());
     }
     let effort = if arguments.short {
         Effort {
@@ -82,10 +83,11 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         effort.repeats
     );
     print!("{}", environment.lines());
-    for (name, file) in REFERENCES {
+    for name in STUDIED {
         if !arguments.only.is_empty() && !arguments.only.iter().any(|it| it == name) {
             continue;
         }
+        let file = reference::file(name);
         let measurements = measure(name, effort, |message| eprintln!("{name}: {message}"));
         let baseline = measurements[0].time;
         let table = table::markdown(&measurements, baseline);

@@ -79,7 +79,7 @@ fn iterates(mechanism: &str) -> bool {
     steps.any(|step| matches!(step, Step::Newton { .. }))
 }
 
-/// A line per compiled module. Types of different modules have nothing in common, so a macro per kind of generated solver
+/// A line per mechanism whose methods are compared: those that the baseline is written for. Types of different modules have nothing in common, so a macro per kind of generated solver
 /// implements [`Method`] in a module of its own; further kinds are further macros with their lines below.
 macro_rules! generated {
     ($($module:ident: $mechanism:ident),+ $(,)?) => {
@@ -100,6 +100,9 @@ macro_rules! generated {
                 $crate::method::solved::solved!([$crate::single::$module], $mechanism, f32, "f32");
             }
         })+
+
+        /// The mechanisms whose methods are compared.
+        pub const STUDIED: &[&str] = &[$(stringify!($module)),+];
 
         /// The generated solvers of a mechanism.
         fn generated(mechanism: &str) -> Vec<Box<dyn Method>> {

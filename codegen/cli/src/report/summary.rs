@@ -27,7 +27,7 @@ const INDENT: usize = 24;
 /// # Errors
 /// Those of `output`.
 pub fn write(solution: &Solution, chosen: bool, output: &mut dyn Write) -> io::Result<()> {
-    writeln!(output, "{}", solution.name())?;
+    writeln!(output, "{}", solution.title())?;
     start(solution, output)?;
     mechanism(solution, output)?;
     if solution.frames().is_empty() {
@@ -137,7 +137,7 @@ fn residuals(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
         _ => String::new(),
     };
     let unit = match solution.system.rows.is_empty() {
-        true => "",
+        true => String::new(),
         false => unit(&solution.system, found.row),
     };
     let text = format!(

@@ -120,8 +120,8 @@ impl Writer<'_> {
             }
             let joints = &self.system.mechanism.joints;
             let driver = joints.iter().find(|joint| {
-                let axis = joint.operands.axis;
-                joint.role == Role::Driver && axis.is_some_and(|axis| axis.displacement == variable)
+                let mut auxiliaries = joint.operands.auxiliaries.iter();
+                joint.role == Role::Driver && auxiliaries.any(|it| it.value == variable)
             });
             let block = self.found_in[unknown].map_or(0, |block| block + 1);
             let reason = match driver {

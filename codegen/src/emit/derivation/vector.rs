@@ -49,15 +49,14 @@ impl Writer<'_> {
                 let origin = self.script.origin(name);
                 terms.push(self.scaled(factor, origin));
             }
-            let angle = self.system.vector_form.angle_of(body);
-            let arms: Vec<_> = self.system.vector_form.arms_of(angle).cloned().collect();
-            for arm in arms {
-                if let Some(factor) = self.take_factor(&mut rest, arm.symbols) {
-                    let angle = self.unknown(angle);
-                    let turned = self.turned_text(&angle, arm.local);
-                    terms.push(self.scaled(factor, turned));
-                }
-            }
+            self.take_arms(
+                self.system.vector_form.angle_of(body),
+                &mut rest,
+                &mut terms,
+            );
+        }
+        for auxiliary in self.system.coordinates.len()..self.system.vector_form.unknowns.len() {
+            self.take_arms(auxiliary, &mut rest, &mut terms);
         }
         let graph = self.graph();
         let zero = graph.zero();
@@ -68,6 +67,18 @@ impl Writer<'_> {
             terms.push((false, self.pair_text(rest)));
         }
         Some(terms)
+    }
+
+    /// Takes the vectors that an angle turns out of a sum.
+    fn take_arms(&mut self, angle: usize, rest: &mut Vector, terms: &mut Vec<(bool, String)>) {
+        let arms: Vec<_> = self.system.vector_form.arms_of(angle).cloned().collect();
+        for arm in arms {
+            if let Some(factor) = self.take_factor(rest, arm.symbols) {
+                let angle = self.unknown(angle);
+                let turned = self.turned_text(&angle, arm.local);
+                terms.push(self.scaled(factor, turned));
+            }
+        }
     }
 
     /// `R(phi) (a, b)`.

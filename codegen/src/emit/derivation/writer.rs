@@ -45,7 +45,7 @@ impl<'a> Writer<'a> {
         });
         let sections = sections.collect();
         Document {
-            name: self.script.word(&self.system.mechanism.name),
+            name: self.script.word(&self.system.mechanism.title()),
             summary,
             outline,
             sections,
@@ -146,7 +146,7 @@ impl<'a> Writer<'a> {
             if !arm.symbols.iter().any(|&it| graph.depends_on(expr, it)) {
                 continue;
             }
-            let angle = vector_form.unknowns[vector_form.angle_of(arm.leader)].position;
+            let angle = vector_form.unknowns[arm.angle].position;
             let angle = graph.variable(angle);
             let turned = turned(angle, arm.local, graph);
             replacements.extend(arm.symbols.into_iter().zip(turned));

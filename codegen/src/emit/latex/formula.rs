@@ -2,7 +2,7 @@
 
 use super::super::parts::{Fraction, Part, fraction, terms};
 use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
-use crate::system::{SymbolRole, System, WrittenOrder};
+use crate::system::{Described, SymbolRole, System, WrittenOrder};
 
 /// Prints the formulas of one row.
 #[derive(Clone, Copy, Debug)]
@@ -217,8 +217,13 @@ impl<'a> Printer<'a> {
                 Some(accent) => format!("\\{accent}{{\\ell}}{index}"),
             };
         }
-        let letter = ["x", "y", "\\varphi"][coordinate % 3];
-        let body = &self.system.mechanism.bodies[self.system.coordinates[coordinate].body].name;
+        let (letter, body) = match self.system.coordinates[coordinate].describes {
+            Described::Pose { body, axis } => {
+                let letter = ["x", "y", "\\varphi"][axis];
+                (letter, &self.system.mechanism.bodies[body].name)
+            }
+            Described::Contact { joint } => ("s", &self.system.mechanism.joints[joint].slug),
+        };
         let index = if body.chars().all(|character| character.is_ascii_digit()) {
             body.clone()
         } else {

@@ -9,7 +9,7 @@ use super::lints;
 use super::literal::{count, float};
 use super::solved;
 use crate::program::{LARGEST_TEXTBOOK, Program, Straight};
-use crate::system::{Coordinate, System};
+use crate::system::{Coordinate, Described, System};
 
 /// What a structure with a value per coordinate derives. Comparing and printing thousands of fields one by one is code that
 /// no compiler digests; such structures are compared and printed as arrays.
@@ -98,9 +98,15 @@ pub(super) fn coordinates(system: &System) -> TokenStream {
 
 /// What a coordinate is; the first of a body also carries what the description says of the body.
 fn field_text(coordinate: &Coordinate, system: &System) -> Vec<String> {
-    let body = &system.mechanism.bodies[coordinate.body];
+    let (body, axis) = match coordinate.describes {
+        Described::Pose { body, axis } => (&system.mechanism.bodies[body], axis),
+        Described::Contact { joint } => {
+            let label = &system.mechanism.joints[joint].label;
+            return vec![format!("Where `{label}` touches its curve.")];
+        }
+    };
     let name = &body.name;
-    match coordinate.position.index() % 3 {
+    match axis {
         0 if body.docs.is_empty() => vec![format!("x of body {name}.")],
         0 => [format!("x of body {name}."), String::new()]
             .into_iter()

@@ -59,10 +59,25 @@ fn begins_item(line: &str) -> bool {
         .any(|start| line.starts_with(start))
 }
 
-/// Whether a line closes an item. An item's own documentation and attributes do not.
+/// Whether a line closes an item. An item's own documentation and attributes do not, however they end.
 fn ends_item(line: &str) -> bool {
+    if line.starts_with("//") {
+        return false;
+    }
     line == "}"
         || line == "];"
         || line == "};"
         || (line.ends_with(';') && !line.starts_with("let "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::laid_out;
+
+    #[test]
+    fn documentation_that_ends_in_a_semicolon_is_not_torn_apart() {
+        let source = "/// One thing;\n/// another.\nstruct A;\n/// B.\nstruct B;\n";
+        let wanted = "/// One thing;\n/// another.\nstruct A;\n\n/// B.\nstruct B;\n";
+        assert_eq!(laid_out(source), wanted);
+    }
 }

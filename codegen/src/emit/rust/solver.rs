@@ -8,7 +8,7 @@ use super::expression::identifier;
 use super::literal::{count, float};
 use crate::joint::Quantity;
 use crate::model::type_name;
-use crate::system::System;
+use crate::system::{Coordinate, System};
 
 /// What lengths are judged against.
 pub(super) fn characteristic_length(system: &System) -> TokenStream {
@@ -19,13 +19,41 @@ pub(super) fn characteristic_length(system: &System) -> TokenStream {
     }
 }
 
+/// What values of a quantity are judged against.
+pub(super) fn scale(quantity: Quantity) -> TokenStream {
+    let power = quantity.power_of_length();
+    let product = (1..power.unsigned_abs()).fold(
+        quote!(CHARACTERISTIC_LENGTH),
+        |product, _| quote!(#product * CHARACTERISTIC_LENGTH),
+    );
+    match power {
+        0 => quote!(1.0),
+        1.. => product,
+        _ => quote!(1.0 / (#product)),
+    }
+}
+
 /// `struct Textbook`: the dense system as the runtime solves it.
 pub(super) fn textbook(system: &System) -> TokenStream {
     let size = count(system.rows.len());
-    let scales = system.rows.iter().map(|row| match row.quantity {
-        Quantity::Length => quote!(CHARACTERISTIC_LENGTH),
-        Quantity::Angle => quote!(1.0),
-    });
+    let scales = system.rows.iter().map(|row| scale(row.quantity));
+    let column_scales = system
+        .coordinates
+        .iter()
+        .map(|coordinate| scale(coordinate.quantity));
+    let is_pose = |coordinate: &Coordinate| coordinate.describes.body().is_some();
+    let coordinate_scale = if system.coordinates.iter().all(is_pose) {
+        quote!(if column % 3 == 2 {
+            1.0
+        } else {
+            CHARACTERISTIC_LENGTH
+        })
+    } else {
+        quote! {
+            const SCALES: [f64; #size] = [#(#column_scales),*];
+            SCALES.get(column).copied().unwrap_or(1.0)
+        }
+    };
     quote! {
         /// What the residual of each row is judged against.
         const ROW_SCALES: [f64; #size] = [#(#scales),*];
@@ -72,7 +100,7 @@ pub(super) fn textbook(system: &System) -> TokenStream {
             }
 
             fn coordinate_scale(&self, column: usize) -> f64 {
-                if column % 3 == 2 { 1.0 } else { CHARACTERISTIC_LENGTH }
+                #coordinate_scale
             }
         }
     }

@@ -5,7 +5,7 @@ use super::super::notation::Notation;
 use super::super::parts::{Fraction, Part, fraction, terms};
 use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
 use crate::program::ConstantPart;
-use crate::system::{SymbolRole, System, WrittenOrder};
+use crate::system::{Described, SymbolRole, System, WrittenOrder};
 
 /// Prints the formulas of one row.
 #[derive(Clone, Copy, Debug)]
@@ -207,18 +207,20 @@ impl<'a> Printer<'a> {
             SymbolRole::Intermediate | SymbolRole::Time => return "t".to_string(),
         };
         let name = self.system.unknown_name(coordinate);
-        match self.notation {
-            _ if coordinate >= self.system.coordinates.len() => format!("{name}{}", &"''"[..level]),
-            Notation::Ascii => format!("{name}{}", &"''"[..level]),
-            Notation::Unicode => {
-                let body =
-                    &self.system.mechanism.bodies[self.system.coordinates[coordinate].body].name;
-                let letter = ["x", "y", "φ"][coordinate % 3];
+        let coordinate = self.system.coordinates.get(coordinate);
+        match (
+            self.notation,
+            coordinate.map(|coordinate| coordinate.describes),
+        ) {
+            (Notation::Unicode, Some(Described::Pose { body, axis })) => {
+                let body = &self.system.mechanism.bodies[body].name;
+                let letter = ["x", "y", "φ"][axis];
                 let dots = ["", "\u{307}", "\u{308}"][level];
                 let index: Option<String> = body.chars().map(lowered).collect();
                 let index = index.unwrap_or_else(|| format!("_{body}"));
                 format!("{letter}{dots}{index}")
             }
+            _ => format!("{name}{}", &"''"[..level]),
         }
     }
 }

@@ -30,8 +30,14 @@ pub(super) enum Rise {
     ModifiedSine,
 }
 
-/// y(s) up to an s, which is a fraction.
-type Piece = ((i64, i64), ExprId);
+/// A fraction of the way from x0 to x1.
+type Share = (i64, i64);
+
+/// y(s) up to a share.
+type Piece = (Share, ExprId);
+
+/// A coefficient and what it multiplies.
+type Scaled = (ExprId, ExprId);
 
 impl Rise {
     /// The rise that a law's name means.
@@ -133,7 +139,7 @@ fn of_pi(parts: &[(i64, i64, i64)], graph: &mut Graph) -> ExprId {
 }
 
 /// (Σ coefficient · part) / divisor.
-fn combined(parts: &[(ExprId, ExprId)], divisor: ExprId, graph: &mut Graph) -> ExprId {
+fn combined(parts: &[Scaled], divisor: ExprId, graph: &mut Graph) -> ExprId {
     let parts: Vec<ExprId> = parts
         .iter()
         .map(|&(coefficient, part)| graph.multiply(coefficient, part))
@@ -164,7 +170,7 @@ fn modified_trapezoid(s: ExprId, graph: &mut Graph) -> Vec<Piece> {
     let [two, ripple, c0, c1, c2, d0, d1, wave, e0, e1, e2] =
         numbers.map(|parts| of_pi(parts, graph));
     let pi = graph.pi();
-    let ends: [((i64, i64), &[(ExprId, ExprId)]); 5] = [
+    let ends: [(Share, &[Scaled]); 5] = [
         ((1, 8), &[(two, s), (ripple, sine)]),
         ((3, 8), &[(c0, one), (c1, s), (c2, square)]),
         ((5, 8), &[(d0, one), (d1, s), (wave, sine)]),
@@ -186,7 +192,7 @@ fn modified_sine(s: ExprId, graph: &mut Graph) -> Vec<Piece> {
     let divisor = of_pi(&[(4, 1, 0), (1, 1, 1)], graph);
     let (pi, two, four) = (graph.pi(), graph.integer(2), graph.integer(4));
     let (ripple, wave) = (graph.rational(-1, 4), graph.rational(-9, 4));
-    let ends: [((i64, i64), &[(ExprId, ExprId)]); 3] = [
+    let ends: [(Share, &[Scaled]); 3] = [
         ((1, 8), &[(pi, s), (ripple, sine)]),
         ((7, 8), &[(two, one), (pi, s), (wave, cosine)]),
         ((1, 1), &[(four, one), (pi, s), (ripple, sine)]),

@@ -187,12 +187,11 @@ impl Builder<'_> {
             mechanism,
             ..
         } = self.system;
-        let leader = (angle + 1) / 3;
-        let arm = vector_form.arm(leader, p, name, &mut mechanism.graph);
+        let arm = vector_form.arm(angle, p, name, &mut mechanism.graph);
         let place = vector_form
             .arms
             .iter()
-            .position(|found| found.leader == leader && found.local == p);
+            .position(|found| found.angle == angle && found.local == p);
         if let Some(place) = place {
             let symbols = vector_form.arms[place].symbols;
             for symbol in symbols {

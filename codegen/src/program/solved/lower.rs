@@ -157,7 +157,7 @@ fn drawn_values(system: &System) -> Vec<f64> {
         values[unknown.position.index()] = constant(unknown.estimate);
     }
     for arm in &form.arms {
-        let angle = form.unknowns[form.angle_of(arm.leader)].position;
+        let angle = form.unknowns[arm.angle].position;
         let (sine, cosine) = values[angle.index()].sin_cos();
         let [x, y] = arm.local.map(constant);
         values[arm.symbols[0].index()] = cosine * x - sine * y;

@@ -10,8 +10,8 @@ use super::names::{BlockNames, plain_name};
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::Writer;
 use crate::emit::rust::literal::count;
+use crate::emit::rust::solver::scale;
 use crate::expr::{ExprId, SymbolId};
-use crate::joint::Quantity;
 use crate::program::Program;
 use crate::program::solved::{Action, BlockProgram, NewtonBlock, SolvedProgram};
 use crate::system::{SymbolRole, System};
@@ -137,10 +137,7 @@ fn equations(
     let (jacobian_body, jacobian, jacobian_q, _, jacobian_t) = part(&newton.jacobian, false);
     let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
     let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
-    let column_scales = unknowns.iter().map(|unknown| match unknown.quantity {
-        Quantity::Length => quote!(CHARACTERISTIC_LENGTH),
-        Quantity::Angle => quote!(1.0),
-    });
+    let column_scales = unknowns.iter().map(|unknown| scale(unknown.quantity));
     let title = docs([format!(
         "The equations of `{}` for {}.",
         block.name,

@@ -1,0 +1,46 @@
+//! Absolute distance: a point of a body stays on a circle about a point of the ground.
+
+use super::link::{link_rows, refuse_length, squared_row};
+use super::{Auxiliary, Kind, Operands, Quantity, Refusal, Resolved, Row, Slot, Value};
+use crate::expr::Graph;
+
+/// (r_i + R_i s_i − A)ᵀ (r_i + R_i s_i − A) − L² = 0 (Haug 1989, section 3.2).
+pub struct AbsoluteDistance;
+
+impl Kind for AbsoluteDistance {
+    fn keyword(&self) -> &'static str {
+        "absolute_distance"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::of(&[Slot::Point, Slot::GroundPoint])
+    }
+
+    fn value(&self) -> Value {
+        Value::Required(Quantity::Length)
+    }
+
+    fn example(&self) -> &'static str {
+        "`absolute_distance (1.P, A) = 2;` with A a point of the drawing"
+    }
+
+    fn auxiliaries(&self) -> &'static [Auxiliary] {
+        &[Auxiliary::LinkAngle]
+    }
+
+    fn refusal(&self, operands: &Resolved, graph: &Graph) -> Option<Refusal> {
+        refuse_length(operands.value, "`revolute (1.P, ground.A);`", graph)
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        operands
+            .value
+            .map_or(Vec::new(), |length| squared_row(operands, length, graph))
+    }
+
+    fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        operands
+            .value
+            .map_or(Vec::new(), |length| link_rows(operands, length, graph))
+    }
+}

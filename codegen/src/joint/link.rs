@@ -1,0 +1,61 @@
+//! A length between two marks: what the kinds that keep a distance share.
+//!
+//! The textbook states it squared. The vector form closes the loop with a link that has no body: from the first mark to the
+//! second leads ℓ (cos ψ, sin ψ), with the angle ψ of the link as an unknown.
+
+use super::geometry::{dot, subtract};
+use super::{Quantity, Refusal, Resolved, Row};
+use crate::expr::{ExprId, Graph};
+
+/// dᵀd − ℓ² with d from the first mark to the second, in m².
+pub(super) fn squared_row(operands: &Resolved, length: ExprId, graph: &mut Graph) -> Vec<Row> {
+    let [i, j] = [0, 1].map(|side| operands.marks[side].position(graph));
+    let gap = subtract(j, i, graph);
+    let squares = [dot(gap, gap, graph), graph.multiply(length, length)];
+    vec![Row {
+        residual: graph.subtract(squares[0], squares[1]),
+        quantity: Quantity::Power(2),
+        component: "",
+    }]
+}
+
+/// r_j + R_j s_j − r_i − R_i s_i − ℓ (cos ψ, sin ψ), with ψ as the first auxiliary unknown.
+pub(super) fn link_rows(operands: &Resolved, length: ExprId, graph: &mut Graph) -> Vec<Row> {
+    let [link, ..] = &operands.auxiliaries[..] else {
+        return Vec::new();
+    };
+    let [i, j] = [0, 1].map(|side| operands.marks[side].position(graph));
+    let gap = subtract(j, i, graph);
+    let reach = link.turned.map(|part| graph.multiply(length, part));
+    let open = subtract(gap, reach, graph);
+    let row = |residual, component| Row {
+        residual,
+        quantity: Quantity::Length,
+        component,
+    };
+    vec![row(open[0], "x"), row(open[1], "y")]
+}
+
+/// A length that is not positive: the square of the distance would be singular at zero, and has no sign.
+pub(super) fn refuse_length(
+    length: Option<ExprId>,
+    instead: &str,
+    graph: &Graph,
+) -> Option<Refusal> {
+    let length = graph.constant_value(length?)?;
+    if length > 0.0 {
+        return None;
+    }
+    let (problem, help) = if length < 0.0 {
+        (
+            "a distance is not negative".to_string(),
+            "write it without the sign".to_string(),
+        )
+    } else {
+        (
+            "a distance of zero says too little: its equation has no slope there".to_string(),
+            format!("two points that stay together are joined by {instead}"),
+        )
+    };
+    Some(Refusal { problem, help })
+}
