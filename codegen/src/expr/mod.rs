@@ -20,6 +20,7 @@ mod exponential;
 mod graph;
 mod hashing;
 mod node;
+mod nominal;
 mod number;
 mod product;
 mod pythagoras;
