@@ -29,7 +29,8 @@ pub fn write(folders: &[&str]) {
             };
             let mechanism = &system.mechanism;
             let limited = !mechanism.requests.is_empty() || !mechanism.transmissions.is_empty();
-            if limited || mechanism.motion.is_some() {
+            // Signals would have to be supplied.
+            if limited || mechanism.motion.is_some() || !mechanism.inputs.is_empty() {
                 continue;
             }
             let name = &mechanism.name;
