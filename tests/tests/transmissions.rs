@@ -33,13 +33,16 @@ pub struct Instant {
 /// q, q̇ and q̈ of one frame.
 type Original = [Vec<f64>; 3];
 
+/// The frames at these times.
+type Follow = fn(&[f64]) -> Vec<Original>;
+
 /// A mechanism of which every point and every angle is asked for.
 pub struct Transmitting {
     name: &'static str,
     /// The frames at these times, with the samples under a load.
     sample: fn(&[f64], [f64; 2]) -> Vec<Instant>,
     /// q, q̇ and q̈ of the mechanism without transmissions.
-    original: Option<fn(&[f64]) -> Vec<Original>>,
+    original: Option<Follow>,
 }
 
 macro_rules! point_sample {
