@@ -51,6 +51,48 @@ pub enum Statement {
     Drive(Drive),
     /// `output K, phi(1);`
     Output(Output),
+    /// `motion NAME { statements }`
+    Motion(Motion),
+}
+
+impl MechanismItem {
+    /// The motions in written order.
+    pub fn motions(&self) -> impl Iterator<Item = &Motion> {
+        self.statements
+            .iter()
+            .filter_map(|statement| match statement {
+                Statement::Motion(motion) => Some(motion),
+                _ => None,
+            })
+    }
+}
+
+impl Statement {
+    /// Its place, from the first word to the semicolon or the closing brace.
+    pub fn span(&self) -> Span {
+        match self {
+            Statement::Constant(statement) => statement.span,
+            Statement::Points(statement) => statement.span,
+            Statement::Body(statement) => statement.span,
+            Statement::Joint(statement) => statement.span,
+            Statement::Drive(statement) => statement.span,
+            Statement::Output(statement) => statement.span,
+            Statement::Motion(statement) => statement.span,
+        }
+    }
+}
+
+/// `motion NAME { statements }`: one of several ways in which the mechanism is driven.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// The `///` lines above it, and the `//!` lines at the top of its braces.
+    pub docs: Vec<String>,
+    /// Its name; empty where it is missing, which has been reported.
+    pub name: Name,
+    /// The statements in written order: no bodies, no points and no motions.
+    pub statements: Vec<Statement>,
+    /// From the word `motion` to the closing brace.
+    pub span: Span,
 }
 
 /// `const NAME = EXPRESSION;`

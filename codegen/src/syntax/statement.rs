@@ -8,6 +8,7 @@ use super::KEYWORDS;
 use super::body::body;
 use super::document::{Constant, DrawnPoint, Drive, Joint, Name, Points, Statement};
 use super::expression::{after_expression, coordinates, expression};
+use super::motion::motion;
 use super::output::output;
 use super::reference::{body_name, direction, driven_coordinate, identifier, operands, separator};
 use super::tokens::{Outcome, Tokens};
@@ -28,6 +29,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "body" => body(tokens, docs, first.span).map(Statement::Body),
         "drive" => drive(tokens, docs, first.span),
         "output" => output(tokens, docs, first.span),
+        "motion" => motion(tokens, docs, first.span),
         _ => joint(tokens, docs, first),
     }
 }
