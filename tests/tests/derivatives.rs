@@ -237,6 +237,14 @@ fn derivatives_of_all_others_agree_with_differences() {
     }
 }
 
+/// Each kind of joint and driver has one among them, most between two bodies that both move and turn.
+#[test]
+fn derivatives_of_the_small_mechanisms_agree_with_differences() {
+    for name in description::small() {
+        derivatives_agree(&name);
+    }
+}
+
 /// A solver with one wrong digit.
 struct Planted(Box<dyn Solver>);
 
