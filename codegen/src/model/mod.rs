@@ -4,6 +4,8 @@
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
 //! determine the motion.
 
+mod contact;
+mod curve;
 mod dimension;
 mod expression;
 mod joints;
@@ -15,6 +17,7 @@ mod operands;
 mod points;
 mod request;
 mod resolve;
+mod search;
 mod slug;
 mod synonyms;
 

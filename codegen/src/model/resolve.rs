@@ -1,5 +1,6 @@
 //! The statements of a document, in written order → a mechanism.
 
+use super::curve::{DrawnCurve, Parameter};
 use super::expression::{BUILT_IN, Value, listed};
 use super::names::Names;
 use super::{Body, Dimension, Joint, Mechanism, Motion, NamedMark};
@@ -21,6 +22,10 @@ pub(super) struct Resolver<'a> {
     pub time: SymbolId,
     pub constants: Names<Value>,
     pub drawn: Names<DrawnPoint>,
+    /// Curves; nothing where the statement has an error.
+    pub curves: Names<Option<DrawnCurve>>,
+    /// The parameter of the curve whose formula is read.
+    pub parameter: Option<Parameter>,
     pub body_ids: Names<BodyId>,
     /// The names that drivers were given.
     pub drivers: Names<()>,
@@ -79,6 +84,8 @@ pub(super) fn resolve_statements(
         time,
         constants: Names::new("constant"),
         drawn: Names::new("point"),
+        curves: Names::new("curve"),
+        parameter: None,
         body_ids: Names::new("body"),
         drivers: Names::new("driver"),
         bodies: vec![Body {
@@ -105,6 +112,7 @@ pub(super) fn resolve_statements(
             syntax::Statement::Constant(constant) => resolver.add_constant(constant),
             syntax::Statement::Points(points) => resolver.add_points(points),
             syntax::Statement::Body(body) => resolver.add_body(body),
+            syntax::Statement::Curve(curve) => resolver.add_curve(curve),
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
             // Points are known once all bodies are.

@@ -49,6 +49,8 @@ pub enum Statement {
     Joint(Joint),
     /// `drive phi(1) = EXPRESSION;`, `drive K.x = EXPRESSION;`
     Drive(Drive),
+    /// `curve rim(a) on cam = polar RADIUS;`
+    Curve(Curve),
     /// `output K, phi(1);`
     Output(Output),
     /// `motion NAME { statements }`
@@ -76,6 +78,7 @@ impl Statement {
             Statement::Body(statement) => statement.span,
             Statement::Joint(statement) => statement.span,
             Statement::Drive(statement) => statement.span,
+            Statement::Curve(statement) => statement.span,
             Statement::Output(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }
@@ -137,6 +140,34 @@ pub struct Pair {
     pub y: Expression,
     /// From the opening to the closing parenthesis.
     pub span: Span,
+}
+
+/// `curve NAME(s) on BODY = (X, Y);`: a curve fixed in the frame of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Name,
+    /// What runs along it.
+    pub parameter: Name,
+    /// From where to where it is drawn, where that is written: `(s from 0 to 200mm)`.
+    pub range: Option<[Expression; 2]>,
+    /// The body that carries it.
+    pub body: Name,
+    /// Its points.
+    pub shape: Shape,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// The points of a curve in terms of its parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// `(X, Y)` in the frame of the body.
+    Parametric(Pair),
+    /// `polar RADIUS`: the parameter is the angle around the origin of the frame.
+    Polar(Expression),
 }
 
 /// `body NAME at … { members }`.

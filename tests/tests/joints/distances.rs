@@ -27,7 +27,7 @@ fn a_point_at_a_distance_from_the_ground_lies_on_two_circles() {
 
 #[test]
 fn sliders_at_a_distance_are_an_elliptic_trammel() {
-    follows!(trammel, Trammel, 5.0, 1e-12, |t| {
+    follows!(ellipse_sliders, EllipseSliders, 5.0, 1e-12, |t| {
         let x = 0.6 + 0.2 * t.sin();
         vec![("x1", x), ("y2", (1.0 - x.square()).sqrt())]
     });

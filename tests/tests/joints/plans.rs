@@ -16,7 +16,7 @@ fn every_joint_is_solved_as_a_person_would() {
     let two_rotations = ["two rotations"];
     let plans: [(&str, &[&str]); 14] = [
         ("held_at_distance", &two_rotations),
-        ("trammel", &["one angle"]),
+        ("ellipse_sliders", &["one angle"]),
         ("coupled_rockers", &two_rotations),
         ("pushed_apart", &two_rotations),
         ("slotted_link", &["rotation and slide"]),

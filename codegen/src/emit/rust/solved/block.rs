@@ -6,6 +6,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::names::{BlockNames, plain_name};
+use super::newton::reads_frame;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::{Names, Writer, identifier};
 use crate::emit::rust::layout::comment;
@@ -130,7 +131,9 @@ pub(in crate::emit::rust) fn blocks(
         let needs = Needs::of(block, system);
         let names = BlockNames { system, solved, time: &block.time, local: HashSet::new() };
         let writer = Writer { system, constants: &program.constants, names: &names };
-        let time = writer.statements(&block.time);
+        // What only the equations of a Newton-Raphson read, they compute themselves.
+        let read: Vec<ExprId> = block.actions.iter().flat_map(Action::values).collect();
+        let time = writer.statements(&block.time.for_results(&read, system));
         let actions = block.actions.iter().map(|action| statement(action, index, block, &writer, &names));
         let (name, parameters) = (identifier(&block.name), needs.parameters());
         let title = docs([block.title.as_str()]);
@@ -275,6 +278,11 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     let [q, qd, qdd] = of.map(|of| fields(of, "at"));
     let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
     let places: Vec<_> = (0..q.len()).map(count).collect();
+    let equations = if reads_frame(block, newton, names.system, names.solved) {
+        quote!(#type_name { at })
+    } else {
+        quote!(#type_name)
+    };
     quote! {
         let tears = kinematics::Frame {
             t: last.t,
@@ -282,7 +290,7 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
             qd: SVector::from([#(#last_qd),*]),
             qdd: SVector::from([#(#last_qdd),*]),
         };
-        let tears = kinematics::advance(&#type_name { at }, &tears, t, settings)
+        let tears = kinematics::advance(&#equations, &tears, t, settings)
             .map_err(|failure| failure.in_block(#number))?;
         #(#q = tears.q[#places];)*
         #(#qd = tears.qd[#places];)*
