@@ -9,6 +9,7 @@ pub mod dyad_chain;
 pub mod files;
 pub mod generated;
 pub mod jet;
+pub mod law;
 pub mod magnitude;
 pub mod majorant;
 pub mod method;
