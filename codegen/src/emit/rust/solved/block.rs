@@ -6,6 +6,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::names::{BlockNames, plain_name};
+use super::newton::reads_frame;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::{Names, Writer, identifier};
 use crate::emit::rust::given::only;
@@ -159,7 +160,9 @@ pub(in crate::emit::rust) fn blocks(
         let needs = Needs::of(block, system);
         let names = BlockNames { system, solved, time: &block.time, local: HashSet::new() };
         let writer = Writer { system, constants: &program.constants, names: &names };
-        let time = writer.statements(&block.time);
+        // What only the equations of a Newton-Raphson read, they compute themselves.
+        let read: Vec<ExprId> = block.actions.iter().flat_map(Action::values).collect();
+        let time = writer.statements(&block.time.for_results(&read, system));
         let actions = block.actions.iter().map(|action| statement(action, index, block, &writer, &names));
         let (name, parameters) = (identifier(&block.name), needs.parameters());
         let title = docs([block.title.as_str()]);
@@ -308,7 +311,6 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
         return TokenStream::new();
     };
     let number = count(index);
-    let type_name = equations_name(block);
     let unknowns: Vec<_> = newton
         .unknowns
         .iter()
@@ -328,7 +330,7 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     let [q, qd, qdd] = of.map(|of| fields(of, "at"));
     let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
     let places: Vec<_> = (0..q.len()).map(count).collect();
-    let given = given(newton, names.system);
+    let equations = equations(block, newton, names);
     quote! {
         let tears = kinematics::Frame {
             t: last.t,
@@ -336,7 +338,7 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
             qd: SVector::from([#(#last_qd),*]),
             qdd: SVector::from([#(#last_qdd),*]),
         };
-        let tears = kinematics::advance(&#type_name { at #given }, &tears, t, settings)
+        let tears = kinematics::advance(&#equations, &tears, t, settings)
             .map_err(|failure| failure.in_block(#number))?;
         #(#q = tears.q[#places];)*
         #(#qd = tears.qd[#places];)*
@@ -344,12 +346,22 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     }
 }
 
-/// The fields of a Newton block's equations beside the frame, with a comma before each.
-fn given(newton: &NewtonBlock, system: &System) -> TokenStream {
-    let needs = Needs::given(newton, system);
-    let parameters = only(needs.parameters, quote!(, parameters));
-    let inputs = only(needs.inputs, quote!(, inputs));
-    quote!(#parameters #inputs)
+/// The value of a Newton block's equations: with the fields that they read.
+fn equations(block: &BlockProgram, newton: &NewtonBlock, names: &BlockNames<'_>) -> TokenStream {
+    let type_name = equations_name(block);
+    let needs = Needs::given(newton, names.system);
+    let at = only(
+        reads_frame(block, newton, names.system, names.solved),
+        quote!(at,),
+    );
+    let parameters = only(needs.parameters, quote!(parameters,));
+    let inputs = only(needs.inputs, quote!(inputs,));
+    let fields = quote!(#at #parameters #inputs);
+    if fields.is_empty() {
+        quote!(#type_name)
+    } else {
+        quote!(#type_name { #fields })
+    }
 }
 
 /// The call of the runtime that factorizes the Jacobian at the tears.
@@ -357,15 +369,15 @@ fn factorization(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> 
     let Some(newton) = &block.newton else {
         return TokenStream::new();
     };
-    let (number, type_name) = (count(index), equations_name(block));
+    let number = count(index);
     let q = newton.unknowns.iter().map(|&unknown| {
         let symbol = names.system.vector_form.unknowns[unknown].position;
         names.field(symbol, "at")
     });
-    let given = given(newton, names.system);
+    let equations = equations(block, newton, names);
     quote! {
         let tears = SVector::from([#(#q),*]);
-        let factorization = kinematics::factorize(&#type_name { at #given }, &tears, t, settings)
+        let factorization = kinematics::factorize(&#equations, &tears, t, settings)
             .map_err(|failure| failure.in_block(#number))?;
     }
 }
