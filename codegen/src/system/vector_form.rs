@@ -9,9 +9,9 @@ use std::collections::{HashMap, HashSet};
 use super::orientation::{Orientations, as_symbol};
 use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{BodyId, Frame, Mark, Vector, dot, offset_along};
+use crate::joint::geometry::{Frame, Mark, Vector, dot, offset_along};
 use crate::joint::{Auxiliary, AuxiliaryUnknown, Quantity, Resolved};
-use crate::model::{Body, Joint, Mechanism, NamedMark, apart};
+use crate::model::{Body, Joint, Mechanism, NamedMark, Point, apart};
 
 /// The vector form of a mechanism.
 #[derive(Clone, Debug)]
@@ -112,7 +112,7 @@ impl VectorForm {
             }
         }
         for (index, joint) in joints.iter().enumerate() {
-            form.add_auxiliaries(joint, bodies, graph);
+            form.add_auxiliaries(joint, bodies, points, graph);
             let operands = form.with_arms(&joint.operands, bodies, graph);
             let rows = joint.kind.vector_rows(&operands, graph);
             form.rows.extend(rows.iter().map(|row| VectorRow {
@@ -209,7 +209,13 @@ impl VectorForm {
     }
 
     /// The auxiliary unknowns of one joint, named after the points that it concerns.
-    fn add_auxiliaries(&mut self, joint: &Joint, bodies: &[Body], graph: &mut Graph) {
+    fn add_auxiliaries(
+        &mut self,
+        joint: &Joint,
+        bodies: &[Body],
+        points: &[Point],
+        graph: &mut Graph,
+    ) {
         // A driver on the line of another joint has that joint's unknowns, and none of its own.
         let own = joint.kind.auxiliaries().len();
         for auxiliary in joint.operands.auxiliaries.iter().take(own) {
@@ -221,18 +227,22 @@ impl VectorForm {
             let ends = [first, 1 - first].map(|side| {
                 let mark = joint.operands.marks.get(side)?;
                 let drawn = joint.operands.drawn.get(side)?;
-                let ground = mark.frame.body == BodyId::GROUND;
+                let body = &bodies[mark.frame.body.0];
                 let own = |other: &&NamedMark| other.mark.local == mark.local;
-                // The ground lists no points; one that another body carries has its name from there.
-                let there = |other: &&NamedMark| {
-                    auxiliary.kind == Auxiliary::LinkAngle
-                        && ground
-                        && other.drawn == drawn.position
+                let name = match body.marks.iter().find(own) {
+                    Some(named) => Some(&named.name),
+                    // A displacement against the ground is named after its joint.
+                    None if auxiliary.kind == Auxiliary::Displacement => None,
+                    // The ground lists no points: those it alone carries are points of the mechanism, others have their name from there.
+                    None => {
+                        let free = points.iter().find(|point| point.mark == *mark);
+                        let carried = bodies.iter().flat_map(|body| &body.marks);
+                        let mut there = carried.filter(|other| other.drawn == drawn.position);
+                        free.map(|point| &point.name)
+                            .or_else(|| there.next().map(|named| &named.name))
+                    }
                 };
-                let listed = bodies[mark.frame.body.0].marks.iter().find(own);
-                let carried =
-                    listed.or_else(|| bodies.iter().flat_map(|body| &body.marks).find(there));
-                carried.map(|carried| carried.name.to_lowercase())
+                name.map(|name| name.to_lowercase())
             });
             let prefix = match auxiliary.kind {
                 Auxiliary::Displacement | Auxiliary::Distance => "length",
