@@ -73,6 +73,20 @@ impl Straight {
         operations
     }
 
+    /// What one statement costs with its arguments.
+    pub(super) fn operations_of(&self, statement: &Statement, system: &System) -> Operations {
+        let alone = Straight {
+            statements: vec![statement.clone()],
+            results: Vec::new(),
+            ..self.clone()
+        };
+        let mut operations = alone.operations(&system.mechanism.graph);
+        for expr in alone.computed(&[], system) {
+            operations += Operations::of_addends(&alone.addends(expr, system, &[]));
+        }
+        operations
+    }
+
     /// The name that an expression was given in this function.
     pub fn name_of(&self, expr: ExprId) -> Option<&str> {
         self.names.get(&expr).map(String::as_str)
@@ -124,16 +138,34 @@ impl Straight {
         system: &System,
         constants: &mut Constants,
     ) -> Straight {
-        let graph = &system.mechanism.graph;
-        let usage = Usage::of(&results, graph);
-        let mut straight = Straight {
+        let nothing = Straight {
             inputs: Inputs::default(),
             statements: Vec::new(),
             results: Vec::new(),
             operations: Operations::default(),
             names: HashMap::new(),
         };
-        let mut names = Names::new();
+        Straight::beside(&nothing, std::iter::empty(), results, system, constants)
+    }
+
+    /// The same where what `known` computes has its names already, and `taken` are names of other values.
+    pub(super) fn beside(
+        known: &Straight,
+        taken: impl Iterator<Item = String>,
+        results: Vec<(ExprId, Vec<usize>)>,
+        system: &System,
+        constants: &mut Constants,
+    ) -> Straight {
+        let graph = &system.mechanism.graph;
+        let usage = Usage::of(&results, graph, known);
+        let mut straight = Straight {
+            inputs: Inputs::default(),
+            statements: Vec::new(),
+            results: Vec::new(),
+            operations: Operations::default(),
+            names: known.names.clone(),
+        };
+        let mut names = Names::beside(taken.chain(known.names.values().cloned()));
         for &expr in &usage.ordered {
             if let Node::Symbol(symbol) = graph.node(expr) {
                 straight.inputs.note(system.roles[symbol.index()]);
@@ -259,14 +291,14 @@ struct Usage {
 }
 
 impl Usage {
-    fn of(results: &[(ExprId, Vec<usize>)], graph: &Graph) -> Usage {
+    fn of(results: &[(ExprId, Vec<usize>)], graph: &Graph, known: &Straight) -> Usage {
         let mut usage = Usage {
             ordered: Vec::new(),
             uses: HashMap::new(),
             sine_cosine: HashMap::new(),
         };
         for (result, _) in results {
-            usage.visit(*result, 1, graph);
+            usage.visit(*result, 1, graph, known);
         }
         for &expr in &usage.ordered {
             match *graph.node(expr) {
@@ -278,8 +310,8 @@ impl Usage {
         usage
     }
 
-    fn visit(&mut self, expr: ExprId, weight: usize, graph: &Graph) {
-        if graph.is_constant(expr) {
+    fn visit(&mut self, expr: ExprId, weight: usize, graph: &Graph, known: &Straight) {
+        if graph.is_constant(expr) || known.names.contains_key(&expr) {
             return;
         }
         if let Some(uses) = self.uses.get_mut(&expr) {
@@ -291,7 +323,7 @@ impl Usage {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
             Node::Sum(terms) => terms
                 .iter()
-                .for_each(|term| self.visit(term.expr, 1, graph)),
+                .for_each(|term| self.visit(term.expr, 1, graph, known)),
             Node::Product(factors) => {
                 for factor in factors {
                     // A power is written as a product, so its base is used as often.
@@ -305,13 +337,16 @@ impl Usage {
                         factor.base,
                         usize::try_from(whole).unwrap_or(usize::MAX),
                         graph,
+                        known,
                     );
                 }
             }
-            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => self.visit(*x, 1, graph),
+            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => {
+                self.visit(*x, 1, graph, known)
+            }
             Node::Atan2(y, x) => {
-                self.visit(*y, 1, graph);
-                self.visit(*x, 1, graph);
+                self.visit(*y, 1, graph, known);
+                self.visit(*x, 1, graph, known);
             }
         }
         self.ordered.push(expr);

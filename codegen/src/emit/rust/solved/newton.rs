@@ -65,7 +65,7 @@ fn equations(
         let names = BlockNames {
             system,
             solved,
-            time: &block.time,
+            named: newton.shared.as_ref().unwrap_or(&block.time),
             local,
         };
         let writer = Writer {
@@ -75,6 +75,9 @@ fn equations(
         };
         let needed = newton.geometry_for(results, system);
         let time = writer.statements(&block.time.for_results(results, system));
+        let shared = newton.shared.as_ref();
+        let shared = shared.map(|shared| writer.statements(&shared.for_results(results, system)));
+        let shared = shared.unwrap_or_default();
         let actions: Vec<TokenStream> = needed
             .iter()
             .map(|action| statement(action, index, block, &writer, &names))
@@ -130,7 +133,7 @@ fn equations(
         } else {
             quote!(qd)
         };
-        let body = quote!(#at #unpack_q #unpack_qd #(#time)* #(#actions)*);
+        let body = quote!(#at #unpack_q #unpack_qd #(#time)* #(#actions)* #(#shared)*);
         (body, values, q, qd, t)
     };
     let (residual_body, residual, residual_q, _, residual_t) = part(&newton.residuals, false);
