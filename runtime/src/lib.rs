@@ -79,6 +79,7 @@ pub mod newton;
 mod progress;
 pub mod scale;
 pub mod settings;
+pub mod signal;
 mod vector;
 
 pub use nalgebra;
@@ -93,6 +94,7 @@ pub use motion::Motion;
 pub use newton::{Convergence, Step};
 pub use scale::Scales;
 pub use settings::Settings;
+pub use signal::Signal;
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
 #[macro_export]

@@ -16,7 +16,14 @@ macro_rules! modules {
     )+};
 }
 
-modules!(cam_flat, cam_roller, cam_polar, trammel, rocking_cams);
+modules!(
+    cam_flat,
+    cam_roller,
+    cam_polar,
+    cam_param,
+    trammel,
+    rocking_cams
+);
 
 /// Compares a position, a velocity and an acceleration with those of a closed form, relative to `scale`.
 fn assert_motion(found: [f64; 3], wanted: [f64; 3], scale: f64, place: &str) {
