@@ -419,3 +419,27 @@ fn the_pressure_angle_of_a_lever_is_measured_against_its_arc() {
         );
     }
 }
+
+/// The pressure angle and the lift follow the eccentricity e and the roller's radius ρ that are set at run time.
+#[test]
+fn curves_and_rollers_take_their_sizes_from_parameters() {
+    let parameters = cam_param::Parameters {
+        e: 0.012,
+        rho: 0.005,
+    };
+    let mut cam = cam_param::CamParam::assemble_for(&parameters, 0.0).expect("the drawing is near");
+    for step in 1..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cam.advance(t).expect("a turn of the cam");
+        let (sine, cosine) = (2.0 * t).sin_cos();
+        let reach = 0.035_f64;
+        let height = 0.012 * cosine + (reach * reach - (0.012 * sine).powi(2)).sqrt();
+        let found = frame.point_p().position[1];
+        assert!((found - height).abs() < 1e-15, "{t}: {found} and {height}");
+        let angle = frame.pressure_angle_wheel().expect("it moves");
+        assert!(
+            (angle.sin() - 0.012 * sine.abs() / reach).abs() < 1e-13,
+            "{t}: {angle}"
+        );
+    }
+}
