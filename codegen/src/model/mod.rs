@@ -10,6 +10,7 @@ mod dimension;
 mod expression;
 mod given;
 mod joints;
+mod law;
 mod lines;
 mod motions;
 mod names;

@@ -328,6 +328,8 @@ pub enum ExpressionKind {
         /// The arguments in written order.
         arguments: Vec<Expression>,
     },
+    /// `(x, y)`, as an argument of a call only.
+    Pair(Box<Pair>),
 }
 
 /// The sign before a term.

@@ -75,7 +75,12 @@ fn equations(
             names: &names,
         };
         let needed = newton.geometry_for(results, system);
-        let time = writer.statements(&block.time.for_results(results, system));
+        let evaluated: Vec<ExprId> = results
+            .iter()
+            .copied()
+            .chain(needed.iter().flat_map(Action::values))
+            .collect();
+        let time = writer.statements(&block.time.for_results(&evaluated, system));
         let shared = newton.shared.as_ref();
         let shared = shared.map(|shared| writer.statements(&shared.for_results(results, system)));
         let shared = shared.unwrap_or_default();
