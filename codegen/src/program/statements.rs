@@ -100,13 +100,7 @@ impl Straight {
     /// The statements that these results need, all with the names they have here.
     pub fn for_results(&self, results: &[ExprId], system: &System) -> Straight {
         let graph = &system.mechanism.graph;
-        let mut needed: HashSet<ExprId> = HashSet::new();
-        let mut stack = results.to_vec();
-        while let Some(expr) = stack.pop() {
-            if needed.insert(expr) {
-                stack.extend(written_operands(expr, graph));
-            }
-        }
+        let needed = needed_for(results, graph);
         let is_needed = |statement: &Statement| match statement {
             Statement::SineCosine { angle, .. } => {
                 needed.iter().any(|&expr| match graph.node(expr) {
@@ -126,6 +120,32 @@ impl Straight {
             statements,
             ..self.clone()
         }
+    }
+
+    /// The same where of a sine and a cosine only what is needed is computed.
+    pub fn for_results_alone(&self, results: &[ExprId], system: &System) -> Straight {
+        let graph = &system.mechanism.graph;
+        let needed = needed_for(results, graph);
+        let only = |wanted: &str| {
+            let mut named = needed.iter().copied();
+            named.find(|expr| self.name_of(*expr) == Some(wanted))
+        };
+        let mut straight = self.for_results(results, system);
+        for statement in &mut straight.statements {
+            let Statement::SineCosine { sine, cosine, .. } = statement else {
+                continue;
+            };
+            let one = match (only(sine), only(cosine)) {
+                (Some(expr), None) => (sine.clone(), expr),
+                (None, Some(expr)) => (cosine.clone(), expr),
+                _ => continue,
+            };
+            *statement = Statement::Value {
+                name: one.0,
+                expr: one.1,
+            };
+        }
+        straight
     }
 
     /// How an expression is computed here, in written order.
@@ -326,6 +346,18 @@ impl Inputs {
             SymbolRole::Arm(_) | SymbolRole::Intermediate => {}
         }
     }
+}
+
+/// Everything that these results are written with.
+fn needed_for(results: &[ExprId], graph: &Graph) -> HashSet<ExprId> {
+    let mut needed: HashSet<ExprId> = HashSet::new();
+    let mut stack = results.to_vec();
+    while let Some(expr) = stack.pop() {
+        if needed.insert(expr) {
+            stack.extend(written_operands(expr, graph));
+        }
+    }
+    needed
 }
 
 /// The sine and the cosine node of an angle, as far as both occur.

@@ -82,7 +82,7 @@ fn equations(
             .collect();
         let time = writer.statements(&block.time.for_results(&evaluated, system));
         let shared = newton.shared.as_ref();
-        let shared = shared.map(|shared| writer.statements(&shared.for_results(results, system)));
+        let shared = shared.map(|shared| writer.statements(&shared.for_results_alone(results, system)));
         let shared = shared.unwrap_or_default();
         let actions: Vec<TokenStream> = needed
             .iter()
