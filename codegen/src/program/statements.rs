@@ -62,6 +62,16 @@ pub enum Statement {
     },
 }
 
+impl Statement {
+    /// What it defines.
+    fn names(&self) -> Vec<&String> {
+        match self {
+            Statement::SineCosine { sine, cosine, .. } => vec![sine, cosine],
+            Statement::Value { name, .. } => vec![name],
+        }
+    }
+}
+
 impl Straight {
     /// What the statements cost, their arguments and the results not counted.
     pub fn operations(&self, graph: &Graph) -> Operations {
@@ -97,55 +107,53 @@ impl Straight {
         self.names.get(&expr).map(String::as_str)
     }
 
-    /// The statements that these results need, all with the names they have here.
+    /// The statements that these results need, all with the names they have here. A sine whose cosine is not needed is computed alone.
     pub fn for_results(&self, results: &[ExprId], system: &System) -> Straight {
         let graph = &system.mechanism.graph;
-        let needed = needed_for(results, graph);
-        let is_needed = |statement: &Statement| match statement {
-            Statement::SineCosine { angle, .. } => {
-                needed.iter().any(|&expr| match graph.node(expr) {
-                    Node::Sin(x) | Node::Cos(x) => x == angle,
-                    _ => false,
-                })
+        let mut needed: HashSet<ExprId> = HashSet::new();
+        let mut stack = results.to_vec();
+        while let Some(expr) = stack.pop() {
+            if needed.insert(expr) {
+                stack.extend(written_operands(expr, graph));
             }
-            Statement::Value { expr, .. } => needed.contains(expr),
+        }
+        let of_need = |statement: &Statement| match statement {
+            Statement::SineCosine {
+                sine,
+                cosine,
+                angle,
+            } => {
+                let find = |wanted: Node| needed.iter().find(|&&it| *graph.node(it) == wanted);
+                let found = [find(Node::Sin(*angle)), find(Node::Cos(*angle))];
+                let alone = |name: &String, expr: &ExprId| Statement::Value {
+                    name: name.clone(),
+                    expr: *expr,
+                };
+                match found {
+                    [Some(_), Some(_)] => Some(statement.clone()),
+                    [Some(expr), None] => Some(alone(sine, expr)),
+                    [None, Some(expr)] => Some(alone(cosine, expr)),
+                    [None, None] => None,
+                }
+            }
+            Statement::Value { expr, .. } => needed.contains(expr).then(|| statement.clone()),
         };
-        let statements = self
-            .statements
-            .iter()
-            .filter(|statement| is_needed(statement))
-            .cloned()
-            .collect();
+        let statements = self.statements.iter().filter_map(of_need).collect();
         Straight {
             statements,
             ..self.clone()
         }
     }
 
-    /// The same where of a sine and a cosine only what is needed is computed.
-    pub fn for_results_alone(&self, results: &[ExprId], system: &System) -> Straight {
-        let graph = &system.mechanism.graph;
-        let needed = needed_for(results, graph);
-        let only = |wanted: &str| {
-            let mut named = needed.iter().copied();
-            named.find(|expr| self.name_of(*expr) == Some(wanted))
-        };
-        let mut straight = self.for_results(results, system);
-        for statement in &mut straight.statements {
-            let Statement::SineCosine { sine, cosine, .. } = statement else {
-                continue;
-            };
-            let one = match (only(sine), only(cosine)) {
-                (Some(expr), None) => (sine.clone(), expr),
-                (None, Some(expr)) => (cosine.clone(), expr),
-                _ => continue,
-            };
-            *statement = Statement::Value {
-                name: one.0,
-                expr: one.1,
-            };
-        }
-        straight
+    /// Which of the statements these results need: places in the list.
+    pub(super) fn needed_by(&self, results: &[ExprId], system: &System) -> Vec<usize> {
+        let needed = self.for_results(results, system).statements;
+        let is_needed = |name: &String| needed.iter().any(|other| other.names().contains(&name));
+        let places = self.statements.iter().enumerate();
+        places
+            .filter(|(_, statement)| statement.names().into_iter().any(is_needed))
+            .map(|(place, _)| place)
+            .collect()
     }
 
     /// How an expression is computed here, in written order.
@@ -346,18 +354,6 @@ impl Inputs {
             SymbolRole::Arm(_) | SymbolRole::Intermediate => {}
         }
     }
-}
-
-/// Everything that these results are written with.
-fn needed_for(results: &[ExprId], graph: &Graph) -> HashSet<ExprId> {
-    let mut needed: HashSet<ExprId> = HashSet::new();
-    let mut stack = results.to_vec();
-    while let Some(expr) = stack.pop() {
-        if needed.insert(expr) {
-            stack.extend(written_operands(expr, graph));
-        }
-    }
-    needed
 }
 
 /// The sine and the cosine node of an angle, as far as both occur.

@@ -9,9 +9,9 @@ use std::collections::HashSet;
 use super::evaluation::note_constants;
 use super::{Action, BlockProgram};
 use crate::expr::{ExprId, Graph};
+use crate::program::Straight;
 use crate::program::constants::Constants;
 use crate::program::operations::is_function;
-use crate::program::{Statement, Straight};
 use crate::system::System;
 
 /// Whether some function in these expressions has no name in `known`.
@@ -42,12 +42,11 @@ pub(super) fn share(block: &mut BlockProgram, system: &System, constants: &mut C
         let shared = straight(&values, &block.actions, &block.time, system, constants);
         note_constants(&values, system, &shared, constants);
         let actions = std::mem::take(&mut block.actions);
-        let mut computed: Vec<Statement> = Vec::new();
+        let mut computed = vec![false; shared.statements.len()];
         for action in actions {
-            let needed = shared.for_results(&action.values(), system);
-            for statement in needed.statements {
-                if !computed.contains(&statement) {
-                    computed.push(statement.clone());
+            for place in shared.needed_by(&action.values(), system) {
+                if !std::mem::replace(&mut computed[place], true) {
+                    let statement = shared.statements[place].clone();
                     block.actions.push(Action::Share(statement));
                 }
             }

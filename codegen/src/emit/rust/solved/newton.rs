@@ -40,6 +40,34 @@ pub(in crate::emit::rust) fn newton_blocks(
     quote!(#(#types)*)
 }
 
+/// Whether the equations of a block read what was found before it.
+pub(super) fn reads_frame(
+    block: &BlockProgram,
+    newton: &NewtonBlock,
+    system: &System,
+    solved: &SolvedProgram,
+) -> bool {
+    let unknowns = newton.unknowns.iter();
+    let own = unknowns.flat_map(|&unknown| {
+        let unknown = &system.vector_form.unknowns[unknown];
+        [unknown.position, unknown.rate]
+    });
+    let geometry = newton.geometry.iter().flat_map(Action::targets);
+    let names = BlockNames {
+        system,
+        solved,
+        named: &block.time,
+        local: own.chain(geometry).collect(),
+    };
+    let results: Vec<ExprId> = newton.expressions().collect();
+    let needed = newton.geometry_for(&results, system);
+    let mut read = results
+        .into_iter()
+        .chain(needed.iter().flat_map(Action::values))
+        .flat_map(|expr| system.mechanism.graph.symbols(expr));
+    read.any(|&symbol| names.is_field(symbol))
+}
+
 fn equations(
     index: usize,
     block: &BlockProgram,
@@ -63,30 +91,38 @@ fn equations(
         if with_rates {
             local.extend(&rates);
         }
+        // The geometry comes first and knows functions of time alone; what the results share comes after it.
+        let first_names = BlockNames {
+            system,
+            solved,
+            named: &block.time,
+            local: local.clone(),
+        };
         let names = BlockNames {
             system,
             solved,
             named: newton.shared.as_ref().unwrap_or(&block.time),
             local,
         };
-        let writer = Writer {
+        let writer_of = |names| Writer {
             system,
             constants: &program.constants,
-            names: &names,
+            names,
         };
+        let (first_writer, writer) = (writer_of(&first_names), writer_of(&names));
         let needed = newton.geometry_for(results, system);
         let evaluated: Vec<ExprId> = results
             .iter()
             .copied()
             .chain(needed.iter().flat_map(Action::values))
             .collect();
-        let time = writer.statements(&block.time.for_results(&evaluated, system));
+        let time = first_writer.statements(&block.time.for_results(&evaluated, system));
         let shared = newton.shared.as_ref();
-        let shared = shared.map(|shared| writer.statements(&shared.for_results_alone(results, system)));
+        let shared = shared.map(|shared| writer.statements(&shared.for_results(results, system)));
         let shared = shared.unwrap_or_default();
         let actions: Vec<TokenStream> = needed
             .iter()
-            .map(|action| statement(action, index, block, &writer, &names))
+            .map(|action| statement(action, index, block, &first_writer, &first_names))
             .collect();
         let values: Vec<TokenStream> = results
             .iter()
@@ -161,15 +197,21 @@ fn equations(
         block.name,
         listed(newton, system)
     )]);
+    let at = only(
+        reads_frame(block, newton, system, solved),
+        quote!(at: &'a Frame,),
+    );
+    let fields = quote!(#at #parameters #inputs);
+    let (declaration, lifetime) = if fields.is_empty() {
+        (quote!(struct #name;), TokenStream::new())
+    } else {
+        (quote!(struct #name<'a> { #fields }), quote!(<'_>))
+    };
     quote! {
         #title
-        struct #name<'a> {
-            at: &'a Frame,
-            #parameters
-            #inputs
-        }
+        #declaration
 
-        impl Equations<f64, Const<#size>> for #name<'_> {
+        impl Equations<f64, Const<#size>> for #name #lifetime {
             fn dimension(&self) -> Const<#size> {
                 Const
             }
