@@ -7,6 +7,7 @@
 //! equations are solved.
 
 mod assemble;
+mod auxiliary;
 mod direction;
 mod orientation;
 mod pressure;

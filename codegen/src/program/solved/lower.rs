@@ -8,6 +8,7 @@ use super::fields::fields;
 use super::liveness::prune;
 use super::outputs::outputs;
 use super::responses::Responses;
+use super::sharing::share;
 use super::transmissions::{Transmission, transmissions};
 use super::{Action, BlockProgram, Output, Report, SolvedProgram};
 use crate::expr::{ExprId, SymbolId};
@@ -72,6 +73,16 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         &|symbol| is_coordinate(symbol, system) || asked_for.contains(&symbol),
         system,
     );
+    // What nothing asks for needs no constants.
+    let mut unused = Constants::default();
+    for block in &mut all {
+        let constants = if wanted.is_none() {
+            &mut *constants
+        } else {
+            &mut unused
+        };
+        share(block, system, constants);
+    }
     let all_levels = operations(&all, system);
     report.all_operations.copy_from_slice(&all_levels[..3]);
     for last in wanted.iter().map(|(_, last)| last).chain(&transmitting) {
@@ -96,6 +107,9 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
             blocks.extend(transmitting);
             let asked = asked_for;
             prune(&mut blocks, &|symbol| asked.contains(&symbol), system);
+            for block in &mut blocks {
+                share(block, system, constants);
+            }
             (Some(outputs), asked)
         }
     };

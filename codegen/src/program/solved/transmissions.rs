@@ -77,6 +77,7 @@ pub(super) fn transmissions(
         time: Straight::new(Vec::new(), system, constants),
         actions,
         newton: None,
+        shared: None,
         reads_branch: false,
     };
     Some((found, block))
