@@ -4,6 +4,7 @@
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
 //! determine the motion.
 
+mod choice;
 mod contact;
 mod curve;
 mod dimension;

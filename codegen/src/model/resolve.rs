@@ -33,6 +33,8 @@ pub(super) struct Resolver<'a> {
     pub drawn: Names<DrawnPoint>,
     /// Curves; nothing where the statement has an error.
     pub curves: Names<Option<DrawnCurve>>,
+    /// The choices around the formula that is read: each condition, and whether the formula stands where it is negative.
+    pub choices: Vec<(ExprId, bool)>,
     /// The parameter of the curve whose formula is read.
     pub parameter: Option<curve::Parameter>,
     pub body_ids: Names<BodyId>,
@@ -203,6 +205,7 @@ impl<'a> Resolver<'a> {
             has_given: false,
             drawn: Names::new("point"),
             curves: Names::new("curve"),
+            choices: Vec::new(),
             parameter: None,
             body_ids: Names::new("body"),
             drivers: Names::new("driver"),

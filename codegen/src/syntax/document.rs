@@ -335,6 +335,38 @@ pub enum ExpressionKind {
     },
     /// `(x, y)`, as an argument of a call only.
     Pair(Box<Pair>),
+    /// `if left < right { holds } else { otherwise }`.
+    Choice(Box<Choice>),
+}
+
+/// `if left < right { holds } else { otherwise }`; `else if` is a choice in `otherwise`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// Left of the comparison.
+    pub left: Expression,
+    /// How both sides are compared.
+    pub comparison: Comparison,
+    /// Right of the comparison.
+    pub right: Expression,
+    /// The value where the comparison holds.
+    pub holds: Expression,
+    /// The value elsewhere.
+    pub otherwise: Expression,
+    /// The comparison with both sides.
+    pub condition: Span,
+}
+
+/// The sign between both sides of a condition.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Comparison {
+    /// `<`
+    Less,
+    /// `<=`
+    LessOrEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterOrEqual,
 }
 
 /// The sign before a term.
