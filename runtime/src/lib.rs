@@ -80,6 +80,7 @@ mod progress;
 pub mod scale;
 pub mod settings;
 pub mod signal;
+pub mod table;
 mod vector;
 
 pub use nalgebra;
@@ -95,6 +96,7 @@ pub use newton::{Convergence, Step};
 pub use scale::Scales;
 pub use settings::Settings;
 pub use signal::Signal;
+pub use table::Table;
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
 #[macro_export]

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use super::curve::{self, DrawnCurve};
 use super::expression::{BUILT_IN, Value, listed};
 use super::names::Names;
-use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter};
+use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter, Table};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{BodyId, Frame, Mark, Vector};
@@ -30,6 +30,9 @@ pub(super) struct Resolver<'a> {
     pub mentioned: HashSet<SymbolId>,
     /// Whether the mechanism has parameters or inputs anywhere, which takes some names in the generated code.
     pub has_given: bool,
+    /// Tables: places in the list below; nothing where the statement has an error.
+    pub table_names: Names<Option<usize>>,
+    pub tables: Vec<Table>,
     pub drawn: Names<DrawnPoint>,
     /// Curves; nothing where the statement has an error.
     pub curves: Names<Option<DrawnCurve>>,
@@ -100,6 +103,7 @@ pub(super) fn resolve_statements(
             syntax::Statement::Constant(constant) => resolver.add_constant(constant),
             syntax::Statement::Parameter(parameter) => resolver.add_parameter(parameter),
             syntax::Statement::Input(input) => resolver.add_input(input),
+            syntax::Statement::Table(table) => resolver.add_table(table),
             syntax::Statement::Points(points) => resolver.add_points(points),
             syntax::Statement::Body(body) => resolver.add_body(body),
             syntax::Statement::Curve(curve) => resolver.add_curve(curve),
@@ -146,6 +150,7 @@ pub(super) fn resolve_statements(
         time,
         parameters: resolver.parameters,
         inputs: resolver.inputs,
+        tables: resolver.tables,
         bodies: resolver.bodies,
         joints: resolver
             .joints
@@ -203,6 +208,8 @@ impl<'a> Resolver<'a> {
             inputs: Vec::new(),
             mentioned: HashSet::new(),
             has_given: false,
+            table_names: Names::new("table"),
+            tables: Vec::new(),
             drawn: Names::new("point"),
             curves: Names::new("curve"),
             choices: Vec::new(),
