@@ -1,6 +1,7 @@
 //! Equations and an estimate, or the frame before → a [`Frame`]: pose, velocity and acceleration at a time.
 //!
-//! A frame in an `Ok` is finite throughout and its pose meets the tolerance of the settings. Velocity and acceleration
+//! A frame in an `Ok` is finite throughout, its pose meets the tolerance of the settings, and it is not a singular pose,
+//! nor one that the residual cannot tell from a singular pose. Velocity and acceleration
 //! solve Φ_q q̇ = -Φ_t and Φ_q q̈ = γ with one factorization of the Jacobian at the pose that is returned
 //! (Haug 1989, section 3.6). On failure the frame that a caller holds is untouched.
 //!
@@ -14,6 +15,7 @@ use crate::failure::{Failure, FailureKind};
 use crate::linear::Factorization;
 use crate::math::Real;
 use crate::newton;
+use crate::regularity;
 use crate::scale::Scales;
 use crate::settings::Settings;
 use crate::vector::{all_finite, negate, require_dimension, zero_matrix, zero_vector};
@@ -115,6 +117,10 @@ where
     equations.jacobian(&q, t, &mut jacobian);
     let factorization = Factorization::new(&jacobian, &Scales::of(equations), settings.pivot_ratio)
         .map_err(fail)?;
+    if regularity::is_doubtful(&factorization, convergence.residual) {
+        let residual = convergence.residual;
+        regularity::require(equations, &q, t, residual, &jacobian, &factorization).map_err(fail)?;
+    }
     let mut qd = zero_vector(dimension);
     equations.time_derivative(&q, t, &mut qd);
     negate(&mut qd);

@@ -76,6 +76,7 @@ pub mod math;
 pub mod motion;
 pub mod newton;
 mod progress;
+mod regularity;
 pub mod scale;
 pub mod settings;
 mod vector;

@@ -101,6 +101,14 @@ where
         })
     }
 
+    /// Whether no coordinate of two poses differs by more than `fraction` of its scale.
+    pub(crate) fn close(&self, a: &OVector<T, D>, b: &OVector<T, D>, fraction: T) -> bool {
+        let entries = a.as_slice().iter().zip(b.as_slice());
+        entries
+            .zip(self.columns.as_slice())
+            .all(|((a, b), scale)| (*a - *b).abs() <= fraction * *scale)
+    }
+
     /// Whether no entry of `update` exceeds `fraction` of its coordinate or of its scale, whichever is larger.
     pub(crate) fn negligible(
         &self,
