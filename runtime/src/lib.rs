@@ -68,6 +68,7 @@
 
 pub mod angle;
 pub mod closed_form;
+pub mod contact;
 pub mod equations;
 pub mod failure;
 pub mod kinematics;

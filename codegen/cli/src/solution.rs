@@ -2,6 +2,8 @@
 //!
 //! What the three outputs (text, JSON, files) have in common, worked out once. The module does not know how it is printed.
 
+use std::path::PathBuf;
+
 use linkwright::{Frame, Motion, Settings};
 use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::model::Role;
@@ -11,6 +13,7 @@ use nalgebra::Dyn;
 use crate::condition::{Condition, dimensionless, jacobian};
 use crate::diagnosis;
 use crate::interpreter::Interpreter;
+use crate::pressure::{self, LargestPressureAngle};
 use crate::residuals::Residuals;
 use crate::schedule::Schedule;
 use crate::trajectory::{Trajectory, follow};
@@ -32,6 +35,8 @@ pub struct Solution {
     pub dimensionless_condition: Condition,
     /// The largest residuals over all frames.
     pub residuals: Residuals,
+    /// The largest pressure angle of every contact.
+    pub pressure_angles: Vec<LargestPressureAngle>,
     /// One sentence for each thing to look at.
     pub warnings: Vec<String>,
     /// Why the motion ends early, if it does.
@@ -59,6 +64,7 @@ impl Solution {
             condition: Condition::of(&matrix),
             dimensionless_condition: Condition::of(&dimensionless(&interpreter, matrix)),
             residuals: Residuals::over(&interpreter, &trajectory.frames),
+            pressure_angles: pressure::largest(&system, &interpreter, &trajectory.frames),
             warnings: diagnosis::warnings(&system, &interpreter, &trajectory),
             error: trajectory
                 .stop
@@ -74,6 +80,22 @@ impl Solution {
     /// The name of the mechanism.
     pub fn name(&self) -> &str {
         &self.system.mechanism.name
+    }
+
+    /// The name of the motion, where the mechanism has several.
+    pub fn motion(&self) -> Option<&str> {
+        let motion = self.system.mechanism.motion.as_ref();
+        motion.map(|motion| motion.name.as_str())
+    }
+
+    /// How a person names it: with its motion, where it has several.
+    pub fn title(&self) -> String {
+        self.system.mechanism.title()
+    }
+
+    /// The folder for its files, below one for all mechanisms: `excavator`, `excavator/reach`.
+    pub fn folder(&self) -> PathBuf {
+        std::iter::once(self.name()).chain(self.motion()).collect()
     }
 
     /// The frames that were wanted and could be solved.

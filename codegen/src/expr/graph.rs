@@ -95,6 +95,11 @@ impl Graph {
         symbol
     }
 
+    /// The symbol of this name, if it has been made.
+    pub fn find_symbol(&self, name: &str) -> Option<SymbolId> {
+        self.symbols_by_name.get(name).copied()
+    }
+
     /// The name of a symbol.
     pub fn symbol_name(&self, symbol: SymbolId) -> &str {
         &self.symbol_names[symbol.index()]

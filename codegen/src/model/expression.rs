@@ -124,6 +124,11 @@ impl Resolver<'_> {
     fn named_value(&mut self, reference: &Reference) -> Option<Value> {
         let name = &reference.name.text;
         if reference.body.is_none() {
+            if let Some(parameter) = &self.parameter
+                && parameter.name == *name
+            {
+                return Some((parameter.value, parameter.dimension));
+            }
             match name.as_str() {
                 "t" => return Some((self.graph.variable(self.time), Dimension::OfTime)),
                 "pi" => return Some((self.graph.pi(), Dimension::Number)),

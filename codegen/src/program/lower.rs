@@ -32,11 +32,22 @@ pub fn lower(system: &mut System, solved_plan: Option<&SolvedPlan>) -> Program {
             Straight::new(results, system, &mut constants)
         })
         .collect();
+    let pressures = system
+        .pressures
+        .iter()
+        .filter(|_| whole)
+        .map(|pressure| {
+            let components = [pressure.along, pressure.across, pressure.sliding];
+            let results = components.map(|component| (component, Vec::new()));
+            Straight::new(results.to_vec(), system, &mut constants)
+        })
+        .collect();
     Program {
         solved,
         constants,
         textbook,
         points,
+        pressures,
     }
 }
 

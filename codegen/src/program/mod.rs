@@ -29,6 +29,9 @@ pub struct Program {
     pub textbook: Option<Textbook>,
     /// The motion of each point: position, velocity, acceleration, x and y each. Empty where single outputs are asked for.
     pub points: Vec<Straight>,
+    /// What each pressure angle follows from: the velocity along and across the normal, and the square of the sliding speed.
+    /// Empty where single outputs are asked for.
+    pub pressures: Vec<Straight>,
 }
 
 /// The functions of the textbook view.

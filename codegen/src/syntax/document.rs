@@ -49,8 +49,53 @@ pub enum Statement {
     Joint(Joint),
     /// `drive phi(1) = EXPRESSION;`
     Drive(Drive),
+    /// `curve rim(a) on cam = polar RADIUS;`
+    Curve(Curve),
     /// `output K, phi(1);`
     Output(Output),
+    /// `motion NAME { statements }`
+    Motion(Motion),
+}
+
+impl MechanismItem {
+    /// The motions in written order.
+    pub fn motions(&self) -> impl Iterator<Item = &Motion> {
+        self.statements
+            .iter()
+            .filter_map(|statement| match statement {
+                Statement::Motion(motion) => Some(motion),
+                _ => None,
+            })
+    }
+}
+
+impl Statement {
+    /// Its place, from the first word to the semicolon or the closing brace.
+    pub fn span(&self) -> Span {
+        match self {
+            Statement::Constant(statement) => statement.span,
+            Statement::Points(statement) => statement.span,
+            Statement::Body(statement) => statement.span,
+            Statement::Joint(statement) => statement.span,
+            Statement::Drive(statement) => statement.span,
+            Statement::Curve(statement) => statement.span,
+            Statement::Output(statement) => statement.span,
+            Statement::Motion(statement) => statement.span,
+        }
+    }
+}
+
+/// `motion NAME { statements }`: one of several ways in which the mechanism is driven.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// The `///` lines above it, and the `//!` lines at the top of its braces.
+    pub docs: Vec<String>,
+    /// Its name; empty where it is missing, which has been reported.
+    pub name: Name,
+    /// The statements in written order: no bodies, no points and no motions.
+    pub statements: Vec<Statement>,
+    /// From the word `motion` to the closing brace.
+    pub span: Span,
 }
 
 /// `const NAME = EXPRESSION;`
@@ -95,6 +140,34 @@ pub struct Pair {
     pub y: Expression,
     /// From the opening to the closing parenthesis.
     pub span: Span,
+}
+
+/// `curve NAME(s) on BODY = (X, Y);`: a curve fixed in the frame of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Name,
+    /// What runs along it.
+    pub parameter: Name,
+    /// From where to where it is drawn, where that is written: `(s from 0 to 200mm)`.
+    pub range: Option<[Expression; 2]>,
+    /// The body that carries it.
+    pub body: Name,
+    /// Its points.
+    pub shape: Shape,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// The points of a curve in terms of its parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// `(X, Y)` in the frame of the body.
+    Parametric(Pair),
+    /// `polar RADIUS`: the parameter is the angle around the origin of the frame.
+    Polar(Expression),
 }
 
 /// `body NAME at … { members }`.

@@ -13,9 +13,11 @@
 
 mod body;
 mod brackets;
+mod curve;
 mod document;
 mod expression;
 mod literal;
+mod motion;
 mod output;
 mod recovery;
 mod reference;
@@ -40,7 +42,9 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 5] = ["const", "point", "body", "drive", "output"];
+pub const KEYWORDS: [&str; 7] = [
+    "const", "point", "body", "curve", "drive", "output", "motion",
+];
 
 /// Reads a description. Never panics and never overflows the stack, whatever the text.
 ///

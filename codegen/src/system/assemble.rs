@@ -1,5 +1,6 @@
 //! The rows of every joint, and their derivatives.
 
+use super::pressure::pressures;
 use super::row_name::RowNames;
 use super::{Coordinate, Described, Entry, Output, Row, SymbolRole, System, VectorForm};
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -69,6 +70,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             }
         })
         .collect();
+    let pressures = pressures(&mut mechanism, &coordinates);
     let vector_form = VectorForm::new(&mut mechanism, &coordinates);
     let mut roles = roles(&mechanism, &coordinates);
     vector_form.note_roles(&mut roles, coordinates.len());
@@ -77,6 +79,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         coordinates,
         rows,
         outputs,
+        pressures,
         vector_form,
         roles,
     }
@@ -94,7 +97,12 @@ fn roles(mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<SymbolRole> {
 }
 
 fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
-    let Mechanism { graph, bodies, .. } = mechanism;
+    let Mechanism {
+        graph,
+        bodies,
+        joints,
+        ..
+    } = mechanism;
     let mut coordinates = Vec::with_capacity(3 * bodies.len());
     let moving = |(index, body): (usize, &Body)| {
         body.coordinates
@@ -117,6 +125,22 @@ fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
                 estimate: estimate[axis],
             });
         }
+    }
+    for (joint, curve) in joints
+        .iter()
+        .enumerate()
+        .filter_map(|(index, joint)| Some((index, joint.operands.curve?)))
+    {
+        let name = graph.symbol_name(curve.parameter).to_string();
+        coordinates.push(Coordinate {
+            rate: graph.symbol(&format!("{name}'")),
+            acceleration: graph.symbol(&format!("{name}''")),
+            name,
+            position: curve.parameter,
+            describes: Described::Contact { joint },
+            quantity: curve.quantity,
+            estimate: curve.estimate,
+        });
     }
     coordinates
 }

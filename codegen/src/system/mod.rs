@@ -7,12 +7,14 @@
 
 mod assemble;
 mod orientation;
+mod pressure;
 mod row_name;
 mod vector_form;
 mod written_order;
 
 pub use assemble::assemble;
 pub use orientation::Orientations;
+pub use pressure::Pressure;
 pub use vector_form::{Arm, Unknown, VectorForm, VectorRow};
 pub use written_order::WrittenOrder;
 
@@ -31,6 +33,8 @@ pub struct System {
     pub rows: Vec<Row>,
     /// The motion of every declared point.
     pub outputs: Vec<Output>,
+    /// The pressure angles of cams and their followers.
+    pub pressures: Vec<Pressure>,
     /// The same constraints in vector form.
     pub vector_form: VectorForm,
     /// What each symbol of the graph is, by [`SymbolId::index`].

@@ -286,6 +286,13 @@ impl VectorForm {
             let turned = self.turned(&frame, axis.direction, &name, graph);
             crate::joint::Axis { turned, ..axis }
         });
+        let curve = operands.curve.map(|curve| {
+            let body = curve.frame.body.0;
+            let name = format!("axis_{}", bodies[body].name.to_lowercase());
+            let along = [graph.one(), graph.zero()];
+            let axis = self.turned(&curve.frame, along, &name, graph);
+            crate::joint::Curve { axis, ..curve }
+        });
         let auxiliaries = operands
             .auxiliaries
             .iter()
@@ -295,6 +302,7 @@ impl VectorForm {
             marks,
             drawn: operands.drawn.clone(),
             axis,
+            curve,
             value: operands.value,
             auxiliaries,
         }

@@ -2,5 +2,7 @@
 
 mod folder;
 mod generate_and_inspect;
+mod motions;
 mod plan;
+mod pressure;
 mod solve;

@@ -9,7 +9,7 @@ use super::lints;
 use super::literal::{count, float};
 use super::solved;
 use crate::program::{LARGEST_TEXTBOOK, Program, Straight};
-use crate::system::{Coordinate, Described, System};
+use crate::system::{Coordinate, Described, Pressure, System};
 
 /// What a structure with a value per coordinate derives. Comparing and printing thousands of fields one by one is code that
 /// no compiler digests; such structures are compared and printed as arrays.
@@ -147,6 +147,9 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
             quote!(#text pub fn #name(&self) -> Motion { #body })
         },
     );
+    let pressure_angles = system.pressures.iter().zip(&program.pressures);
+    let pressure_angles = pressure_angles
+        .map(|(pressure, straight)| pressure_angle(system, program, pressure, straight));
     let (shared, drawn) = match &program.solved {
         Some(solved) => (
             solved::frame_fields(system, solved),
@@ -178,6 +181,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     let implementation = quote! {
         impl Frame {
             #(#methods)*
+            #(#pressure_angles)*
             #private
         }
     };
@@ -203,7 +207,47 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     }
 }
 
+/// `fn pressure_angle_NAME`.
+fn pressure_angle(
+    system: &System,
+    program: &Program,
+    pressure: &Pressure,
+    straight: &Straight,
+) -> TokenStream {
+    let joint = &system.mechanism.joints[pressure.joint];
+    let name = identifier(&format!("pressure_angle_{}", joint.slug));
+    let text = docs([format!(
+        "The pressure angle of `{}`, in rad: between the common normal and the velocity of the follower's point at the \
+         contact. `None` while the follower rests.",
+        joint.label
+    )]);
+    let (computed, results) = computed(system, program, straight);
+    quote! {
+        #text
+        pub fn #name(&self) -> Option<f64> {
+            #computed
+            ::linkwright::contact::pressure_angle(#(#results),*)
+        }
+    }
+}
+
 fn motion(system: &System, program: &Program, straight: &Straight) -> TokenStream {
+    let (computed, results) = computed(system, program, straight);
+    let [x, y, vx, vy, ax, ay] = results.as_slice() else {
+        unreachable!("a point has two components of position, velocity and acceleration each")
+    };
+    quote! {
+        #computed
+        Motion { position: [#x, #y], velocity: [#vx, #vy], acceleration: [#ax, #ay] }
+    }
+}
+
+/// The statements of a method of the frame, and its results.
+fn computed(
+    system: &System,
+    program: &Program,
+    straight: &Straight,
+) -> (TokenStream, Vec<TokenStream>) {
     let names = TextbookNames { system, straight };
     let writer = Writer {
         system,
@@ -227,12 +271,5 @@ fn motion(system: &System, program: &Program, straight: &Straight) -> TokenStrea
     } else {
         quote!(let Self { #(#read,)* .. } = self;)
     };
-    let [x, y, vx, vy, ax, ay] = results.as_slice() else {
-        unreachable!("a point has two components of position, velocity and acceleration each")
-    };
-    quote! {
-        #take
-        #(#statements)*
-        Motion { position: [#x, #y], velocity: [#vx, #vy], acceleration: [#ax, #ay] }
-    }
+    (quote!(#take #(#statements)*), results)
 }
