@@ -76,11 +76,14 @@ pub mod linear;
 pub mod math;
 pub mod motion;
 pub mod newton;
+pub mod path;
 mod progress;
 mod regularity;
 pub mod scale;
 pub mod settings;
+pub mod substeps;
 mod vector;
+mod watch;
 
 pub use nalgebra;
 
@@ -92,8 +95,10 @@ pub use linear::Factorization;
 pub use math::Real;
 pub use motion::Motion;
 pub use newton::{Convergence, Step};
+pub use path::{branch_of, follow};
 pub use scale::Scales;
 pub use settings::Settings;
+pub use substeps::{Broken, in_steps};
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
 #[macro_export]

@@ -23,6 +23,7 @@ use crate::regularity;
 use crate::scale::{Residual, Scales};
 use crate::settings::Settings;
 use crate::vector::{add, all_finite, negate, require_dimension, zero_matrix, zero_vector};
+use crate::watch::{Unwatched, Watch};
 
 /// The longest step, in coordinate scales, that still counts as progress. A part of a mechanism that is a million
 /// times its size away does not come back.
@@ -150,18 +151,33 @@ pub fn solve<T: Real, D: Dim, E: Equations<T, D>>(
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
+    solve_watched(equations, q, t, settings, &mut Unwatched)
+}
+
+/// [`solve`], given up where `watch` says so.
+pub(crate) fn solve_watched<T: Real, D: Dim, E: Equations<T, D>, W: Watch<T, D>>(
+    equations: &E,
+    q: &mut OVector<T, D>,
+    t: T,
+    settings: &Settings<T>,
+    watch: &mut W,
+) -> Result<Convergence<T>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
     require_dimension(q, equations.dimension());
     let mut pose = q.clone();
-    let convergence = iterate(equations, &mut pose, t, settings)?;
+    let convergence = iterate(equations, &mut pose, t, settings, watch)?;
     *q = pose;
     Ok(convergence)
 }
 
-fn iterate<T: Real, D: Dim, E: Equations<T, D>>(
+fn iterate<T: Real, D: Dim, E: Equations<T, D>, W: Watch<T, D>>(
     equations: &E,
     pose: &mut OVector<T, D>,
     t: T,
     settings: &Settings<T>,
+    watch: &mut W,
 ) -> Result<Convergence<T>, Failure<T>>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
@@ -204,6 +220,10 @@ where
             update.clone_from(&phi);
             negate(&mut update);
             factorization.solve(&mut update);
+            watch
+                .jacobian(&factorization)
+                .and_then(|()| watch.step(&scales, &update))
+                .map_err(|kind| failure(kind, t, iterations, residual))?;
             add(pose, &update);
             equations.residual(pose, t, &mut phi);
             residual = scales.residual(&phi);
