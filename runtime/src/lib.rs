@@ -14,6 +14,9 @@
 //! textbook view, all equations as one dense system, through the type `Textbook` of the generated module. The scalar is f64
 //! or f32.
 //!
+//! [`advance`] takes the pose to which Newton-Raphson converges; [`follow`] takes only one that is on the same path and
+//! branch, goes there in as many steps as it needs, and names the time at which a path ends.
+//!
 //! # By hand
 //!
 //! A slider on the x axis hangs on a crank of length 1 by a rod of length 2; the crank turns as φ = t. The position s
@@ -81,6 +84,7 @@ mod progress;
 mod regularity;
 pub mod scale;
 pub mod settings;
+pub mod signal;
 pub mod substeps;
 mod vector;
 mod watch;
@@ -98,6 +102,7 @@ pub use newton::{Convergence, Step};
 pub use path::{branch_of, follow};
 pub use scale::Scales;
 pub use settings::Settings;
+pub use signal::Signal;
 pub use substeps::{Broken, in_steps};
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.

@@ -128,7 +128,7 @@ impl Interpreter {
             accelerations: coordinates.iter().map(|it| it.acceleration).collect(),
             time: system.mechanism.time,
             scratch: RefCell::new(Scratch {
-                symbols: vec![0.0; graph.symbol_count()],
+                symbols: given(system),
                 workspace: Vec::new(),
                 results: vec![0.0; places.len().max(motions.len()).max(pressures.len())],
             }),
@@ -226,6 +226,19 @@ impl Interpreter {
             results.as_mut_slice(),
         );
     }
+}
+
+/// A value per symbol: parameters at their nominal values, inputs at rest at their initial ones, and zero for all others.
+fn given(system: &System) -> Vec<f64> {
+    let graph = &system.mechanism.graph;
+    let mut symbols = vec![0.0; graph.symbol_count()];
+    for parameter in &system.mechanism.parameters {
+        symbols[parameter.symbol.index()] = graph.nominal(parameter.symbol).unwrap_or(f64::NAN);
+    }
+    for input in &system.mechanism.inputs {
+        symbols[input.symbols[0].index()] = graph.constant_value(input.initial).unwrap_or(f64::NAN);
+    }
+    symbols
 }
 
 impl Equations<f64, Dyn> for Interpreter {

@@ -68,6 +68,7 @@ impl Along {
     pub fn new(graph: &Graph, parts: &[ExprId], parameter: SymbolId, symbols: &[f64]) -> Along {
         let mut symbols = symbols.to_vec();
         symbols.resize(graph.symbol_count(), 0.0);
+        graph.fill_nominal(&mut symbols);
         Along {
             tape: Tape::new(graph, parts),
             parameter,

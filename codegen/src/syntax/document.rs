@@ -41,6 +41,10 @@ pub struct Name {
 pub enum Statement {
     /// `const NAME = EXPRESSION;`
     Constant(Constant),
+    /// `param NAME = EXPRESSION;`: a constant that can be changed at run time.
+    Parameter(Constant),
+    /// `input NAME = EXPRESSION;`: a signal that is supplied at run time, with its value at assembly.
+    Input(Constant),
     /// `point A = (X, Y), B = (X, Y);`
     Points(Points),
     /// `body NAME at (X, Y, ANGLE) { members }`
@@ -73,7 +77,9 @@ impl Statement {
     /// Its place, from the first word to the semicolon or the closing brace.
     pub fn span(&self) -> Span {
         match self {
-            Statement::Constant(statement) => statement.span,
+            Statement::Constant(statement)
+            | Statement::Parameter(statement)
+            | Statement::Input(statement) => statement.span,
             Statement::Points(statement) => statement.span,
             Statement::Body(statement) => statement.span,
             Statement::Joint(statement) => statement.span,
@@ -98,7 +104,7 @@ pub struct Motion {
     pub span: Span,
 }
 
-/// `const NAME = EXPRESSION;`
+/// `const NAME = EXPRESSION;`, and `param` and `input` in the same form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
     /// The `///` lines above it.
@@ -322,6 +328,8 @@ pub enum ExpressionKind {
         /// The arguments in written order.
         arguments: Vec<Expression>,
     },
+    /// `(x, y)`, as an argument of a call only.
+    Pair(Box<Pair>),
 }
 
 /// The sign before a term.

@@ -25,7 +25,9 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         ));
     };
     match first.text.as_str() {
-        "const" => constant(tokens, docs, first.span),
+        "const" => constant(tokens, docs, first.span, "a constant").map(Statement::Constant),
+        "param" => constant(tokens, docs, first.span, "a parameter").map(Statement::Parameter),
+        "input" => constant(tokens, docs, first.span, "an input").map(Statement::Input),
         "point" => points(tokens, docs, first.span),
         "body" => body(tokens, docs, first.span).map(Statement::Body),
         "curve" => curve(tokens, docs, first.span),
@@ -36,17 +38,23 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
     }
 }
 
-fn constant(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
-    let name = identifier(tokens, "the name of a constant")?;
+/// `NAME = EXPRESSION;` after the first word; `what` says what is declared.
+fn constant(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+    what: &str,
+) -> Outcome<Constant> {
+    let name = identifier(tokens, &format!("the name of {what}"))?;
     equals(tokens)?;
     let value = expression(tokens)?;
     let span = start.to(semicolon(tokens, start)?);
-    Ok(Statement::Constant(Constant {
+    Ok(Constant {
         docs,
         name,
         value,
         span,
-    }))
+    })
 }
 
 fn points(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {

@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::docs::docs;
 use super::expression::{TextbookNames, Writer, identifier};
+use super::given::{kept_in_frame, only};
 use super::lints;
 use super::literal::{count, float};
 use super::solved;
@@ -157,6 +158,15 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
         ),
         None => (TokenStream::new(), TokenStream::new()),
     };
+    let keeps_parameters = kept_in_frame(program);
+    let parameters = only(
+        keeps_parameters,
+        quote! {
+            /// What the points of this instant are found with.
+            parameters: Parameters,
+        },
+    );
+    let nominal = only(keeps_parameters, quote!(parameters: Parameters::NOMINAL,));
     let zeros = system.coordinates.iter().map(|_| quote!(0.0));
     let at_rest = quote!(Coordinates::from_array([#(#zeros),*]));
     let check = if system.coordinates.len() > LARGEST_TEXTBOOK {
@@ -172,7 +182,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     let private = match program.solved {
         Some(_) => quote! {
             /// The drawing at rest, which the solution starts from.
-            const DRAWN: Self = Self { t: 0.0, q: Coordinates::DRAWN, qd: #at_rest, qdd: #at_rest, #drawn };
+            const DRAWN: Self = Self { t: 0.0, q: Coordinates::DRAWN, qd: #at_rest, qdd: #at_rest, #nominal #drawn };
 
             #check
         },
@@ -199,6 +209,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
             pub qd: Coordinates,
             /// The accelerations of the coordinates.
             pub qdd: Coordinates,
+            #parameters
             #shared
         }
 
@@ -260,6 +271,7 @@ fn computed(
         (inputs.position, quote!(q)),
         (inputs.rate, quote!(qd)),
         (inputs.acceleration, quote!(qdd)),
+        (inputs.parameters, quote!(parameters)),
     ];
     let read: Vec<TokenStream> = read
         .into_iter()
