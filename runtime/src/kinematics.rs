@@ -46,6 +46,8 @@ where
 
 /// Assembles the mechanism at time `t`, starting from the `estimate` (n) of its pose.
 ///
+/// [`crate::assemble_from_afar`] is for poor estimates, and for a given branch.
+///
 /// # Work
 /// That of [`advance`].
 ///
@@ -63,7 +65,21 @@ pub fn assemble<T: Real, D: Dim, E: Equations<T, D>>(
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    complete(equations, estimate.clone(), t, settings, &mut Unwatched)
+    assemble_watched(equations, estimate, t, settings, Unwatched)
+}
+
+/// [`assemble`], given up where `watch` says so.
+pub(crate) fn assemble_watched<T: Real, D: Dim, E: Equations<T, D>, W: Watch<T, D>>(
+    equations: &E,
+    estimate: &OVector<T, D>,
+    t: T,
+    settings: &Settings<T>,
+    mut watch: W,
+) -> Result<Frame<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    complete(equations, estimate.clone(), t, settings, &mut watch)
 }
 
 /// Moves the mechanism from `frame` to time `t`, which may lie before or after it.
@@ -141,7 +157,7 @@ where
     equations.jacobian(&q, t, &mut jacobian);
     let factorization = Factorization::new(&jacobian, &Scales::of(equations), settings.pivot_ratio)
         .map_err(fail)?;
-    watch.jacobian(&factorization).map_err(fail)?;
+    watch.arrival(&factorization).map_err(fail)?;
     if regularity::is_doubtful(&factorization, convergence.residual) {
         let residual = convergence.residual;
         regularity::require(equations, &q, t, residual, &jacobian, &factorization).map_err(fail)?;

@@ -15,7 +15,8 @@
 //! or f32.
 //!
 //! [`advance`] takes the pose to which Newton-Raphson converges; [`follow`] takes only one that is on the same path and
-//! branch, goes there in as many steps as it needs, and names the time at which a path ends.
+//! branch, goes there in as many steps as it needs, and names the time at which a path ends. [`assemble`] is for good
+//! estimates, [`assemble_from_afar`] for poor ones.
 //!
 //! # By hand
 //!
@@ -70,11 +71,14 @@
 #![no_std]
 
 pub mod angle;
+pub mod assembly;
 pub mod closed_form;
 pub mod contact;
+pub mod damped;
 pub mod equations;
 pub mod failure;
 pub mod kinematics;
+pub mod least_squares;
 pub mod linear;
 pub mod math;
 pub mod motion;
@@ -91,6 +95,7 @@ mod watch;
 
 pub use nalgebra;
 
+pub use assembly::assemble_from_afar;
 pub use closed_form::Branch;
 pub use equations::Equations;
 pub use failure::{Failure, FailureKind};

@@ -302,7 +302,7 @@ fn convergence<T: Real>(iterations: u16, residual: Residual<T>, polished: bool) 
     }
 }
 
-fn failure<T: Real>(
+pub(crate) fn failure<T: Real>(
     kind: FailureKind<T>,
     time: T,
     iterations: u16,

@@ -22,8 +22,13 @@ pub(crate) trait Watch<T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    /// Judges a Jacobian on the way, or the one at the pose that was found.
+    /// Judges a Jacobian on the way.
     fn jacobian(&mut self, factorization: &Factorization<T, D>) -> Result<(), FailureKind<T>>;
+
+    /// Judges the Jacobian at the pose that was found.
+    fn arrival(&mut self, factorization: &Factorization<T, D>) -> Result<(), FailureKind<T>> {
+        self.jacobian(factorization)
+    }
 
     /// Judges a step, which has not been taken yet.
     fn step(&mut self, scales: &Scales<T, D>, update: &OVector<T, D>)
@@ -86,5 +91,33 @@ where
             return Err(FailureKind::StepTooLarge);
         }
         Ok(())
+    }
+}
+
+/// Asks that the pose that is found has the branch; the way to it may lead anywhere.
+pub(crate) struct EndsOn {
+    branch: Branch,
+}
+
+impl EndsOn {
+    pub(crate) fn new(branch: Branch) -> Self {
+        Self { branch }
+    }
+}
+
+impl<T: Real, D: Dim> Watch<T, D> for EndsOn
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    fn jacobian(&mut self, _: &Factorization<T, D>) -> Result<(), FailureKind<T>> {
+        Ok(())
+    }
+
+    fn step(&mut self, _: &Scales<T, D>, _: &OVector<T, D>) -> Result<(), FailureKind<T>> {
+        Ok(())
+    }
+
+    fn arrival(&mut self, factorization: &Factorization<T, D>) -> Result<(), FailureKind<T>> {
+        OnBranch::<T>::new(self.branch).jacobian(factorization)
     }
 }

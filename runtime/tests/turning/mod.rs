@@ -44,6 +44,7 @@ pub const DEAD_POINT: f64 = 2.0 * FRAC_PI_6;
 
 /// The pose before the dead point, for a rod above the line of the slider's foot (`sign` +1) or below it (-1).
 pub fn closed_form(t: f64, sign: f64) -> SVector<f64, 6> {
+    assert!(t.abs() <= 2.0 * DEAD_POINT, "beyond the dead points");
     let root = 3.0_f64.sqrt();
     let phi1 = FRAC_PI_6 + t;
     let phi2 = sign * (1.0 - phi1.cos() / root).acos();
