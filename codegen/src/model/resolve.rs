@@ -33,6 +33,8 @@ pub(super) struct Resolver<'a> {
     pub drawn: Names<DrawnPoint>,
     /// Curves; nothing where the statement has an error.
     pub curves: Names<Option<DrawnCurve>>,
+    /// The choices around the formula that is read: each condition, and whether the formula stands where it is negative.
+    pub choices: Vec<(ExprId, bool)>,
     /// The parameter of the curve whose formula is read.
     pub parameter: Option<curve::Parameter>,
     pub body_ids: Names<BodyId>,
@@ -104,7 +106,7 @@ pub(super) fn resolve_statements(
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
             // Points are known once all bodies are.
-            syntax::Statement::Output(_) => {}
+            syntax::Statement::Output(_) | syntax::Statement::Transmission(_) => {}
             // Its statements come by themselves.
             syntax::Statement::Motion(_) => {}
         }
@@ -127,6 +129,7 @@ pub(super) fn resolve_statements(
     let requests = outputs
         .flat_map(|output| resolver.requests(output, &points))
         .collect();
+    let transmissions = resolver.transmissions(statements, &points);
     resolver.note_used();
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
@@ -151,6 +154,7 @@ pub(super) fn resolve_statements(
             .collect(),
         points,
         requests,
+        transmissions,
         characteristic_length,
     }
 }
@@ -201,6 +205,7 @@ impl<'a> Resolver<'a> {
             has_given: false,
             drawn: Names::new("point"),
             curves: Names::new("curve"),
+            choices: Vec::new(),
             parameter: None,
             body_ids: Names::new("body"),
             drivers: Names::new("driver"),

@@ -10,7 +10,7 @@ use super::curve::curve;
 use super::document::{Constant, DrawnPoint, Drive, Joint, Name, Points, Statement};
 use super::expression::{after_expression, coordinates, expression};
 use super::motion::motion;
-use super::output::output;
+use super::output::{output, transmission};
 use super::reference::{body_name, direction, driven_coordinate, identifier, operands, separator};
 use super::tokens::{Outcome, Tokens};
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
@@ -33,6 +33,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "curve" => curve(tokens, docs, first.span),
         "drive" => drive(tokens, docs, first.span),
         "output" => output(tokens, docs, first.span),
+        "transmission" => transmission(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),
         _ => joint(tokens, docs, first),
     }

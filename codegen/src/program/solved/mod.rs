@@ -13,15 +13,19 @@ mod lower;
 mod newton;
 mod one_angle;
 mod outputs;
+mod responses;
+mod sharing;
 mod slides;
+mod transmissions;
 mod two_rotations;
 
 pub use lower::lower;
 pub use outputs::Output;
+pub use transmissions::Transmission;
 
 use std::collections::{HashMap, HashSet};
 
-use super::{Operations, Straight};
+use super::{Operations, Statement, Straight};
 use crate::expr::{ExprId, SymbolId};
 use crate::system::System;
 
@@ -36,6 +40,8 @@ pub struct SolvedProgram {
     pub branches: Vec<Branch>,
     /// What is asked for; `None` where everything is.
     pub outputs: Option<Vec<Output>>,
+    /// What the drivers transmit, in written order.
+    pub transmissions: Vec<Transmission>,
     /// What was kept and left out.
     pub report: Report,
     // The same fields and branches by symbol; only looked up.
@@ -70,6 +76,8 @@ pub struct Report {
     pub operations: [Operations; 3],
     /// The same with nothing left out.
     pub all_operations: [Operations; 3],
+    /// What the transmissions take beside the pose; `None` where there are none.
+    pub transmission: Option<Operations>,
 }
 
 /// The function of one block.
@@ -83,6 +91,9 @@ pub struct BlockProgram {
     pub joints: Vec<usize>,
     /// Functions of time alone, computed first.
     pub time: Straight,
+    /// What it computes once although it uses it more often, beside the functions of time; by [`Action::Share`]. Nothing where it
+    /// evaluates no function of an unknown.
+    pub shared: Option<Straight>,
     /// What it does.
     pub actions: Vec<Action>,
     /// The equations of its Newton-Raphson, where it needs it.
@@ -91,7 +102,14 @@ pub struct BlockProgram {
     pub reads_branch: bool,
 }
 
-/// Position, velocity or acceleration.
+impl BlockProgram {
+    /// The names of all values that its actions share.
+    pub fn named(&self) -> &Straight {
+        self.shared.as_ref().unwrap_or(&self.time)
+    }
+}
+
+/// Position, velocity, acceleration, or what the pose does along a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
     /// The pose.
@@ -100,6 +118,8 @@ pub enum Level {
     Velocity,
     /// Second rates.
     Acceleration,
+    /// Derivatives of the pose along a direction: an index into the system's directions.
+    Response(usize),
 }
 
 /// One statement.
@@ -116,6 +136,8 @@ pub enum Action {
         /// What it is.
         value: ExprId,
     },
+    /// A value that is used more than once, or the value of a function.
+    Share(Statement),
     /// The sine and cosine of an angle.
     SineCosine {
         /// The sine.
@@ -157,6 +179,15 @@ pub enum Action {
     },
     /// Runs the block's Newton-Raphson, which finds the tears with their rates and accelerations.
     Newton,
+    /// Factorizes the block's Jacobian at the tears that Newton-Raphson found.
+    Factorize,
+    /// Solves with the factorized Jacobian.
+    Solve {
+        /// What is found: one symbol a tear, none where nothing needs it.
+        targets: Vec<Option<SymbolId>>,
+        /// The right-hand side: one expression a row.
+        right_hand_side: Vec<ExprId>,
+    },
 }
 
 impl Action {
@@ -164,6 +195,8 @@ impl Action {
     pub fn values(&self) -> Vec<ExprId> {
         match self {
             Action::Let { value, .. } => vec![*value],
+            Action::Share(Statement::Value { expr, .. }) => vec![*expr],
+            Action::Share(Statement::SineCosine { angle, .. }) => vec![*angle],
             Action::SineCosine { angle, .. } => vec![*angle],
             Action::Angle { sine, cosine, .. } => vec![*sine, *cosine],
             Action::Reach {
@@ -176,7 +209,45 @@ impl Action {
                 vec![*excess, *scale, *distance, *longest, *shortest]
             }
             Action::Nonzero { value, scale } => vec![*value, *scale],
-            Action::Section(_) | Action::Comment(_) | Action::Newton => Vec::new(),
+            Action::Solve {
+                right_hand_side, ..
+            } => right_hand_side.clone(),
+            Action::Section(_) | Action::Comment(_) | Action::Newton | Action::Factorize => {
+                Vec::new()
+            }
+        }
+    }
+
+    /// Changes the expressions that it evaluates.
+    fn change_values(&mut self, change: &mut dyn FnMut(ExprId) -> ExprId) {
+        let mut each = |values: &mut [&mut ExprId]| {
+            for value in values {
+                **value = change(**value);
+            }
+        };
+        match self {
+            Action::Let { value, .. } => each(&mut [value]),
+            Action::SineCosine { angle, .. } => each(&mut [angle]),
+            Action::Angle { sine, cosine, .. } => each(&mut [sine, cosine]),
+            Action::Reach {
+                excess,
+                scale,
+                distance,
+                longest,
+                shortest,
+            } => each(&mut [excess, scale, distance, longest, shortest]),
+            Action::Nonzero { value, scale } => each(&mut [value, scale]),
+            Action::Solve {
+                right_hand_side, ..
+            } => right_hand_side
+                .iter_mut()
+                .for_each(|value| each(&mut [value])),
+            // What is shared is found when all actions are as they stay.
+            Action::Share(_)
+            | Action::Section(_)
+            | Action::Comment(_)
+            | Action::Newton
+            | Action::Factorize => {}
         }
     }
 
@@ -185,12 +256,15 @@ impl Action {
         match self {
             Action::Let { target, .. } => vec![*target],
             Action::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
+            Action::Solve { targets, .. } => targets.iter().copied().flatten().collect(),
             Action::Section(_)
             | Action::Comment(_)
+            | Action::Share(_)
             | Action::Angle { .. }
             | Action::Reach { .. }
             | Action::Nonzero { .. }
-            | Action::Newton => Vec::new(),
+            | Action::Newton
+            | Action::Factorize => Vec::new(),
         }
     }
 }
@@ -223,6 +297,8 @@ pub struct NewtonBlock {
     pub time_derivative: Vec<ExprId>,
     /// Minus the second rates of the residuals with the tears' accelerations zero.
     pub gamma: Vec<ExprId>,
+    /// What its functions compute once, beside the functions of time. Nothing where they evaluate no function of an unknown.
+    pub shared: Option<Straight>,
 }
 
 impl NewtonBlock {
