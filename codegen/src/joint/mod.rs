@@ -10,6 +10,7 @@ mod absolute_angle;
 mod absolute_distance;
 mod absolute_position;
 mod angle_driver;
+mod equation;
 pub mod geometry;
 mod length_driver;
 mod link;
@@ -19,7 +20,7 @@ mod revolute;
 mod translational;
 
 pub use operands::{
-    Auxiliary, AuxiliaryUnknown, Axis, Drawn, Line, Operands, Resolved, Slot, Value,
+    Auxiliary, AuxiliaryUnknown, Axis, Drawn, Formula, Line, Operands, Resolved, Slot, Value,
 };
 pub use quantity::Quantity;
 
@@ -91,6 +92,9 @@ pub static CONSTRAINTS: &[&dyn Kind] = &[
     &absolute_angle::AbsoluteAngle,
     &absolute_distance::AbsoluteDistance,
 ];
+
+/// The equation that a description writes out.
+pub static EQUATION: &dyn Kind = &equation::Equation;
 
 /// Every quantity that a `drive` statement can prescribe.
 pub static DRIVERS: &[&dyn Kind] = &[&angle_driver::AngleDriver, &length_driver::LengthDriver];

@@ -71,6 +71,9 @@ impl Resolver<'_> {
                 self.number(digits, unit.as_ref(), written.span)?
             }
             ExpressionKind::Reference(reference) => self.named_value(reference)?,
+            ExpressionKind::Component { point, axis } => {
+                self.component_of(point, axis, written.span)?
+            }
             ExpressionKind::Sum(terms) => self.sum(terms)?,
             ExpressionKind::Product(factors) => self.product(factors)?,
             ExpressionKind::Negative(inner) => {
@@ -132,6 +135,9 @@ impl Resolver<'_> {
             if let Some(&value) = self.constants.get(name) {
                 return Some(value);
             }
+        }
+        if self.live.is_some() {
+            return self.live_name(reference);
         }
         let carrier = self
             .bodies
@@ -254,6 +260,9 @@ impl Resolver<'_> {
 
     fn call(&mut self, function: &Name, arguments: &[Expression], span: Span) -> Option<Value> {
         let name = function.text.as_str();
+        if let Some(value) = self.live_call(function, arguments, span) {
+            return value;
+        }
         if !FUNCTIONS.contains(&name) {
             let help = match meant(name, synonyms::FUNCTIONS, FUNCTIONS.iter().copied(), false) {
                 Some(meant) => format!("did you mean `{meant}`?"),

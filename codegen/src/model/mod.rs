@@ -5,9 +5,11 @@
 //! determine the motion.
 
 mod dimension;
+mod equation;
 mod expression;
 mod joints;
 mod lines;
+mod live;
 mod motions;
 mod names;
 mod not_finite;

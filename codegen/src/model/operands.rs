@@ -84,6 +84,7 @@ impl Resolver<'_> {
             axis,
             value: value?,
             auxiliaries,
+            formula: None,
         };
         match given.kind.refusal(&operands, &self.graph) {
             None => Some(operands),

@@ -1,6 +1,7 @@
 //! The statements of a document, in written order → a mechanism.
 
 use super::expression::{BUILT_IN, Value, listed};
+use super::live::Live;
 use super::names::Names;
 use super::{Body, Dimension, Joint, Mechanism, Motion, NamedMark};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
@@ -24,6 +25,10 @@ pub(super) struct Resolver<'a> {
     pub body_ids: Names<BodyId>,
     /// The names that drivers were given.
     pub drivers: Names<()>,
+    /// The names that equations were given.
+    pub equations: Names<()>,
+    /// What the equation that is being read mentions; `None` elsewhere, where nothing moves but by t.
+    pub live: Option<Live>,
     pub bodies: Vec<Body>,
     /// Each with the direction it was written along, by which drivers find it.
     pub joints: Vec<(Joint, Option<syntax::Direction>)>,
@@ -81,6 +86,8 @@ pub(super) fn resolve_statements(
         drawn: Names::new("point"),
         body_ids: Names::new("body"),
         drivers: Names::new("driver"),
+        equations: Names::new("equation"),
+        live: None,
         bodies: vec![Body {
             name: "ground".to_string(),
             docs: Vec::new(),
@@ -107,6 +114,7 @@ pub(super) fn resolve_statements(
             syntax::Statement::Body(body) => resolver.add_body(body),
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
+            syntax::Statement::Equation(equation) => resolver.add_equation(equation),
             // Points are known once all bodies are.
             syntax::Statement::Output(_) => {}
             // Its statements come by themselves.

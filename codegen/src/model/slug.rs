@@ -74,7 +74,12 @@ impl Resolver<'_> {
                 }
             }
         }
-        let base = apart(&words.join("_").to_lowercase(), "row");
+        self.unique(&words.join("_"))
+    }
+
+    /// The words as a lower-case identifier that no other joint's rows are named after.
+    pub(super) fn unique(&self, words: &str) -> String {
+        let base = apart(&words.to_lowercase(), "row");
         let taken = |slug: &str| self.joints.iter().any(|(joint, _)| joint.slug == slug);
         let numbered = (2..).map(|number| format!("{base}_{number}"));
         std::iter::once(base.clone())

@@ -49,6 +49,8 @@ pub enum Statement {
     Joint(Joint),
     /// `drive phi(1) = EXPRESSION;`
     Drive(Drive),
+    /// `equation [NAME:] EXPRESSION = EXPRESSION;`
+    Equation(Equation),
     /// `output K, phi(1);`
     Output(Output),
     /// `motion NAME { statements }`
@@ -76,6 +78,7 @@ impl Statement {
             Statement::Body(statement) => statement.span,
             Statement::Joint(statement) => statement.span,
             Statement::Drive(statement) => statement.span,
+            Statement::Equation(statement) => statement.span,
             Statement::Output(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }
@@ -233,6 +236,21 @@ pub struct Drive {
     pub span: Span,
 }
 
+/// `equation [NAME:] EXPRESSION = EXPRESSION;`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equation {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// The equation's own name.
+    pub name: Option<Name>,
+    /// What stands left of `=`.
+    pub left: Expression,
+    /// What stands right of `=`.
+    pub right: Expression,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
 /// `NAME` or `BODY.NAME`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
@@ -274,8 +292,15 @@ pub enum ExpressionKind {
         /// The suffix; whether such a unit exists is not checked here.
         unit: Option<Name>,
     },
-    /// A constant, a point or a body's point.
+    /// A constant, a point, a body's point or a point's component.
     Reference(Reference),
+    /// `BODY.POINT.COMPONENT`
+    Component {
+        /// The point of a body.
+        point: Reference,
+        /// `x` or `y`, as far as the parser knows any word.
+        axis: Name,
+    },
     /// Two or more terms; the first has the sign `Plus` (a leading minus is a [`ExpressionKind::Negative`] term).
     Sum(Vec<(Sign, Expression)>),
     /// Two or more factors; the first has the operation `Times`.

@@ -14,6 +14,7 @@
 mod body;
 mod brackets;
 mod document;
+mod equation;
 mod expression;
 mod literal;
 mod motion;
@@ -41,7 +42,9 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 6] = ["const", "point", "body", "drive", "output", "motion"];
+pub const KEYWORDS: [&str; 7] = [
+    "const", "point", "body", "drive", "equation", "output", "motion",
+];
 
 /// Reads a description. Never panics and never overflows the stack, whatever the text.
 ///

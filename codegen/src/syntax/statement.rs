@@ -7,6 +7,7 @@ use proc_macro2::Delimiter;
 use super::KEYWORDS;
 use super::body::body;
 use super::document::{Constant, DrawnPoint, Drive, Joint, Name, Points, Statement};
+use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
 use super::motion::motion;
 use super::output::output;
@@ -28,6 +29,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "point" => points(tokens, docs, first.span),
         "body" => body(tokens, docs, first.span).map(Statement::Body),
         "drive" => drive(tokens, docs, first.span),
+        "equation" => equation(tokens, docs, first.span),
         "output" => output(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),
         _ => joint(tokens, docs, first),
@@ -163,7 +165,7 @@ fn unknown_statement(word: &Name) -> Box<Diagnostic> {
     })
 }
 
-fn equals(tokens: &mut Tokens<'_>) -> Outcome<()> {
+pub(super) fn equals(tokens: &mut Tokens<'_>) -> Outcome<()> {
     tokens
         .mark('=')
         .map(|_| ())
@@ -171,7 +173,7 @@ fn equals(tokens: &mut Tokens<'_>) -> Outcome<()> {
 }
 
 /// The semicolon after a formula. A missing one is reported without giving up the statement, if it is clear where it ends.
-fn semicolon(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
+pub(super) fn semicolon(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
     missing_semicolon(tokens, start).ok_or_else(|| {
         after_expression(tokens, "an operation or `;`", "end the statement with `;`")
     })

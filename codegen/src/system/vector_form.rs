@@ -297,6 +297,7 @@ impl VectorForm {
             axis,
             value: operands.value,
             auxiliaries,
+            formula: operands.formula.clone(),
         }
     }
 
