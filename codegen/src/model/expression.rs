@@ -71,8 +71,8 @@ impl Resolver<'_> {
                 self.number(digits, unit.as_ref(), written.span)?
             }
             ExpressionKind::Reference(reference) => self.named_value(reference)?,
-            ExpressionKind::Component { point, axis } => {
-                self.component_of(point, axis, written.span)?
+            ExpressionKind::Component(component) => {
+                self.component_of(&component.point, &component.axis, written.span)?
             }
             ExpressionKind::Sum(terms) => self.sum(terms)?,
             ExpressionKind::Product(factors) => self.product(factors)?,

@@ -88,21 +88,33 @@ impl Straight {
                 stack.extend(graph.operands(expr));
             }
         }
-        let is_needed = |statement: &Statement| match statement {
-            Statement::SineCosine { angle, .. } => {
-                needed.iter().any(|&expr| match graph.node(expr) {
-                    Node::Sin(x) | Node::Cos(x) => x == angle,
-                    _ => false,
-                })
-            }
-            Statement::Value { expr, .. } => needed.contains(expr),
+        let of_angle = |angle: ExprId, is_sine: bool| {
+            needed.iter().copied().find(|&expr| match *graph.node(expr) {
+                Node::Sin(x) => is_sine && x == angle,
+                Node::Cos(x) => !is_sine && x == angle,
+                _ => false,
+            })
         };
-        let statements = self
-            .statements
-            .iter()
-            .filter(|statement| is_needed(statement))
-            .cloned()
-            .collect();
+        let still_needed = |statement: &Statement| match statement {
+            Statement::SineCosine {
+                sine,
+                cosine,
+                angle,
+            } => match (of_angle(*angle, true), of_angle(*angle, false)) {
+                (None, None) => None,
+                (Some(expr), None) => Some(Statement::Value {
+                    name: sine.clone(),
+                    expr,
+                }),
+                (None, Some(expr)) => Some(Statement::Value {
+                    name: cosine.clone(),
+                    expr,
+                }),
+                (Some(_), Some(_)) => Some(statement.clone()),
+            },
+            Statement::Value { expr, .. } => needed.contains(expr).then(|| statement.clone()),
+        };
+        let statements = self.statements.iter().filter_map(still_needed).collect();
         Straight {
             statements,
             ..self.clone()

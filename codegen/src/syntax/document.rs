@@ -295,12 +295,7 @@ pub enum ExpressionKind {
     /// A constant, a point, a body's point or a point's component.
     Reference(Reference),
     /// `BODY.POINT.COMPONENT`
-    Component {
-        /// The point of a body.
-        point: Reference,
-        /// `x` or `y`, as far as the parser knows any word.
-        axis: Name,
-    },
+    Component(Box<Component>),
     /// Two or more terms; the first has the sign `Plus` (a leading minus is a [`ExpressionKind::Negative`] term).
     Sum(Vec<(Sign, Expression)>),
     /// Two or more factors; the first has the operation `Times`.
@@ -316,6 +311,15 @@ pub enum ExpressionKind {
         /// The arguments in written order.
         arguments: Vec<Expression>,
     },
+}
+
+/// `BODY.POINT.COMPONENT`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Component {
+    /// The point of a body.
+    pub point: Reference,
+    /// `x` or `y`, as far as the parser knows any word.
+    pub axis: Name,
 }
 
 /// The sign before a term.

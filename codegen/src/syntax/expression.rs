@@ -6,7 +6,7 @@
 use proc_macro2::Delimiter;
 
 use super::brackets::too_deep;
-use super::document::{Expression, ExpressionKind, Name, Operation, Pair, Reference, Sign};
+use super::document::{Component, Expression, ExpressionKind, Name, Operation, Pair, Reference, Sign};
 use super::reference::reference_or_component;
 use super::tokens::{Outcome, Tokens};
 use super::{DEEPEST, literal};
@@ -196,10 +196,10 @@ fn named_value(reference: Reference, axis: Option<Name>) -> Expression {
     match axis {
         Some(axis) => Expression {
             span: span.to(axis.span),
-            kind: ExpressionKind::Component {
+            kind: ExpressionKind::Component(Box::new(Component {
                 point: reference,
                 axis,
-            },
+            })),
         },
         None => Expression {
             kind: ExpressionKind::Reference(reference),

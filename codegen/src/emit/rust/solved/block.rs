@@ -130,7 +130,9 @@ pub(in crate::emit::rust) fn blocks(
         let needs = Needs::of(block, system);
         let names = BlockNames { system, solved, time: &block.time, local: HashSet::new() };
         let writer = Writer { system, constants: &program.constants, names: &names };
-        let time = writer.statements(&block.time);
+        // What only Newton-Raphson evaluates is computed there.
+        let values: Vec<ExprId> = block.actions.iter().flat_map(Action::values).collect();
+        let time = writer.statements(&block.time.for_results(&values, system));
         let actions = block.actions.iter().map(|action| statement(action, index, block, &writer, &names));
         let (name, parameters) = (identifier(&block.name), needs.parameters());
         let title = docs([block.title.as_str()]);
