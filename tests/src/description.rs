@@ -16,14 +16,17 @@ pub fn names() -> Vec<String> {
         .collect()
 }
 
-/// The names of the mechanisms with one motion that is not limited by `output` statements: their frames hold all coordinates.
+/// The names of the mechanisms with one motion that is not limited by `output` statements: their frames hold all coordinates,
+/// and they are given nothing but a time.
 pub fn whole() -> Vec<String> {
     let mut names = names();
     names.retain(|name| {
         let [only] = &motions(name)[..] else {
             return false;
         };
-        only.mechanism.motion.is_none() && only.mechanism.requests.is_empty()
+        let mechanism = &only.mechanism;
+        let given = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
+        !given && mechanism.motion.is_none() && mechanism.requests.is_empty()
     });
     names
 }

@@ -66,13 +66,15 @@ codes! {
     WrongArgumentCount = "K15";
     /// A joint between a body and itself.
     JointOnOneBody = "K16";
+    /// A name that is declared and never used.
+    UnusedName = "K17";
     /// A unit suffix the language does not know.
     UnknownUnit = "K20";
     /// A length where an angle is wanted, and the like.
     WrongDimension = "K21";
     /// A value that is infinite or not a number.
     NotFinite = "K22";
-    /// A value that depends on `t` where a constant is wanted.
+    /// A value that depends on `t` or an input where a constant is wanted.
     NotConstant = "K23";
     /// A direction of zero length, or other geometry that determines nothing.
     DegenerateGeometry = "K24";

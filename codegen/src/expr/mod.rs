@@ -19,6 +19,7 @@ mod exponential;
 mod graph;
 mod hashing;
 mod node;
+mod nominal;
 mod number;
 mod product;
 mod pythagoras;

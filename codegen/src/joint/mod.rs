@@ -10,21 +10,27 @@ mod absolute_angle;
 mod absolute_distance;
 mod absolute_position;
 mod angle_driver;
+mod curve;
 mod equation;
+mod flat;
 pub mod geometry;
 mod length_driver;
 mod link;
 mod operands;
+mod point_on_curve;
 mod quantity;
 mod revolute;
+mod roller;
 mod translational;
 
+pub use curve::Curve;
 pub use operands::{
     Auxiliary, AuxiliaryUnknown, Axis, Drawn, Formula, Line, Operands, Resolved, Slot, Value,
 };
 pub use quantity::Quantity;
 
 use crate::expr::{ExprId, Graph};
+use geometry::{Frame, Vector};
 
 /// One scalar constraint equation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +41,20 @@ pub struct Row {
     pub quantity: Quantity,
     /// Which row of the joint this is: `x`, `angle`, …; empty when it has only one.
     pub component: &'static str,
+}
+
+/// Where a body touches a curve of another body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// The unit vector along which they press on one another, in global components.
+    pub normal: Vector,
+    /// The frame of the body that is pushed.
+    pub follower: Frame,
+    /// The point of that body whose motion the pressure angle is measured against.
+    pub place: Vector,
+    /// An expression of the curve's parameter that keeps its sign wherever the contact is possible, and what is wrong where
+    /// it does not.
+    pub fit: Option<(ExprId, &'static str)>,
 }
 
 /// Why operands make no joint of a kind.
@@ -73,6 +93,10 @@ pub trait Kind: Sync {
     fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         self.rows(operands, graph)
     }
+    /// Where the bodies touch, for kinds that let them press on one another along a curve.
+    fn contact(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Contact> {
+        None
+    }
     /// The rows, in the order of the textbook.
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row>;
 }
@@ -91,6 +115,9 @@ pub static CONSTRAINTS: &[&dyn Kind] = &[
     &absolute_position::AbsoluteY,
     &absolute_angle::AbsoluteAngle,
     &absolute_distance::AbsoluteDistance,
+    &point_on_curve::PointOnCurve,
+    &roller::Roller,
+    &flat::Flat,
 ];
 
 /// The equation that a description writes out.

@@ -52,6 +52,7 @@ impl Resolver<'_> {
             marks,
             drawn,
             axis: None,
+            curve: None,
             value: None,
             auxiliaries: Vec::new(),
             formula: Some(Formula {
@@ -66,11 +67,10 @@ impl Resolver<'_> {
             Some(name) => (format!("equation {}", name.text), name.text.clone()),
             None => (format!("equation {number}"), format!("equation_{number}")),
         };
-        // What depends on time moves the mechanism.
-        let role = if self.graph.depends_on(residual, self.time) {
-            Role::Driver
-        } else {
-            Role::Constraint
+        // What depends on time or on an input moves the mechanism.
+        let role = match self.moving(residual) {
+            Some(_) => Role::Driver,
+            None => Role::Constraint,
         };
         let joint = Joint {
             kind: EQUATION,

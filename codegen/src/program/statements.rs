@@ -35,6 +35,10 @@ pub struct Inputs {
     pub acceleration: bool,
     /// t.
     pub time: bool,
+    /// The parameters.
+    pub parameters: bool,
+    /// The signals.
+    pub inputs: bool,
 }
 
 /// One definition.
@@ -89,11 +93,14 @@ impl Straight {
             }
         }
         let of_angle = |angle: ExprId, is_sine: bool| {
-            needed.iter().copied().find(|&expr| match *graph.node(expr) {
-                Node::Sin(x) => is_sine && x == angle,
-                Node::Cos(x) => !is_sine && x == angle,
-                _ => false,
-            })
+            needed
+                .iter()
+                .copied()
+                .find(|&expr| match *graph.node(expr) {
+                    Node::Sin(x) => is_sine && x == angle,
+                    Node::Cos(x) => !is_sine && x == angle,
+                    _ => false,
+                })
         };
         let still_needed = |statement: &Statement| match statement {
             Statement::SineCosine {
@@ -248,12 +255,15 @@ impl Straight {
 }
 
 impl Inputs {
-    fn note(&mut self, role: SymbolRole) {
+    /// Notes that a symbol is read.
+    pub fn note(&mut self, role: SymbolRole) {
         match role {
             SymbolRole::Position(_) => self.position = true,
             SymbolRole::Rate(_) => self.rate = true,
             SymbolRole::Acceleration(_) => self.acceleration = true,
             SymbolRole::Time => self.time = true,
+            SymbolRole::Parameter(_) => self.parameters = true,
+            SymbolRole::Input { .. } => self.inputs = true,
             SymbolRole::Arm(_) | SymbolRole::Intermediate => {}
         }
     }

@@ -6,7 +6,9 @@
 use proc_macro2::Delimiter;
 
 use super::brackets::too_deep;
-use super::document::{Component, Expression, ExpressionKind, Name, Operation, Pair, Reference, Sign};
+use super::document::{
+    Component, Expression, ExpressionKind, Name, Operation, Pair, Reference, Sign,
+};
 use super::reference::reference_or_component;
 use super::tokens::{Outcome, Tokens};
 use super::{DEEPEST, literal};

@@ -6,6 +6,7 @@ use proc_macro2::Delimiter;
 
 use super::KEYWORDS;
 use super::body::body;
+use super::curve::curve;
 use super::document::{Constant, DrawnPoint, Drive, Joint, Name, Points, Statement};
 use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
@@ -25,9 +26,12 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         ));
     };
     match first.text.as_str() {
-        "const" => constant(tokens, docs, first.span),
+        "const" => constant(tokens, docs, first.span, "a constant").map(Statement::Constant),
+        "param" => constant(tokens, docs, first.span, "a parameter").map(Statement::Parameter),
+        "input" => constant(tokens, docs, first.span, "an input").map(Statement::Input),
         "point" => points(tokens, docs, first.span),
         "body" => body(tokens, docs, first.span).map(Statement::Body),
+        "curve" => curve(tokens, docs, first.span),
         "drive" => drive(tokens, docs, first.span),
         "equation" => equation(tokens, docs, first.span),
         "output" => output(tokens, docs, first.span),
@@ -36,17 +40,23 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
     }
 }
 
-fn constant(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
-    let name = identifier(tokens, "the name of a constant")?;
+/// `NAME = EXPRESSION;` after the first word; `what` says what is declared.
+fn constant(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+    what: &str,
+) -> Outcome<Constant> {
+    let name = identifier(tokens, &format!("the name of {what}"))?;
     equals(tokens)?;
     let value = expression(tokens)?;
     let span = start.to(semicolon(tokens, start)?);
-    Ok(Statement::Constant(Constant {
+    Ok(Constant {
         docs,
         name,
         value,
         span,
-    }))
+    })
 }
 
 fn points(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {

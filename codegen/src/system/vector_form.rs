@@ -92,14 +92,17 @@ impl VectorForm {
                 .map(|coordinate| coordinate.name.clone())
                 .collect(),
         };
+        form.rates.extend(mechanism.explicit_rates());
         let Mechanism {
             graph,
             joints,
             bodies,
             points,
+            parameters,
             ..
         } = mechanism;
-        form.rates.insert(mechanism.time, graph.one());
+        let fixed = parameters.iter().map(|own| (own.symbol, graph.zero()));
+        form.rates.extend(fixed);
         // Which angles are tied must be known before the first arm is made.
         for joint in joints.iter() {
             for row in joint.kind.vector_rows(&joint.operands, graph) {
@@ -133,7 +136,7 @@ impl VectorForm {
         form
     }
 
-    /// d/dt of an expression of unknowns, rates, arms and t.
+    /// d/dt of an expression of unknowns, rates, arms, parameters, inputs and t.
     pub fn rate(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
         let symbols = graph.symbols(expr).to_vec();
         let mut terms = Vec::with_capacity(symbols.len());
@@ -286,6 +289,13 @@ impl VectorForm {
             let turned = self.turned(&frame, axis.direction, &name, graph);
             crate::joint::Axis { turned, ..axis }
         });
+        let curve = operands.curve.map(|curve| {
+            let body = curve.frame.body.0;
+            let name = format!("axis_{}", bodies[body].name.to_lowercase());
+            let along = [graph.one(), graph.zero()];
+            let axis = self.turned(&curve.frame, along, &name, graph);
+            crate::joint::Curve { axis, ..curve }
+        });
         let auxiliaries = operands
             .auxiliaries
             .iter()
@@ -295,6 +305,7 @@ impl VectorForm {
             marks,
             drawn: operands.drawn.clone(),
             axis,
+            curve,
             value: operands.value,
             auxiliaries,
             formula: operands.formula.clone(),

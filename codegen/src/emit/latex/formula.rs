@@ -124,9 +124,10 @@ impl<'a> Printer<'a> {
     fn operand(&self, expr: ExprId, followed: bool) -> String {
         match self.graph().node(expr) {
             Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
-                SymbolRole::Arm(_) | SymbolRole::Intermediate => {
-                    local(self.system.local_name(*symbol))
-                }
+                SymbolRole::Arm(_)
+                | SymbolRole::Intermediate
+                | SymbolRole::Parameter(_)
+                | SymbolRole::Input { .. } => local(self.system.local_name(*symbol)),
                 role => self.symbol(role),
             },
             Node::Pi => "\\pi".to_string(),
@@ -164,6 +165,14 @@ impl<'a> Printer<'a> {
             SymbolRole::Rate(coordinate) => (coordinate, Some("dot")),
             SymbolRole::Acceleration(coordinate) => (coordinate, Some("ddot")),
             SymbolRole::Arm(arm) => return escaped(&self.system.vector_form.arms[arm].name),
+            SymbolRole::Parameter(parameter) => {
+                let parameter = self.system.mechanism.parameters[parameter].symbol;
+                return local(self.system.local_name(parameter));
+            }
+            SymbolRole::Input { input, level } => {
+                let signal = self.system.mechanism.inputs[input].symbols[level];
+                return local(self.system.local_name(signal));
+            }
             SymbolRole::Intermediate | SymbolRole::Time => return "t".to_string(),
         };
         if coordinate >= self.system.coordinates.len() {

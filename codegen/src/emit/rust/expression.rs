@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::given::read;
 use super::literal::float;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::program::{
@@ -220,6 +221,9 @@ impl Names for TextbookNames<'_> {
             SymbolRole::Rate(unknown) => ("qd", unknown),
             SymbolRole::Acceleration(unknown) => ("qdd", unknown),
             SymbolRole::Time => return quote!(t),
+            SymbolRole::Parameter(_) | SymbolRole::Input { .. } => {
+                return read(symbol, self.system).unwrap_or_default();
+            }
             SymbolRole::Arm(_) | SymbolRole::Intermediate => {
                 let name = identifier(self.system.local_name(symbol));
                 return quote!(#name);

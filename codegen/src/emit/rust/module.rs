@@ -7,6 +7,7 @@ use super::coordinates::{coordinates, frame};
 use super::docs::docs;
 use super::equations::equations;
 use super::expression::identifier;
+use super::given::{Given, only, structures};
 use super::lints;
 use super::literal::float;
 use super::solved;
@@ -29,6 +30,7 @@ pub(super) fn items(system: &System, program: &Program) -> TokenStream {
         imports(system, program, has_newton),
         constants(system, program),
         coordinates(system),
+        structures(system, program),
         program
             .textbook
             .as_ref()
@@ -60,7 +62,7 @@ fn solver(system: &System, program: &Program) -> TokenStream {
             let mechanism = solved::mechanism(system, program, blocks);
             quote!(#branches #newton #functions #mechanism)
         }
-        None => mechanism(system),
+        None => mechanism(system, program),
     }
 }
 
@@ -74,7 +76,9 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
             &own.gamma,
         ]
     });
-    let calls_math = functions.chain(&program.points).any(|straight| {
+    let straight = functions.chain(&program.points).chain(&program.drawn);
+    let mut straight = straight.into_iter();
+    let calls_math = straight.any(|straight| {
         let operations = &straight.operations;
         operations.sines
             + operations.arctangents
@@ -117,6 +121,11 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
         if has(|action| matches!(action, Action::Reach { .. } | Action::Nonzero { .. })) {
             closed.push(quote!(spans));
         }
+    }
+    let given = Given::of(system);
+    if program.solved.is_none() && given.any() {
+        closed.push(quote!(all_finite));
+        closed.push(quote!(failed));
     }
     let kind = if closed.is_empty() {
         TokenStream::new()
@@ -163,11 +172,12 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
     } else {
         TokenStream::new()
     };
+    let signal = only(given.inputs, quote!(Signal,));
     quote! {
         #closed
         #math
         #matrices
-        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #step #kinematics};
+        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #signal #step #kinematics};
     }
 }
 

@@ -129,9 +129,10 @@ impl<'a> Printer<'a> {
     fn operand(&self, expr: ExprId, followed: bool) -> String {
         match self.graph().node(expr) {
             Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
-                SymbolRole::Arm(_) | SymbolRole::Intermediate => {
-                    self.system.local_name(*symbol).to_string()
-                }
+                SymbolRole::Arm(_)
+                | SymbolRole::Intermediate
+                | SymbolRole::Parameter(_)
+                | SymbolRole::Input { .. } => self.system.local_name(*symbol).to_string(),
                 role => self.symbol(role),
             },
             Node::Pi => self.either("pi", "π").to_string(),
@@ -167,6 +168,14 @@ impl<'a> Printer<'a> {
             SymbolRole::Rate(coordinate) => (coordinate, 1),
             SymbolRole::Acceleration(coordinate) => (coordinate, 2),
             SymbolRole::Arm(arm) => return self.system.vector_form.arms[arm].name.clone(),
+            SymbolRole::Parameter(parameter) => {
+                let parameter = self.system.mechanism.parameters[parameter].symbol;
+                return self.system.local_name(parameter).to_string();
+            }
+            SymbolRole::Input { input, level } => {
+                let signal = self.system.mechanism.inputs[input].symbols[level];
+                return self.system.local_name(signal).to_string();
+            }
             SymbolRole::Intermediate | SymbolRole::Time => return "t".to_string(),
         };
         let name = self.system.unknown_name(coordinate);

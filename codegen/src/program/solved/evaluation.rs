@@ -39,7 +39,7 @@ pub(super) fn operations(blocks: &[BlockProgram], system: &System) -> [Operation
     levels
 }
 
-/// Sines and the like of t, which every use shares.
+/// Sines and the like of t, inputs and parameters, which every use shares.
 pub(super) fn functions_of_time(
     expressions: &[ExprId],
     system: &System,
@@ -47,10 +47,12 @@ pub(super) fn functions_of_time(
 ) -> Straight {
     let graph = &system.mechanism.graph;
     let only_time = |expr: ExprId| {
-        graph
-            .symbols(expr)
-            .iter()
-            .all(|symbol: &SymbolId| system.roles[symbol.index()] == SymbolRole::Time)
+        graph.symbols(expr).iter().all(|symbol: &SymbolId| {
+            matches!(
+                system.roles[symbol.index()],
+                SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. }
+            )
+        })
     };
     let mut found = Vec::new();
     let mut seen = HashSet::new();

@@ -5,10 +5,11 @@ use std::collections::HashSet;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::block::{equations_name, statement};
+use super::block::{Needs, equations_name, reads, statement};
 use super::names::{BlockNames, plain_name};
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::Writer;
+use crate::emit::rust::given::only;
 use crate::emit::rust::literal::count;
 use crate::emit::rust::solver::scale;
 use crate::expr::{ExprId, SymbolId};
@@ -83,10 +84,12 @@ fn equations(
             .iter()
             .map(|&expr| writer.expression(expr, &[]))
             .collect();
-        let read: HashSet<SymbolId> = results
+        let read_expressions = results
             .iter()
             .copied()
-            .chain(needed.iter().flat_map(Action::values))
+            .chain(needed.iter().flat_map(Action::values));
+        let read: HashSet<SymbolId> = read_expressions
+            .clone()
             .flat_map(|expr| system.mechanism.graph.symbols(expr).iter().copied())
             .collect();
         let pattern = |symbol: SymbolId| {
@@ -119,6 +122,9 @@ fn equations(
         let reads_time = read
             .iter()
             .any(|symbol| system.roles[symbol.index()] == SymbolRole::Time);
+        let given = reads(read_expressions, system);
+        let parameters = only(given.parameters, quote!(let parameters = self.parameters;));
+        let inputs = only(given.inputs, quote!(let inputs = self.inputs;));
         let t = if reads_time { quote!(t) } else { quote!(_t) };
         let q = if unpack_q.is_empty() {
             quote!(_q)
@@ -130,7 +136,7 @@ fn equations(
         } else {
             quote!(qd)
         };
-        let body = quote!(#at #unpack_q #unpack_qd #(#time)* #(#actions)*);
+        let body = quote!(#at #parameters #inputs #unpack_q #unpack_qd #(#time)* #(#actions)*);
         (body, values, q, qd, t)
     };
     let (residual_body, residual, residual_q, _, residual_t) = part(&newton.residuals, false);
@@ -138,6 +144,9 @@ fn equations(
     let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
     let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
     let column_scales = unknowns.iter().map(|unknown| scale(unknown.quantity));
+    let given = Needs::given(newton, system);
+    let parameters = only(given.parameters, quote!(parameters: &'a Parameters,));
+    let inputs = only(given.inputs, quote!(inputs: &'a Inputs,));
     let title = docs([format!(
         "The equations of `{}` for {}.",
         block.name,
@@ -147,6 +156,8 @@ fn equations(
         #title
         struct #name<'a> {
             at: &'a Frame,
+            #parameters
+            #inputs
         }
 
         impl Equations<f64, Const<#size>> for #name<'_> {
