@@ -19,6 +19,15 @@ pub struct Signal<T = f64> {
 }
 
 impl<T: Real> Signal<T> {
+    /// A signal that moves.
+    pub fn new(value: T, rate: T, acceleration: T) -> Self {
+        Self {
+            value,
+            rate,
+            acceleration,
+        }
+    }
+
     /// A signal that does not move.
     pub fn constant(value: T) -> Self {
         let zero = T::from_f64(0.0);

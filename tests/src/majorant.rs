@@ -93,6 +93,17 @@ pub fn majorants<const N: usize>(
                 product
             }
             Node::Sin(angle) | Node::Cos(angle) => rotation(all[angle.index()]),
+            // Both arms are bounded, whichever holds; a kink between them is not.
+            Node::Choose {
+                below, otherwise, ..
+            } => {
+                let (mut larger, other) = (all[below.index()], all[otherwise.index()]);
+                for (bound, other) in larger.coefficients.iter_mut().zip(other.coefficients) {
+                    *bound = bound.max(other);
+                }
+                larger.error = larger.error.max(other.error);
+                larger
+            }
             other => panic!("no majorant of {other:?}"),
         };
     }

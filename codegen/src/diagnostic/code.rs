@@ -80,6 +80,10 @@ codes! {
     DegenerateGeometry = "K24";
     /// A value that a joint of this kind cannot have.
     ValueNotAllowed = "K25";
+    /// A law of motion or a table whose places do not increase.
+    NotIncreasing = "K27";
+    /// Pieces of a motion that do not join.
+    PiecesApart = "K28";
     /// A statement with the wrong operands, a missing or a superfluous `along`, or a missing or superfluous value.
     WrongForm = "K30";
     /// A mechanism without bodies.

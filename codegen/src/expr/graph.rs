@@ -67,8 +67,13 @@ impl Graph {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => Vec::new(),
             Node::Sum(terms) => terms.iter().map(|term| term.expr).collect(),
             Node::Product(factors) => factors.iter().map(|factor| factor.base).collect(),
-            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => vec![*x],
+            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) | Node::Floor(x) => vec![*x],
             Node::Atan2(y, x) => vec![*y, *x],
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } => vec![*condition, *below, *otherwise],
         }
     }
 

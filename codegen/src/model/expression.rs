@@ -4,6 +4,7 @@
 //! at the smallest part that causes it.
 
 use super::dimension::{Dimension, UNITS, unit};
+use super::law::LAWS;
 use super::resolve::Resolver;
 use super::synonyms::{self, meant};
 use crate::diagnostic::{Code, Diagnostic, Span};
@@ -90,6 +91,14 @@ impl Resolver<'_> {
                 function,
                 arguments,
             } => self.call(function, arguments, written.span)?,
+            ExpressionKind::Pair(_) => {
+                self.diagnostics.push(
+                    Diagnostic::error(Code::OutsideGrammar, written.span, "a pair is no formula")
+                        .label("one value is wanted here")
+                        .help("write each component in a formula of its own"),
+                );
+                return None;
+            }
         };
         self.finite(value, written)
     }
@@ -274,10 +283,18 @@ impl Resolver<'_> {
         if let Some(value) = self.live_call(function, arguments, span) {
             return value;
         }
+        if LAWS.contains(&name) {
+            return self.law(function, arguments, span);
+        }
         if !FUNCTIONS.contains(&name) {
-            let help = match meant(name, synonyms::FUNCTIONS, FUNCTIONS.iter().copied(), false) {
+            let words = FUNCTIONS.iter().chain(LAWS).copied();
+            let help = match meant(name, synonyms::FUNCTIONS, words, false) {
                 Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the functions are {}", listed(FUNCTIONS)),
+                None => format!(
+                    "the functions are {}, and the laws of motion {}",
+                    listed(FUNCTIONS),
+                    listed(LAWS)
+                ),
             };
             self.diagnostics.push(
                 Diagnostic::error(
@@ -387,7 +404,7 @@ impl Resolver<'_> {
         Some((self.graph.sqrt(square), Dimension::LENGTH))
     }
 
-    fn report_argument(&mut self, of: &str, argument: &Expression, found: Dimension) {
+    pub(super) fn report_argument(&mut self, of: &str, argument: &Expression, found: Dimension) {
         self.diagnostics.push(
             Diagnostic::error(
                 Code::WrongDimension,

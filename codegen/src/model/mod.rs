@@ -11,6 +11,7 @@ mod equation;
 mod expression;
 mod given;
 mod joints;
+mod law;
 mod lines;
 mod live;
 mod motions;

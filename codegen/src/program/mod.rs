@@ -12,7 +12,7 @@ mod operations;
 pub mod solved;
 mod statements;
 
-pub use addends::{Addend, Power, addends};
+pub use addends::{Addend, Compared, Power, addends, compared};
 pub use constants::{Constant, ConstantPart, Constants};
 pub use lower::lower;
 pub use operations::{LARGEST_PRODUCT, Operations};

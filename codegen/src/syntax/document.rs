@@ -348,6 +348,8 @@ pub enum ExpressionKind {
         /// The arguments in written order.
         arguments: Vec<Expression>,
     },
+    /// `(x, y)`, as an argument of a call only.
+    Pair(Box<Pair>),
 }
 
 /// `BODY.POINT.COMPONENT`

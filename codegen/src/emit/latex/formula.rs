@@ -1,7 +1,7 @@
 //! One expression → LaTeX for math mode.
 
 use super::super::parts::{Fraction, Part, fraction, terms};
-use crate::expr::{ExprId, Graph, Node, Rational};
+use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
 use crate::system::{Described, SymbolRole, System, WrittenOrder};
 
 /// Prints the formulas of one row.
@@ -26,8 +26,45 @@ impl<'a> Printer<'a> {
 
     /// The whole expression.
     pub(crate) fn expression(&self, expr: ExprId) -> String {
+        self.sum(&terms(expr, self.graph(), &self.order))
+    }
+
+    /// A choice, and those it continues with, as cases.
+    fn cases(&self, mut expr: ExprId) -> String {
+        let mut text = "\\begin{cases} ".to_string();
+        while let Node::Choose {
+            condition,
+            below,
+            otherwise,
+        } = *self.graph().node(expr)
+        {
+            let (below, condition) = (self.expression(below), self.condition(condition));
+            text.push_str(&format!("{below} & {condition} \\\\ "));
+            expr = otherwise;
+        }
+        let last = self.expression(expr);
+        text.push_str(&format!("{last} & \\text{{otherwise}} \\end{{cases}}"));
+        text
+    }
+
+    /// `t < 2` of the condition t - 2.
+    fn condition(&self, condition: ExprId) -> String {
+        let Comparison {
+            left,
+            is_less,
+            right,
+        } = self.graph().comparison(condition);
+        let sign = if is_less { '<' } else { '>' };
+        let [left, right] = [left, right].map(|terms| match terms.is_empty() {
+            true => "0".to_string(),
+            false => self.sum(&self.order.terms(&terms)),
+        });
+        format!("{left} {sign} {right}")
+    }
+
+    fn sum(&self, terms: &[Term]) -> String {
         let mut text = String::new();
-        for (position, term) in terms(expr, self.graph(), &self.order).iter().enumerate() {
+        for (position, term) in terms.iter().enumerate() {
             text.push_str(match (position, term.coefficient.is_negative()) {
                 (0, false) => "",
                 (0, true) => "-",
@@ -142,6 +179,11 @@ impl<'a> Printer<'a> {
             }
             Node::Exp(exponent) => format!("e^{{{}}}", self.expression(*exponent)),
             Node::Ln(argument) => format!("\\ln {}", self.argument(*argument, followed)),
+            Node::Floor(argument) => format!(
+                "\\left\\lfloor {} \\right\\rfloor",
+                self.expression(*argument)
+            ),
+            Node::Choose { .. } => self.cases(expr),
             Node::Number(_) | Node::Sum(_) | Node::Product(_) => self.argument_in_parentheses(expr),
         }
     }

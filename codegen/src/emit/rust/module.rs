@@ -76,27 +76,13 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
             &own.gamma,
         ]
     });
-    let straight = functions.chain(&program.points).chain(&program.drawn);
-    let mut straight = straight.into_iter();
-    let calls_math = straight.any(|straight| {
-        let operations = &straight.operations;
-        operations.sines
-            + operations.arctangents
-            + operations.square_roots
-            + operations.exponentials
-            > 0
-    });
+    let mut straight = functions.chain(&program.points).chain(&program.drawn);
+    let calls_math = straight.any(|straight| straight.operations.calls_math());
     let solved_math = program
         .solved
         .iter()
         .flat_map(|solved| solved.report.operations)
-        .any(|operations| {
-            operations.sines
-                + operations.arctangents
-                + operations.square_roots
-                + operations.exponentials
-                > 0
-        });
+        .any(|operations| operations.calls_math());
     let math = if calls_math || solved_math {
         quote!(
             use ::linkwright::math;

@@ -75,7 +75,12 @@ fn equations(
             names: &names,
         };
         let needed = newton.geometry_for(results, system);
-        let time = writer.statements(&block.time.for_results(results, system));
+        let evaluated: Vec<ExprId> = results
+            .iter()
+            .copied()
+            .chain(needed.iter().flat_map(Action::values))
+            .collect();
+        let time = writer.statements(&block.time.for_results(&evaluated, system));
         let actions: Vec<TokenStream> = needed
             .iter()
             .map(|action| statement(action, index, block, &writer, &names))
