@@ -31,14 +31,24 @@ pub fn whole() -> Vec<String> {
     names
 }
 
-/// The text of a described mechanism.
+/// The names of the mechanisms that only tests need: those of the files `tests/descriptions/*.mech` with one motion, sorted.
+pub fn small() -> Vec<String> {
+    let files = files::with_extension(&files::package("descriptions"), "mech");
+    let names = files.iter().map(|path| files::stem(path).to_string());
+    names.filter(|name| motions(name).len() == 1).collect()
+}
+
+/// The text of a described mechanism, of the repository's or of those that only tests need.
 ///
 /// # Panics
 /// If there is no such file.
 pub fn source(name: &str) -> Source {
-    let path = files::repository()
-        .join("mechanisms")
-        .join(format!("{name}.mech"));
+    let file = format!("{name}.mech");
+    let small = files::package("descriptions").join(&file);
+    let path = match small.is_file() {
+        true => small,
+        false => files::repository().join("mechanisms").join(&file),
+    };
     let text =
         fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     Source::new(format!("{name}.mech"), text)

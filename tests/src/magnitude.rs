@@ -9,7 +9,7 @@ use linkwright_codegen::expr::{ExprId, Graph, Node};
 ///
 /// # Panics
 /// Where a power is not a positive whole one of an expression with symbols, or an elementary function other than sine and
-/// cosine occurs: no mechanism of the repository needs them.
+/// cosine of what moves occurs: no mechanism of the repository needs them.
 pub fn magnitudes(graph: &Graph, order: &[ExprId], symbols: &[f64]) -> Vec<f64> {
     let mut magnitude = vec![f64::NAN; graph.node_count()];
     let mut value = vec![f64::NAN; graph.node_count()];
@@ -42,6 +42,10 @@ pub fn magnitudes(graph: &Graph, order: &[ExprId], symbols: &[f64]) -> Vec<f64> 
             }),
             Node::Sin(angle) => of_angle(graph, *angle, &value, &magnitude, f64::sin, f64::cos),
             Node::Cos(angle) => of_angle(graph, *angle, &value, &magnitude, f64::cos, f64::sin),
+            Node::Atan2(y, x) if graph.is_constant(id) => {
+                let angle = value[y.index()].atan2(value[x.index()]);
+                (angle, angle.abs())
+            }
             Node::Choose {
                 condition,
                 below,

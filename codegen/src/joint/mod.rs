@@ -13,15 +13,23 @@ mod angle_driver;
 mod curve;
 mod equation;
 mod flat;
+mod gear;
 pub mod geometry;
 mod length_driver;
 mod link;
 mod operands;
 mod point_on_curve;
+mod point_on_line;
+mod position_driver;
 mod quantity;
+mod rack;
+mod relative_angle;
+mod relative_distance;
+mod relative_position;
 mod revolute;
 mod roller;
 mod translational;
+mod weld;
 
 pub use curve::Curve;
 pub use operands::{
@@ -85,7 +93,7 @@ pub trait Kind: Sync {
         &[]
     }
     /// Why these operands make no joint of this kind, where they do not: a length that is not positive, a ratio that is zero.
-    fn refusal(&self, _operands: &Resolved, _graph: &Graph) -> Option<Refusal> {
+    fn refusal(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Refusal> {
         None
     }
     /// The rows of the vector form: as many more as the kind has [auxiliaries](Kind::auxiliaries), and linear in the positions, the
@@ -115,6 +123,19 @@ pub static CONSTRAINTS: &[&dyn Kind] = &[
     &absolute_position::AbsoluteY,
     &absolute_angle::AbsoluteAngle,
     &absolute_distance::AbsoluteDistance,
+    &relative_position::RelativeX,
+    &relative_position::RelativeY,
+    &relative_angle::RelativeAngle,
+    &relative_distance::RelativeDistance,
+    &relative_distance::RevoluteRevolute,
+    &point_on_line::RevoluteTranslational,
+    &point_on_line::PointOnLine,
+    &weld::Weld,
+    &gear::EXTERNAL_GEAR,
+    &gear::INTERNAL_GEAR,
+    &gear::BELT,
+    &gear::CROSSED_BELT,
+    &rack::Rack,
     &point_on_curve::PointOnCurve,
     &roller::Roller,
     &flat::Flat,
@@ -124,4 +145,13 @@ pub static CONSTRAINTS: &[&dyn Kind] = &[
 pub static EQUATION: &dyn Kind = &equation::Equation;
 
 /// Every quantity that a `drive` statement can prescribe.
-pub static DRIVERS: &[&dyn Kind] = &[&angle_driver::AngleDriver, &length_driver::LengthDriver];
+pub static DRIVERS: &[&dyn Kind] = &[
+    &angle_driver::AngleDriver,
+    &length_driver::LengthDriver,
+    &position_driver::XDriver,
+    &position_driver::YDriver,
+    &relative_position::RelativeX,
+    &relative_position::RelativeY,
+    &relative_angle::RelativeAngle,
+    &relative_distance::DistanceDriver,
+];

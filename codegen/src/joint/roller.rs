@@ -34,7 +34,7 @@ impl Kind for Roller {
         "`roller (2.P, rim) = 10mm;` with `curve rim(a) on 1 = polar RADIUS;`"
     }
 
-    fn refusal(&self, operands: &Resolved, graph: &Graph) -> Option<Refusal> {
+    fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
         let radius = graph.constant_value(operands.value?)?;
         (radius <= 0.0).then(|| Refusal {
             problem: "the radius of a roller is positive".to_string(),

@@ -96,7 +96,7 @@ impl Resolver<'_> {
             auxiliaries,
             formula: None,
         };
-        match given.kind.refusal(&operands, &self.graph) {
+        match given.kind.refusal(&operands, &mut self.graph) {
             None => match curve {
                 Some(curve) => self.touch(given, &curve, operands),
                 None => Some(operands),
@@ -123,7 +123,9 @@ impl Resolver<'_> {
             let value = self.graph.variable(symbol);
             let turned = match kind {
                 Auxiliary::LinkAngle => [self.graph.cos(value), self.graph.sin(value)],
-                Auxiliary::Displacement | Auxiliary::Distance => [self.graph.zero(); 2],
+                Auxiliary::Displacement | Auxiliary::Offset | Auxiliary::Distance => {
+                    [self.graph.zero(); 2]
+                }
             };
             AuxiliaryUnknown {
                 kind,

@@ -83,7 +83,7 @@ impl Straight {
         self.names.get(&expr).map(String::as_str)
     }
 
-    /// The statements that these results need, all with the names they have here.
+    /// The statements that these results need, all with the names they have here. A sine whose cosine is not needed is computed alone.
     pub fn for_results(&self, results: &[ExprId], system: &System) -> Straight {
         let graph = &system.mechanism.graph;
         let mut needed: HashSet<ExprId> = HashSet::new();
@@ -93,36 +93,28 @@ impl Straight {
                 stack.extend(written_operands(expr, graph));
             }
         }
-        let of_angle = |angle: ExprId, is_sine: bool| {
-            needed
-                .iter()
-                .copied()
-                .find(|&expr| match *graph.node(expr) {
-                    Node::Sin(x) => is_sine && x == angle,
-                    Node::Cos(x) => !is_sine && x == angle,
-                    _ => false,
-                })
-        };
-        let still_needed = |statement: &Statement| match statement {
+        let of_need = |statement: &Statement| match statement {
             Statement::SineCosine {
                 sine,
                 cosine,
                 angle,
-            } => match (of_angle(*angle, true), of_angle(*angle, false)) {
-                (None, None) => None,
-                (Some(expr), None) => Some(Statement::Value {
-                    name: sine.clone(),
-                    expr,
-                }),
-                (None, Some(expr)) => Some(Statement::Value {
-                    name: cosine.clone(),
-                    expr,
-                }),
-                (Some(_), Some(_)) => Some(statement.clone()),
-            },
+            } => {
+                let find = |wanted: Node| needed.iter().find(|&&it| *graph.node(it) == wanted);
+                let found = [find(Node::Sin(*angle)), find(Node::Cos(*angle))];
+                let alone = |name: &String, expr: &ExprId| Statement::Value {
+                    name: name.clone(),
+                    expr: *expr,
+                };
+                match found {
+                    [Some(_), Some(_)] => Some(statement.clone()),
+                    [Some(expr), None] => Some(alone(sine, expr)),
+                    [None, Some(expr)] => Some(alone(cosine, expr)),
+                    [None, None] => None,
+                }
+            }
             Statement::Value { expr, .. } => needed.contains(expr).then(|| statement.clone()),
         };
-        let statements = self.statements.iter().filter_map(still_needed).collect();
+        let statements = self.statements.iter().filter_map(of_need).collect();
         Straight {
             statements,
             ..self.clone()

@@ -51,7 +51,7 @@ pub enum Statement {
     Body(Body),
     /// `revolute P(1, 2);` and every other constraint that does not depend on time.
     Joint(Joint),
-    /// `drive phi(1) = EXPRESSION;`
+    /// `drive phi(1) = EXPRESSION;`, `drive K.x = EXPRESSION;`
     Drive(Drive),
     /// `equation [NAME:] EXPRESSION = EXPRESSION;`
     Equation(Equation),
@@ -256,7 +256,7 @@ pub struct Joint {
     pub span: Span,
 }
 
-/// `drive [NAME:] QUANTITY(OPERANDS) = EXPRESSION;`
+/// `drive [NAME:] QUANTITY(OPERANDS) = EXPRESSION;` or `drive [NAME:] POINT.COORDINATE = EXPRESSION;`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
     /// The `///` lines above it.
@@ -265,8 +265,10 @@ pub struct Drive {
     pub name: Option<Name>,
     /// The driven quantity; whether such a quantity exists is not checked here.
     pub quantity: Name,
-    /// What stands in the parentheses.
+    /// What stands in the parentheses, or before the coordinate.
     pub operands: Vec<Reference>,
+    /// Whether it is written `K.x` instead of `x(BODY.K)`.
+    pub dotted: bool,
     /// The prescribed motion, an expression of `t`.
     pub value: Expression,
     /// The whole statement with its semicolon.

@@ -9,9 +9,9 @@ use std::collections::{HashMap, HashSet};
 use super::orientation::{Orientations, as_symbol};
 use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{Frame, Mark, Vector, dot, offset_along};
+use crate::joint::geometry::{BodyId, Frame, Mark, Vector, dot, offset_along};
 use crate::joint::{Auxiliary, AuxiliaryUnknown, Quantity, Resolved};
-use crate::model::{Body, Joint, Mechanism, apart};
+use crate::model::{Body, Joint, Mechanism, NamedMark, apart};
 
 /// The vector form of a mechanism.
 #[derive(Clone, Debug)]
@@ -216,16 +216,27 @@ impl VectorForm {
             let Some(position) = as_symbol(auxiliary.value, graph) else {
                 continue;
             };
-            let ends = [0, 1].map(|side| {
+            // A length is named from the line's own point to the other one.
+            let first = joint.operands.axis.map_or(0, |axis| axis.owner);
+            let ends = [first, 1 - first].map(|side| {
                 let mark = joint.operands.marks.get(side)?;
-                let carried = bodies[mark.frame.body.0]
-                    .marks
-                    .iter()
-                    .find(|other| other.mark.local == mark.local);
+                let drawn = joint.operands.drawn.get(side)?;
+                let ground = mark.frame.body == BodyId::GROUND;
+                let own = |other: &&NamedMark| other.mark.local == mark.local;
+                // The ground lists no points; one that another body carries has its name from there.
+                let there = |other: &&NamedMark| {
+                    auxiliary.kind == Auxiliary::LinkAngle
+                        && ground
+                        && other.drawn == drawn.position
+                };
+                let listed = bodies[mark.frame.body.0].marks.iter().find(own);
+                let carried =
+                    listed.or_else(|| bodies.iter().flat_map(|body| &body.marks).find(there));
                 carried.map(|carried| carried.name.to_lowercase())
             });
             let prefix = match auxiliary.kind {
                 Auxiliary::Displacement | Auxiliary::Distance => "length",
+                Auxiliary::Offset => "offset",
                 Auxiliary::LinkAngle => "psi",
             };
             let name = match ends {
@@ -340,7 +351,7 @@ impl VectorForm {
     }
 
     /// What the symbols of the vector form are.
-    pub(super) fn note_roles(&self, roles: &mut Vec<SymbolRole>, coordinates: usize) {
+    pub(crate) fn note_roles(&self, roles: &mut Vec<SymbolRole>, coordinates: usize) {
         for (index, unknown) in self.unknowns.iter().enumerate().skip(coordinates) {
             set(roles, unknown.position, SymbolRole::Position(index));
             set(roles, unknown.rate, SymbolRole::Rate(index));
@@ -378,6 +389,10 @@ fn in_drawing(
                 let turned = i.frame.rotate(axis.direction, graph);
                 offset_along(axis.direction, turned, &i, &j, graph)
             }
+            None => graph.zero(),
+        },
+        Auxiliary::Offset => match operands.across_in_drawing(graph) {
+            Some(offset) => offset,
             None => graph.zero(),
         },
         Auxiliary::Distance => {

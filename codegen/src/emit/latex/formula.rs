@@ -219,11 +219,15 @@ impl<'a> Printer<'a> {
         };
         if coordinate >= self.system.coordinates.len() {
             let name = self.system.unknown_name(coordinate);
-            let ends = name.strip_prefix("length_").unwrap_or(name);
+            let symbols = [("psi_", "\\psi"), ("offset_", "h"), ("length_", "\\ell")];
+            let found = symbols
+                .iter()
+                .find_map(|(prefix, letter)| Some((name.strip_prefix(prefix)?, *letter)));
+            let (ends, letter) = found.unwrap_or((name, "\\ell"));
             let index = format!("_{{\\mathrm{{{}}}}}", ends.replace('_', "\\,"));
             return match accent {
-                None => format!("\\ell{index}"),
-                Some(accent) => format!("\\{accent}{{\\ell}}{index}"),
+                None => format!("{letter}{index}"),
+                Some(accent) => format!("\\{accent}{{{letter}}}{index}"),
             };
         }
         let (letter, body) = match self.system.coordinates[coordinate].describes {

@@ -1,6 +1,8 @@
 //! The parts of the module in their order.
 
-use proc_macro2::TokenStream;
+use std::collections::HashSet;
+
+use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
 use super::coordinates::{coordinates, frame};
@@ -26,9 +28,9 @@ pub(super) fn items(system: &System, program: &Program) -> TokenStream {
         .flat_map(|solved| &solved.blocks)
         .any(|block| block.newton.is_some());
     let needs_length = has_newton || program.textbook.is_some();
-    let items = [
+    let mut items = [
         imports(system, program, has_newton),
-        constants(system, program),
+        TokenStream::new(),
         coordinates(system),
         structures(system, program),
         program
@@ -49,7 +51,27 @@ pub(super) fn items(system: &System, program: &Program) -> TokenStream {
         },
         solver(system, program),
     ];
+    let written = items.iter().cloned().collect();
+    items[1] = constants(system, program, &identifiers(written));
     items.into_iter().collect()
+}
+
+/// Every identifier of a piece of code.
+fn identifiers(code: TokenStream) -> HashSet<String> {
+    let mut found = HashSet::new();
+    let mut open = vec![code];
+    while let Some(tokens) = open.pop() {
+        for token in tokens {
+            match token {
+                TokenTree::Group(group) => open.push(group.stream()),
+                TokenTree::Ident(ident) => {
+                    found.insert(ident.to_string());
+                }
+                TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+            }
+        }
+    }
+    found
 }
 
 /// The blocks and the type that a user holds; without a solved view the dense system alone.
@@ -181,8 +203,11 @@ fn has_motion(system: &System, program: &Program) -> bool {
     }
 }
 
-fn constants(system: &System, program: &Program) -> TokenStream {
-    let constants = program.constants.list().iter().map(|constant| {
+/// The named constants that the code mentions; what of the solved view is left out may have been all that needed one.
+fn constants(system: &System, program: &Program, mentioned: &HashSet<String>) -> TokenStream {
+    let list = program.constants.list().iter();
+    let used = list.filter(|constant| mentioned.contains(&constant.name));
+    let constants = used.map(|constant| {
         let text = docs([format!("`{}`", text::constant(system, &constant.part))]);
         let (name, value) = (identifier(&constant.name), float(constant.value));
         let allow = lints::approximate(&value);

@@ -6,6 +6,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::names::{BlockNames, plain_name};
+use super::newton::reads_frame;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::{Names, Writer, identifier};
 use crate::emit::rust::given::only;
@@ -159,9 +160,9 @@ pub(in crate::emit::rust) fn blocks(
         let needs = Needs::of(block, system);
         let names = BlockNames { system, solved, time: &block.time, local: HashSet::new() };
         let writer = Writer { system, constants: &program.constants, names: &names };
-        // What only Newton-Raphson evaluates is computed there.
-        let values: Vec<ExprId> = block.actions.iter().flat_map(Action::values).collect();
-        let time = writer.statements(&block.time.for_results(&values, system));
+        // What only the equations of a Newton-Raphson read, they compute themselves.
+        let read: Vec<ExprId> = block.actions.iter().flat_map(Action::values).collect();
+        let time = writer.statements(&block.time.for_results(&read, system));
         let actions = block.actions.iter().map(|action| statement(action, index, block, &writer, &names));
         let (name, parameters) = (identifier(&block.name), needs.parameters());
         let title = docs([block.title.as_str()]);
@@ -307,9 +308,18 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
     let places: Vec<_> = (0..q.len()).map(count).collect();
     let needs = Needs::given(newton, names.system);
-    let parameters = only(needs.parameters, quote!(, parameters));
-    let inputs = only(needs.inputs, quote!(, inputs));
-    let given = quote!(#parameters #inputs);
+    let at = only(
+        reads_frame(block, newton, names.system, names.solved),
+        quote!(at,),
+    );
+    let parameters = only(needs.parameters, quote!(parameters,));
+    let inputs = only(needs.inputs, quote!(inputs,));
+    let fields = quote!(#at #parameters #inputs);
+    let equations = if fields.is_empty() {
+        quote!(#type_name)
+    } else {
+        quote!(#type_name { #fields })
+    };
     quote! {
         let tears = kinematics::Frame {
             t: last.t,
@@ -317,7 +327,7 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
             qd: SVector::from([#(#last_qd),*]),
             qdd: SVector::from([#(#last_qdd),*]),
         };
-        let tears = kinematics::advance(&#type_name { at #given }, &tears, t, settings)
+        let tears = kinematics::advance(&#equations, &tears, t, settings)
             .map_err(|failure| failure.in_block(#number))?;
         #(#q = tears.q[#places];)*
         #(#qd = tears.qd[#places];)*

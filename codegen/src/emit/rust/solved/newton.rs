@@ -40,6 +40,34 @@ pub(in crate::emit::rust) fn newton_blocks(
     quote!(#(#types)*)
 }
 
+/// Whether the equations of a block read what was found before it.
+pub(super) fn reads_frame(
+    block: &BlockProgram,
+    newton: &NewtonBlock,
+    system: &System,
+    solved: &SolvedProgram,
+) -> bool {
+    let unknowns = newton.unknowns.iter();
+    let own = unknowns.flat_map(|&unknown| {
+        let unknown = &system.vector_form.unknowns[unknown];
+        [unknown.position, unknown.rate]
+    });
+    let geometry = newton.geometry.iter().flat_map(Action::targets);
+    let names = BlockNames {
+        system,
+        solved,
+        time: &block.time,
+        local: own.chain(geometry).collect(),
+    };
+    let results: Vec<ExprId> = newton.expressions().collect();
+    let needed = newton.geometry_for(&results, system);
+    let mut read = results
+        .into_iter()
+        .chain(needed.iter().flat_map(Action::values))
+        .flat_map(|expr| system.mechanism.graph.symbols(expr));
+    read.any(|&symbol| names.is_field(symbol))
+}
+
 fn equations(
     index: usize,
     block: &BlockProgram,
@@ -157,15 +185,21 @@ fn equations(
         block.name,
         listed(newton, system)
     )]);
+    let at = only(
+        reads_frame(block, newton, system, solved),
+        quote!(at: &'a Frame,),
+    );
+    let fields = quote!(#at #parameters #inputs);
+    let (declaration, lifetime) = if fields.is_empty() {
+        (quote!(struct #name;), TokenStream::new())
+    } else {
+        (quote!(struct #name<'a> { #fields }), quote!(<'_>))
+    };
     quote! {
         #title
-        struct #name<'a> {
-            at: &'a Frame,
-            #parameters
-            #inputs
-        }
+        #declaration
 
-        impl Equations<f64, Const<#size>> for #name<'_> {
+        impl Equations<f64, Const<#size>> for #name #lifetime {
             fn dimension(&self) -> Const<#size> {
                 Const
             }
