@@ -6,6 +6,7 @@ use linkwright_codegen::model::Role;
 use linkwright_codegen::structure;
 use linkwright_codegen::system::System;
 use linkwright_codegen::{check, read};
+use linkwright_tests::random::Random;
 
 /// A rope over a peg.
 mod rope {
@@ -39,6 +40,39 @@ fn a_rope_over_a_peg_has_its_length() {
         assert!((load.velocity[1] - slope * rate).abs() <= 1e-14, "{t}");
         let expected = slope * acceleration + bend * rate * rate;
         assert!((load.acceleration[1] - expected).abs() <= 1e-14, "{t}");
+    }
+}
+
+/// Central differences along a random line; distances that move are roots, of which `derivatives` knows no bounds.
+#[test]
+fn derivatives_of_the_rope_agree_with_differences() {
+    use rope::{Coordinates, gamma, phi, phi_q, phi_t};
+    let mut random = Random::new(7);
+    let step = 1e-5;
+    for _ in 0..200 {
+        let mut pick = |low: f64, high: f64| [(); 6].map(|()| random.between(low, high));
+        // Away from the peg, where a distance has no derivative.
+        let (mut q, qd) = (pick(-1.0, 1.0), pick(-1.0, 1.0));
+        q[1] -= 4.0;
+        q[4] -= 4.0;
+        let t = pick(0.0, 5.0)[0];
+        let at = |s: f64| {
+            let moved = std::array::from_fn(|k| q[k] + s * qd[k]);
+            (Coordinates::from_array(moved), t + s)
+        };
+        let rate = |s: f64| {
+            let (q, t) = at(s);
+            phi_q(&q, t) * linkwright::nalgebra::SVector::from(qd) + phi_t(&q, t)
+        };
+        let value = |s: f64| {
+            let (q, t) = at(s);
+            phi(&q, t)
+        };
+        let slope = (value(step) - value(-step)) / (2.0 * step);
+        assert!((slope - rate(0.0)).amax() < 1e-8);
+        let bend = (rate(step) - rate(-step)) / (2.0 * step);
+        let found = gamma(&Coordinates::from_array(q), &Coordinates::from_array(qd), t);
+        assert!((bend + found).amax() < 1e-8);
     }
 }
 
