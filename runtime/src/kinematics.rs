@@ -91,6 +91,39 @@ where
     complete(equations, q, t, settings)
 }
 
+/// Factorizes the Jacobian at the pose `q` (n), which is solved already, for other derivatives of the pose than that in time:
+/// Φ_q ∂q/∂p = −Φ_p.
+///
+/// # Errors
+/// [`FailureKind::Singular`] and [`FailureKind::NotFinite`].
+///
+/// # Panics
+/// If the vector does not have the dimension of the equations, which only a dynamic dimension permits.
+pub fn factorize<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    q: &OVector<T, D>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Factorization<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let dimension = equations.dimension();
+    require_dimension(q, dimension);
+    let mut jacobian = zero_matrix(dimension);
+    equations.jacobian(q, t, &mut jacobian);
+    Factorization::new(&jacobian, &Scales::of(equations), settings.pivot_ratio).map_err(|kind| {
+        Failure {
+            kind,
+            time: t,
+            block: 0,
+            iterations: 0,
+            residual: T::ZERO,
+            row: 0,
+        }
+    })
+}
+
 /// Solves for the pose from the estimate `q`, then for velocity and acceleration at that pose.
 fn complete<T: Real, D: Dim, E: Equations<T, D>>(
     equations: &E,
