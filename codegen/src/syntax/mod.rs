@@ -15,6 +15,7 @@ mod body;
 mod brackets;
 mod curve;
 mod document;
+mod equation;
 mod expression;
 mod literal;
 mod motion;
@@ -42,7 +43,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 10] = [
+pub const KEYWORDS: [&str; 11] = [
     "const",
     "param",
     "input",
@@ -50,6 +51,7 @@ pub const KEYWORDS: [&str; 10] = [
     "body",
     "curve",
     "drive",
+    "equation",
     "output",
     "transmission",
     "motion",
