@@ -489,6 +489,113 @@ def peaucellier():
     )
 
 
+def quick_return():
+    crank, lever, link, height = (exact(v) for v in ("0.1", "0.45", "0.3", "0.22"))
+    pivot = Point(0, exact("-0.2"))
+
+    def ends(t):
+        tip = Point(crank, 0).turned(cos(3 * t), sin(3 * t))
+        arm = tip - pivot
+        angle = atan2(arm.y, arm.x)
+        return angle, pivot + Point(lever, 0).turned(cos(angle), sin(angle))
+
+    def equations(values, t):
+        return [apart(ends(t)[1], Point(values[0], height), Jet(link))]
+
+    def poses(values, t):
+        (angle, b), d = ends(t), Point(values[0], height)
+        rod = d - b
+        return [Jet(0), Jet(0), 3 * t, pivot.x, pivot.y, angle, b.x, b.y, atan2(rod.y, rod.x), d.x, d.y, Jet(0)]
+
+    return Mechanism(["crank", "lever", "link", "ram"], [exact("0.48")], equations, poses)
+
+
+def explicit(bodies, poses):
+    """A mechanism whose pose is a formula in t; the solver gets an unknown that is zero."""
+    return Mechanism(bodies, [mpf(0)], lambda values, t: [values[0]], lambda values, t: poses(t))
+
+
+def scotch_yoke():
+    radius = exact("0.05")
+    return explicit(["crank", "yoke"], lambda t: [Jet(0), Jet(0), 3 * t, radius * cos(3 * t), Jet(0), Jet(0)])
+
+
+def double_wishbone():
+    drawn = points("A 0.35 0.18, B 0.7 0.16, C 0.4 0.43, D 0.68 0.42, W 0.76 0.3")
+
+    def equations(p, t):
+        rigid = [apart(p[a], p[b], (drawn[a], drawn[b])) for a, b in ("AB", "CD", "BD")]
+        travel = exact("0.3") + exact("0.06") * sin(2 * t)
+        return rigid + [carried(drawn, p, "B", "D", "W").y - travel]
+
+    def poses(p):
+        q = []
+        for a, b in ("AB", "CD", "BD"):
+            q += pose(drawn[a], drawn[b] - drawn[a], p[a], p[b] - p[a], drawn[a])
+        return q
+
+    return with_pins(["lower", "upper", "upright"], drawn, ["B", "D"], lambda now, t: None, equations, poses)
+
+
+def pantograph():
+    def place(now, t):
+        now["P"] = Point(exact("0.25") + exact("0.06") * sin(2 * t), exact("0.1") + exact("0.04") * sin(4 * t))
+        now["A"] = now["D"].scaled(exact("2.5"))
+
+    return linkage(
+        "long O D, far A B, near D P, short B P",
+        "O 0 0, D 0.07 0.19, B 0.355 0.38",
+        ["D", "B"],
+        place,
+        "OD 0.2, DP 0.2, AB 0.2, BP 0.3",
+    )
+
+
+def planetary_gear():
+    sun, planet, ring = 20, 15, 50
+
+    def poses(t):
+        # Willis: (w_sun - w_carrier) z_sun = -(w_ring - w_carrier) z_ring, with the ring at rest.
+        carrier = 7 * t * mpf(sun) / (sun + ring)
+        spin = carrier - (7 * t - carrier) * (mpf(sun) / planet)
+        arm = exact("0.035")
+        return [Jet(0), Jet(0), 7 * t, Jet(0), Jet(0), carrier, arm * cos(carrier), arm * sin(carrier), spin]
+
+    return explicit(["sun", "carrier", "planet"], poses)
+
+
+def rack_steering():
+    drawn = points("L -0.65 0, R 0.65 0, S -0.62 -0.15, T 0.62 -0.15, U -0.3 -0.12, V 0.3 -0.12")
+    centre = Point(exact("0.1"), exact("-0.112"))
+
+    def angle(t):
+        return 6 * sin(t)
+
+    def shift(t):
+        return exact("0.008") * angle(t)
+
+    def place(now, t):
+        for name in "UV":
+            now[name] = drawn[name] + Point(shift(t), 0)
+
+    def equations(p, t):
+        return [apart(p[a], p[b], (drawn[a], drawn[b])) for a, b in ("LS", "RT", "SU", "TV")]
+
+    def poses(p):
+        q = []
+        for a, b in ("LS", "RT"):
+            q += pose(drawn[a], drawn[b] - drawn[a], p[a], p[b] - p[a], drawn[a])
+        return q
+
+    sides = with_pins(["left", "right"], drawn, ["S", "T"], place, equations, poses)
+    return Mechanism(
+        ["pinion", "rack", "left", "right"],
+        sides.start,
+        sides.equations,
+        lambda values, t: [centre.x, centre.y, angle(t), shift(t), Jet(exact("-0.12")), Jet(0)] + sides.poses(values, t),
+    )
+
+
 # The file of a mechanism, without its extension.
 TABLES = {
     "exam": two_body,
@@ -503,6 +610,12 @@ TABLES = {
     "stephenson": stephenson,
     "jansen": jansen,
     "peaucellier": peaucellier,
+    "quick_return": quick_return,
+    "scotch_yoke": scotch_yoke,
+    "double_wishbone": double_wishbone,
+    "pantograph": pantograph,
+    "planetary_gear": planetary_gear,
+    "rack_steering": rack_steering,
 }
 
 
