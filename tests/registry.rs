@@ -11,7 +11,7 @@ use linkwright_codegen::model::type_name;
 
 /// Writes `registry.rs` into the build script's output folder: `registry! { name: Type { "K" => point_k, … } … }`, by name.
 ///
-/// Listed are the mechanisms that are not limited by `output` statements, whose frames hold all coordinates. A description with
+/// Listed are the mechanisms without motions that are not limited by `output` statements, whose frames hold all coordinates. A description with
 /// errors is left out here; generating its module reports them.
 pub fn write(folder: &str) {
     let mut paths: Vec<_> = fs::read_dir(folder)
@@ -29,8 +29,8 @@ pub fn write(folder: &str) {
 fn line(path: &Path) -> Option<String> {
     let text = fs::read_to_string(path).ok()?;
     let read = linkwright_codegen::read(&Source::new("description", text)).ok()?;
-    let mechanism = &read.system.mechanism;
-    if !mechanism.requests.is_empty() {
+    let mechanism = &read.only()?.mechanism;
+    if mechanism.motion.is_some() || !mechanism.requests.is_empty() {
         return None;
     }
     let points: String = mechanism

@@ -40,15 +40,7 @@ fn may_follow(diagnostic: &Diagnostic, source: &Source, unread_words: &[&str]) -
 fn unread_text<'a>(document: &Document, source: &'a Source, syntax: &Diagnostics) -> Vec<&'a str> {
     let mut texts = Vec::new();
     let mut position = document.mechanism.span.start;
-    for statement in &document.mechanism.statements {
-        let span = match statement {
-            Statement::Constant(statement) => statement.span,
-            Statement::Points(statement) => statement.span,
-            Statement::Body(statement) => statement.span,
-            Statement::Joint(statement) => statement.span,
-            Statement::Drive(statement) => statement.span,
-            Statement::Output(statement) => statement.span,
-        };
+    for span in read_places(&document.mechanism.statements) {
         texts.extend(text_of(
             Span {
                 start: position,
@@ -77,6 +69,15 @@ fn unread_text<'a>(document: &Document, source: &'a Source, syntax: &Diagnostics
         texts.extend(source.text.get(start..end));
     }
     texts
+}
+
+/// The places of the statements that were read; of a motion, those in its braces.
+fn read_places(statements: &[Statement]) -> Vec<Span> {
+    let places = statements.iter().flat_map(|statement| match statement {
+        Statement::Motion(motion) => read_places(&motion.statements),
+        other => vec![other.span()],
+    });
+    places.collect()
 }
 
 fn text_of(span: Span, source: &Source) -> Option<&str> {

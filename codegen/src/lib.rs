@@ -36,16 +36,36 @@ pub use cargo::{build, build_with};
 pub use emit::rust::Scalar;
 
 use diagnostic::{Diagnostics, Source};
+use program::Program;
 use structure::Plan;
 use system::System;
 
 /// A description whose equations have been derived.
 #[derive(Clone, Debug)]
 pub struct Read {
-    /// The equations.
-    pub system: System,
+    /// The equations of each motion in written order; those of the mechanism where it has no motions. Never empty.
+    pub motions: Vec<System>,
     /// What should be looked at although it is no error.
     pub warnings: Diagnostics,
+}
+
+impl Read {
+    /// The equations, where there is one motion only.
+    pub fn only(mut self) -> Option<System> {
+        match self.motions.len() {
+            1 => self.motions.pop(),
+            _ => None,
+        }
+    }
+
+    /// The equations of the motion of this name.
+    pub fn motion(&self, name: &str) -> Option<&System> {
+        let named = |system: &&System| {
+            let motion = system.mechanism.motion.as_ref();
+            motion.is_some_and(|motion| motion.name == name)
+        };
+        self.motions.iter().find(named)
+    }
 }
 
 /// What can be chosen about the generated code.
@@ -60,7 +80,7 @@ pub struct Options {
 pub struct Generated {
     /// The mechanism's name.
     pub name: String,
-    /// The module's source, ending in a line break.
+    /// The module's source, ending in a line break; of a mechanism with motions it holds one module for each.
     pub code: String,
     /// What should be looked at although it is no error.
     pub warnings: Diagnostics,
@@ -76,15 +96,15 @@ pub fn read(source: &Source) -> Result<Read, Diagnostics> {
         return Err(diagnostics);
     };
     let mut resolving = Diagnostics::new();
-    let mechanism = model::resolve(&document, &mut resolving);
+    let mechanisms = model::resolve(&document, &mut resolving);
     if diagnostics.has_errors() {
         consequences::add_independent(resolving, &document, source, &mut diagnostics);
         return Err(diagnostics);
     }
     diagnostics.extend(resolving);
-    match mechanism {
-        Some(mechanism) => Ok(Read {
-            system: system::assemble(mechanism),
+    match mechanisms {
+        Some(mechanisms) => Ok(Read {
+            motions: mechanisms.into_iter().map(system::assemble).collect(),
             warnings: diagnostics,
         }),
         None => Err(diagnostics),
@@ -98,6 +118,29 @@ pub fn read(source: &Source) -> Result<Read, Diagnostics> {
 pub fn check(system: &System) -> Result<Plan, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
     structure::analyze(system, &mut diagnostics).ok_or(diagnostics)
+}
+
+/// The same for every motion; a finding of some motions alone names the motion.
+///
+/// # Errors
+/// Those of [`check`], each once.
+pub fn check_all(motions: &[System]) -> Result<(), Diagnostics> {
+    let found = motions.iter().map(|system| {
+        let mut found = Diagnostics::new();
+        structure::analyze(system, &mut found);
+        let motion = system.mechanism.motion.as_ref();
+        (
+            motion.map_or("", |motion| motion.name.as_str()),
+            None,
+            found,
+        )
+    });
+    let found = diagnostic::merged(found.collect());
+    if found.has_errors() {
+        Err(found)
+    } else {
+        Ok(())
+    }
 }
 
 /// What the solved view of a system computes and leaves out, with counts of operations; `None` where the equations do not
@@ -122,17 +165,22 @@ pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
 /// # Errors
 /// Every error of the description; nothing is written then.
 pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Diagnostics> {
-    let Read {
-        mut system,
-        warnings,
-    } = read(source)?;
-    check(&system)?;
-    let solved = structure::plan(&mut system);
-    let program = program::lower(&mut system, solved.as_ref());
-    let code = emit::rust::module(&system, &program, options.scalar);
+    let Read { motions, warnings } = read(source)?;
+    check_all(&motions)?;
+    let lowered: Vec<(System, Program)> = motions
+        .into_iter()
+        .map(|mut system| {
+            let solved = structure::plan(&mut system);
+            let program = program::lower(&mut system, solved.as_ref());
+            (system, program)
+        })
+        .collect();
+    let name = lowered
+        .first()
+        .map(|(system, _)| system.mechanism.name.clone());
     Ok(Generated {
-        name: system.mechanism.name.clone(),
-        code,
+        name: name.unwrap_or_default(),
+        code: emit::rust::file(&lowered, options.scalar),
         warnings,
     })
 }

@@ -1,4 +1,4 @@
-//! *The name of a mechanism in `mechanisms/`* → *its text and its equations*.
+//! *The name of a mechanism in `mechanisms/`* → *its text and the equations of its motions*.
 
 use std::fs;
 
@@ -16,10 +16,15 @@ pub fn names() -> Vec<String> {
         .collect()
 }
 
-/// The names of the mechanisms that are not limited by `output` statements: those whose frames hold all coordinates.
+/// The names of the mechanisms with one motion that is not limited by `output` statements: their frames hold all coordinates.
 pub fn whole() -> Vec<String> {
     let mut names = names();
-    names.retain(|name| system(name).mechanism.requests.is_empty());
+    names.retain(|name| {
+        let [only] = &motions(name)[..] else {
+            return false;
+        };
+        only.mechanism.motion.is_none() && only.mechanism.requests.is_empty()
+    });
     names
 }
 
@@ -36,16 +41,26 @@ pub fn source(name: &str) -> Source {
     Source::new(format!("{name}.mech"), text)
 }
 
-/// The equations of a described mechanism, which determine its motion.
+/// The equations of every motion of a described mechanism, which determine it.
 ///
 /// # Panics
 /// If the description has errors.
-pub fn system(name: &str) -> System {
+pub fn motions(name: &str) -> Vec<System> {
     let source = source(name);
     let read = linkwright_codegen::read(&source)
         .unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
-    if let Err(errors) = linkwright_codegen::check(&read.system) {
+    if let Err(errors) = linkwright_codegen::check_all(&read.motions) {
         panic!("{}", errors.render(&source));
     }
-    read.system
+    read.motions
+}
+
+/// The equations of a described mechanism with one motion.
+///
+/// # Panics
+/// If the description has errors or several motions.
+pub fn system(name: &str) -> System {
+    let [only] = <[System; 1]>::try_from(motions(name))
+        .unwrap_or_else(|several| panic!("{name} has {} motions", several.len()));
+    only
 }

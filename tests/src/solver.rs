@@ -3,6 +3,7 @@
 
 use linkwright::{Equations, Frame, Motion, Settings, Step, newton};
 use linkwright_cli::interpreter::Interpreter;
+use linkwright_codegen::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::description;
@@ -72,8 +73,13 @@ pub struct Interpreted {
 impl Interpreted {
     /// The interpreter of a described mechanism, not yet assembled.
     pub fn new(name: &str) -> Interpreted {
+        Self::of(&description::system(name))
+    }
+
+    /// The interpreter of a system, not yet assembled.
+    pub fn of(system: &System) -> Interpreted {
         Interpreted {
-            equations: Interpreter::new(&description::system(name)),
+            equations: Interpreter::new(system),
             frame: None,
         }
     }

@@ -264,7 +264,10 @@ fn the_other_forms_satisfy_the_textbook_equations() {
         let path = files::package("fixtures/plans").join(format!("{name}.mech"));
         let text = std::fs::read_to_string(&path).expect("a fixture");
         let source = Source::new(name.to_string(), text);
-        let mut system = linkwright_codegen::read(&source).expect("no errors").system;
+        let mut system = linkwright_codegen::read(&source)
+            .expect("no errors")
+            .only()
+            .expect("one motion");
         let plan = structure::plan(&mut system).expect("a plan");
         let steps = plan.blocks.iter().flat_map(|block| &block.steps);
         let methods: Vec<String> = steps.map(Step::name).collect();

@@ -178,9 +178,14 @@ fn merge(into: &mut Record, record: Record) {
 }
 
 fn derivatives_agree(name: &str) {
-    let system = description::system(name);
-    let roots = Roots::of(&system);
-    let mut solvers: Vec<Box<dyn Solver>> = vec![Box::new(Interpreted::new(name))];
+    for system in description::motions(name) {
+        derivatives_of_one_agree(name, &system);
+    }
+}
+
+fn derivatives_of_one_agree(name: &str, system: &System) {
+    let roots = Roots::of(system);
+    let mut solvers: Vec<Box<dyn Solver>> = vec![Box::new(Interpreted::of(system))];
     solvers.extend(
         MODULES
             .iter()
@@ -191,12 +196,9 @@ fn derivatives_agree(name: &str) {
         let mut random = Random::new(2);
         let (mut slopes, mut curves) = (Record::default(), Record::default());
         for _ in 0..SAMPLES {
-            let sample = Sample::random(&system, &mut random);
-            merge(&mut slopes, check_first(&system, &roots, &*solver, &sample));
-            merge(
-                &mut curves,
-                check_second(&system, &roots, &*solver, &sample),
-            );
+            let sample = Sample::random(system, &mut random);
+            merge(&mut slopes, check_first(system, &roots, &*solver, &sample));
+            merge(&mut curves, check_second(system, &roots, &*solver, &sample));
         }
         println!(
             "{name}, {}: Φ_q and Φ_t {slopes:?}, γ {curves:?}",

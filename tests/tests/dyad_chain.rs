@@ -16,10 +16,11 @@ fn chains_of_one_to_twenty_dyads_assemble_and_move() {
             "{}",
             read.warnings.render(&source)
         );
-        if let Err(errors) = linkwright_codegen::check(&read.system) {
+        let system = read.only().expect("one motion");
+        if let Err(errors) = linkwright_codegen::check(&system) {
             panic!("{}", errors.render(&source));
         }
-        let chain = Interpreter::new(&read.system);
+        let chain = Interpreter::new(&system);
         assert_eq!(chain.estimate().len(), 3 + 6 * n);
         let settings = Settings::default();
         let start = linkwright::assemble(&chain, chain.estimate(), 0.0, &settings);

@@ -6,7 +6,7 @@
 use std::fs;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{check, emit, generate, read};
+use linkwright_codegen::{check_all, emit, generate, read};
 use linkwright_tests::{description, files};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -229,9 +229,11 @@ fn digest(bytes: &[u8]) -> Outcome {
         return Outcome::Refused;
     };
     // Readable, but not determined: it can still be inspected.
-    assert!(check(&read.system).is_err());
-    let printed = emit::text::inspect(&read.system, emit::Notation::Unicode);
-    assert!(!printed.is_empty() && !emit::latex::inspect(&read.system).is_empty());
+    assert!(check_all(&read.motions).is_err());
+    for system in &read.motions {
+        let printed = emit::text::inspect(system, emit::Notation::Unicode);
+        assert!(!printed.is_empty() && !emit::latex::inspect(system).is_empty());
+    }
     Outcome::Undetermined
 }
 

@@ -147,7 +147,7 @@ fn a_direction_between_drawn_points_is_not_turned_there_and_back() {
         }",
     );
     let read = linkwright_codegen::read(&source).expect("a description without errors");
-    let system = read.system;
+    let system = read.only().expect("one motion");
     // The direction is (3/5, 4/5): no sine of 1 is left beside x and y.
     for (row, expected) in [(1, ["-0.8", "0.6"]), (2, ["0.6", "0.8"])] {
         let row = &system.rows[row];

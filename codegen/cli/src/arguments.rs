@@ -48,6 +48,9 @@ pub enum Command {
 pub struct Solve {
     /// The description, a `.mech` file
     pub file: PathBuf,
+    /// Which motion, where the mechanism has several
+    #[arg(long, value_name = "NAME")]
+    pub motion: Option<String>,
     /// When the motion starts, in s; the mechanism is assembled there
     #[arg(long, value_name = "T0", default_value = "0", value_parser = finite, allow_hyphen_values = true)]
     pub from: f64,
@@ -138,6 +141,9 @@ Exit codes: 0 shown, 2 bad input, with `--format rust` also where the equations 
 pub struct Inspect {
     /// The description, a `.mech` file
     pub file: PathBuf,
+    /// Only this motion, where the mechanism has several
+    #[arg(long, value_name = "NAME")]
+    pub motion: Option<String>,
     /// How formulas are written
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
@@ -169,6 +175,9 @@ Exit codes: 0 derived, 2 bad input, also where the equations do not determine th
 pub struct Plan {
     /// The description, a `.mech` file
     pub file: PathBuf,
+    /// Which motion, where the mechanism has several
+    #[arg(long, value_name = "NAME")]
+    pub motion: Option<String>,
     /// How words and formulas are written
     #[arg(long, value_enum, default_value_t = Script::Text)]
     pub format: Script,

@@ -18,8 +18,9 @@
 //!         drive phi(1) = 3*t;
 //!     }";
 //! let read = linkwright_codegen::read(&Source::new("crank.mech", text)).expect("a good description");
-//! linkwright_codegen::check(&read.system).expect("three equations for three coordinates");
-//! let crank = Interpreter::new(&read.system);
+//! let system = read.only().expect("one motion");
+//! linkwright_codegen::check(&system).expect("three equations for three coordinates");
+//! let crank = Interpreter::new(&system);
 //! let settings = Settings::default();
 //! let frame = assemble(&crank, crank.estimate(), 0.0, &settings)?;
 //! let frame = advance(&crank, &frame, 0.1, &settings)?;

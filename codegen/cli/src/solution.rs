@@ -2,6 +2,8 @@
 //!
 //! What the three outputs (text, JSON, files) have in common, worked out once. The module does not know how it is printed.
 
+use std::path::PathBuf;
+
 use linkwright::{Frame, Motion, Settings};
 use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::model::Role;
@@ -74,6 +76,22 @@ impl Solution {
     /// The name of the mechanism.
     pub fn name(&self) -> &str {
         &self.system.mechanism.name
+    }
+
+    /// The name of the motion, where the mechanism has several.
+    pub fn motion(&self) -> Option<&str> {
+        let motion = self.system.mechanism.motion.as_ref();
+        motion.map(|motion| motion.name.as_str())
+    }
+
+    /// How a person names it: with its motion, where it has several.
+    pub fn title(&self) -> String {
+        self.system.mechanism.title()
+    }
+
+    /// The folder for its files, below one for all mechanisms: `excavator`, `excavator/reach`.
+    pub fn folder(&self) -> PathBuf {
+        std::iter::once(self.name()).chain(self.motion()).collect()
     }
 
     /// The frames that were wanted and could be solved.

@@ -7,12 +7,14 @@
 //! Messages are lower case, put names in backticks and have no full stop: the message says what is, `help` says what to do.
 
 mod code;
+mod merge;
 mod render;
 mod sink;
 mod source;
 mod suggestion;
 
 pub use code::Code;
+pub use merge::merged;
 pub use sink::Diagnostics;
 pub use source::{Position, Source, Span};
 pub use suggestion::nearest;

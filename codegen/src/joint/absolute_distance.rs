@@ -28,8 +28,8 @@ impl Kind for AbsoluteDistance {
         &[Auxiliary::LinkAngle]
     }
 
-    fn refusal(&self, operands: &Resolved, graph: &Graph) -> Option<Refusal> {
-        refuse_length(operands.value, "`revolute (1.P, ground.A);`", graph)
+    fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
+        refuse_length(operands.value?, "`revolute (1.P, ground.A);`", graph)
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

@@ -10,7 +10,7 @@ pub struct AbsoluteX;
 pub struct AbsoluteY;
 
 /// The row that holds component `axis` of the mark at the value.
-fn held(operands: &Resolved, axis: usize, graph: &mut Graph) -> Vec<Row> {
+pub(super) fn held(operands: &Resolved, axis: usize, graph: &mut Graph) -> Vec<Row> {
     let Some(value) = operands.value else {
         return Vec::new();
     };

@@ -37,12 +37,8 @@ pub(super) fn link_rows(operands: &Resolved, length: ExprId, graph: &mut Graph) 
 }
 
 /// A length that is not positive: the square of the distance would be singular at zero, and has no sign.
-pub(super) fn refuse_length(
-    length: Option<ExprId>,
-    instead: &str,
-    graph: &Graph,
-) -> Option<Refusal> {
-    let length = graph.constant_value(length?)?;
+pub(super) fn refuse_length(length: ExprId, instead: &str, graph: &Graph) -> Option<Refusal> {
+    let length = graph.constant_value(length)?;
     if length > 0.0 {
         return None;
     }
@@ -58,4 +54,10 @@ pub(super) fn refuse_length(
         )
     };
     Some(Refusal { problem, help })
+}
+/// The distance of the marks in the drawing.
+pub(super) fn drawn_length(operands: &Resolved, graph: &mut Graph) -> ExprId {
+    let gap = operands.drawn_gap(graph);
+    let square = dot(gap, gap, graph);
+    graph.sqrt(square)
 }

@@ -10,13 +10,21 @@ mod absolute_angle;
 mod absolute_distance;
 mod absolute_position;
 mod angle_driver;
+mod gear;
 pub mod geometry;
 mod length_driver;
 mod link;
 mod operands;
+mod point_on_line;
+mod position_driver;
 mod quantity;
+mod rack;
+mod relative_angle;
+mod relative_distance;
+mod relative_position;
 mod revolute;
 mod translational;
+mod weld;
 
 pub use operands::{
     Auxiliary, AuxiliaryUnknown, Axis, Drawn, Line, Operands, Resolved, Slot, Value,
@@ -64,7 +72,7 @@ pub trait Kind: Sync {
         &[]
     }
     /// Why these operands make no joint of this kind, where they do not: a length that is not positive, a ratio that is zero.
-    fn refusal(&self, _operands: &Resolved, _graph: &Graph) -> Option<Refusal> {
+    fn refusal(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Refusal> {
         None
     }
     /// The rows of the vector form: as many more as the kind has [auxiliaries](Kind::auxiliaries), and linear in the positions, the
@@ -90,7 +98,29 @@ pub static CONSTRAINTS: &[&dyn Kind] = &[
     &absolute_position::AbsoluteY,
     &absolute_angle::AbsoluteAngle,
     &absolute_distance::AbsoluteDistance,
+    &relative_position::RelativeX,
+    &relative_position::RelativeY,
+    &relative_angle::RelativeAngle,
+    &relative_distance::RelativeDistance,
+    &relative_distance::RevoluteRevolute,
+    &point_on_line::RevoluteTranslational,
+    &point_on_line::PointOnLine,
+    &weld::Weld,
+    &gear::EXTERNAL_GEAR,
+    &gear::INTERNAL_GEAR,
+    &gear::BELT,
+    &gear::CROSSED_BELT,
+    &rack::Rack,
 ];
 
 /// Every quantity that a `drive` statement can prescribe.
-pub static DRIVERS: &[&dyn Kind] = &[&angle_driver::AngleDriver, &length_driver::LengthDriver];
+pub static DRIVERS: &[&dyn Kind] = &[
+    &angle_driver::AngleDriver,
+    &length_driver::LengthDriver,
+    &position_driver::XDriver,
+    &position_driver::YDriver,
+    &relative_position::RelativeX,
+    &relative_position::RelativeY,
+    &relative_angle::RelativeAngle,
+    &relative_distance::DistanceDriver,
+];

@@ -1,7 +1,7 @@
 //! How the operands of a kind are written, and what they are once resolved.
 
 use super::Quantity;
-use super::geometry::{Frame, Mark, Vector, subtract};
+use super::geometry::{Frame, Mark, Vector, dot, perpendicular, subtract};
 use crate::expr::{ExprId, Graph};
 
 /// What a statement of a kind must give beside its keyword: what stands in the parentheses, and its line.
@@ -113,6 +113,8 @@ impl Value {
 pub enum Auxiliary {
     /// The signed distance ℓ, in m, from the mark on the body of the line to the other mark, along the line.
     Displacement,
+    /// How far the other mark lies to the left of the line, in m.
+    Offset,
     /// The distance ℓ, in m, from the first mark to the second.
     Distance,
     /// The angle ψ, in rad, of the direction from the first mark to the second: that of a link without a body of its own.
@@ -123,7 +125,7 @@ impl Auxiliary {
     /// What it is measured in.
     pub fn quantity(self) -> Quantity {
         match self {
-            Auxiliary::Displacement | Auxiliary::Distance => Quantity::Length,
+            Auxiliary::Displacement | Auxiliary::Offset | Auxiliary::Distance => Quantity::Length,
             Auxiliary::LinkAngle => Quantity::Angle,
         }
     }
@@ -178,6 +180,27 @@ pub struct AuxiliaryUnknown {
 }
 
 impl Resolved {
+    /// How far the other mark lies along the line in the drawing.
+    pub fn along_in_drawing(&self, graph: &mut Graph) -> Option<ExprId> {
+        let (direction, gap) = self.line_in_drawing(graph)?;
+        Some(dot(direction, gap, graph))
+    }
+
+    /// How far the other mark lies to the left of the line in the drawing.
+    pub fn across_in_drawing(&self, graph: &mut Graph) -> Option<ExprId> {
+        let (direction, gap) = self.line_in_drawing(graph)?;
+        let across = perpendicular(direction, graph);
+        Some(dot(across, gap, graph))
+    }
+
+    /// The line's direction in the drawing, and the vector to the other mark.
+    fn line_in_drawing(&self, graph: &mut Graph) -> Option<(Vector, Vector)> {
+        let axis = self.axis?;
+        let [line, other] = [axis.owner, 1 - axis.owner].map(|side| self.drawn[side]);
+        let direction = line.frame.rotate(axis.direction, graph);
+        Some((direction, subtract(other.position, line.position, graph)))
+    }
+
     /// The vector from the first mark to the second in the drawing.
     pub fn drawn_gap(&self, graph: &mut Graph) -> Vector {
         subtract(self.drawn[1].position, self.drawn[0].position, graph)

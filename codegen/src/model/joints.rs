@@ -74,16 +74,42 @@ impl Resolver<'_> {
             );
             return;
         };
+        let operands: Vec<syntax::Reference> = drive
+            .operands
+            .iter()
+            .map(|operand| match drive.dotted {
+                true => self.on_its_carrier(operand),
+                false => operand.clone(),
+            })
+            .collect();
         let given = Given {
             kind,
             role: Role::Driver,
             name: drive.name.as_ref(),
-            operands: &drive.operands,
+            operands: &operands,
             along: None,
             value: Some(&drive.value),
             span: drive.span,
         };
         self.add_rows_of(&given, &drive.docs);
+    }
+
+    /// The point K of `drive K.x` on the first body that carries it; anything else as it is written.
+    fn on_its_carrier(&self, operand: &syntax::Reference) -> syntax::Reference {
+        let carries = |body: &&super::Body| {
+            let marks = &body.marks;
+            marks.iter().any(|mark| mark.name == operand.name.text)
+        };
+        match self.bodies.iter().find(carries) {
+            Some(carrier) if operand.body.is_none() => syntax::Reference {
+                body: Some(syntax::Name {
+                    text: carrier.name.clone(),
+                    span: operand.span,
+                }),
+                ..operand.clone()
+            },
+            _ => operand.clone(),
+        }
     }
 
     fn add_rows_of(&mut self, given: &Given<'_>, docs: &[String]) {

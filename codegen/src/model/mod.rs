@@ -1,4 +1,4 @@
-//! Document → Mechanism.
+//! Document → Mechanism, one for each of its motions.
 //!
 //! Afterwards every name is an id, every number an exact expression in SI units, every point a local vector in the frame of
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
@@ -8,6 +8,7 @@ mod dimension;
 mod expression;
 mod joints;
 mod lines;
+mod motions;
 mod names;
 mod not_finite;
 mod operands;
@@ -18,7 +19,8 @@ mod slug;
 mod synonyms;
 
 pub use dimension::Dimension;
-pub use resolve::{resolve, type_name};
+pub use motions::resolve;
+pub use resolve::type_name;
 pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
@@ -31,6 +33,8 @@ use crate::joint::{Kind, Resolved};
 pub struct Mechanism {
     /// Its name as written; an identifier in snake case by custom.
     pub name: String,
+    /// Which of its motions this is, where it has several.
+    pub motion: Option<Motion>,
     /// Documentation lines of the file and of the mechanism.
     pub docs: Vec<String>,
     /// Where the name stands.
@@ -49,6 +53,17 @@ pub struct Mechanism {
     pub requests: Vec<Request>,
     /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
+}
+
+/// One way in which a mechanism is driven.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Motion {
+    /// Its name as written: the name of its generated module.
+    pub name: String,
+    /// Its documentation lines.
+    pub docs: Vec<String>,
+    /// Where its name stands.
+    pub span: Span,
 }
 
 /// A rigid body.
@@ -150,6 +165,14 @@ pub enum Requested {
 }
 
 impl Mechanism {
+    /// How a person names it: `excavator`, and of several motions `excavator, motion reach`.
+    pub fn title(&self) -> String {
+        match &self.motion {
+            Some(motion) => format!("{}, motion {}", self.name, motion.name),
+            None => self.name.clone(),
+        }
+    }
+
     /// The moving bodies, in written order.
     pub fn moving_bodies(&self) -> &[Body] {
         &self.bodies[1..]

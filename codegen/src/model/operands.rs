@@ -85,7 +85,7 @@ impl Resolver<'_> {
             value: value?,
             auxiliaries,
         };
-        match given.kind.refusal(&operands, &self.graph) {
+        match given.kind.refusal(&operands, &mut self.graph) {
             None => Some(operands),
             Some(Refusal { problem, help }) => {
                 let span = given.value.map_or(given.span, |value| value.span);
@@ -109,7 +109,9 @@ impl Resolver<'_> {
             let value = self.graph.variable(symbol);
             let turned = match kind {
                 Auxiliary::LinkAngle => [self.graph.cos(value), self.graph.sin(value)],
-                Auxiliary::Displacement | Auxiliary::Distance => [self.graph.zero(); 2],
+                Auxiliary::Displacement | Auxiliary::Offset | Auxiliary::Distance => {
+                    [self.graph.zero(); 2]
+                }
             };
             AuxiliaryUnknown {
                 kind,

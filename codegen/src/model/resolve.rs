@@ -2,7 +2,7 @@
 
 use super::expression::{BUILT_IN, Value, listed};
 use super::names::Names;
-use super::{Body, Dimension, Joint, Mechanism, NamedMark};
+use super::{Body, Dimension, Joint, Mechanism, Motion, NamedMark};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{BodyId, Frame, Mark, Vector};
@@ -45,29 +45,23 @@ const TAKEN_TYPE_NAMES: &[&str] = &[
     "Err",
 ];
 
-/// Resolves a document. `None` after an error; all errors of the document are in `diagnostics`.
+/// Resolves the mechanism that these statements of a document make, all of them or those of one motion.
 ///
 /// Names may only be used below their declaration. The coordinates are named `x1, y1, phi1` for the body `1` and
 /// `x_c1, y_c1, phi_c1` for the body `c1`.
-pub fn resolve(document: &syntax::Document, diagnostics: &mut Diagnostics) -> Option<Mechanism> {
-    let mut found = Diagnostics::new();
-    let mechanism = resolve_into(document, &mut found);
-    let failed = found.has_errors();
-    diagnostics.extend(found);
-    if failed { None } else { Some(mechanism) }
-}
-
-fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> Mechanism {
+pub(super) fn resolve_statements(
+    document: &syntax::Document,
+    statements: &[&syntax::Statement],
+    motion: Option<&syntax::Motion>,
+    diagnostics: &mut Diagnostics,
+) -> Mechanism {
     let mut graph = Graph::new();
     let item = &document.mechanism;
     // Coordinates are numbered before t, so that they come first wherever symbols are ordered.
-    let written_bodies = item
-        .statements
-        .iter()
-        .filter_map(|statement| match statement {
-            syntax::Statement::Body(body) => Some(body),
-            _ => None,
-        });
+    let written_bodies = statements.iter().filter_map(|statement| match statement {
+        syntax::Statement::Body(body) => Some(body),
+        _ => None,
+    });
     for body in written_bodies {
         for name in coordinate_names(&body.name.text) {
             graph.symbol(&name);
@@ -106,7 +100,7 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
     // The first declaration of a fresh table cannot be a duplicate.
     let _ = resolver.body_ids.declare(&ground, BodyId::GROUND);
     resolver.check_mechanism_name(&item.name);
-    for statement in &item.statements {
+    for statement in statements {
         match statement {
             syntax::Statement::Constant(constant) => resolver.add_constant(constant),
             syntax::Statement::Points(points) => resolver.add_points(points),
@@ -115,6 +109,8 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
             // Points are known once all bodies are.
             syntax::Statement::Output(_) => {}
+            // Its statements come by themselves.
+            syntax::Statement::Motion(_) => {}
         }
     }
     if resolver.bodies.len() == 1 && !resolver.diagnostics.has_errors() {
@@ -128,20 +124,22 @@ fn resolve_into(document: &syntax::Document, diagnostics: &mut Diagnostics) -> M
         );
     }
     let points = resolver.output_points();
-    let statements = item
-        .statements
-        .iter()
-        .filter_map(|statement| match statement {
-            syntax::Statement::Output(output) => Some(output),
-            _ => None,
-        });
-    let requests = statements
+    let outputs = statements.iter().filter_map(|statement| match statement {
+        syntax::Statement::Output(output) => Some(output),
+        _ => None,
+    });
+    let requests = outputs
         .flat_map(|output| resolver.requests(output, &points))
         .collect();
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
     Mechanism {
         name: item.name.text.clone(),
+        motion: motion.map(|motion| Motion {
+            name: motion.name.text.clone(),
+            docs: motion.docs.clone(),
+            span: motion.name.span,
+        }),
         docs,
         span: item.name.span,
         graph: resolver.graph,

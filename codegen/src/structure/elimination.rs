@@ -48,7 +48,8 @@ pub(super) fn eliminate(
             reduced: residual,
         })
         .collect();
-    let (mut forward, mut backward, mut stuck) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut forward, mut stuck) = (Vec::new(), Vec::new());
+    let mut backward: Vec<Definition> = Vec::new();
     while !eliminable.is_empty() {
         let mentioned = |row: &Equation, graph: &Graph| -> Vec<usize> {
             let symbol = |unknown: usize| form.unknowns[unknown].position;
@@ -81,10 +82,13 @@ pub(super) fn eliminate(
         let row = rows.remove(at);
         let value = solve_linear(row.reduced, symbol, graph);
         if alone.is_some() {
-            // The equation as written names unknowns that are defined by now, so it stays short.
+            // The equation as written names unknowns that are defined by now, so it stays short; but not where it names one that
+            // was taken out of a loop with this one, and is defined by it.
+            let written = solve_linear(row.written, symbol, graph);
+            let circular = leads_to(written, unknown, &backward, form, graph);
             forward.push(Definition {
                 unknown,
-                value: solve_linear(row.written, symbol, graph),
+                value: if circular { value } else { written },
             });
         } else {
             backward.push(Definition { unknown, value });
@@ -113,6 +117,31 @@ pub(super) fn eliminate(
 struct Equation {
     written: ExprId,
     reduced: ExprId,
+}
+
+/// Whether a value mentions an unknown, itself or through these definitions.
+fn leads_to(
+    value: ExprId,
+    unknown: usize,
+    definitions: &[Definition],
+    form: &VectorForm,
+    graph: &Graph,
+) -> bool {
+    let mut reached = vec![false; definitions.len()];
+    let mut waiting = vec![value];
+    while let Some(value) = waiting.pop() {
+        if graph.depends_on(value, form.unknowns[unknown].position) {
+            return true;
+        }
+        for (at, definition) in definitions.iter().enumerate() {
+            let symbol = form.unknowns[definition.unknown].position;
+            if !reached[at] && graph.depends_on(value, symbol) {
+                reached[at] = true;
+                waiting.push(definition.value);
+            }
+        }
+    }
+    false
 }
 
 /// Whether an unknown is multiplied by a number wherever it occurs, and turns nothing.

@@ -7,6 +7,7 @@
 mod components;
 mod diagnose;
 mod elimination;
+mod following;
 mod incidence;
 mod matching;
 mod parts;

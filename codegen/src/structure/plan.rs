@@ -3,11 +3,12 @@
 use std::collections::HashMap;
 
 use super::elimination::{Definition, eliminate, mentions};
+use super::following::follow;
 use super::recognition::recognize;
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::Vector;
-use crate::system::{System, VectorForm};
+use crate::system::{SymbolRole, System, VectorForm};
 
 /// How the unknowns are found, block by block.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,7 +143,8 @@ impl Step {
 
 /// The plan of the solved view. `None` where the vector form is not structurally square.
 pub fn plan(system: &mut System) -> Option<SolvedPlan> {
-    let form = &system.vector_form;
+    let coordinates = system.coordinates.len();
+    let form = &mut system.vector_form;
     let graph = &mut system.mechanism.graph;
     let incidence = incidence(form, graph);
     let matching = maximum_matching(&incidence);
@@ -210,6 +212,14 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
         block.joints.sort_unstable();
         block.joints.dedup();
     }
+    // Arms that were made for angles that follow others have roles too.
+    system.roles.resize(
+        system.mechanism.graph.symbol_count(),
+        SymbolRole::Intermediate,
+    );
+    system
+        .vector_form
+        .note_roles(&mut system.roles, coordinates);
     Some(SolvedPlan { blocks })
 }
 
@@ -264,10 +274,12 @@ fn block(
     residuals: Vec<ExprId>,
     unknowns: &[usize],
     joints: Vec<usize>,
-    form: &VectorForm,
+    form: &mut VectorForm,
     graph: &mut Graph,
 ) -> SolvedBlock {
-    let eliminated = eliminate(residuals, unknowns, form, graph);
+    let followed = follow(residuals, unknowns, form, graph);
+    let form = &*form;
+    let eliminated = eliminate(followed.residuals, &followed.unknowns, form, graph);
     let (residuals, tears) = (eliminated.residuals, eliminated.tears);
     let row = |residual: ExprId| {
         (0..tears.len())
@@ -301,6 +313,6 @@ fn block(
     SolvedBlock {
         joints,
         steps,
-        definitions: eliminated.definitions,
+        definitions: [followed.definitions, eliminated.definitions].concat(),
     }
 }

@@ -24,6 +24,8 @@ impl StatementStarts {
 struct Opener {
     bracket: u8,
     at: usize,
+    /// The braces of a mechanism or a motion, in which statements stand.
+    holds_statements: bool,
     /// Too deep: hidden from `syn`, and so will its other half be.
     hidden: bool,
 }
@@ -46,14 +48,19 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
             if !continues {
                 starts.push(lexeme.start);
             }
-            balance.before_statement(end_of_previous, continues);
+            // A motion inside a motion is no missing brace where all braces are closed further below.
+            let next_motion =
+                word(text, lexeme) == Some("motion") && excess[index] < balance.braces();
+            balance.before_statement(end_of_previous, continues, next_motion);
         }
         match lexeme.kind {
             Kind::Open(bracket) => {
                 if bracket == b'{' {
                     balance.close_parentheses(end_of_previous);
                 }
-                balance.open(bracket, lexeme.start);
+                let holds_statements = bracket == b'{'
+                    && (balance.open.is_empty() || opens_motion(text, &lexemes[..index]));
+                balance.open(bracket, lexeme.start, holds_statements);
             }
             Kind::Mark(b';') => balance.close_parentheses(end_of_previous),
             Kind::Close(bracket) => {
@@ -81,7 +88,7 @@ struct Balance<'a> {
 }
 
 impl Balance<'_> {
-    fn open(&mut self, bracket: u8, at: usize) {
+    fn open(&mut self, bracket: u8, at: usize, holds_statements: bool) {
         let hidden = self.open.len() >= DEEPEST;
         if hidden {
             self.scan.edit(at, at + 1, Fill::Blank);
@@ -94,6 +101,7 @@ impl Balance<'_> {
         self.open.push(Opener {
             bracket,
             at,
+            holds_statements,
             hidden,
         });
     }
@@ -105,21 +113,26 @@ impl Balance<'_> {
         }
     }
 
-    /// A line that starts a statement: what is still open inside the braces of the mechanism was meant to be closed before it.
-    fn before_statement(&mut self, place: usize, continues: bool) {
+    /// A line that starts a statement: what is still open inside the braces of the mechanism or of a motion was meant to be
+    /// closed before it, and a motion before the next one.
+    fn before_statement(&mut self, place: usize, continues: bool, next_motion: bool) {
         if !continues {
             self.close_parentheses(place);
         }
-        let braces = self
-            .open
-            .iter()
-            .filter(|opener| opener.bracket == b'{')
-            .count();
-        if braces >= 2
-            && let Some(opener) = self.open.pop_if(|opener| opener.bracket == b'{')
+        let must_close = |opener: &mut Opener| {
+            opener.bracket == b'{' && (next_motion || !opener.holds_statements)
+        };
+        if self.braces() >= 2
+            && let Some(opener) = self.open.pop_if(must_close)
         {
             self.insert(&opener, place);
         }
+    }
+
+    /// How many braces are open.
+    fn braces(&self) -> isize {
+        let braces = self.open.iter().filter(|opener| opener.bracket == b'{');
+        braces.count() as isize
     }
 
     /// Reports a bracket that should have been closed at `place`, and closes it there.
@@ -278,6 +291,12 @@ fn excess_of_closing_braces(lexemes: &[Lexeme]) -> Vec<isize> {
 
 fn word<'a>(text: &'a str, lexeme: &Lexeme) -> Option<&'a str> {
     (lexeme.kind == Kind::Word).then(|| &text[lexeme.start..lexeme.end])
+}
+
+/// Whether a brace after these lexemes opens a motion: after `motion NAME`, or after `motion` where the name was forgotten.
+fn opens_motion(text: &str, before: &[Lexeme]) -> bool {
+    let mut last = before.iter().rev().take(2);
+    last.any(|lexeme| word(text, lexeme) == Some("motion"))
 }
 
 /// Whether a line starts here that reads like a statement: a keyword and a name, or `word name? (`.

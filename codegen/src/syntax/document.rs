@@ -47,10 +47,52 @@ pub enum Statement {
     Body(Body),
     /// `revolute P(1, 2);` and every other constraint that does not depend on time.
     Joint(Joint),
-    /// `drive phi(1) = EXPRESSION;`
+    /// `drive phi(1) = EXPRESSION;`, `drive K.x = EXPRESSION;`
     Drive(Drive),
     /// `output K, phi(1);`
     Output(Output),
+    /// `motion NAME { statements }`
+    Motion(Motion),
+}
+
+impl MechanismItem {
+    /// The motions in written order.
+    pub fn motions(&self) -> impl Iterator<Item = &Motion> {
+        self.statements
+            .iter()
+            .filter_map(|statement| match statement {
+                Statement::Motion(motion) => Some(motion),
+                _ => None,
+            })
+    }
+}
+
+impl Statement {
+    /// Its place, from the first word to the semicolon or the closing brace.
+    pub fn span(&self) -> Span {
+        match self {
+            Statement::Constant(statement) => statement.span,
+            Statement::Points(statement) => statement.span,
+            Statement::Body(statement) => statement.span,
+            Statement::Joint(statement) => statement.span,
+            Statement::Drive(statement) => statement.span,
+            Statement::Output(statement) => statement.span,
+            Statement::Motion(statement) => statement.span,
+        }
+    }
+}
+
+/// `motion NAME { statements }`: one of several ways in which the mechanism is driven.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// The `///` lines above it, and the `//!` lines at the top of its braces.
+    pub docs: Vec<String>,
+    /// Its name; empty where it is missing, which has been reported.
+    pub name: Name,
+    /// The statements in written order: no bodies, no points and no motions.
+    pub statements: Vec<Statement>,
+    /// From the word `motion` to the closing brace.
+    pub span: Span,
 }
 
 /// `const NAME = EXPRESSION;`
@@ -174,7 +216,7 @@ pub struct Joint {
     pub span: Span,
 }
 
-/// `drive [NAME:] QUANTITY(OPERANDS) = EXPRESSION;`
+/// `drive [NAME:] QUANTITY(OPERANDS) = EXPRESSION;` or `drive [NAME:] POINT.COORDINATE = EXPRESSION;`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
     /// The `///` lines above it.
@@ -183,8 +225,10 @@ pub struct Drive {
     pub name: Option<Name>,
     /// The driven quantity; whether such a quantity exists is not checked here.
     pub quantity: Name,
-    /// What stands in the parentheses.
+    /// What stands in the parentheses, or before the coordinate.
     pub operands: Vec<Reference>,
+    /// Whether it is written `K.x` instead of `x(BODY.K)`.
+    pub dotted: bool,
     /// The prescribed motion, an expression of `t`.
     pub value: Expression,
     /// The whole statement with its semicolon.

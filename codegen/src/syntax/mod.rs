@@ -16,6 +16,7 @@ mod brackets;
 mod document;
 mod expression;
 mod literal;
+mod motion;
 mod output;
 mod recovery;
 mod reference;
@@ -40,7 +41,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 5] = ["const", "point", "body", "drive", "output"];
+pub const KEYWORDS: [&str; 6] = ["const", "point", "body", "drive", "output", "motion"];
 
 /// Reads a description. Never panics and never overflows the stack, whatever the text.
 ///

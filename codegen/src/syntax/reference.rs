@@ -115,6 +115,35 @@ fn member_of(tokens: &mut Tokens<'_>, body: Name) -> Outcome<Reference> {
     })
 }
 
+/// `K.x`, `c1.K.x`, `1.x`: what a coordinate belongs to, and which it is. `None` where there is no such thing, and nothing is read.
+pub(super) fn driven_coordinate(tokens: &mut Tokens<'_>) -> Outcome<Option<(Reference, Name)>> {
+    let mut ahead = *tokens;
+    let named = ahead.word().is_some() || ahead.number().is_some();
+    if !named || !ahead.peek_mark('.') {
+        return Ok(None);
+    }
+    let mut parts = vec![body_name(tokens, "a point or a body")?];
+    while parts.len() < 3 && tokens.mark('.').is_some() {
+        parts.push(identifier(tokens, "a coordinate")?);
+    }
+    if tokens.peek_mark('.') {
+        return Err(tokens.unexpected(
+            "no further `.`",
+            "the coordinate of a point is written `point.x` or `body.point.x`",
+        ));
+    }
+    let coordinate = parts.pop();
+    let name = parts.pop();
+    let (Some(coordinate), Some(name)) = (coordinate, name) else {
+        return Ok(None);
+    };
+    let body = parts.pop();
+    let span = body
+        .as_ref()
+        .map_or(name.span, |body| body.span.to(name.span));
+    Ok(Some((Reference { body, name, span }, coordinate)))
+}
+
 /// `A -> B`
 pub(super) fn direction(tokens: &mut Tokens<'_>) -> Outcome<Direction> {
     let from = reference(tokens, "a point")?;

@@ -8,8 +8,9 @@ use super::KEYWORDS;
 use super::body::body;
 use super::document::{Constant, DrawnPoint, Drive, Joint, Name, Points, Statement};
 use super::expression::{after_expression, coordinates, expression};
+use super::motion::motion;
 use super::output::output;
-use super::reference::{body_name, direction, identifier, operands, separator};
+use super::reference::{body_name, direction, driven_coordinate, identifier, operands, separator};
 use super::tokens::{Outcome, Tokens};
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 
@@ -28,6 +29,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "body" => body(tokens, docs, first.span).map(Statement::Body),
         "drive" => drive(tokens, docs, first.span),
         "output" => output(tokens, docs, first.span),
+        "motion" => motion(tokens, docs, first.span),
         _ => joint(tokens, docs, first),
     }
 }
@@ -74,16 +76,26 @@ fn points(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<St
 }
 
 fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
-    let first = identifier(tokens, "the driven quantity")?;
-    let (name, quantity) = match tokens.mark(':') {
-        Some(_) => (Some(first), identifier(tokens, "the driven quantity")?),
-        None => (None, first),
+    let mut ahead = *tokens;
+    let name = match (ahead.word(), ahead.mark(':')) {
+        (Some(_), Some(_)) => {
+            let name = identifier(tokens, "the name of a driver")?;
+            tokens.mark(':');
+            Some(name)
+        }
+        _ => None,
     };
-    if !tokens.peek_group(Delimiter::Parenthesis) {
-        let help = "a driver is written `drive phi(BODY) = FORMULA;`";
-        return Err(tokens.unexpected("`(`", help));
-    }
-    let operands = operands(tokens)?;
+    let (quantity, operands, dotted) = match driven_coordinate(tokens)? {
+        Some((of, coordinate)) => (coordinate, vec![of], true),
+        None => {
+            let quantity = identifier(tokens, "the driven quantity")?;
+            if !tokens.peek_group(Delimiter::Parenthesis) {
+                let help = "a driver is written `drive phi(BODY) = FORMULA;`";
+                return Err(tokens.unexpected("`(`", help));
+            }
+            (quantity, operands(tokens)?, false)
+        }
+    };
     equals(tokens)?;
     let value = expression(tokens)?;
     let span = start.to(semicolon(tokens, start)?);
@@ -92,6 +104,7 @@ fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Sta
         name,
         quantity,
         operands,
+        dotted,
         value,
         span,
     }))

@@ -213,7 +213,9 @@ impl VectorForm {
             let Some(position) = as_symbol(auxiliary.value, graph) else {
                 continue;
             };
-            let ends = [0, 1].map(|side| {
+            // A length is named from the line's own point to the other one.
+            let first = joint.operands.axis.map_or(0, |axis| axis.owner);
+            let ends = [first, 1 - first].map(|side| {
                 let mark = joint.operands.marks.get(side)?;
                 let carried = bodies[mark.frame.body.0]
                     .marks
@@ -223,6 +225,7 @@ impl VectorForm {
             });
             let prefix = match auxiliary.kind {
                 Auxiliary::Displacement | Auxiliary::Distance => "length",
+                Auxiliary::Offset => "offset",
                 Auxiliary::LinkAngle => "psi",
             };
             let name = match ends {
@@ -328,7 +331,7 @@ impl VectorForm {
     }
 
     /// What the symbols of the vector form are.
-    pub(super) fn note_roles(&self, roles: &mut Vec<SymbolRole>, coordinates: usize) {
+    pub(crate) fn note_roles(&self, roles: &mut Vec<SymbolRole>, coordinates: usize) {
         for (index, unknown) in self.unknowns.iter().enumerate().skip(coordinates) {
             set(roles, unknown.position, SymbolRole::Position(index));
             set(roles, unknown.rate, SymbolRole::Rate(index));
@@ -366,6 +369,10 @@ fn in_drawing(
                 let turned = i.frame.rotate(axis.direction, graph);
                 offset_along(axis.direction, turned, &i, &j, graph)
             }
+            None => graph.zero(),
+        },
+        Auxiliary::Offset => match operands.across_in_drawing(graph) {
+            Some(offset) => offset,
             None => graph.zero(),
         },
         Auxiliary::Distance => {

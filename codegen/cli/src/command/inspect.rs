@@ -5,7 +5,7 @@ use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::emit::{self, Notation};
 use linkwright_codegen::system::System;
 
-use super::description::{rendered, source, system, warn};
+use super::description::{motions, rendered, source, warn};
 use super::{Outcome, Problem, print};
 use crate::arguments::{Format, Inspect};
 
@@ -15,11 +15,27 @@ use crate::arguments::{Format, Inspect};
 /// The description has errors; for Rust also where its equations do not determine the motion.
 pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
     let source = source(&arguments.file)?;
-    let text = match arguments.format {
-        Format::Text => equations(&system(&source)?, Notation::Ascii),
-        Format::Unicode => equations(&system(&source)?, Notation::Unicode),
-        Format::Latex => emit::latex::inspect(&system(&source)?),
-        Format::Rust => module(&source, &Options::default())?,
+    let wanted = arguments.motion.as_deref();
+    let print_one: fn(&System) -> String = match arguments.format {
+        Format::Text => |system| equations(system, Notation::Ascii),
+        Format::Unicode => |system| equations(system, Notation::Unicode),
+        Format::Latex => emit::latex::inspect,
+        Format::Rust => |_| String::new(),
+    };
+    let text = match (arguments.format, wanted) {
+        (Format::Rust, None) => module(&source, &Options::default())?,
+        (Format::Rust, Some(_)) => {
+            return Err(Problem(
+                "error: the generated file holds all motions\n  = help: leave out `--motion`"
+                    .to_string(),
+            ));
+        }
+        // Every page begins with the name of its motion.
+        _ => {
+            let motions = motions(&source, wanted)?;
+            let pages: Vec<String> = motions.iter().map(print_one).collect();
+            pages.join("\n")
+        }
     };
     print(|output| {
         output.write_all(text.as_bytes())?;

@@ -29,7 +29,7 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
         ));
     }
     let source = source(&arguments.file)?;
-    let system = determined(&source)?;
+    let system = determined(&source, arguments.motion.as_deref())?;
     let points =
         select(&system, &arguments.points).map_err(|text| Problem(format!("error: {text}")))?;
     let schedule = schedule(arguments)?;
@@ -67,7 +67,7 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
         }
     }
     if let Some(error) = &solution.error {
-        say(&format!("error: `{}` {error}", solution.name()));
+        say(&format!("error: `{}` {error}", solution.title()));
     }
     let written = write_files(arguments, &solution)?;
     if !arguments.json && !to_stdout {
@@ -101,7 +101,7 @@ fn write_files(arguments: &Solve, solution: &Solution) -> Result<Vec<String>, Pr
         return Ok(written);
     }
     let unasked = !arguments.json && arguments.at.is_empty();
-    let folder = || Path::new("target/linkwright").join(solution.name());
+    let folder = || Path::new("target/linkwright").join(solution.folder());
     let wanted = |asked: &Option<PathBuf>, default: &dyn Fn() -> PathBuf| match asked {
         None if unasked => Some(default()),
         asked => asked.clone(),

@@ -3,6 +3,7 @@
 //! | key | value |
 //! |---|---|
 //! | `mechanism` | its name |
+//! | `motion` | the name of the motion, where the mechanism has several |
 //! | `coordinates` | their names, in the order of `q`, `qd`, `qdd` |
 //! | `degrees_of_freedom` | before drivers |
 //! | `det`, `rcond` | determinant and reciprocal condition (1-norm) of Φ_q at the start, in SI units |
@@ -27,6 +28,8 @@ use crate::solution::Solution;
 #[derive(Serialize)]
 struct Object<'a> {
     mechanism: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    motion: Option<&'a str>,
     coordinates: Vec<&'a str>,
     degrees_of_freedom: usize,
     det: f64,
@@ -102,6 +105,7 @@ pub fn write(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
     let coordinates = &solution.system.coordinates;
     let object = Object {
         mechanism: solution.name(),
+        motion: solution.motion(),
         coordinates: coordinates.iter().map(|it| it.name.as_str()).collect(),
         degrees_of_freedom: coordinates
             .len()

@@ -85,7 +85,7 @@ pub fn draw(solution: &Solution) -> Result<Vec<(String, String)>, String> {
     let mut pictures = Vec::with_capacity(motions.len());
     for (curve, point) in motions.iter().zip(&solution.points) {
         let name = solution.point_name(*point);
-        let title = format!("Point {name} of {}", solution.name());
+        let title = format!("Point {name} of {}", solution.title());
         let picture = picture(&title, &times, curve, &panels)
             .map_err(|error| format!("cannot draw point `{name}`: {error}"))?;
         pictures.push((name.to_string(), picture));

@@ -27,7 +27,7 @@ const INDENT: usize = 24;
 /// # Errors
 /// Those of `output`.
 pub fn write(solution: &Solution, chosen: bool, output: &mut dyn Write) -> io::Result<()> {
-    writeln!(output, "{}", solution.name())?;
+    writeln!(output, "{}", solution.title())?;
     start(solution, output)?;
     mechanism(solution, output)?;
     if solution.frames().is_empty() {

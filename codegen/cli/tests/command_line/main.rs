@@ -2,5 +2,6 @@
 
 mod folder;
 mod generate_and_inspect;
+mod motions;
 mod plan;
 mod solve;

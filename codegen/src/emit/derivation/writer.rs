@@ -45,7 +45,7 @@ impl<'a> Writer<'a> {
         });
         let sections = sections.collect();
         Document {
-            name: self.script.word(&self.system.mechanism.name),
+            name: self.script.word(&self.system.mechanism.title()),
             summary,
             outline,
             sections,

@@ -13,7 +13,7 @@ pub fn inspect(system: &System) -> String {
     let coordinates: Vec<String> = (0..system.coordinates.len())
         .map(|index| names.symbol(SymbolRole::Position(index)))
         .collect();
-    let mut text = format!("% mechanism {}\n", escaped(&system.mechanism.name));
+    let mut text = format!("% mechanism {}\n", escaped(&system.mechanism.title()));
     text.push_str(&format!(
         "\\[ \\mathbf{{q}} = ({})^T \\]\n",
         coordinates.join(", ")

@@ -1,11 +1,12 @@
-//! System and Program → a Rust module.
+//! System and Program of each motion → a Rust file.
 //!
-//! The module needs `linkwright` and nothing else, neither allocates nor panics, and is the same bytes on every run.
+//! The file needs `linkwright` and nothing else, neither allocates nor panics, and is the same bytes on every run.
 
 mod coordinates;
 mod docs;
 mod equations;
 mod expression;
+mod file;
 mod layout;
 mod lints;
 mod literal;
@@ -14,5 +15,5 @@ mod scalar;
 mod solved;
 mod solver;
 
-pub use module::module;
+pub use file::file;
 pub use scalar::Scalar;

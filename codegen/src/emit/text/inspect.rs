@@ -59,7 +59,7 @@ impl Page<'_> {
         };
         format!(
             "mechanism {}: {}, {}, {} of joints, {} of drivers, {}\n\n{}\n",
-            mechanism.name,
+            mechanism.title(),
             plural(mechanism.moving_bodies().len() as i64, "body", "bodies"),
             plural(coordinates as i64, "coordinate", "coordinates"),
             plural(constraints as i64, "equation", "equations"),

@@ -2,6 +2,7 @@
 
 mod errors;
 mod forms;
+mod motions;
 mod robustness;
 
 use super::{Document, parse};

@@ -1,0 +1,114 @@
+//! Gears and belts: the angles of two bodies, seen from a carrier, keep a ratio.
+
+use super::{Kind, Operands, Quantity, Refusal, Resolved, Row, Value};
+use crate::expr::Graph;
+
+/// (φ_j − φ_k − φ_j⁰) ± ratio (φ_i − φ_k − φ_i⁰) = 0 with the carrier k, the angles φ⁰ seen from it in the drawing, and
+/// ratio = r_i/r_j (Haug 1989, section 3.4, for any carrier).
+///
+/// The sign is plus where the two turn against one another.
+pub struct Gear {
+    keyword: &'static str,
+    example: &'static str,
+    /// The kind to which a negative ratio belongs.
+    other: &'static str,
+    /// Whether the two turn against one another, seen from the carrier.
+    opposite: bool,
+}
+
+/// Two wheels with teeth outside: they turn against one another.
+pub static EXTERNAL_GEAR: Gear = Gear {
+    keyword: "external_gear",
+    example: "`external_gear (1, 2) = 20mm/40mm;`, or with a carrier `external_gear (1, 2, 3) = 20/40;`",
+    other: "internal_gear",
+    opposite: true,
+};
+
+/// A wheel inside a ring: both turn in one sense.
+pub static INTERNAL_GEAR: Gear = Gear {
+    keyword: "internal_gear",
+    example: "`internal_gear (1, 2) = 20mm/40mm;`, or with a carrier `internal_gear (1, 2, 3) = 20/40;`",
+    other: "external_gear",
+    opposite: false,
+};
+
+/// Two wheels in an open belt: both turn in one sense.
+pub static BELT: Gear = Gear {
+    keyword: "belt",
+    example: "`belt (1, 2) = 20mm/40mm;`, or with a carrier `belt (1, 2, 3) = 20/40;`",
+    other: "crossed_belt",
+    opposite: false,
+};
+
+/// Two wheels in a crossed belt: they turn against one another.
+pub static CROSSED_BELT: Gear = Gear {
+    keyword: "crossed_belt",
+    example: "`crossed_belt (1, 2) = 20mm/40mm;`, or with a carrier `crossed_belt (1, 2, 3) = 20/40;`",
+    other: "belt",
+    opposite: true,
+};
+
+impl Kind for Gear {
+    fn keyword(&self) -> &'static str {
+        self.keyword
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::BODIES_ON_CARRIER
+    }
+
+    fn value(&self) -> Value {
+        Value::Required(Quantity::Power(0))
+    }
+
+    fn example(&self) -> &'static str {
+        self.example
+    }
+
+    fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
+        let ratio = graph.constant_value(operands.value?)?;
+        if ratio > 0.0 {
+            return None;
+        }
+        let (problem, help) = if ratio < 0.0 {
+            (
+                "a ratio of radii is not negative".to_string(),
+                format!(
+                    "the sense of turning is in the word: write `{}`",
+                    self.other
+                ),
+            )
+        } else {
+            (
+                "a ratio of zero would only hold the second body still".to_string(),
+                "the ratio is the first radius over the second: `= 20mm/40mm`".to_string(),
+            )
+        };
+        Some(Refusal { problem, help })
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let Some(ratio) = operands.value else {
+            return Vec::new();
+        };
+        // How far each of the two has turned against the carrier since the drawing.
+        let [i, j] = [0, 1].map(|side| {
+            let angles = [side, 2].map(|at| operands.marks[at].frame.angle);
+            let drawn = [side, 2].map(|at| operands.drawn[at].frame.angle);
+            let relative = graph.subtract(angles[0], angles[1]);
+            let drawn = graph.subtract(drawn[0], drawn[1]);
+            graph.subtract(relative, drawn)
+        });
+        let driven = graph.multiply(ratio, i);
+        let residual = if self.opposite {
+            graph.add(j, driven)
+        } else {
+            graph.subtract(j, driven)
+        };
+        vec![Row {
+            residual,
+            quantity: Quantity::Angle,
+            component: "",
+        }]
+    }
+}

@@ -1,0 +1,121 @@
+//! Rack and pinion: a wheel rolls without slip on a line of another body; both bodies may move and turn.
+
+use super::geometry::{offset_along, perpendicular, subtract};
+use super::{Auxiliary, Kind, Line, Operands, Quantity, Refusal, Resolved, Row, Slot, Value};
+use crate::expr::{ExprId, Graph};
+
+/// (R_k u)ᵀ (r_i + R_i s_C − r_k − R_k s_P) − ℓ⁰ ± radius (φ_i − φ_k − φ⁰) = 0: as far as the centre C of the pinion i has moved
+/// along the line of the rack k since the drawing, so far it has rolled (Haug 1989, section 3.4, with both bodies moving).
+///
+/// The sign is plus where the centre lies to the left of the line's direction in the drawing, since a wheel that rolls forward
+/// there turns clockwise.
+pub struct Rack;
+
+/// What has been rolled off, to be added to what the centre has moved: ± radius (φ_i − φ_k − φ⁰) − ℓ⁰.
+fn rolled(operands: &Resolved, graph: &mut Graph) -> Option<ExprId> {
+    let across = operands.across_in_drawing(graph)?;
+    let along = operands.along_in_drawing(graph)?;
+    let right = graph.constant_value(across)? < 0.0;
+    let radius = match (operands.value, right) {
+        (Some(radius), true) => graph.negate(radius),
+        (Some(radius), false) => radius,
+        // The drawn distance from the line has this sign already.
+        (None, _) => across,
+    };
+    let angle = |side: usize| operands.marks[side].frame.angle;
+    let drawn = |side: usize| operands.drawn[side].frame.angle;
+    let relative = graph.subtract(angle(0), angle(1));
+    let drawn = graph.subtract(drawn(0), drawn(1));
+    let turned = graph.subtract(relative, drawn);
+    let arc = graph.multiply(radius, turned);
+    Some(graph.subtract(arc, along))
+}
+
+impl Kind for Rack {
+    fn keyword(&self) -> &'static str {
+        "rack"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands {
+            slots: &[Slot::Point, Slot::Body],
+            line: Line::On(1),
+        }
+    }
+
+    fn value(&self) -> Value {
+        Value::OrAsDrawn(Quantity::Length)
+    }
+
+    fn example(&self) -> &'static str {
+        "`rack (pinion.C, rack) along P -> Q = 20mm;` with P and Q on the rack, where the teeth meet"
+    }
+
+    fn auxiliaries(&self) -> &'static [Auxiliary] {
+        &[Auxiliary::Displacement, Auxiliary::Offset]
+    }
+
+    fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
+        let radius = operands.value.and_then(|value| graph.constant_value(value));
+        if radius.is_some_and(|radius| radius <= 0.0) {
+            return Some(Refusal {
+                problem: "the radius of a pinion is positive".to_string(),
+                help: "on which side of the line it rolls is taken from the drawing".to_string(),
+            });
+        }
+        let across = operands.across_in_drawing(graph)?;
+        let along = operands.along_in_drawing(graph)?;
+        let [across, along] = [across, along].map(|part| graph.constant_value(part));
+        // What rounding may leave of a distance of zero.
+        let least = f64::EPSILON * 8.0 * along?.abs().max(radius.unwrap_or(0.0));
+        (across?.abs() <= least).then(|| Refusal {
+            problem: "the centre of the pinion is drawn on the line of the rack".to_string(),
+            help: "name points of the rack where the teeth meet: the drawing says on which side the pinion rolls".to_string(),
+        })
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let (Some((axis, rack, pinion)), Some(rolled)) =
+            (operands.along(), rolled(operands, graph))
+        else {
+            return Vec::new();
+        };
+        let along = offset_along(axis.direction, axis.turned, &rack, &pinion, graph);
+        vec![Row {
+            residual: graph.add(along, rolled),
+            quantity: Quantity::Length,
+            component: "",
+        }]
+    }
+
+    /// r_i + R_i s_C − r_k − R_k s_P − R_k (ℓ u + h v) = 0 and ℓ − ℓ⁰ ± radius (φ_i − φ_k − φ⁰) = 0.
+    fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let (Some((axis, rack, pinion)), Some(rolled), [along, aside]) = (
+            operands.along(),
+            rolled(operands, graph),
+            &operands.auxiliaries[..],
+        ) else {
+            return Vec::new();
+        };
+        let [from, to] = [rack, pinion].map(|mark| mark.position(graph));
+        let gap = subtract(to, from, graph);
+        let across = perpendicular(axis.turned, graph);
+        let open = [0, 1].map(|part| {
+            let slid = graph.multiply(along.value, axis.turned[part]);
+            let height = graph.multiply(aside.value, across[part]);
+            let reached = graph.add(slid, height);
+            graph.subtract(gap[part], reached)
+        });
+        let row = |residual, component| Row {
+            residual,
+            quantity: Quantity::Length,
+            component,
+        };
+        let rolling = graph.add(along.value, rolled);
+        vec![
+            row(open[0], "x"),
+            row(open[1], "y"),
+            row(rolling, "rolling"),
+        ]
+    }
+}

@@ -1,0 +1,36 @@
+//! Weld: two bodies keep the relative pose in which they are drawn.
+
+use super::relative_angle::relative_angle_row;
+use super::revolute::Revolute;
+use super::{Kind, Operands, Resolved, Row, Slot, Value};
+use crate::expr::Graph;
+
+/// r_i + R_i s_i − r_j = 0 and φ_j − φ_i − φ⁰ = 0, with the origin of body j as body i carries it in the drawing (Nikravesh 1988,
+/// section 4.2: a revolute joint that cannot turn).
+pub struct Weld;
+
+impl Kind for Weld {
+    fn keyword(&self) -> &'static str {
+        "weld"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::of(&[Slot::Counterpart, Slot::Body])
+    }
+
+    fn value(&self) -> Value {
+        Value::None
+    }
+
+    fn example(&self) -> &'static str {
+        "`weld (1, 2);`"
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let mut rows = Revolute.rows(operands, graph);
+        let [i, j] = [0, 1].map(|side| operands.drawn[side].frame.angle);
+        let drawn = graph.subtract(j, i);
+        rows.push(relative_angle_row(operands, drawn, "angle", graph));
+        rows
+    }
+}

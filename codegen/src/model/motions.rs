@@ -1,0 +1,80 @@
+//! The statements of a document → one mechanism for each of its motions.
+//!
+//! A motion is a complete mechanism: the statements that stand outside of all motions, then its own. So no name of a motion is
+//! known outside of it, and two motions may use one name for different things. Deliberately unknown here: what a statement
+//! means.
+
+use super::Mechanism;
+use super::names::Names;
+use super::resolve::resolve_statements;
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, merged};
+use crate::syntax::{Document, Name, Statement};
+
+/// Resolves a document into its motions in written order; into one mechanism where it has none. `None` after an error; all
+/// errors of the document are in `diagnostics`.
+pub fn resolve(document: &Document, diagnostics: &mut Diagnostics) -> Option<Vec<Mechanism>> {
+    let mut found = Diagnostics::new();
+    let item = &document.mechanism;
+    let shared: Vec<&Statement> = item
+        .statements
+        .iter()
+        .filter(|statement| !matches!(statement, Statement::Motion(_)))
+        .collect();
+    check_names(document, &mut found);
+    let mut mechanisms = Vec::new();
+    let mut parts = Vec::new();
+    for motion in item.motions() {
+        let own = motion.statements.iter();
+        let statements: Vec<&Statement> = shared.iter().copied().chain(own).collect();
+        let mut part = Diagnostics::new();
+        let mechanism = resolve_statements(document, &statements, Some(motion), &mut part);
+        mechanisms.push(mechanism);
+        parts.push((motion.name.text.as_str(), Some(motion.span), part));
+    }
+    if mechanisms.is_empty() {
+        mechanisms.push(resolve_statements(document, &shared, None, &mut found));
+    }
+    found.extend(merged(parts));
+    let failed = found.has_errors();
+    diagnostics.extend(found);
+    if failed { None } else { Some(mechanisms) }
+}
+
+/// Every motion becomes a module, so its name must be one, and no other's.
+fn check_names(document: &Document, diagnostics: &mut Diagnostics) {
+    let mut declared = Names::new("motion");
+    for motion in document.mechanism.motions() {
+        // A name that is missing has been reported.
+        if motion.name.text.is_empty() {
+            continue;
+        }
+        diagnostics.extend(not_a_module(&motion.name));
+        diagnostics.extend(declared.declare(&motion.name, ()));
+    }
+}
+
+fn not_a_module(name: &Name) -> Option<Diagnostic> {
+    let text = name.text.as_str();
+    let snake_case = text
+        .chars()
+        .all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_');
+    let problem = if !snake_case {
+        "a module of Rust is named in lower case, with `_` between words"
+    } else if syn::parse_str::<syn::Ident>(text).is_err() {
+        "Rust reserves this word"
+    } else {
+        return None;
+    };
+    let finding = Diagnostic::error(
+        Code::NameNotAllowed,
+        name.span,
+        format!("`{text}` gives no name for a module"),
+    )
+    .label(problem);
+    let lower = text.to_ascii_lowercase();
+    Some(if !snake_case && lower.is_ascii() {
+        finding.help(format!("write `{lower}`"))
+    } else {
+        finding.help("give the motion another name")
+    })
+}

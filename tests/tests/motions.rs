@@ -1,0 +1,119 @@
+//! One mechanism with several motions: each is a module of its own, and what one does the other undoes.
+
+use linkwright_codegen::diagnostic::{Diagnostics, Source};
+use linkwright_codegen::{check_all, generate, read};
+
+/// A slider-crank driven from either end.
+mod both_ways {
+    linkwright::include_mechanism!(both_ways);
+}
+
+#[test]
+fn a_slider_crank_driven_from_either_end_moves_the_same_way() {
+    let mut forward = both_ways::forward::BothWays::assemble(0.0).expect("as drawn");
+    let mut backward = both_ways::backward::BothWays::assemble(0.0).expect("as drawn");
+    for step in 0..=1000 {
+        let t = 0.01 * f64::from(step);
+        let slider = forward.advance(t).expect("the crank turns").point_c();
+        let frame = backward.advance(t).expect("the slider moves");
+        let angle = std::f64::consts::FRAC_PI_3 + t.sin();
+        let (sine, cosine) = angle.sin_cos();
+        let root = (4.0 - sine * sine).sqrt();
+        let slope = -sine - sine * cosine / root;
+        // The closed forms of the slider's place and rate.
+        assert!((slider.position[0] - (cosine + root)).abs() <= 4e-15);
+        assert!(slider.position[1].abs() <= 1e-15);
+        assert!((slider.velocity[0] - slope * t.cos()).abs() <= 1e-14);
+        // The way back: the crank has the angle that the slider's law was made from, as well as its rate and acceleration.
+        assert!((frame.q.phi_crank - angle).abs() <= 1e-12, "{t}");
+        assert!((frame.qd.phi_crank - t.cos()).abs() <= 1e-12, "{t}");
+        assert!((frame.qdd.phi_crank + t.sin()).abs() <= 1e-11, "{t}");
+        assert!(frame.point_c().position[1].abs() <= 1e-15);
+    }
+}
+
+fn errors(text: &str) -> Diagnostics {
+    generate(&Source::new("motions.mech", text)).expect_err("errors")
+}
+
+/// The mechanism around these motions: a crank that nothing drives.
+fn crank(motions: &str) -> String {
+    format!(
+        "mechanism crank {{
+            body 1 at (0, 0) {{ P: (1, 0) }}
+            absolute_x(1) = 0;
+            absolute_y(1) = 0;
+            {motions}
+        }}"
+    )
+}
+
+#[test]
+fn a_motion_is_a_complete_mechanism() {
+    let source = Source::new(
+        "crank.mech",
+        crank("motion a { drive phi(1) = t; } motion b { absolute_x(1.P) = 0.5; output P; }"),
+    );
+    let read = read(&source).expect("a good description");
+    check_all(&read.motions).expect("both are determined");
+    let names: Vec<String> = read
+        .motions
+        .iter()
+        .map(|system| system.mechanism.title())
+        .collect();
+    assert_eq!(names, ["crank, motion a", "crank, motion b"]);
+    assert!(
+        read.motion("a")
+            .is_some_and(|system| system.rows.len() == 3)
+    );
+    assert!(read.motion("c").is_none());
+    let requests: Vec<usize> = read
+        .motions
+        .iter()
+        .map(|system| system.mechanism.requests.len())
+        .collect();
+    assert_eq!(requests, [0, 1]);
+    assert!(read.only().is_none());
+}
+
+/// The rows of a motion are those of the same mechanism with the motion's statements written at its end.
+#[test]
+fn a_motion_alone_generates_what_its_statements_would() {
+    let [inside, outside] = ["motion only { drive phi(1) = 2*t; }", "drive phi(1) = 2*t;"]
+        .map(|text| generate(&Source::new("crank.mech", crank(text))).expect("good"));
+    // Without comments, and without what depends on how far a line is indented.
+    let tokens = |code: &str| -> String {
+        let lines = code.lines().map(str::trim);
+        let kept = lines.filter(|line| !line.starts_with("//"));
+        let characters = kept.flat_map(str::chars);
+        characters
+            .filter(|it| !it.is_whitespace() && *it != ',')
+            .collect()
+    };
+    let inside = tokens(&inside.code);
+    let module = inside
+        .strip_prefix("#[allow(dead_code)]pubmodonly{")
+        .and_then(|rest| rest.strip_suffix('}'));
+    assert_eq!(module, Some(tokens(&outside.code).as_str()));
+}
+
+#[test]
+fn what_all_motions_lack_is_said_once() {
+    let found = errors(&crank(
+        "motion a { output P; } motion b { output velocity P; }",
+    ));
+    let messages: Vec<&str> = found.iter().map(|it| it.message.as_str()).collect();
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    assert!(
+        messages[0].starts_with("1 equation too few"),
+        "{messages:?}"
+    );
+    let found = errors(&crank(
+        "motion a { output P; } motion b { drive phi(1) = t; }",
+    ));
+    let messages: Vec<&str> = found.iter().map(|it| it.message.as_str()).collect();
+    assert!(
+        messages.len() == 1 && messages[0].starts_with("motion `a`: 1 equation too few"),
+        "{messages:?}"
+    );
+}
