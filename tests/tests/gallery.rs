@@ -1,6 +1,9 @@
 //! What each mechanism of the gallery is known for, from the generated code.
 
-use linkwright_mechanisms::{jansen, peaucellier};
+use linkwright_mechanisms::{
+    double_wishbone, jansen, pantograph, peaucellier, planetary_gear, quick_return, rack_steering,
+    scotch_yoke,
+};
 
 /// Instants of five seconds.
 fn instants() -> impl Iterator<Item = f64> {
@@ -50,4 +53,127 @@ fn jansens_foot_walks_on_level_ground() {
         - down.iter().fold(f64::INFINITY, |a, &b| a.min(b));
     println!("a step of {step} m, lifted by {} m", highest - lowest);
     assert!(step > 0.6 && highest - lowest > 0.22);
+}
+
+/// x = r cos φ, and nothing else: the yoke's rates and accelerations are those of a cosine.
+#[test]
+fn a_scotch_yoke_is_harmonic() {
+    let mut yoke = scotch_yoke::ScotchYoke::assemble(0.0).expect("the drawing assembles");
+    for t in instants() {
+        let frame = yoke.advance(t).expect("the motion is regular");
+        let (sine, cosine) = (3.0 * t).sin_cos();
+        for (found, wanted) in [
+            (frame.q.x_yoke, 0.05 * cosine),
+            (frame.qd.x_yoke, -0.15 * sine),
+            (frame.qdd.x_yoke, -0.45 * cosine),
+        ] {
+            assert!(
+                (found - wanted).abs() <= 1e-15,
+                "{found} for {wanted} at {t}"
+            );
+        }
+    }
+}
+
+/// Willis: the carrier turns 20/(20 + 50) as fast as the sun, and seen from it sun and planet turn as 15 to −20.
+#[test]
+fn a_planetary_gear_obeys_willis() {
+    let mut gear = planetary_gear::PlanetaryGear::assemble(0.0).expect("the drawing assembles");
+    for t in instants() {
+        let frame = gear.advance(t).expect("gears have no singular pose");
+        for (sun, carrier, planet) in [
+            (frame.q.phi_sun, frame.q.phi_carrier, frame.q.phi_planet),
+            (frame.qd.phi_sun, frame.qd.phi_carrier, frame.qd.phi_planet),
+        ] {
+            let size = sun.abs().max(1.0);
+            assert!((carrier - sun * 20.0 / 70.0).abs() <= 1e-15 * size);
+            assert!(((planet - carrier) * 15.0 + (sun - carrier) * 20.0).abs() <= 1e-14 * size);
+        }
+    }
+}
+
+/// The right wheel turned to one side is the left one turned to the other.
+#[test]
+fn rack_steering_is_odd() {
+    let angles = |t: f64| {
+        let steering = rack_steering::RackSteering::assemble(t).expect("the drawing assembles");
+        let frame = steering.frame();
+        [frame.q.phi_left, frame.q.phi_right]
+    };
+    let mut widest = 0.0_f64;
+    for t in instants() {
+        let ([left, right], [mirrored_left, mirrored_right]) = (angles(t), angles(-t));
+        assert!((left + mirrored_right).abs() <= 1e-15 && (right + mirrored_left).abs() <= 1e-15);
+        // Ackermann: the inner wheel turns more.
+        let (inner, outer) = if left > 0.0 {
+            (left, right)
+        } else {
+            (right, left)
+        };
+        assert!(inner.abs() >= outer.abs() - 1e-15, "{left} {right}");
+        widest = widest.max(inner.abs());
+    }
+    println!("up to {} deg", widest.to_degrees());
+    assert!(widest.to_degrees() > 15.0);
+}
+
+/// The pen draws 2.5 times what the tracer traces, in velocity and acceleration too.
+#[test]
+fn a_pantograph_draws_larger() {
+    let mut links = pantograph::Pantograph::assemble(0.0).expect("the drawing assembles");
+    for t in instants() {
+        let frame = links.advance(t).expect("the motion is regular");
+        let (traced, drawn) = (frame.point_p(), frame.point_q());
+        for axis in 0..2 {
+            for (small, large) in [
+                (traced.position[axis], drawn.position[axis]),
+                (traced.velocity[axis], drawn.velocity[axis]),
+                (traced.acceleration[axis], drawn.acceleration[axis]),
+            ] {
+                assert!((large - 2.5 * small).abs() < 1e-14, "{large} for {small}");
+            }
+        }
+    }
+}
+
+/// The ram's velocity vanishes where the crank is perpendicular to the lever, at −30° and 210°: forward through 240°, back
+/// through 120°.
+#[test]
+fn a_quick_return_takes_half_the_time() {
+    let mut shaper = quick_return::QuickReturn::assemble(0.0).expect("the drawing assembles");
+    let mut speed = |angle: f64| {
+        let frame = shaper
+            .advance(angle.to_radians() / 3.0)
+            .expect("the motion is regular");
+        frame.point_d().velocity[0]
+    };
+    for turn in [-30.0, 210.0, 330.0, 570.0] {
+        assert!(speed(turn).abs() < 1e-14, "{} at {turn}", speed(turn));
+    }
+    for forward in [-20.0, 90.0, 200.0] {
+        assert!(speed(forward) < 0.0);
+    }
+    for back in [220.0, 270.0, 320.0] {
+        assert!(speed(back) > 0.0);
+    }
+}
+
+/// The wheel's center is as high as it is driven; the wheel leans inwards at full bump, as a shorter upper wishbone makes it.
+#[test]
+fn a_double_wishbone_gains_camber() {
+    let mut wheel = double_wishbone::DoubleWishbone::assemble(0.0).expect("the drawing assembles");
+    let mut camber = Vec::new();
+    for t in instants() {
+        let frame = wheel.advance(t).expect("the motion is regular");
+        let height = 0.3 + 0.06 * (2.0 * t).sin();
+        assert!((frame.point_w().position[1] - height).abs() < 1e-15);
+        camber.push(frame.q.phi_upright);
+    }
+    // Full bump is at t = π/4, full droop at 3π/4.
+    println!(
+        "camber {} deg at bump, {} deg at droop",
+        camber[785].to_degrees(),
+        camber[2356].to_degrees()
+    );
+    assert!(camber[785] > 0.0 && camber[2356] < camber[785]);
 }
