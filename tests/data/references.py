@@ -179,10 +179,23 @@ def at(text):
 
 
 class Mechanism:
-    """Names of bodies, unknowns as drawn, equations F(unknowns, t) of degree two at most, and poses."""
+    """Names of bodies, unknowns as drawn, equations F(unknowns, t) of degree two at most, and poses.
 
-    def __init__(self, bodies, start, equations, poses):
+    `contacts` names coordinates after those of the bodies: the angles at which curves are touched.
+    """
+
+    def __init__(self, bodies, start, equations, poses, contacts=()):
         self.bodies, self.start, self.equations, self.poses = bodies, start, equations, poses
+        self.contacts = contacts
+
+    def coordinates(self):
+        axes = ("x", "y", "phi")
+        return [f"{axis}{body}" for body in self.bodies for axis in axes] + [name.replace("_", "", 1) for name in self.contacts]
+
+    def angles(self):
+        """The places of the coordinates that are angles."""
+        poses = 3 * len(self.bodies)
+        return list(range(2, poses, 3)) + list(range(poses, poses + len(self.contacts)))
 
 
 def with_pins(bodies, drawn, unknown, place, equations, poses):
@@ -510,9 +523,9 @@ def quick_return():
     return Mechanism(["crank", "lever", "link", "ram"], [exact("0.48")], equations, poses)
 
 
-def explicit(bodies, poses):
+def explicit(bodies, poses, contacts=()):
     """A mechanism whose pose is a formula in t; the solver gets an unknown that is zero."""
-    return Mechanism(bodies, [mpf(0)], lambda values, t: [values[0]], lambda values, t: poses(t))
+    return Mechanism(bodies, [mpf(0)], lambda values, t: [values[0]], lambda values, t: poses(t), contacts)
 
 
 def scotch_yoke():
@@ -596,6 +609,38 @@ def rack_steering():
     )
 
 
+def cam_roller():
+    e, disc, roller = (exact(v) / 1000 for v in ("10", "30", "8"))
+
+    def poses(t):
+        angle = mp.pi / 2 + 3 * t
+        height = e * sin(angle) + sqrt((disc + roller) ** 2 - (e * cos(angle)) * (e * cos(angle)))
+        centre = Point(e * cos(angle), e * sin(angle))
+        normal = Point(0, height) - centre
+        return [Jet(0), Jet(0), angle, Jet(0), height, Jet(0), atan2(normal.y, normal.x) - angle]
+
+    return explicit(["cam", "follower"], poses, ["s_wheel"])
+
+
+def cam_dwell():
+    low, high = exact("0.04"), exact("0.06")
+
+    def height(angle):
+        """The law at a jet, on the piece that holds its value."""
+        turns = mp.floor(angle.c[0] / (2 * mp.pi))
+        x = (angle - 2 * mp.pi * turns) * (mpf(180) / mp.pi)
+        for start, end, h0, h1 in [(90, 180, low, high), (240, 360, high, low)]:
+            if start <= x.c[0] < end:
+                s = (x - start) * (mpf(1) / (end - start))
+                return h0 + (h1 - h0) * (s - sin(2 * mp.pi * s) * (1 / (2 * mp.pi)))
+        return Jet(high if 180 <= x.c[0] < 240 else low)
+
+    def poses(t):
+        return [Jet(0), Jet(0), -3 * t, height(3 * t), Jet(0), Jet(0), 3 * t]
+
+    return explicit(["cam", "follower"], poses, ["s_tip"])
+
+
 # The file of a mechanism, without its extension.
 TABLES = {
     "exam": two_body,
@@ -616,6 +661,8 @@ TABLES = {
     "pantograph": pantograph,
     "planetary_gear": planetary_gear,
     "rack_steering": rack_steering,
+    "cam_roller": cam_roller,
+    "cam_dwell": cam_dwell,
 }
 
 
@@ -651,7 +698,7 @@ def motion(mechanism):
         time = mpf(step) / STEPS_PER_SECOND
         values = solve(mechanism, values, time)
         q = mechanism.poses(values, Jet(time, 1))
-        for index in range(2, len(q), 3):
+        for index in mechanism.angles():
             if last is not None:
                 turns = mp.nint((last[index].c[0] - q[index].c[0]) / (2 * mp.pi))
                 q[index] = q[index] + 2 * mp.pi * turns
@@ -663,10 +710,9 @@ def motion(mechanism):
     return rows
 
 
-def header(bodies):
+def header(mechanism):
     levels = ("q", "qd", "qdd")
-    coordinates = ("x", "y", "phi")
-    return ["t"] + [f"{level}_{axis}{body}" for level in levels for body in bodies for axis in coordinates]
+    return ["t"] + [f"{level}_{name}" for level in levels for name in mechanism.coordinates()]
 
 
 def text(value):
@@ -690,7 +736,7 @@ def main(arguments):
             if largest > mpf(10) ** -23:
                 sys.exit(1)
         else:
-            lines = [",".join(header(mechanism.bodies))]
+            lines = [",".join(header(mechanism))]
             lines += [",".join([mp.nstr(row[0], 3)] + [text(value) for value in row[1:]]) for row in rows]
             file.write_text("\n".join(lines) + "\n")
             print(f"{name}: {len(rows)} rows")
