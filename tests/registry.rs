@@ -11,7 +11,8 @@ use linkwright_codegen::model::type_name;
 
 /// Writes `registry.rs` into the build script's output folder: `registry! { name: Type { "K" => point_k, … } … }`, by name.
 ///
-/// Listed are the mechanisms without motions that are not limited by `output` statements, whose frames hold all coordinates. A description with
+/// Listed are the mechanisms without motions that are not limited by `output` statements, whose frames hold all coordinates, and
+/// that are given nothing but a time: no parameters and no inputs. A description with
 /// errors is left out here; generating its module reports them.
 pub fn write(folder: &str) {
     let mut paths: Vec<_> = fs::read_dir(folder)
@@ -30,7 +31,8 @@ fn line(path: &Path) -> Option<String> {
     let text = fs::read_to_string(path).ok()?;
     let read = linkwright_codegen::read(&Source::new("description", text)).ok()?;
     let mechanism = &read.only()?.mechanism;
-    if mechanism.motion.is_some() || !mechanism.requests.is_empty() {
+    let given = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
+    if given || mechanism.motion.is_some() || !mechanism.requests.is_empty() {
         return None;
     }
     let points: String = mechanism

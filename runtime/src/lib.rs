@@ -68,6 +68,7 @@
 
 pub mod angle;
 pub mod closed_form;
+pub mod contact;
 pub mod equations;
 pub mod failure;
 pub mod kinematics;
@@ -78,6 +79,7 @@ pub mod newton;
 mod progress;
 pub mod scale;
 pub mod settings;
+pub mod signal;
 mod vector;
 
 pub use nalgebra;
@@ -92,6 +94,7 @@ pub use motion::Motion;
 pub use newton::{Convergence, Step};
 pub use scale::Scales;
 pub use settings::Settings;
+pub use signal::Signal;
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
 #[macro_export]

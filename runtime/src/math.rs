@@ -75,6 +75,8 @@ pub trait Real:
     fn powf(self, exponent: Self) -> Self;
     /// The length √(`self`² + `other`²) without intermediate overflow.
     fn hypot(self, other: Self) -> Self;
+    /// The largest whole number that is not greater.
+    fn floor(self) -> Self;
     /// The nearest whole number; halves away from zero.
     fn round(self) -> Self;
     /// Whether the scalar is neither infinite nor NaN.
@@ -162,6 +164,7 @@ implement_real!(f64, frexp, ldexp, crate::angle::angle_near, {
     ln() -> Self, log;
     powf(exponent) -> Self, pow;
     hypot(other) -> Self, hypot;
+    floor() -> Self, floor;
     round() -> Self, round;
 });
 
@@ -175,6 +178,7 @@ implement_real!(f32, frexpf, ldexpf, crate::closed_form::wound_arctangent, {
     ln() -> Self, logf;
     powf(exponent) -> Self, powf;
     hypot(other) -> Self, hypotf;
+    floor() -> Self, floorf;
     round() -> Self, roundf;
 });
 
@@ -230,4 +234,10 @@ pub fn powf<T: Real>(base: T, exponent: T) -> T {
 #[inline]
 pub fn hypot<T: Real>(x: T, y: T) -> T {
     x.hypot(y)
+}
+
+/// The largest whole number that is not greater.
+#[inline]
+pub fn floor<T: Real>(x: T) -> T {
+    x.floor()
 }

@@ -16,26 +16,39 @@ pub fn names() -> Vec<String> {
         .collect()
 }
 
-/// The names of the mechanisms with one motion that is not limited by `output` statements: their frames hold all coordinates.
+/// The names of the mechanisms with one motion that is not limited by `output` statements: their frames hold all coordinates,
+/// and they are given nothing but a time.
 pub fn whole() -> Vec<String> {
     let mut names = names();
     names.retain(|name| {
         let [only] = &motions(name)[..] else {
             return false;
         };
-        only.mechanism.motion.is_none() && only.mechanism.requests.is_empty()
+        let mechanism = &only.mechanism;
+        let given = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
+        !given && mechanism.motion.is_none() && mechanism.requests.is_empty()
     });
     names
 }
 
-/// The text of a described mechanism.
+/// The names of the mechanisms that only tests need: those of the files `tests/descriptions/*.mech` with one motion, sorted.
+pub fn small() -> Vec<String> {
+    let files = files::with_extension(&files::package("descriptions"), "mech");
+    let names = files.iter().map(|path| files::stem(path).to_string());
+    names.filter(|name| motions(name).len() == 1).collect()
+}
+
+/// The text of a described mechanism, of the repository's or of those that only tests need.
 ///
 /// # Panics
 /// If there is no such file.
 pub fn source(name: &str) -> Source {
-    let path = files::repository()
-        .join("mechanisms")
-        .join(format!("{name}.mech"));
+    let file = format!("{name}.mech");
+    let small = files::package("descriptions").join(&file);
+    let path = match small.is_file() {
+        true => small,
+        false => files::repository().join("mechanisms").join(&file),
+    };
     let text =
         fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     Source::new(format!("{name}.mech"), text)

@@ -8,6 +8,8 @@ pub mod deviation;
 pub mod dyad_chain;
 pub mod files;
 pub mod generated;
+pub mod jet;
+pub mod law;
 pub mod magnitude;
 pub mod majorant;
 pub mod method;

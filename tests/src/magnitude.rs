@@ -9,7 +9,7 @@ use linkwright_codegen::expr::{ExprId, Graph, Node};
 ///
 /// # Panics
 /// Where a power is not a positive whole one of an expression with symbols, or an elementary function other than sine and
-/// cosine occurs: no mechanism of the repository needs them.
+/// cosine of what moves occurs: no mechanism of the repository needs them.
 pub fn magnitudes(graph: &Graph, order: &[ExprId], symbols: &[f64]) -> Vec<f64> {
     let mut magnitude = vec![f64::NAN; graph.node_count()];
     let mut value = vec![f64::NAN; graph.node_count()];
@@ -42,6 +42,19 @@ pub fn magnitudes(graph: &Graph, order: &[ExprId], symbols: &[f64]) -> Vec<f64> 
             }),
             Node::Sin(angle) => of_angle(graph, *angle, &value, &magnitude, f64::sin, f64::cos),
             Node::Cos(angle) => of_angle(graph, *angle, &value, &magnitude, f64::cos, f64::sin),
+            Node::Atan2(y, x) if graph.is_constant(id) => {
+                let angle = value[y.index()].atan2(value[x.index()]);
+                (angle, angle.abs())
+            }
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } => {
+                let is_below = value[condition.index()] < 0.0;
+                let chosen = if is_below { below } else { otherwise }.index();
+                (value[chosen], magnitude[chosen])
+            }
             other => panic!("no magnitude of {other:?}"),
         };
     }
@@ -58,15 +71,7 @@ pub fn needed(graph: &Graph, roots: &[ExprId]) -> Vec<ExprId> {
             continue;
         }
         order.push(id);
-        match graph.node(id) {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
-            Node::Sum(terms) => open.extend(terms.iter().map(|term| term.expr)),
-            Node::Product(factors) => open.extend(factors.iter().map(|factor| factor.base)),
-            Node::Sin(operand) | Node::Cos(operand) | Node::Exp(operand) | Node::Ln(operand) => {
-                open.push(*operand)
-            }
-            Node::Atan2(y, x) => open.extend([*y, *x]),
-        }
+        open.extend(graph.operands(id));
     }
     order.sort_unstable();
     order

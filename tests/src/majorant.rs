@@ -93,6 +93,26 @@ pub fn majorants<const N: usize>(
                 product
             }
             Node::Sin(angle) | Node::Cos(angle) => rotation(all[angle.index()]),
+            // The angle of a direction in the drawing: it turns by what its end moves, over its distance.
+            Node::Atan2(y, x) if graph.is_constant(id) => {
+                let value = |id: ExprId| graph.constant_value(id).unwrap_or(f64::NAN);
+                let moved = all[y.index()].error + all[x.index()].error;
+                let mut angle = constant(value(id).abs());
+                angle.error +=
+                    ULP * angle.coefficients[0] + 2.0 * moved / value(*y).hypot(value(*x));
+                angle
+            }
+            // Both arms are bounded, whichever holds; a kink between them is not.
+            Node::Choose {
+                below, otherwise, ..
+            } => {
+                let (mut larger, other) = (all[below.index()], all[otherwise.index()]);
+                for (bound, other) in larger.coefficients.iter_mut().zip(other.coefficients) {
+                    *bound = bound.max(other);
+                }
+                larger.error = larger.error.max(other.error);
+                larger
+            }
             other => panic!("no majorant of {other:?}"),
         };
     }

@@ -237,6 +237,19 @@ fn derivatives_of_all_others_agree_with_differences() {
     }
 }
 
+/// Each kind of joint and driver has one among them, most between two bodies that both move and turn; contacts with curves have
+/// [tests of their own](../curves.rs), since no majorant of their roots is known here.
+#[test]
+fn derivatives_of_the_small_mechanisms_agree_with_differences() {
+    for name in description::small() {
+        let system = description::system(&name);
+        let mut described = system.coordinates.iter().map(|it| it.describes);
+        if described.all(|it| it.body().is_some()) {
+            derivatives_agree(&name);
+        }
+    }
+}
+
 /// A solver with one wrong digit.
 struct Planted(Box<dyn Solver>);
 

@@ -9,6 +9,7 @@
 
 use std::cell::RefCell;
 
+use linkwright::contact::pressure_angle;
 use linkwright::{Equations, Frame, Motion};
 use linkwright_codegen::expr::{ExprId, SymbolId, Tape};
 use linkwright_codegen::system::System;
@@ -30,6 +31,9 @@ pub struct Interpreter {
     /// Six results per output: position, velocity, acceleration.
     outputs: Tape,
     output_names: Vec<String>,
+    /// Three results per contact: the velocity of the follower along and across the normal, and the square of the sliding speed.
+    pressures: Tape,
+    pressure_count: usize,
     estimate: DVector<f64>,
     row_scales: Vec<f64>,
     coordinate_scales: Vec<f64>,
@@ -83,6 +87,11 @@ impl Interpreter {
             .flat_map(|output| [output.position, output.velocity, output.acceleration])
             .flatten()
             .collect();
+        let pressures: Vec<ExprId> = system
+            .pressures
+            .iter()
+            .flat_map(|pressure| [pressure.along, pressure.across, pressure.sliding])
+            .collect();
         let coordinates = &system.coordinates;
         Interpreter {
             dimension,
@@ -91,6 +100,8 @@ impl Interpreter {
             time_derivative: rows(|row| row.time_derivative),
             gamma: rows(|row| row.gamma),
             outputs: Tape::new(graph, &motions),
+            pressures: Tape::new(graph, &pressures),
+            pressure_count: system.pressures.len(),
             output_names: system
                 .outputs
                 .iter()
@@ -117,9 +128,9 @@ impl Interpreter {
             accelerations: coordinates.iter().map(|it| it.acceleration).collect(),
             time: system.mechanism.time,
             scratch: RefCell::new(Scratch {
-                symbols: vec![0.0; graph.symbol_count()],
+                symbols: given(system),
                 workspace: Vec::new(),
-                results: vec![0.0; places.len().max(motions.len())],
+                results: vec![0.0; places.len().max(motions.len()).max(pressures.len())],
             }),
             places,
         }
@@ -133,6 +144,22 @@ impl Interpreter {
     /// The names of the points, in the order of [`Interpreter::points`].
     pub fn point_names(&self) -> &[String] {
         &self.output_names
+    }
+
+    /// The pressure angle of every contact at `frame`, in rad and in the order of [`System::pressures`]; none where the follower
+    /// rests.
+    pub fn pressure_angles(&self, frame: &Frame<f64, Dyn>) -> Vec<Option<f64>> {
+        let scratch = &mut *self.scratch.borrow_mut();
+        self.fill(&mut scratch.symbols, &self.positions, frame.q.as_slice());
+        self.fill(&mut scratch.symbols, &self.rates, frame.qd.as_slice());
+        scratch.symbols[self.time.index()] = frame.t;
+        let results = &mut scratch.results[..3 * self.pressure_count];
+        self.pressures
+            .evaluate(&scratch.symbols, &mut scratch.workspace, results);
+        results
+            .chunks_exact(3)
+            .map(|it| pressure_angle(it[0], it[1], it[2]))
+            .collect()
     }
 
     /// The motion of every declared point at `frame`, in the order of [`System::outputs`].
@@ -199,6 +226,19 @@ impl Interpreter {
             results.as_mut_slice(),
         );
     }
+}
+
+/// A value per symbol: parameters at their nominal values, inputs at rest at their initial ones, and zero for all others.
+fn given(system: &System) -> Vec<f64> {
+    let graph = &system.mechanism.graph;
+    let mut symbols = vec![0.0; graph.symbol_count()];
+    for parameter in &system.mechanism.parameters {
+        symbols[parameter.symbol.index()] = graph.nominal(parameter.symbol).unwrap_or(f64::NAN);
+    }
+    for input in &system.mechanism.inputs {
+        symbols[input.symbols[0].index()] = graph.constant_value(input.initial).unwrap_or(f64::NAN);
+    }
+    symbols
 }
 
 impl Equations<f64, Dyn> for Interpreter {

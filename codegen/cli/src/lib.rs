@@ -39,6 +39,7 @@ pub mod diagnosis;
 pub mod file;
 pub mod interpreter;
 pub mod number;
+pub mod pressure;
 pub mod progress;
 pub mod report;
 pub mod residuals;

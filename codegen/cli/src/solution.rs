@@ -13,6 +13,7 @@ use nalgebra::Dyn;
 use crate::condition::{Condition, dimensionless, jacobian};
 use crate::diagnosis;
 use crate::interpreter::Interpreter;
+use crate::pressure::{self, LargestPressureAngle};
 use crate::residuals::Residuals;
 use crate::schedule::Schedule;
 use crate::trajectory::{Trajectory, follow};
@@ -34,6 +35,8 @@ pub struct Solution {
     pub dimensionless_condition: Condition,
     /// The largest residuals over all frames.
     pub residuals: Residuals,
+    /// The largest pressure angle of every contact.
+    pub pressure_angles: Vec<LargestPressureAngle>,
     /// One sentence for each thing to look at.
     pub warnings: Vec<String>,
     /// Why the motion ends early, if it does.
@@ -61,6 +64,7 @@ impl Solution {
             condition: Condition::of(&matrix),
             dimensionless_condition: Condition::of(&dimensionless(&interpreter, matrix)),
             residuals: Residuals::over(&interpreter, &trajectory.frames),
+            pressure_angles: pressure::largest(&system, &interpreter, &trajectory.frames),
             warnings: diagnosis::warnings(&system, &interpreter, &trajectory),
             error: trajectory
                 .stop

@@ -66,18 +66,24 @@ codes! {
     WrongArgumentCount = "K15";
     /// A joint between a body and itself.
     JointOnOneBody = "K16";
+    /// A name that is declared and never used.
+    UnusedName = "K17";
     /// A unit suffix the language does not know.
     UnknownUnit = "K20";
     /// A length where an angle is wanted, and the like.
     WrongDimension = "K21";
     /// A value that is infinite or not a number.
     NotFinite = "K22";
-    /// A value that depends on `t` where a constant is wanted.
+    /// A value that depends on `t` or an input where a constant is wanted.
     NotConstant = "K23";
     /// A direction of zero length, or other geometry that determines nothing.
     DegenerateGeometry = "K24";
     /// A value that a joint of this kind cannot have.
     ValueNotAllowed = "K25";
+    /// A law of motion or a table whose places do not increase.
+    NotIncreasing = "K27";
+    /// Pieces of a motion that do not join.
+    PiecesApart = "K28";
     /// A statement with the wrong operands, a missing or a superfluous `along`, or a missing or superfluous value.
     WrongForm = "K30";
     /// A mechanism without bodies.

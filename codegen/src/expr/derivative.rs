@@ -1,7 +1,8 @@
 //! Differentiation: *an expression and a symbol* → *the partial derivative*.
 //!
 //! Memoized per node and symbol, so that shared parts are differentiated once; parts without the symbol are not visited.
-//! The recursion is as deep as the expression. Rules: d(f^n) = n·f^(n-1)·df, and d atan2(y, x) = (x·dy - y·dx)/(x² + y²).
+//! The recursion is as deep as the expression. Rules: d(f^n) = n·f^(n-1)·df, and d atan2(y, x) = (x·dy - y·dx)/(x² + y²). A choice
+//! is differentiated arm by arm.
 
 use super::graph::Graph;
 use super::node::{ExprId, Factor, Node, SymbolId, Term};
@@ -59,6 +60,17 @@ impl Graph {
             Node::Atan2(y, x) => {
                 let (y, x) = (*y, *x);
                 self.direction_derivative(y, x, symbol)
+            }
+            Node::Floor(_) => self.zero(),
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } => {
+                let (condition, below, otherwise) = (*condition, *below, *otherwise);
+                let below = self.derivative(below, symbol);
+                let otherwise = self.derivative(otherwise, symbol);
+                self.choose(condition, below, otherwise)
             }
         };
         self.derivatives.insert((expr, symbol), result);

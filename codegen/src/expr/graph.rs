@@ -9,7 +9,6 @@ use super::node::{ExprId, Node, SymbolId};
 use super::number::Number;
 use super::rational::Rational;
 use super::symbols::SymbolSets;
-use super::tape::Tape;
 use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
 
@@ -29,6 +28,8 @@ pub struct Graph {
     pub(super) derivatives: HashMap<(ExprId, SymbolId), ExprId, BuildExprHasher>,
     symbol_names: Vec<String>,
     symbols_by_name: HashMap<String, SymbolId>,
+    /// By symbol, as far as any has one.
+    pub(super) nominal_values: Vec<Option<f64>>,
 }
 
 impl Default for Graph {
@@ -48,6 +49,7 @@ impl Graph {
             derivatives: HashMap::default(),
             symbol_names: Vec::new(),
             symbols_by_name: HashMap::new(),
+            nominal_values: Vec::new(),
         };
         let zero = graph.intern(Node::Number(Number::ZERO));
         let one = graph.intern(Node::Number(Number::ONE));
@@ -65,8 +67,13 @@ impl Graph {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => Vec::new(),
             Node::Sum(terms) => terms.iter().map(|term| term.expr).collect(),
             Node::Product(factors) => factors.iter().map(|factor| factor.base).collect(),
-            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => vec![*x],
+            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) | Node::Floor(x) => vec![*x],
             Node::Atan2(y, x) => vec![*y, *x],
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } => vec![*condition, *below, *otherwise],
         }
     }
 
@@ -93,6 +100,11 @@ impl Graph {
         self.symbol_names.push(name.to_owned());
         self.symbols_by_name.insert(name.to_owned(), symbol);
         symbol
+    }
+
+    /// The symbol of this name, if it has been made.
+    pub fn find_symbol(&self, name: &str) -> Option<SymbolId> {
+        self.symbols_by_name.get(name).copied()
     }
 
     /// The name of a symbol.
@@ -159,16 +171,6 @@ impl Graph {
     pub fn is_finite(&self, expr: ExprId) -> bool {
         // By the invariant of this file only the top need be looked at.
         !matches!(self.node(expr), Node::Number(value) if !value.is_finite())
-    }
-
-    /// The value of an expression without symbols, which may be non-finite; `None` where a symbol occurs.
-    pub fn constant_value(&self, expr: ExprId) -> Option<f64> {
-        if !self.is_constant(expr) {
-            return None;
-        }
-        let mut value = [0.0];
-        Tape::new(self, &[expr]).evaluate(&[], &mut Vec::new(), &mut value);
-        Some(value[0])
     }
 
     /// The number an expression is, if it is one.

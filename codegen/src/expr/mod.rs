@@ -13,12 +13,14 @@
 //! Real arithmetic is meant throughout. A simplification may widen the domain (`x·x⁻¹ = 1`, `√x·√x = x`), but never
 //! changes a value where the original has one.
 
+mod choice;
 mod content;
 mod derivative;
 mod exponential;
 mod graph;
 mod hashing;
 mod node;
+mod nominal;
 mod number;
 mod product;
 mod pythagoras;
@@ -33,6 +35,7 @@ mod trigonometry;
 #[cfg(test)]
 mod tests;
 
+pub use choice::Comparison;
 pub use graph::Graph;
 pub use node::{ExprId, Factor, Node, SymbolId, Term};
 pub use number::Number;

@@ -72,4 +72,15 @@ pub enum Node {
     Exp(ExprId),
     /// The natural logarithm.
     Ln(ExprId),
+    /// The largest whole number that is not greater than the operand.
+    Floor(ExprId),
+    /// One of two expressions. The condition is not constant, and the arms differ.
+    Choose {
+        /// Decides: negative or not.
+        condition: ExprId,
+        /// The value where the condition is negative.
+        below: ExprId,
+        /// The value elsewhere.
+        otherwise: ExprId,
+    },
 }

@@ -92,6 +92,20 @@ impl Graph {
                 let argument = self.replace(*argument, substitution);
                 self.ln(argument)
             }
+            Node::Floor(argument) => {
+                let argument = self.replace(*argument, substitution);
+                self.floor(argument)
+            }
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } => {
+                let parts = [*condition, *below, *otherwise];
+                let [condition, below, otherwise] =
+                    parts.map(|part| self.replace(part, substitution));
+                self.choose(condition, below, otherwise)
+            }
         };
         substitution.done.insert(expr, result);
         result

@@ -30,10 +30,17 @@ impl SymbolSets {
         let set = match node {
             Node::Number(_) | Node::Pi => 0,
             Node::Symbol(symbol) => self.store(Box::new([*symbol])),
-            Node::Sin(operand) | Node::Cos(operand) | Node::Exp(operand) | Node::Ln(operand) => {
-                self.set_of_node[operand.index()]
-            }
+            Node::Sin(operand)
+            | Node::Cos(operand)
+            | Node::Exp(operand)
+            | Node::Ln(operand)
+            | Node::Floor(operand) => self.set_of_node[operand.index()],
             Node::Atan2(y, x) => self.union([*y, *x].into_iter()),
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } => self.union([*condition, *below, *otherwise].into_iter()),
             Node::Sum(terms) => self.union(terms.iter().map(|term| term.expr)),
             Node::Product(factors) => self.union(factors.iter().map(|factor| factor.base)),
         };

@@ -27,13 +27,25 @@ pub struct Tape {
 enum Instruction {
     Constant(f64),
     Symbol(u32),
-    Sum { from: u32, to: u32 },
-    Product { from: u32, to: u32 },
+    Sum {
+        from: u32,
+        to: u32,
+    },
+    Product {
+        from: u32,
+        to: u32,
+    },
     Sin(u32),
     Cos(u32),
     Atan2(u32, u32),
     Exp(u32),
     Ln(u32),
+    Floor(u32),
+    Choose {
+        condition: u32,
+        below: u32,
+        otherwise: u32,
+    },
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -92,6 +104,16 @@ impl Tape {
                 Node::Atan2(y, x) => Instruction::Atan2(slots[y], slots[x]),
                 Node::Exp(exponent) => Instruction::Exp(slots[exponent]),
                 Node::Ln(argument) => Instruction::Ln(slots[argument]),
+                Node::Floor(argument) => Instruction::Floor(slots[argument]),
+                Node::Choose {
+                    condition,
+                    below,
+                    otherwise,
+                } => Instruction::Choose {
+                    condition: slots[condition],
+                    below: slots[below],
+                    otherwise: slots[otherwise],
+                },
             };
             tape.instructions.push(instruction);
         }
@@ -165,6 +187,15 @@ impl Tape {
                 Instruction::Atan2(y, x) => slots[y as usize].atan2(slots[x as usize]),
                 Instruction::Exp(exponent) => slots[exponent as usize].exp(),
                 Instruction::Ln(argument) => slots[argument as usize].ln(),
+                Instruction::Floor(argument) => slots[argument as usize].floor(),
+                Instruction::Choose {
+                    condition,
+                    below,
+                    otherwise,
+                } => {
+                    let is_below = slots[condition as usize] < 0.0;
+                    slots[if is_below { below } else { otherwise } as usize]
+                }
             };
             slots.push(value);
         }
@@ -181,15 +212,7 @@ fn needed(graph: &Graph, roots: &[ExprId]) -> Vec<ExprId> {
             continue;
         }
         order.push(expr);
-        match graph.node(expr) {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
-            Node::Sum(terms) => open.extend(terms.iter().map(|term| term.expr)),
-            Node::Product(factors) => open.extend(factors.iter().map(|factor| factor.base)),
-            Node::Sin(operand) | Node::Cos(operand) | Node::Exp(operand) | Node::Ln(operand) => {
-                open.push(*operand);
-            }
-            Node::Atan2(y, x) => open.extend([*y, *x]),
-        }
+        open.extend(graph.operands(expr));
     }
     order.sort_unstable();
     order

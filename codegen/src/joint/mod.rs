@@ -10,11 +10,14 @@ mod absolute_angle;
 mod absolute_distance;
 mod absolute_position;
 mod angle_driver;
+mod curve;
+mod flat;
 mod gear;
 pub mod geometry;
 mod length_driver;
 mod link;
 mod operands;
+mod point_on_curve;
 mod point_on_line;
 mod position_driver;
 mod quantity;
@@ -23,15 +26,18 @@ mod relative_angle;
 mod relative_distance;
 mod relative_position;
 mod revolute;
+mod roller;
 mod translational;
 mod weld;
 
+pub use curve::Curve;
 pub use operands::{
     Auxiliary, AuxiliaryUnknown, Axis, Drawn, Line, Operands, Resolved, Slot, Value,
 };
 pub use quantity::Quantity;
 
 use crate::expr::{ExprId, Graph};
+use geometry::{Frame, Vector};
 
 /// One scalar constraint equation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +48,20 @@ pub struct Row {
     pub quantity: Quantity,
     /// Which row of the joint this is: `x`, `angle`, …; empty when it has only one.
     pub component: &'static str,
+}
+
+/// Where a body touches a curve of another body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// The unit vector along which they press on one another, in global components.
+    pub normal: Vector,
+    /// The frame of the body that is pushed.
+    pub follower: Frame,
+    /// The point of that body whose motion the pressure angle is measured against.
+    pub place: Vector,
+    /// An expression of the curve's parameter that keeps its sign wherever the contact is possible, and what is wrong where
+    /// it does not.
+    pub fit: Option<(ExprId, &'static str)>,
 }
 
 /// Why operands make no joint of a kind.
@@ -80,6 +100,10 @@ pub trait Kind: Sync {
     fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         self.rows(operands, graph)
     }
+    /// Where the bodies touch, for kinds that let them press on one another along a curve.
+    fn contact(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Contact> {
+        None
+    }
     /// The rows, in the order of the textbook.
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row>;
 }
@@ -111,6 +135,9 @@ pub static CONSTRAINTS: &[&dyn Kind] = &[
     &gear::BELT,
     &gear::CROSSED_BELT,
     &rack::Rack,
+    &point_on_curve::PointOnCurve,
+    &roller::Roller,
+    &flat::Flat,
 ];
 
 /// Every quantity that a `drive` statement can prescribe.

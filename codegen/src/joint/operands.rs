@@ -1,6 +1,7 @@
 //! How the operands of a kind are written, and what they are once resolved.
 
 use super::Quantity;
+use super::curve::Curve;
 use super::geometry::{Frame, Mark, Vector, dot, perpendicular, subtract};
 use crate::expr::{ExprId, Graph};
 
@@ -26,6 +27,8 @@ pub enum Slot {
     Pin,
     /// A point of the drawing, fixed to the ground: `A`.
     GroundPoint,
+    /// A curve by its name, for the frame of the body that carries it: `rim`.
+    Curve,
     /// A body at the end of the list that need not be written; the ground where it is not.
     Carrier,
 }
@@ -60,6 +63,13 @@ impl Operands {
     pub const BODIES_ALONG: Operands = Operands {
         slots: &[Slot::Body, Slot::Body],
         line: Line::Between,
+    };
+    /// A point of a body and a curve of another: `(2.P, rim)`.
+    pub const POINT_AND_CURVE: Operands = Operands::of(&[Slot::Point, Slot::Curve]);
+    /// A body, a curve of another, and the face of the body that touches it: `(2, rim) along A -> B`.
+    pub const FACE_AND_CURVE: Operands = Operands {
+        slots: &[Slot::Body, Slot::Curve],
+        line: Line::On(0),
     };
     /// The two points of the line of a joint written before: `(P, Q)`.
     pub const LINE_OF_JOINT: Operands = Operands {
@@ -140,6 +150,8 @@ pub struct Resolved {
     pub drawn: Vec<Drawn>,
     /// The line.
     pub axis: Option<Axis>,
+    /// The curve that is touched.
+    pub curve: Option<Curve>,
     /// The right-hand side; `None` where it was left to the drawing.
     pub value: Option<ExprId>,
     /// The unknowns of the vector form, as the kind lists them; those of the joint whose line this is, where it names one.

@@ -125,6 +125,27 @@ impl Dimension {
         })
     }
 
+    /// The SI unit that a value of this dimension is given in, for documentation.
+    pub fn unit(self) -> String {
+        match self {
+            Dimension::Number | Dimension::OfTime => "SI units".to_string(),
+            Dimension::Angle => "rad".to_string(),
+            Dimension::Marked { length: 0, time: 0 } => "1 or rad".to_string(),
+            Dimension::Marked { length, time } => {
+                let part = |unit: &str, exponent: i32| match exponent {
+                    0 => None,
+                    1 => Some(unit.to_string()),
+                    _ => Some(format!("{unit}^{exponent}")),
+                };
+                let parts: Vec<String> = [part("m", length), part("s", time)]
+                    .into_iter()
+                    .flatten()
+                    .collect();
+                parts.join("*")
+            }
+        }
+    }
+
     /// How messages name it.
     pub fn name(self) -> String {
         match self {
@@ -143,20 +164,7 @@ impl Dimension {
                 time: -1,
             } => "a speed".to_string(),
             Dimension::Marked { length: 2, time: 0 } => "an area".to_string(),
-            Dimension::Marked { length, time } => {
-                let part = |unit: &str, exponent: i32| match exponent {
-                    0 => String::new(),
-                    1 => unit.to_string(),
-                    _ => format!("{unit}^{exponent}"),
-                };
-                let parts = [part("m", length), part("s", time)];
-                let shown: Vec<_> = parts
-                    .iter()
-                    .filter(|part| !part.is_empty())
-                    .map(String::as_str)
-                    .collect();
-                format!("a quantity in {}", shown.join("*"))
-            }
+            Dimension::Marked { .. } => format!("a quantity in {}", self.unit()),
         }
     }
 }

@@ -1,9 +1,10 @@
 //! Written expressions → exact expressions in SI units, with their dimension.
 //!
-//! Afterwards the expression holds only constants and t, and no number in it is infinite or undefined. Every error is reported
+//! Afterwards the expression holds only constants, parameters, inputs and t, and no number in it is infinite or undefined. Every error is reported
 //! at the smallest part that causes it.
 
 use super::dimension::{Dimension, UNITS, unit};
+use super::law::LAWS;
 use super::resolve::Resolver;
 use super::synonyms::{self, meant};
 use crate::diagnostic::{Code, Diagnostic, Span};
@@ -23,25 +24,30 @@ const FUNCTIONS: &[&str] = &[
 pub(super) const BUILT_IN: &[&str] = &["t", "pi"];
 
 impl Resolver<'_> {
-    /// An expression that must not depend on t and must fit `expected`.
+    /// An expression that must not move, by t or by an input, and must fit `expected`.
     pub(super) fn constant(&mut self, written: &Expression, expected: Dimension) -> Option<ExprId> {
         let value = self.quantity(written, expected)?;
-        if self.graph.depends_on(value, self.time) {
+        if let Some(cause) = self.moving(value) {
+            let help = if self.graph.depends_on(value, self.time) {
+                "only the right-hand side of a `drive` statement may depend on `t`"
+            } else {
+                "an input may stand where `t` may; a value that does not move is a `param`"
+            };
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::NotConstant,
                     written.span,
-                    "a constant is wanted here, but this depends on `t`",
+                    format!("a constant is wanted here, but this depends on {cause}"),
                 )
                 .label("changes with time")
-                .help("only the right-hand side of a `drive` statement may depend on `t`"),
+                .help(help),
             );
             return None;
         }
         Some(value)
     }
 
-    /// An expression of t that must fit `expected`.
+    /// An expression of t and inputs that must fit `expected`.
     pub(super) fn quantity(&mut self, written: &Expression, expected: Dimension) -> Option<ExprId> {
         let (value, found) = self.value(written)?;
         if !found.fits(expected) {
@@ -82,6 +88,14 @@ impl Resolver<'_> {
                 function,
                 arguments,
             } => self.call(function, arguments, written.span)?,
+            ExpressionKind::Pair(_) => {
+                self.diagnostics.push(
+                    Diagnostic::error(Code::OutsideGrammar, written.span, "a pair is no formula")
+                        .label("one value is wanted here")
+                        .help("write each component in a formula of its own"),
+                );
+                return None;
+            }
         };
         self.finite(value, written)
     }
@@ -124,12 +138,18 @@ impl Resolver<'_> {
     fn named_value(&mut self, reference: &Reference) -> Option<Value> {
         let name = &reference.name.text;
         if reference.body.is_none() {
+            if let Some(parameter) = &self.parameter
+                && parameter.name == *name
+            {
+                return Some((parameter.value, parameter.dimension));
+            }
             match name.as_str() {
                 "t" => return Some((self.graph.variable(self.time), Dimension::OfTime)),
                 "pi" => return Some((self.graph.pi(), Dimension::Number)),
                 _ => {}
             }
             if let Some(&value) = self.constants.get(name) {
+                self.mention(value.0);
                 return Some(value);
             }
         }
@@ -254,10 +274,18 @@ impl Resolver<'_> {
 
     fn call(&mut self, function: &Name, arguments: &[Expression], span: Span) -> Option<Value> {
         let name = function.text.as_str();
+        if LAWS.contains(&name) {
+            return self.law(function, arguments, span);
+        }
         if !FUNCTIONS.contains(&name) {
-            let help = match meant(name, synonyms::FUNCTIONS, FUNCTIONS.iter().copied(), false) {
+            let words = FUNCTIONS.iter().chain(LAWS).copied();
+            let help = match meant(name, synonyms::FUNCTIONS, words, false) {
                 Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the functions are {}", listed(FUNCTIONS)),
+                None => format!(
+                    "the functions are {}, and the laws of motion {}",
+                    listed(FUNCTIONS),
+                    listed(LAWS)
+                ),
             };
             self.diagnostics.push(
                 Diagnostic::error(
@@ -367,7 +395,7 @@ impl Resolver<'_> {
         Some((self.graph.sqrt(square), Dimension::LENGTH))
     }
 
-    fn report_argument(&mut self, of: &str, argument: &Expression, found: Dimension) {
+    pub(super) fn report_argument(&mut self, of: &str, argument: &Expression, found: Dimension) {
         self.diagnostics.push(
             Diagnostic::error(
                 Code::WrongDimension,

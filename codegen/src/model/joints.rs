@@ -24,8 +24,8 @@ impl Resolver<'_> {
             self.diagnostics.push(
                 match meant(keyword, synonyms::JOINTS, words, false) {
                     Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
-                    None if matches!(keyword, "fixed" | "fix" | "weld" | "rigid") => diagnostic.help(
-                        "a body that does not move is the `ground`; points that move together stand in the braces of one body",
+                    None if matches!(keyword, "fixed" | "fix") => diagnostic.help(
+                        "a body that does not move is the `ground`; points that move together stand in the braces of one body; two bodies that keep their relative pose are joined by `weld (1, 2);`",
                     ),
                     None if kind_named(keyword, DRIVERS).is_some() => diagnostic.help(format!(
                         "a driver begins with `drive`: `drive {keyword}(…) = …;`"
@@ -74,14 +74,15 @@ impl Resolver<'_> {
             );
             return;
         };
-        let operands: Vec<syntax::Reference> = drive
-            .operands
-            .iter()
-            .map(|operand| match drive.dotted {
-                true => self.on_its_carrier(operand),
-                false => operand.clone(),
-            })
-            .collect();
+        let mut operands = drive.operands.clone();
+        if drive.dotted {
+            for operand in &mut operands {
+                let Some(carried) = self.on_its_carrier(operand) else {
+                    return;
+                };
+                *operand = carried;
+            }
+        }
         let given = Given {
             kind,
             role: Role::Driver,
@@ -94,22 +95,36 @@ impl Resolver<'_> {
         self.add_rows_of(&given, &drive.docs);
     }
 
-    /// The point K of `drive K.x` on the first body that carries it; anything else as it is written.
-    fn on_its_carrier(&self, operand: &syntax::Reference) -> syntax::Reference {
-        let carries = |body: &&super::Body| {
-            let marks = &body.marks;
-            marks.iter().any(|mark| mark.name == operand.name.text)
-        };
-        match self.bodies.iter().find(carries) {
-            Some(carrier) if operand.body.is_none() => syntax::Reference {
+    /// The point K of `drive K.x` on the first body that carries it; a body, or a point of a body, as it is written.
+    fn on_its_carrier(&mut self, operand: &syntax::Reference) -> Option<syntax::Reference> {
+        let name = &operand.name;
+        let carries = |body: &&super::Body| body.marks.iter().any(|mark| mark.name == name.text);
+        let carrier = self.bodies.iter().find(carries);
+        if operand.body.is_some() || (carrier.is_none() && self.body_ids.get(&name.text).is_some())
+        {
+            return Some(operand.clone());
+        }
+        if let Some(carrier) = carrier {
+            return Some(syntax::Reference {
                 body: Some(syntax::Name {
                     text: carrier.name.clone(),
                     span: operand.span,
                 }),
                 ..operand.clone()
-            },
-            _ => operand.clone(),
+            });
         }
+        let diagnostic = match self.drawn.get(&name.text) {
+            Some(_) => Diagnostic::error(
+                Code::PointNotOnBody,
+                name.span,
+                format!("no body carries the point `{}`", name.text),
+            )
+            .label("fixed to the ground")
+            .help("list it in the braces of the body that it moves with"),
+            None => self.drawn.unknown(&name.text, name.span),
+        };
+        self.diagnostics.push(diagnostic);
+        None
     }
 
     fn add_rows_of(&mut self, given: &Given<'_>, docs: &[String]) {

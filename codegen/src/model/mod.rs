@@ -4,9 +4,13 @@
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
 //! determine the motion.
 
+mod contact;
+mod curve;
 mod dimension;
 mod expression;
+mod given;
 mod joints;
+mod law;
 mod lines;
 mod motions;
 mod names;
@@ -15,10 +19,12 @@ mod operands;
 mod points;
 mod request;
 mod resolve;
+mod search;
 mod slug;
 mod synonyms;
 
 pub use dimension::Dimension;
+pub(crate) use given::field_name;
 pub use motions::resolve;
 pub use resolve::type_name;
 pub(crate) use slug::apart;
@@ -43,6 +49,10 @@ pub struct Mechanism {
     pub graph: Graph,
     /// The time t, in s.
     pub time: SymbolId,
+    /// What can be changed at run time, in written order.
+    pub parameters: Vec<Parameter>,
+    /// The signals that are supplied at run time, in written order.
+    pub inputs: Vec<Input>,
     /// The bodies; the first is the ground.
     pub bodies: Vec<Body>,
     /// Joints and drivers in written order.
@@ -53,6 +63,44 @@ pub struct Mechanism {
     pub requests: Vec<Request>,
     /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
+}
+
+/// A value that stays changeable at run time.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Its name as written.
+    pub name: String,
+    /// Its documentation lines.
+    pub docs: Vec<String>,
+    /// What stands for it in expressions; the graph knows its default as the symbol's nominal value.
+    pub symbol: SymbolId,
+    /// Its default, a constant in SI units.
+    pub nominal: ExprId,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Whether a statement mentions it.
+    pub used: bool,
+    /// Where its name stands.
+    pub span: Span,
+}
+
+/// A signal that is supplied at run time with its rate and acceleration.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// Its name as written.
+    pub name: String,
+    /// Its documentation lines.
+    pub docs: Vec<String>,
+    /// What stands for its value, its rate and its acceleration in expressions.
+    pub symbols: [SymbolId; 3],
+    /// Its value at assembly unless another is given, a constant in SI units.
+    pub initial: ExprId,
+    /// What its value measures.
+    pub dimension: Dimension,
+    /// Whether a statement mentions it.
+    pub used: bool,
+    /// Where its name stands.
+    pub span: Span,
 }
 
 /// One way in which a mechanism is driven.
@@ -165,6 +213,18 @@ pub enum Requested {
 }
 
 impl Mechanism {
+    /// How every symbol moves that no equation determines: t by one a second, an input by its rate, which moves by its
+    /// acceleration.
+    pub fn explicit_rates(&mut self) -> Vec<(SymbolId, ExprId)> {
+        let mut rates = vec![(self.time, self.graph.one())];
+        for input in &self.inputs {
+            let [value, rate, acceleration] = input.symbols;
+            rates.push((value, self.graph.variable(rate)));
+            rates.push((rate, self.graph.variable(acceleration)));
+        }
+        rates
+    }
+
     /// How a person names it: `excavator`, and of several motions `excavator, motion reach`.
     pub fn title(&self) -> String {
         match &self.motion {

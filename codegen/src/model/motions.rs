@@ -5,6 +5,7 @@
 //! means.
 
 use super::Mechanism;
+use super::given::unused;
 use super::names::Names;
 use super::resolve::resolve_statements;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, merged};
@@ -35,6 +36,7 @@ pub fn resolve(document: &Document, diagnostics: &mut Diagnostics) -> Option<Vec
         mechanisms.push(resolve_statements(document, &shared, None, &mut found));
     }
     found.extend(merged(parts));
+    found.extend(unused(&mechanisms));
     let failed = found.has_errors();
     diagnostics.extend(found);
     if failed { None } else { Some(mechanisms) }

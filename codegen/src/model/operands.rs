@@ -78,15 +78,28 @@ impl Resolver<'_> {
             Line::Existing => shared,
             _ => self.auxiliaries(given.kind),
         };
+        let curve = form.slots.iter().position(|slot| *slot == Slot::Curve);
+        let curve = match curve {
+            Some(at) => self.named_curve(&given.operands[at]),
+            None => None,
+        };
+        let touched = curve.map(|curve| {
+            let slug = self.unique_slug(given);
+            self.touched_curve(&curve, &slug)
+        });
         let operands = Resolved {
             marks,
             drawn,
             axis,
+            curve: touched,
             value: value?,
             auxiliaries,
         };
         match given.kind.refusal(&operands, &mut self.graph) {
-            None => Some(operands),
+            None => match curve {
+                Some(curve) => self.touch(given, &curve, operands),
+                None => Some(operands),
+            },
             Some(Refusal { problem, help }) => {
                 let span = given.value.map_or(given.span, |value| value.span);
                 self.diagnostics
@@ -133,6 +146,11 @@ impl Resolver<'_> {
                 Slot::Point => self.point_mark(operand),
                 Slot::Pin => self.pin_mark(operand, given),
                 Slot::GroundPoint => self.ground_mark(operand),
+                Slot::Curve => {
+                    let body = self.named_curve(operand)?.body;
+                    let frame = self.bodies[body.0].frame;
+                    Some(Mark::new(frame, [self.graph.zero(); 2], &mut self.graph))
+                }
             })
             .collect();
         let mut marks: Vec<Mark> = marks.into_iter().collect::<Option<_>>()?;

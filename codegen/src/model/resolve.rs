@@ -1,8 +1,11 @@
 //! The statements of a document, in written order → a mechanism.
 
+use std::collections::HashSet;
+
+use super::curve::{self, DrawnCurve};
 use super::expression::{BUILT_IN, Value, listed};
 use super::names::Names;
-use super::{Body, Dimension, Joint, Mechanism, Motion, NamedMark};
+use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{BodyId, Frame, Mark, Vector};
@@ -19,8 +22,19 @@ pub(super) struct DrawnPoint {
 pub(super) struct Resolver<'a> {
     pub graph: Graph,
     pub time: SymbolId,
+    /// Constants, parameters and inputs.
     pub constants: Names<Value>,
+    pub parameters: Vec<Parameter>,
+    pub inputs: Vec<Input>,
+    /// Every symbol that some expression mentions by the name of a constant, a parameter or an input; only looked up.
+    pub mentioned: HashSet<SymbolId>,
+    /// Whether the mechanism has parameters or inputs anywhere, which takes some names in the generated code.
+    pub has_given: bool,
     pub drawn: Names<DrawnPoint>,
+    /// Curves; nothing where the statement has an error.
+    pub curves: Names<Option<DrawnCurve>>,
+    /// The parameter of the curve whose formula is read.
+    pub parameter: Option<curve::Parameter>,
     pub body_ids: Names<BodyId>,
     /// The names that drivers were given.
     pub drivers: Names<()>,
@@ -44,6 +58,9 @@ const TAKEN_TYPE_NAMES: &[&str] = &[
     "Ok",
     "Err",
 ];
+
+/// The same in mechanisms with parameters or inputs.
+const TAKEN_BY_GIVEN: &[&str] = &["Parameters", "Inputs", "Geometry", "Signal"];
 
 /// Resolves the mechanism that these statements of a document make, all of them or those of one motion.
 ///
@@ -78,7 +95,18 @@ pub(super) fn resolve_statements(
         graph,
         time,
         constants: Names::new("constant"),
+        parameters: Vec::new(),
+        inputs: Vec::new(),
+        mentioned: HashSet::new(),
+        has_given: statements.iter().any(|statement| {
+            matches!(
+                statement,
+                syntax::Statement::Parameter(_) | syntax::Statement::Input(_)
+            )
+        }),
         drawn: Names::new("point"),
+        curves: Names::new("curve"),
+        parameter: None,
         body_ids: Names::new("body"),
         drivers: Names::new("driver"),
         bodies: vec![Body {
@@ -103,8 +131,11 @@ pub(super) fn resolve_statements(
     for statement in statements {
         match statement {
             syntax::Statement::Constant(constant) => resolver.add_constant(constant),
+            syntax::Statement::Parameter(parameter) => resolver.add_parameter(parameter),
+            syntax::Statement::Input(input) => resolver.add_input(input),
             syntax::Statement::Points(points) => resolver.add_points(points),
             syntax::Statement::Body(body) => resolver.add_body(body),
+            syntax::Statement::Curve(curve) => resolver.add_curve(curve),
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
             // Points are known once all bodies are.
@@ -131,6 +162,7 @@ pub(super) fn resolve_statements(
     let requests = outputs
         .flat_map(|output| resolver.requests(output, &points))
         .collect();
+    resolver.note_used();
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
     Mechanism {
@@ -144,6 +176,8 @@ pub(super) fn resolve_statements(
         span: item.name.span,
         graph: resolver.graph,
         time,
+        parameters: resolver.parameters,
+        inputs: resolver.inputs,
         bodies: resolver.bodies,
         joints: resolver
             .joints
@@ -184,7 +218,9 @@ impl Resolver<'_> {
         let type_name = type_name(&name.text);
         let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
             format!("`{}` gives no name for a type", name.text)
-        } else if TAKEN_TYPE_NAMES.contains(&type_name.as_str()) {
+        } else if TAKEN_TYPE_NAMES.contains(&type_name.as_str())
+            || (self.has_given && TAKEN_BY_GIVEN.contains(&type_name.as_str()))
+        {
             format!(
                 "`{}` would become the type `{type_name}`, which every generated module has already",
                 name.text
@@ -200,29 +236,18 @@ impl Resolver<'_> {
 
     fn add_constant(&mut self, constant: &syntax::Constant) {
         let name = &constant.name;
-        if BUILT_IN.contains(&name.text.as_str()) {
-            self.diagnostics.push(
-                Diagnostic::error(
-                    Code::NameNotAllowed,
-                    name.span,
-                    format!("`{}` has a fixed meaning", name.text),
-                )
-                .help(format!(
-                    "{} cannot be declared; choose another name",
-                    listed(BUILT_IN)
-                )),
-            );
+        if !self.may_be_declared(name) {
             return;
         }
         let value = self.value(&constant.value);
         if let Some((value, _)) = value
-            && self.graph.depends_on(value, self.time)
+            && let Some(cause) = self.moving(value)
         {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::NotConstant,
                     constant.value.span,
-                    "a constant cannot depend on `t`",
+                    format!("a constant cannot depend on {cause}"),
                 )
                 .label("changes with time")
                 .help("write the expression where it is used, in a `drive` statement"),
@@ -232,6 +257,25 @@ impl Resolver<'_> {
         if let Some(duplicate) = self.constants.declare(name, value) {
             self.diagnostics.push(duplicate);
         }
+    }
+
+    /// Reports a name that has a fixed meaning.
+    pub(super) fn may_be_declared(&mut self, name: &syntax::Name) -> bool {
+        if !BUILT_IN.contains(&name.text.as_str()) {
+            return true;
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::NameNotAllowed,
+                name.span,
+                format!("`{}` has a fixed meaning", name.text),
+            )
+            .help(format!(
+                "{} cannot be declared; choose another name",
+                listed(BUILT_IN)
+            )),
+        );
+        false
     }
 
     fn add_points(&mut self, points: &syntax::Points) {

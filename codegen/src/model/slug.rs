@@ -34,6 +34,9 @@ const TAKEN: &[&str] = &[
     "frame",
 ];
 
+/// The same in mechanisms with parameters or inputs.
+const TAKEN_BY_GIVEN: &[&str] = &["parameters", "inputs", "geometry"];
+
 /// What the names of local values begin with: `sin_phi1`, `shared_1`. Words up to the first `_`.
 const LOCAL: &[&str] = &[
     "sin",
@@ -74,7 +77,10 @@ impl Resolver<'_> {
                 }
             }
         }
-        let base = apart(&words.join("_").to_lowercase(), "row");
+        let mut base = apart(&words.join("_").to_lowercase(), "row");
+        if self.has_given && TAKEN_BY_GIVEN.contains(&base.as_str()) {
+            base = format!("row_{base}");
+        }
         let taken = |slug: &str| self.joints.iter().any(|(joint, _)| joint.slug == slug);
         let numbered = (2..).map(|number| format!("{base}_{number}"));
         std::iter::once(base.clone())

@@ -48,6 +48,18 @@ pub(super) const JOINTS: &[(&str, &str)] = &[
     ("pin", "revolute"),
     ("pivot", "revolute"),
     ("rotational", "revolute"),
+    ("rigid", "weld"),
+    ("gear", "external_gear"),
+    ("gears", "external_gear"),
+    ("spur_gear", "external_gear"),
+    ("ring_gear", "internal_gear"),
+    ("chain", "belt"),
+    ("rack_and_pinion", "rack"),
+    ("pinion", "rack"),
+    ("link", "revolute_revolute"),
+    ("rod", "revolute_revolute"),
+    ("slot", "point_on_line"),
+    ("distance", "relative_distance"),
 ];
 
 /// The word that was meant: what `word` is called here, or else the nearest of the words that exist. Words that differ in case

@@ -3,7 +3,7 @@
 //! What has a name of its own is not taken apart again.
 
 use super::constants::ConstantPart;
-use crate::expr::{ExprId, Factor, Graph, Node, Number, Rational, Term};
+use crate::expr::{Comparison, ExprId, Factor, Graph, Node, Number, Rational, Term};
 use crate::system::WrittenOrder;
 
 /// One term of a sum as it is computed.
@@ -47,6 +47,49 @@ pub fn addends(
             expr,
         }],
     };
+    // Only the expression itself is taken apart although it has a name.
+    addends_of(&terms, graph, order, &|term| term != expr && named(term))
+}
+
+/// A condition as it is computed: two sides, of which the second may be empty for 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// The left side.
+    pub left: Vec<Addend>,
+    /// Whether the sign is `<`, and not `>`.
+    pub is_less: bool,
+    /// The right side.
+    pub right: Vec<Addend>,
+}
+
+/// The two sides of `condition < 0` in written order.
+pub fn compared(
+    condition: ExprId,
+    graph: &Graph,
+    order: &WrittenOrder<'_>,
+    named: &dyn Fn(ExprId) -> bool,
+) -> Compared {
+    let Comparison {
+        left,
+        is_less,
+        right,
+    } = graph.comparison(condition);
+    let [left, right] =
+        [left, right].map(|terms| addends_of(&order.terms(&terms), graph, order, named));
+    Compared {
+        left,
+        is_less,
+        right,
+    }
+}
+
+/// The addends of terms in their order, all constant ones as one.
+fn addends_of(
+    terms: &[Term],
+    graph: &Graph,
+    order: &WrittenOrder<'_>,
+    named: &dyn Fn(ExprId) -> bool,
+) -> Vec<Addend> {
     let constant_terms: Vec<Term> = terms
         .iter()
         .copied()
@@ -54,17 +97,23 @@ pub fn addends(
         .collect();
     let mut addends = Vec::with_capacity(terms.len());
     let mut constants_placed = false;
-    for term in &terms {
+    for term in terms {
         if !graph.is_constant(term.expr) {
-            // Only the expression itself is taken apart although it has a name.
-            let whole = term.expr != expr && named(term.expr);
-            addends.push(variable_addend(term, whole, graph, order));
+            addends.push(variable_addend(term, named(term.expr), graph, order));
         } else if !constants_placed {
             constants_placed = true;
             addends.push(constant_addend(&constant_terms));
         }
     }
     addends
+}
+
+/// What the powers of these addends raise.
+pub(super) fn bases(parts: &[Addend]) -> impl Iterator<Item = ExprId> {
+    let powers = parts
+        .iter()
+        .flat_map(|part| part.factors.iter().chain(&part.divisors));
+    powers.map(|power| power.base)
 }
 
 /// All constant terms of a sum as one.

@@ -32,11 +32,24 @@ pub fn lower(system: &mut System, solved_plan: Option<&SolvedPlan>) -> Program {
             Straight::new(results, system, &mut constants)
         })
         .collect();
+    let drawn = drawn(system, &mut constants);
+    let pressures = system
+        .pressures
+        .iter()
+        .filter(|_| whole)
+        .map(|pressure| {
+            let components = [pressure.along, pressure.across, pressure.sliding];
+            let results = components.map(|component| (component, Vec::new()));
+            Straight::new(results.to_vec(), system, &mut constants)
+        })
+        .collect();
     Program {
         solved,
         constants,
         textbook,
+        drawn,
         points,
+        pressures,
     }
 }
 
@@ -63,4 +76,20 @@ fn textbook(system: &System, constants: &mut Constants) -> Textbook {
         time_derivative: Straight::new(by_row(&|row| row.time_derivative), system, constants),
         gamma: Straight::new(by_row(&|row| row.gamma), system, constants),
     }
+}
+
+/// The estimates of all unknowns, where one of them depends on a parameter.
+fn drawn(system: &System, constants: &mut Constants) -> Option<Straight> {
+    let estimates: Vec<ExprId> = system
+        .vector_form
+        .unknowns
+        .iter()
+        .map(|unknown| unknown.estimate)
+        .collect();
+    let graph = &system.mechanism.graph;
+    let is_given = estimates.iter().any(|&expr| !graph.is_constant(expr));
+    is_given.then(|| {
+        let results = estimates.into_iter().map(|expr| (expr, Vec::new()));
+        Straight::new(results.collect(), system, constants)
+    })
 }

@@ -12,7 +12,7 @@ mod operations;
 pub mod solved;
 mod statements;
 
-pub use addends::{Addend, Power, addends};
+pub use addends::{Addend, Compared, Power, addends, compared};
 pub use constants::{Constant, ConstantPart, Constants};
 pub use lower::lower;
 pub use operations::{LARGEST_PRODUCT, Operations};
@@ -27,8 +27,13 @@ pub struct Program {
     pub constants: Constants,
     /// The functions of the textbook view; left out of mechanisms whose dense matrices fit no stack.
     pub textbook: Option<Textbook>,
+    /// The drawing's value of every unknown of the vector form, where parameters change it.
+    pub drawn: Option<Straight>,
     /// The motion of each point: position, velocity, acceleration, x and y each. Empty where single outputs are asked for.
     pub points: Vec<Straight>,
+    /// What each pressure angle follows from: the velocity along and across the normal, and the square of the sliding speed.
+    /// Empty where single outputs are asked for.
+    pub pressures: Vec<Straight>,
 }
 
 /// The functions of the textbook view.

@@ -18,12 +18,14 @@ impl Names {
         Names::default()
     }
 
-    /// `shared_1` for a value that is used again, `exponential_1` for the value of a function.
+    /// `shared_1` for a value that is used again, `exponential_1` or `piece_1` for the value of a function.
     pub(super) fn value(&mut self, node: &Node) -> String {
         let base = match node {
             Node::Atan2(..) => "angle",
             Node::Exp(_) => "exponential",
             Node::Ln(_) => "logarithm",
+            Node::Floor(_) => "whole",
+            Node::Choose { .. } => "piece",
             _ => "shared",
         };
         self.numbered(base)

@@ -3,7 +3,7 @@
 use std::ops::AddAssign;
 
 use super::addends::{Addend, Power};
-use crate::expr::{Graph, Node};
+use crate::expr::{ExprId, Graph, Node};
 
 /// How many operations a piece of straight-line code takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,6 +22,10 @@ pub struct Operations {
     pub arctangents: usize,
     /// Exponentials, logarithms and general powers.
     pub exponentials: usize,
+    /// Choices between two values.
+    pub choices: usize,
+    /// Whole parts of numbers.
+    pub whole_parts: usize,
 }
 
 impl AddAssign for Operations {
@@ -33,6 +37,8 @@ impl AddAssign for Operations {
         self.sines += other.sines;
         self.arctangents += other.arctangents;
         self.exponentials += other.exponentials;
+        self.choices += other.choices;
+        self.whole_parts += other.whole_parts;
     }
 }
 
@@ -47,6 +53,8 @@ impl std::fmt::Display for Operations {
             (self.sines, "sine or cosine", "sines and cosines"),
             (self.arctangents, "arctangent", "arctangents"),
             (self.exponentials, "exponential", "exponentials"),
+            (self.choices, "choice", "choices"),
+            (self.whole_parts, "whole part", "whole parts"),
         ];
         let parts: Vec<String> = counts
             .into_iter()
@@ -64,7 +72,14 @@ impl Operations {
     /// All of them.
     pub fn total(&self) -> usize {
         let arithmetic = self.additions + self.multiplications + self.divisions + self.square_roots;
-        arithmetic + self.sines + self.arctangents + self.exponentials
+        let functions = self.sines + self.arctangents + self.exponentials + self.whole_parts;
+        arithmetic + functions + self.choices
+    }
+
+    /// Whether one of them is a function of the runtime's elementary functions.
+    pub fn calls_math(&self) -> bool {
+        let functions = self.sines + self.arctangents + self.exponentials + self.whole_parts;
+        functions + self.square_roots > 0
     }
 
     /// What the addends of one expression take, its operands not counted.
@@ -112,6 +127,8 @@ impl Operations {
             Node::Sin(_) | Node::Cos(_) => operations.sines = 1,
             Node::Atan2(..) => operations.arctangents = 1,
             Node::Exp(_) | Node::Ln(_) => operations.exponentials = 1,
+            Node::Floor(_) => operations.whole_parts = 1,
+            Node::Choose { .. } => operations.choices = 1,
             Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Sum(_) | Node::Product(_) => {}
         }
         operations
@@ -125,11 +142,36 @@ pub const LARGEST_PRODUCT: i128 = 8;
 pub(super) fn is_function(node: &Node) -> bool {
     matches!(
         node,
-        Node::Sin(_) | Node::Cos(_) | Node::Atan2(..) | Node::Exp(_) | Node::Ln(_)
+        Node::Sin(_)
+            | Node::Cos(_)
+            | Node::Atan2(..)
+            | Node::Exp(_)
+            | Node::Ln(_)
+            | Node::Floor(_)
+            | Node::Choose { .. }
     )
 }
 
+/// What an expression is written with: its operands, but a condition is taken apart into the terms it compares.
+pub(super) fn written_operands(expr: ExprId, graph: &Graph) -> Vec<ExprId> {
+    match *graph.node(expr) {
+        Node::Choose {
+            condition,
+            below,
+            otherwise,
+        } => {
+            let mut operands = match graph.node(condition) {
+                Node::Sum(terms) => terms.iter().map(|term| term.expr).collect(),
+                _ => vec![condition],
+            };
+            operands.extend([below, otherwise]);
+            operands
+        }
+        _ => graph.operands(expr),
+    }
+}
+
 /// Whether an expression is a variable read from the inputs.
-pub(super) fn is_symbol(expr: crate::expr::ExprId, graph: &Graph) -> bool {
+pub(super) fn is_symbol(expr: ExprId, graph: &Graph) -> bool {
     matches!(graph.node(expr), Node::Symbol(_))
 }

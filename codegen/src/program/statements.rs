@@ -2,10 +2,10 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::addends::{Addend, addends};
+use super::addends::{Addend, Compared, addends, bases, compared};
 use super::constants::Constants;
 use super::names::Names;
-use super::operations::{Operations, is_function, is_symbol};
+use super::operations::{Operations, is_function, is_symbol, written_operands};
 use crate::expr::{ExprId, Graph, Node};
 use crate::system::{SymbolRole, System, WrittenOrder};
 
@@ -35,6 +35,10 @@ pub struct Inputs {
     pub acceleration: bool,
     /// t.
     pub time: bool,
+    /// The parameters.
+    pub parameters: bool,
+    /// The signals.
+    pub inputs: bool,
 }
 
 /// One definition.
@@ -66,7 +70,8 @@ impl Straight {
             match statement {
                 Statement::SineCosine { .. } => operations.sines += 2,
                 Statement::Value { expr, .. } => {
-                    operations += Operations::of_function(graph.node(*expr))
+                    operations += Operations::of_function(graph.node(*expr));
+                    operations.choices += self.further_pieces(*expr, graph).len();
                 }
             }
         }
@@ -78,31 +83,38 @@ impl Straight {
         self.names.get(&expr).map(String::as_str)
     }
 
-    /// The statements that these results need, all with the names they have here.
+    /// The statements that these results need, all with the names they have here. A sine whose cosine is not needed is computed alone.
     pub fn for_results(&self, results: &[ExprId], system: &System) -> Straight {
         let graph = &system.mechanism.graph;
         let mut needed: HashSet<ExprId> = HashSet::new();
         let mut stack = results.to_vec();
         while let Some(expr) = stack.pop() {
             if needed.insert(expr) {
-                stack.extend(graph.operands(expr));
+                stack.extend(written_operands(expr, graph));
             }
         }
-        let is_needed = |statement: &Statement| match statement {
-            Statement::SineCosine { angle, .. } => {
-                needed.iter().any(|&expr| match graph.node(expr) {
-                    Node::Sin(x) | Node::Cos(x) => x == angle,
-                    _ => false,
-                })
+        let of_need = |statement: &Statement| match statement {
+            Statement::SineCosine {
+                sine,
+                cosine,
+                angle,
+            } => {
+                let find = |wanted: Node| needed.iter().find(|&&it| *graph.node(it) == wanted);
+                let found = [find(Node::Sin(*angle)), find(Node::Cos(*angle))];
+                let alone = |name: &String, expr: &ExprId| Statement::Value {
+                    name: name.clone(),
+                    expr: *expr,
+                };
+                match found {
+                    [Some(_), Some(_)] => Some(statement.clone()),
+                    [Some(expr), None] => Some(alone(sine, expr)),
+                    [None, Some(expr)] => Some(alone(cosine, expr)),
+                    [None, None] => None,
+                }
             }
-            Statement::Value { expr, .. } => needed.contains(expr),
+            Statement::Value { expr, .. } => needed.contains(expr).then(|| statement.clone()),
         };
-        let statements = self
-            .statements
-            .iter()
-            .filter(|statement| is_needed(statement))
-            .cloned()
-            .collect();
+        let statements = self.statements.iter().filter_map(of_need).collect();
         Straight {
             statements,
             ..self.clone()
@@ -116,6 +128,34 @@ impl Straight {
         addends(expr, graph, &order, &|other| {
             self.names.contains_key(&other)
         })
+    }
+
+    /// The two sides of a condition, in written order.
+    fn compared(&self, condition: ExprId, system: &System) -> Compared {
+        let graph = &system.mechanism.graph;
+        let order = WrittenOrder::new(system, &[]);
+        compared(condition, graph, &order, &|other| {
+            self.names.contains_key(&other)
+        })
+    }
+
+    /// The choices without a name that are written out as the arms of this one: the `else if`s.
+    fn further_pieces(&self, expr: ExprId, graph: &Graph) -> Vec<ExprId> {
+        let mut pieces = Vec::new();
+        let mut stack = vec![expr];
+        while let Some(piece) = stack.pop() {
+            if let Node::Choose {
+                below, otherwise, ..
+            } = *graph.node(piece)
+            {
+                let inner = [otherwise, below].into_iter().filter(|&arm| {
+                    matches!(graph.node(arm), Node::Choose { .. }) && self.name_of(arm).is_none()
+                });
+                stack.extend(inner.clone());
+                pieces.extend(inner);
+            }
+        }
+        pieces
     }
 
     /// The statements for these results.
@@ -143,9 +183,7 @@ impl Straight {
                 straight.define(expr, &usage, system, &mut names);
             }
         }
-        for expr in straight.computed(&results, system) {
-            let bodies: &[usize] = &[];
-            let parts = straight.addends(expr, system, bodies);
+        for parts in straight.computed(&results, system) {
             straight.operations += Operations::of_addends(&parts);
             for constant in parts.iter().filter_map(|part| part.constant.as_ref()) {
                 constants.add(constant, graph);
@@ -187,26 +225,32 @@ impl Straight {
             self.statements.push(Statement::Value { name, expr });
             return;
         }
+        self.operations.choices += self.further_pieces(expr, graph).len();
         let name = names.value(node);
         self.names.insert(expr, name.clone());
         self.statements.push(Statement::Value { name, expr });
     }
 
-    /// Every expression that this function takes apart into additions and multiplications, each as often as it is written.
-    fn computed(&self, results: &[(ExprId, Vec<usize>)], system: &System) -> Vec<ExprId> {
+    /// The addends of everything that this function takes apart into additions and multiplications, each as often as it is
+    /// written.
+    fn computed(&self, results: &[(ExprId, Vec<usize>)], system: &System) -> Vec<Vec<Addend>> {
         let graph = &system.mechanism.graph;
+        let unnamed = |expr: ExprId| self.name_of(expr).is_none() && !is_symbol(expr, graph);
         let mut stack: Vec<ExprId> = Vec::new();
+        let mut choices: Vec<ExprId> = Vec::new();
         for statement in &self.statements {
             match statement {
                 Statement::SineCosine { angle, .. } => stack.push(*angle),
-                Statement::Value { expr, .. } => match *graph.node(*expr) {
-                    Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => stack.push(x),
-                    Node::Atan2(y, x) => stack.extend([y, x]),
+                Statement::Value { expr, .. } => match graph.node(*expr) {
+                    Node::Choose { .. } => {
+                        choices.push(*expr);
+                        choices.extend(self.further_pieces(*expr, graph));
+                    }
+                    node if is_function(node) => stack.extend(graph.operands(*expr)),
                     _ => stack.push(*expr),
                 },
             }
         }
-        let unnamed = |expr: ExprId| self.name_of(expr).is_none() && !is_symbol(expr, graph);
         // A named expression is computed at its definition; wherever else it stands it costs nothing.
         let defined: HashSet<ExprId> = self.names.keys().copied().collect();
         stack.retain(|expr| !is_symbol(*expr, graph));
@@ -216,32 +260,44 @@ impl Straight {
                 .map(|(expr, _)| *expr)
                 .filter(|expr| !defined.contains(expr)),
         );
-        let mut computed = Vec::new();
+        let mut computed: Vec<Vec<Addend>> = Vec::new();
+        for choice in choices {
+            if let Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } = *graph.node(choice)
+            {
+                let Compared { left, right, .. } = self.compared(condition, system);
+                for side in [left, right] {
+                    stack.extend(bases(&side).filter(|&operand| unnamed(operand)));
+                    computed.push(side);
+                }
+                stack.extend([below, otherwise].into_iter().filter(|&arm| unnamed(arm)));
+            }
+        }
         while let Some(expr) = stack.pop() {
             if is_function(graph.node(expr)) {
                 continue;
             }
-            computed.push(expr);
-            for part in self.addends(expr, system, &[]) {
-                let operands = part
-                    .factors
-                    .iter()
-                    .chain(&part.divisors)
-                    .map(|power| power.base);
-                stack.extend(operands.filter(|&operand| operand != expr && unnamed(operand)));
-            }
+            let parts = self.addends(expr, system, &[]);
+            stack.extend(bases(&parts).filter(|&operand| operand != expr && unnamed(operand)));
+            computed.push(parts);
         }
         computed
     }
 }
 
 impl Inputs {
-    fn note(&mut self, role: SymbolRole) {
+    /// Notes that a symbol is read.
+    pub fn note(&mut self, role: SymbolRole) {
         match role {
             SymbolRole::Position(_) => self.position = true,
             SymbolRole::Rate(_) => self.rate = true,
             SymbolRole::Acceleration(_) => self.acceleration = true,
             SymbolRole::Time => self.time = true,
+            SymbolRole::Parameter(_) => self.parameters = true,
+            SymbolRole::Input { .. } => self.inputs = true,
             SymbolRole::Arm(_) | SymbolRole::Intermediate => {}
         }
     }
@@ -255,6 +311,8 @@ struct Usage {
     /// Every expression that is not constant, operands first.
     ordered: Vec<ExprId>,
     uses: HashMap<ExprId, usize>,
+    /// How often a choice is an arm of another one.
+    as_arm: HashMap<ExprId, usize>,
     sine_cosine: HashMap<ExprId, Pair>,
 }
 
@@ -263,6 +321,7 @@ impl Usage {
         let mut usage = Usage {
             ordered: Vec::new(),
             uses: HashMap::new(),
+            as_arm: HashMap::new(),
             sine_cosine: HashMap::new(),
         };
         for (result, _) in results {
@@ -308,16 +367,31 @@ impl Usage {
                     );
                 }
             }
-            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => self.visit(*x, 1, graph),
-            Node::Atan2(y, x) => {
-                self.visit(*y, 1, graph);
-                self.visit(*x, 1, graph);
+            Node::Choose {
+                below, otherwise, ..
+            } => {
+                for arm in [*below, *otherwise] {
+                    *self.as_arm.entry(arm).or_default() += 1;
+                }
+                self.visit_all(written_operands(expr, graph), graph);
             }
+            Node::Sin(_)
+            | Node::Cos(_)
+            | Node::Exp(_)
+            | Node::Ln(_)
+            | Node::Floor(_)
+            | Node::Atan2(..) => self.visit_all(graph.operands(expr), graph),
         }
         self.ordered.push(expr);
     }
 
-    /// Functions always get a name; other expressions when they are used again and take more than one operation.
+    fn visit_all(&mut self, operands: Vec<ExprId>, graph: &Graph) {
+        for operand in operands {
+            self.visit(operand, 1, graph);
+        }
+    }
+
+    /// Functions always get a name, unless they are a choice that continues another one; other expressions when they are used again and take more than one operation.
     fn deserves_name(&self, expr: ExprId, graph: &Graph) -> bool {
         let node = graph.node(expr);
         let operations = match node {
@@ -325,8 +399,11 @@ impl Usage {
             Node::Product(factors) => factors.len(),
             _ => 0,
         };
-        is_function(node)
-            || (operations >= 2 && self.uses.get(&expr).is_some_and(|&uses| uses >= 2))
+        let uses = self.uses.get(&expr).copied();
+        let continues = matches!(node, Node::Choose { .. })
+            && uses == Some(1)
+            && self.as_arm.get(&expr) == Some(&1);
+        (is_function(node) && !continues) || (operations >= 2 && uses.is_some_and(|uses| uses >= 2))
     }
 }
 

@@ -156,14 +156,14 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
     {
         return None;
     }
-    // The first block holds what follows from t and constants alone.
+    // The first block holds what follows from t, inputs, parameters and constants alone.
     let mut blocks = vec![SolvedBlock {
         joints: Vec::new(),
         steps: Vec::new(),
         definitions: Vec::new(),
     }];
     let mut home = vec![0; form.unknowns.len()];
-    // Unknowns that turned out constant, which later equations need not carry along.
+    // Unknowns that turned out not to move, which later equations need not carry along.
     let mut constants: HashMap<SymbolId, ExprId> = HashMap::new();
     for rows in components(&incidence, &matching) {
         let mut unknowns: Vec<usize> = rows
@@ -185,7 +185,7 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
             .collect();
         let mut block = block(residuals, &unknowns, joints, form, graph);
         for definition in &block.definitions {
-            if graph.is_constant(definition.value) {
+            if graph.is_fixed(definition.value) {
                 constants.insert(form.unknowns[definition.unknown].position, definition.value);
             }
         }
@@ -223,7 +223,7 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
     Some(SolvedPlan { blocks })
 }
 
-/// An equation with the constant unknowns put in.
+/// An equation with the unknowns that do not move put in.
 fn with_constants(
     residual: ExprId,
     constants: &HashMap<SymbolId, ExprId>,

@@ -41,6 +41,10 @@ pub struct Name {
 pub enum Statement {
     /// `const NAME = EXPRESSION;`
     Constant(Constant),
+    /// `param NAME = EXPRESSION;`: a constant that can be changed at run time.
+    Parameter(Constant),
+    /// `input NAME = EXPRESSION;`: a signal that is supplied at run time, with its value at assembly.
+    Input(Constant),
     /// `point A = (X, Y), B = (X, Y);`
     Points(Points),
     /// `body NAME at (X, Y, ANGLE) { members }`
@@ -49,6 +53,8 @@ pub enum Statement {
     Joint(Joint),
     /// `drive phi(1) = EXPRESSION;`, `drive K.x = EXPRESSION;`
     Drive(Drive),
+    /// `curve rim(a) on cam = polar RADIUS;`
+    Curve(Curve),
     /// `output K, phi(1);`
     Output(Output),
     /// `motion NAME { statements }`
@@ -71,11 +77,14 @@ impl Statement {
     /// Its place, from the first word to the semicolon or the closing brace.
     pub fn span(&self) -> Span {
         match self {
-            Statement::Constant(statement) => statement.span,
+            Statement::Constant(statement)
+            | Statement::Parameter(statement)
+            | Statement::Input(statement) => statement.span,
             Statement::Points(statement) => statement.span,
             Statement::Body(statement) => statement.span,
             Statement::Joint(statement) => statement.span,
             Statement::Drive(statement) => statement.span,
+            Statement::Curve(statement) => statement.span,
             Statement::Output(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }
@@ -95,7 +104,7 @@ pub struct Motion {
     pub span: Span,
 }
 
-/// `const NAME = EXPRESSION;`
+/// `const NAME = EXPRESSION;`, and `param` and `input` in the same form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
     /// The `///` lines above it.
@@ -137,6 +146,34 @@ pub struct Pair {
     pub y: Expression,
     /// From the opening to the closing parenthesis.
     pub span: Span,
+}
+
+/// `curve NAME(s) on BODY = (X, Y);`: a curve fixed in the frame of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Name,
+    /// What runs along it.
+    pub parameter: Name,
+    /// From where to where it is drawn, where that is written: `(s from 0 to 200mm)`.
+    pub range: Option<[Expression; 2]>,
+    /// The body that carries it.
+    pub body: Name,
+    /// Its points.
+    pub shape: Shape,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// The points of a curve in terms of its parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// `(X, Y)` in the frame of the body.
+    Parametric(Pair),
+    /// `polar RADIUS`: the parameter is the angle around the origin of the frame.
+    Polar(Expression),
 }
 
 /// `body NAME at … { members }`.
@@ -293,6 +330,8 @@ pub enum ExpressionKind {
         /// The arguments in written order.
         arguments: Vec<Expression>,
     },
+    /// `(x, y)`, as an argument of a call only.
+    Pair(Box<Pair>),
 }
 
 /// The sign before a term.

@@ -223,7 +223,7 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     };
     let mut arguments = Vec::new();
     while !inner.at_end() {
-        arguments.push(sum(&mut inner, depth + 1)?);
+        arguments.push(argument(&mut inner, depth + 1)?);
         if inner.mark(',').is_none() && !inner.at_end() {
             return Err(after_expression(
                 &inner,
@@ -238,6 +238,34 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
             function: reference.name,
             arguments,
         },
+        span,
+    })
+}
+
+/// An argument of a call: a formula, or a pair of formulas.
+fn argument(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
+    let mut ahead = *tokens;
+    let Some((mut inner, span)) = ahead.group(Delimiter::Parenthesis) else {
+        return sum(tokens, depth);
+    };
+    let mut within = inner;
+    while !within.at_end() && !within.peek_mark(',') {
+        within.skip();
+    }
+    if within.at_end() {
+        return sum(tokens, depth);
+    }
+    let x = sum(&mut inner, depth + 1)?;
+    let comma = inner.mark(',');
+    let y = sum(&mut inner, depth + 1)?;
+    inner.mark(',');
+    if comma.is_none() || !inner.at_end() {
+        let help = "a pair is written `(x, y)`";
+        return Err(after_expression(&inner, "an operation, `,` or `)`", help));
+    }
+    *tokens = ahead;
+    Ok(Expression {
+        kind: ExpressionKind::Pair(Box::new(Pair { x, y, span })),
         span,
     })
 }

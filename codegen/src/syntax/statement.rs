@@ -6,6 +6,7 @@ use proc_macro2::Delimiter;
 
 use super::KEYWORDS;
 use super::body::body;
+use super::curve::curve;
 use super::document::{Constant, DrawnPoint, Drive, Joint, Name, Points, Statement};
 use super::expression::{after_expression, coordinates, expression};
 use super::motion::motion;
@@ -24,9 +25,12 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         ));
     };
     match first.text.as_str() {
-        "const" => constant(tokens, docs, first.span),
+        "const" => constant(tokens, docs, first.span, "a constant").map(Statement::Constant),
+        "param" => constant(tokens, docs, first.span, "a parameter").map(Statement::Parameter),
+        "input" => constant(tokens, docs, first.span, "an input").map(Statement::Input),
         "point" => points(tokens, docs, first.span),
         "body" => body(tokens, docs, first.span).map(Statement::Body),
+        "curve" => curve(tokens, docs, first.span),
         "drive" => drive(tokens, docs, first.span),
         "output" => output(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),
@@ -34,17 +38,23 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
     }
 }
 
-fn constant(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
-    let name = identifier(tokens, "the name of a constant")?;
+/// `NAME = EXPRESSION;` after the first word; `what` says what is declared.
+fn constant(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+    what: &str,
+) -> Outcome<Constant> {
+    let name = identifier(tokens, &format!("the name of {what}"))?;
     equals(tokens)?;
     let value = expression(tokens)?;
     let span = start.to(semicolon(tokens, start)?);
-    Ok(Statement::Constant(Constant {
+    Ok(Constant {
         docs,
         name,
         value,
         span,
-    }))
+    })
 }
 
 fn points(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
@@ -174,7 +184,7 @@ fn unknown_statement(word: &Name) -> Box<Diagnostic> {
     })
 }
 
-fn equals(tokens: &mut Tokens<'_>) -> Outcome<()> {
+pub(super) fn equals(tokens: &mut Tokens<'_>) -> Outcome<()> {
     tokens
         .mark('=')
         .map(|_| ())
@@ -182,7 +192,7 @@ fn equals(tokens: &mut Tokens<'_>) -> Outcome<()> {
 }
 
 /// The semicolon after a formula. A missing one is reported without giving up the statement, if it is clear where it ends.
-fn semicolon(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
+pub(super) fn semicolon(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
     missing_semicolon(tokens, start).ok_or_else(|| {
         after_expression(tokens, "an operation or `;`", "end the statement with `;`")
     })

@@ -1,5 +1,6 @@
 //! The rows of every joint, and their derivatives.
 
+use super::pressure::pressures;
 use super::row_name::RowNames;
 use super::{Coordinate, Described, Entry, Output, Row, SymbolRole, System, VectorForm};
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -9,6 +10,7 @@ use crate::model::{Body, Mechanism};
 /// States Φ row by row in written order and differentiates it.
 pub fn assemble(mut mechanism: Mechanism) -> System {
     let coordinates = coordinates(&mut mechanism);
+    let explicit = mechanism.explicit_rates();
     // The poses come first, three coordinates to a body; then what only one joint has.
     let of_body = |body: usize| match body {
         0 => 0..0,
@@ -24,7 +26,6 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
     let Mechanism {
         graph,
         joints,
-        time,
         points,
         ..
     } = &mut mechanism;
@@ -48,7 +49,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         let names = row_names.of(joint, &stated);
         for (stated, name) in stated.into_iter().zip(names) {
             rows.push(differentiate(
-                stated, index, name, &bodies, &involved, *time, graph,
+                stated, index, name, &bodies, &involved, &explicit, graph,
             ));
         }
     }
@@ -69,6 +70,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             }
         })
         .collect();
+    let pressures = pressures(&mut mechanism, &coordinates);
     let vector_form = VectorForm::new(&mut mechanism, &coordinates);
     let mut roles = roles(&mechanism, &coordinates);
     vector_form.note_roles(&mut roles, coordinates.len());
@@ -77,6 +79,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         coordinates,
         rows,
         outputs,
+        pressures,
         vector_form,
         roles,
     }
@@ -90,11 +93,24 @@ fn roles(mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<SymbolRole> {
         roles[coordinate.rate.index()] = SymbolRole::Rate(index);
         roles[coordinate.acceleration.index()] = SymbolRole::Acceleration(index);
     }
+    for (index, parameter) in mechanism.parameters.iter().enumerate() {
+        roles[parameter.symbol.index()] = SymbolRole::Parameter(index);
+    }
+    for (input, own) in mechanism.inputs.iter().enumerate() {
+        for (level, symbol) in own.symbols.iter().enumerate() {
+            roles[symbol.index()] = SymbolRole::Input { input, level };
+        }
+    }
     roles
 }
 
 fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
-    let Mechanism { graph, bodies, .. } = mechanism;
+    let Mechanism {
+        graph,
+        bodies,
+        joints,
+        ..
+    } = mechanism;
     let mut coordinates = Vec::with_capacity(3 * bodies.len());
     let moving = |(index, body): (usize, &Body)| {
         body.coordinates
@@ -118,6 +134,22 @@ fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
             });
         }
     }
+    for (joint, curve) in joints
+        .iter()
+        .enumerate()
+        .filter_map(|(index, joint)| Some((index, joint.operands.curve?)))
+    {
+        let name = graph.symbol_name(curve.parameter).to_string();
+        coordinates.push(Coordinate {
+            rate: graph.symbol(&format!("{name}'")),
+            acceleration: graph.symbol(&format!("{name}''")),
+            name,
+            position: curve.parameter,
+            describes: Described::Contact { joint },
+            quantity: curve.quantity,
+            estimate: curve.estimate,
+        });
+    }
     coordinates
 }
 
@@ -128,7 +160,7 @@ fn differentiate(
     name: String,
     bodies: &[usize],
     involved: &[(usize, &Coordinate)],
-    time: SymbolId,
+    explicit: &[(SymbolId, ExprId)],
     graph: &mut Graph,
 ) -> Row {
     let residual = stated.residual;
@@ -136,7 +168,7 @@ fn differentiate(
         .iter()
         .map(|(_, coordinate)| graph.derivative(residual, coordinate.position))
         .collect();
-    let time_derivative = graph.derivative(residual, time);
+    let time_derivative = explicit_rate(residual, explicit, graph);
     // Φ_q q̇, whose derivative along q̇ is (Φ_q q̇)_q q̇ and whose partial derivative in t is Φ_qt q̇.
     let products: Vec<ExprId> = involved
         .iter()
@@ -153,8 +185,12 @@ fn differentiate(
         let rate = graph.variable(coordinate.rate);
         terms.push(graph.multiply(partial, rate));
     }
-    let mixed = graph.derivative(constraint_rate, time);
-    terms.extend([mixed, mixed, graph.derivative(time_derivative, time)]);
+    let mixed = explicit_rate(constraint_rate, explicit, graph);
+    terms.extend([
+        mixed,
+        mixed,
+        explicit_rate(time_derivative, explicit, graph),
+    ]);
     let total = graph.sum(&terms);
     let gamma = graph.negate(total);
     let zero = graph.zero();
@@ -175,6 +211,18 @@ fn differentiate(
         gamma,
         bodies: bodies.to_vec(),
     }
+}
+
+/// d/dt of an expression with the coordinates and their rates held: what t and the inputs do.
+fn explicit_rate(expr: ExprId, explicit: &[(SymbolId, ExprId)], graph: &mut Graph) -> ExprId {
+    let terms: Vec<ExprId> = explicit
+        .iter()
+        .map(|&(symbol, rate)| {
+            let partial = graph.derivative(expr, symbol);
+            graph.multiply(partial, rate)
+        })
+        .collect();
+    graph.sum(&terms)
 }
 
 /// d/dt of an expression of the coordinates and rates in `moving`.

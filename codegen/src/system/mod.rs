@@ -7,12 +7,14 @@
 
 mod assemble;
 mod orientation;
+mod pressure;
 mod row_name;
 mod vector_form;
 mod written_order;
 
 pub use assemble::assemble;
 pub use orientation::Orientations;
+pub use pressure::Pressure;
 pub use vector_form::{Arm, Unknown, VectorForm, VectorRow};
 pub use written_order::WrittenOrder;
 
@@ -31,6 +33,8 @@ pub struct System {
     pub rows: Vec<Row>,
     /// The motion of every declared point.
     pub outputs: Vec<Output>,
+    /// The pressure angles of cams and their followers.
+    pub pressures: Vec<Pressure>,
     /// The same constraints in vector form.
     pub vector_form: VectorForm,
     /// What each symbol of the graph is, by [`SymbolId::index`].
@@ -52,6 +56,15 @@ pub enum SymbolRole {
     Intermediate,
     /// The time t.
     Time,
+    /// A parameter of the mechanism.
+    Parameter(usize),
+    /// An input of the mechanism: its value at level 0, its rate at level 1, its acceleration at level 2.
+    Input {
+        /// Index into the mechanism's inputs.
+        input: usize,
+        /// 0 for the value, 1 for the rate, 2 for the acceleration.
+        level: usize,
+    },
 }
 
 /// What a coordinate says.
@@ -113,9 +126,9 @@ pub struct Row {
     pub residual: ExprId,
     /// The entries ∂Φ_i/∂q_k that are not identically zero, by ascending coordinate.
     pub jacobian: Vec<Entry>,
-    /// ∂Φ_i/∂t.
+    /// ∂Φ_i/∂t, and what the rates of inputs add: the rate of Φ_i with the coordinates held.
     pub time_derivative: ExprId,
-    /// γ_i = −((Φ_q q̇)_q q̇ + 2 Φ_qt q̇ + Φ_tt)_i (Haug 1989, eq. 3.6.11).
+    /// γ_i = −((Φ_q q̇)_q q̇ + 2 Φ_qt q̇ + Φ_tt)_i (Haug 1989, eq. 3.6.11); inputs count as functions of t.
     pub gamma: ExprId,
     /// The bodies it mentions in the order in which the joint names them; printing follows it.
     pub bodies: Vec<usize>,
@@ -158,8 +171,8 @@ impl System {
         &self.vector_form.unknowns[unknown].name
     }
 
-    /// The name of a symbol that is no coordinate and no time: an arm or a value computed on the way. What follows a space
-    /// only tells equal names apart.
+    /// The name of a symbol that is no coordinate and no time: an arm, a parameter, an input or a value computed on the way.
+    /// What follows a space only tells equal names apart.
     pub fn local_name(&self, symbol: SymbolId) -> &str {
         let name = self.mechanism.graph.symbol_name(symbol);
         name.split(' ').next().unwrap_or(name)

@@ -69,7 +69,12 @@ fn constant_difference(
     };
     let mut signed = [0, 0];
     let mut constant = residual;
-    for symbol in symbols {
+    // Parameters are part of the constant.
+    let moving = symbols
+        .into_iter()
+        .filter(|&symbol| graph.nominal(symbol).is_none())
+        .collect::<Vec<_>>();
+    for symbol in moving {
         let body = angle_of(symbol)?;
         let slope = graph.derivative(residual, symbol);
         let side = if slope == graph.one() {

@@ -9,9 +9,9 @@ use std::collections::{HashMap, HashSet};
 use super::orientation::{Orientations, as_symbol};
 use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{Frame, Mark, Vector, dot, offset_along};
+use crate::joint::geometry::{BodyId, Frame, Mark, Vector, dot, offset_along};
 use crate::joint::{Auxiliary, AuxiliaryUnknown, Quantity, Resolved};
-use crate::model::{Body, Joint, Mechanism, apart};
+use crate::model::{Body, Joint, Mechanism, NamedMark, apart};
 
 /// The vector form of a mechanism.
 #[derive(Clone, Debug)]
@@ -92,14 +92,17 @@ impl VectorForm {
                 .map(|coordinate| coordinate.name.clone())
                 .collect(),
         };
+        form.rates.extend(mechanism.explicit_rates());
         let Mechanism {
             graph,
             joints,
             bodies,
             points,
+            parameters,
             ..
         } = mechanism;
-        form.rates.insert(mechanism.time, graph.one());
+        let fixed = parameters.iter().map(|own| (own.symbol, graph.zero()));
+        form.rates.extend(fixed);
         // Which angles are tied must be known before the first arm is made.
         for joint in joints.iter() {
             for row in joint.kind.vector_rows(&joint.operands, graph) {
@@ -133,7 +136,7 @@ impl VectorForm {
         form
     }
 
-    /// d/dt of an expression of unknowns, rates, arms and t.
+    /// d/dt of an expression of unknowns, rates, arms, parameters, inputs and t.
     pub fn rate(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
         let symbols = graph.symbols(expr).to_vec();
         let mut terms = Vec::with_capacity(symbols.len());
@@ -217,10 +220,18 @@ impl VectorForm {
             let first = joint.operands.axis.map_or(0, |axis| axis.owner);
             let ends = [first, 1 - first].map(|side| {
                 let mark = joint.operands.marks.get(side)?;
-                let carried = bodies[mark.frame.body.0]
-                    .marks
-                    .iter()
-                    .find(|other| other.mark.local == mark.local);
+                let drawn = joint.operands.drawn.get(side)?;
+                let ground = mark.frame.body == BodyId::GROUND;
+                let own = |other: &&NamedMark| other.mark.local == mark.local;
+                // The ground lists no points; one that another body carries has its name from there.
+                let there = |other: &&NamedMark| {
+                    auxiliary.kind == Auxiliary::LinkAngle
+                        && ground
+                        && other.drawn == drawn.position
+                };
+                let listed = bodies[mark.frame.body.0].marks.iter().find(own);
+                let carried =
+                    listed.or_else(|| bodies.iter().flat_map(|body| &body.marks).find(there));
                 carried.map(|carried| carried.name.to_lowercase())
             });
             let prefix = match auxiliary.kind {
@@ -289,6 +300,13 @@ impl VectorForm {
             let turned = self.turned(&frame, axis.direction, &name, graph);
             crate::joint::Axis { turned, ..axis }
         });
+        let curve = operands.curve.map(|curve| {
+            let body = curve.frame.body.0;
+            let name = format!("axis_{}", bodies[body].name.to_lowercase());
+            let along = [graph.one(), graph.zero()];
+            let axis = self.turned(&curve.frame, along, &name, graph);
+            crate::joint::Curve { axis, ..curve }
+        });
         let auxiliaries = operands
             .auxiliaries
             .iter()
@@ -298,6 +316,7 @@ impl VectorForm {
             marks,
             drawn: operands.drawn.clone(),
             axis,
+            curve,
             value: operands.value,
             auxiliaries,
         }

@@ -27,8 +27,8 @@ impl<'a> WrittenOrder<'a> {
         &self.system.mechanism.graph
     }
 
-    /// A smaller number for what is written earlier.
-    fn rank(&self, symbol: SymbolId) -> usize {
+    /// A smaller number for what is written earlier; none for parameters, which are written as constants are.
+    fn rank(&self, symbol: SymbolId) -> Option<usize> {
         let (unknown, level) = match self.system.roles[symbol.index()] {
             SymbolRole::Position(unknown) => (unknown, 0),
             SymbolRole::Rate(unknown) => (unknown, 1),
@@ -39,40 +39,55 @@ impl<'a> WrittenOrder<'a> {
                 (form.arms[arm].angle, 0)
             }
             SymbolRole::Intermediate => {
-                return usize::MAX - self.graph().symbol_count() + symbol.index();
+                return Some(usize::MAX - self.graph().symbol_count() + symbol.index());
             }
-            SymbolRole::Time => return usize::MAX,
+            SymbolRole::Time => return Some(usize::MAX),
+            SymbolRole::Input { input, level } => {
+                let inputs = self.system.mechanism.inputs.len();
+                return Some(usize::MAX - 3 * inputs + 3 * input + level);
+            }
+            SymbolRole::Parameter(_) => return None,
         };
         let after_all_poses =
             9 * (self.bodies.len() + self.system.mechanism.bodies.len()) + 3 * unknown + level;
         let Some(coordinate) = self.system.coordinates.get(unknown) else {
-            return after_all_poses;
+            return Some(after_all_poses);
         };
         let Described::Pose { body, axis } = coordinate.describes else {
-            return after_all_poses;
+            return Some(after_all_poses);
         };
         let place = self.bodies.iter().position(|&named| named == body);
         let place = place.unwrap_or(self.bodies.len() + body);
-        (3 * place + axis) * 3 + level
+        Some((3 * place + axis) * 3 + level)
     }
 
     fn first_symbol(&self, expr: ExprId) -> Option<usize> {
         let symbols = self.graph().symbols(expr);
-        symbols.iter().map(|&symbol| self.rank(symbol)).min()
+        symbols.iter().filter_map(|&symbol| self.rank(symbol)).min()
+    }
+
+    /// Where an expression that does not move stands among its like: numbers first, then parameters as they are declared.
+    fn fixed_rank(&self, expr: ExprId) -> usize {
+        let parameters = self.graph().symbols(expr).iter();
+        let place = |symbol: &SymbolId| match self.system.roles[symbol.index()] {
+            SymbolRole::Parameter(parameter) => Some(1 + parameter),
+            _ => None,
+        };
+        parameters.filter_map(place).min().unwrap_or(0)
     }
 
     fn term_key(&self, expr: ExprId) -> Key {
         match self.first_symbol(expr) {
             Some(usize::MAX) => (2, 0, expr),
             Some(rank) => (0, rank, expr),
-            None => (1, 0, expr),
+            None => (1, self.fixed_rank(expr), expr),
         }
     }
 
     fn factor_key(&self, expr: ExprId) -> Key {
-        // Constants first, then what is short, then sums in parentheses.
+        // Constants and parameters first, then what is short, then sums in parentheses.
         match self.first_symbol(expr) {
-            None => (0, 0, expr),
+            None => (0, self.fixed_rank(expr), expr),
             Some(rank) => match self.graph().node(expr) {
                 Node::Sum(terms) if terms.len() > 1 => (2, rank, expr),
                 _ => (1, rank, expr),

@@ -10,6 +10,7 @@
 //! | `rcond_dimensionless` | the latter with lengths divided by the characteristic length |
 //! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y) |
 //! | `residuals` | the largest over all frames: `position`, `scaled`, `velocity`, `acceleration` |
+//! | `pressure_angles` | where bodies touch along curves: `{joint, angle, t}` each, the largest angle in rad and when; null at rest |
 //! | `newton_steps` | how many were taken in all |
 //! | `warnings` | sentences |
 //! | `error` | only if the motion ends early: why; `frames` then holds what could be solved |
@@ -22,6 +23,7 @@ use nalgebra::Dyn;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use crate::pressure::LargestPressureAngle;
 use crate::residuals::Residuals;
 use crate::solution::Solution;
 
@@ -37,6 +39,8 @@ struct Object<'a> {
     rcond_dimensionless: f64,
     frames: Frames<'a>,
     residuals: &'a Residuals,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    pressure_angles: &'a [LargestPressureAngle],
     newton_steps: u64,
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -115,6 +119,7 @@ pub fn write(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
         rcond_dimensionless: solution.dimensionless_condition.reciprocal,
         frames: Frames(solution),
         residuals: &solution.residuals,
+        pressure_angles: &solution.pressure_angles,
         newton_steps: solution.trajectory.newton_steps,
         warnings: &solution.warnings,
         error: solution.error.as_deref(),

@@ -35,7 +35,28 @@ pub fn write(solution: &Solution, chosen: bool, output: &mut dyn Write) -> io::R
     }
     motions(solution, chosen, output)?;
     writeln!(output)?;
+    pressure_angles(solution, output)?;
     residuals(solution, output)
+}
+
+fn pressure_angles(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
+    let found = &solution.pressure_angles;
+    if found.is_empty() {
+        return Ok(());
+    }
+    writeln!(output, "largest pressure angles")?;
+    for largest in found {
+        let text = match largest.angle {
+            Some(angle) => format!(
+                "{}° at t = {} s",
+                fixed(angle.to_degrees(), 2),
+                time(largest.t)
+            ),
+            None => "none, the follower rests".to_string(),
+        };
+        writeln!(output, "  {}  {text}", largest.joint)?;
+    }
+    writeln!(output)
 }
 
 fn mechanism(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {

@@ -4,4 +4,5 @@ mod folder;
 mod generate_and_inspect;
 mod motions;
 mod plan;
+mod pressure;
 mod solve;

@@ -2,6 +2,7 @@
 
 use super::words::enumerated;
 use super::writer::Writer;
+use crate::expr::SymbolId;
 use crate::structure::{SolvedBlock, Step};
 
 impl Writer<'_> {
@@ -94,16 +95,20 @@ impl Writer<'_> {
 
     /// What a block without a step starts from.
     fn explicit_source(&self, block: &SolvedBlock) -> String {
-        let time = self.system.mechanism.time;
+        let mechanism = &self.system.mechanism;
+        let drives = |symbol: SymbolId| {
+            let mut inputs = mechanism.inputs.iter();
+            symbol == mechanism.time || inputs.any(|input| input.symbols[0] == symbol)
+        };
         let graph = &self.system.mechanism.graph;
         let driven = block
             .definitions
             .iter()
-            .any(|definition| graph.depends_on(definition.value, time));
+            .any(|definition| graph.symbols(definition.value).iter().copied().any(drives));
         let constant = block
             .definitions
             .iter()
-            .any(|definition| graph.is_constant(definition.value));
+            .any(|definition| graph.is_fixed(definition.value));
         let words = match (constant, driven) {
             (true, true) => "from what is fixed and what is driven",
             (false, true) => "from the drivers",

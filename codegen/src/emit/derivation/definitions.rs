@@ -23,7 +23,7 @@ impl Writer<'_> {
             self.found(definition.unknown, number, Some(value));
             let variable = self.variable(definition.unknown);
             equations.push(self.equation(variable, value, note));
-            if !self.graph().is_constant(value) {
+            if !self.graph().is_fixed(value) {
                 moving.push((definition.unknown, value));
             }
         }
@@ -66,10 +66,15 @@ impl Writer<'_> {
         self.equations(rates.into_iter().chain(accelerations).collect());
     }
 
-    /// Whether an expression holds nothing but t.
+    /// Whether an expression holds nothing but t, inputs and parameters.
     fn is_given_by_time(&mut self, expr: ExprId) -> bool {
         let graph = &self.system.mechanism.graph;
         let mut symbols = graph.symbols(expr).iter();
-        symbols.all(|symbol| self.system.roles[symbol.index()] == SymbolRole::Time)
+        symbols.all(|symbol| {
+            matches!(
+                self.system.roles[symbol.index()],
+                SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. }
+            )
+        })
     }
 }

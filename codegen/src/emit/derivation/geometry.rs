@@ -150,7 +150,7 @@ impl Writer<'_> {
                 None
             };
         }
-        if local.iter().all(|&part| self.graph().is_constant(part)) {
+        if local.iter().all(|&part| self.graph().is_fixed(part)) {
             return None;
         }
         let turned = self.turn(angle, local).map(|part| self.drawn(part));

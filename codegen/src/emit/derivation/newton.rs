@@ -28,13 +28,20 @@ impl Writer<'_> {
             ),
             None => String::new(),
         };
-        self.paragraph(format!(
-            "There is no closed form here: {equations}{made_of} hold {} together. No part of the equations holds only as many \
-             unknowns as it has equations, so they cannot be solved one loop after the other, and the whole is not one of the \
-             pairs of circles and lines whose intersection is a square root. Newton-Raphson finds all of them at once, starting \
-             from the last pose.",
-            enumerated(&names),
-        ));
+        let text = match &names[..] {
+            [only] if loops.is_none() => format!(
+                "There is no closed form here: the equation is linear neither in {only} nor in its cosine and sine. \
+                 Newton-Raphson finds it, starting from the last pose.",
+            ),
+            _ => format!(
+                "There is no closed form here: {equations}{made_of} hold {} together. No part of the equations holds only as \
+                 many unknowns as it has equations, so they cannot be solved one loop after the other, and the whole is not \
+                 one of the pairs of circles and lines whose intersection is a square root. Newton-Raphson finds all of them \
+                 at once, starting from the last pose.",
+                enumerated(&names),
+            ),
+        };
+        self.paragraph(text);
         if let Some(loops) = loops {
             self.paragraph("The loops as vectors:");
             let equations = loops.into_iter().map(|left| Equation {

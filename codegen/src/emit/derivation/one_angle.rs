@@ -169,7 +169,7 @@ impl Writer<'_> {
         let names = ["a", "b", "c"].map(|name| self.name(name));
         let mut equations = Vec::new();
         let [a, b, c] = [0, 1, 2].map(|place| {
-            if self.graph().is_constant(parts[place]) {
+            if self.graph().is_fixed(parts[place]) {
                 parts[place]
             } else {
                 equations.push(self.equation(names[place], parts[place], ""));
@@ -186,7 +186,7 @@ impl Writer<'_> {
         let [a_square, b_square] = [a, b].map(|part| self.square(part));
         let rho_square = self.graph().add(a_square, b_square);
         let radius = self.graph().sqrt(rho_square);
-        let constant = self.graph().is_constant(radius);
+        let constant = self.graph().is_fixed(radius);
         let size = if constant { radius } else { rho };
         if !constant {
             equations.push(self.equation(rho, radius, ""));

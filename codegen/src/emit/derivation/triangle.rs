@@ -108,7 +108,7 @@ impl Writer<'_> {
     fn known_length(&mut self, local: Vector) -> Option<(String, String, bool)> {
         let square = self.dot(local, local);
         let square = self.with_numbers(square);
-        if self.graph().is_constant(square) {
+        if self.graph().is_fixed(square) {
             let length = self.graph().sqrt(square);
             let length = self.script.inline(&self.formula(length));
             return Some((length, "a fixed length".to_string(), false));

@@ -130,7 +130,7 @@ impl Writer<'_> {
             .into_iter()
             .chain(links.map(|link| self.dot(link, link)));
         let squares: Vec<ExprId> = squares.collect();
-        let base_value = if self.graph().is_constant(base_square) {
+        let base_value = if self.graph().is_fixed(base_square) {
             base_square
         } else {
             let name = self.name(&size);

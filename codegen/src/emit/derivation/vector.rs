@@ -2,7 +2,7 @@
 
 use super::document::Equation;
 use super::writer::Writer;
-use crate::expr::{ExprId, Node, SymbolId};
+use crate::expr::{ExprId, Graph, Node, SymbolId};
 use crate::joint::geometry::Vector;
 
 impl Writer<'_> {
@@ -60,7 +60,7 @@ impl Writer<'_> {
         }
         let graph = self.graph();
         let zero = graph.zero();
-        if !rest.iter().all(|&part| graph.is_constant(part)) {
+        if !rest.iter().all(|&part| graph.is_fixed(part)) {
             return None;
         }
         if rest != [zero, zero] || terms.is_empty() {
@@ -143,7 +143,14 @@ impl Writer<'_> {
         if !local.contains(&zero) {
             return local;
         }
-        local.map(|part| match graph.constant_value(part) {
+        // The sign of a parameter is not known.
+        let number = |part: ExprId, graph: &Graph| {
+            graph
+                .is_constant(part)
+                .then(|| graph.constant_value(part))
+                .flatten()
+        };
+        local.map(|part| match number(part, graph) {
             Some(value) if value > 0.0 => graph.one(),
             Some(value) if value < 0.0 => {
                 let one = graph.one();
@@ -162,7 +169,7 @@ impl Writer<'_> {
     ) -> Vector {
         let value = value.map(|part| self.with_numbers(part));
         let graph = self.graph();
-        if value.iter().all(|&part| graph.is_constant(part)) {
+        if value.iter().all(|&part| graph.is_fixed(part)) {
             equations.push(Equation {
                 left: self.script.vector(name),
                 right: self.pair_text(value),
@@ -179,7 +186,7 @@ impl Writer<'_> {
             let graph = &self.system.mechanism.graph;
             match graph.node(value[axis]) {
                 Node::Symbol(_) => value[axis],
-                _ if graph.is_constant(value[axis]) => value[axis],
+                _ if graph.is_fixed(value[axis]) => value[axis],
                 _ => components[axis],
             }
         })

@@ -183,7 +183,7 @@ impl<'a> Writer<'a> {
         self.found_in[unknown] = Some(block);
         let symbol = self.system.vector_form.unknowns[unknown].position;
         if let Some(value) = value
-            && self.system.mechanism.graph.is_constant(value)
+            && self.system.mechanism.graph.is_fixed(value)
         {
             self.constants.push((symbol, value));
         }

@@ -1,7 +1,7 @@
 //! One expression → LaTeX for math mode.
 
 use super::super::parts::{Fraction, Part, fraction, terms};
-use crate::expr::{ExprId, Graph, Node, Rational};
+use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
 use crate::system::{Described, SymbolRole, System, WrittenOrder};
 
 /// Prints the formulas of one row.
@@ -26,8 +26,45 @@ impl<'a> Printer<'a> {
 
     /// The whole expression.
     pub(crate) fn expression(&self, expr: ExprId) -> String {
+        self.sum(&terms(expr, self.graph(), &self.order))
+    }
+
+    /// A choice, and those it continues with, as cases.
+    fn cases(&self, mut expr: ExprId) -> String {
+        let mut text = "\\begin{cases} ".to_string();
+        while let Node::Choose {
+            condition,
+            below,
+            otherwise,
+        } = *self.graph().node(expr)
+        {
+            let (below, condition) = (self.expression(below), self.condition(condition));
+            text.push_str(&format!("{below} & {condition} \\\\ "));
+            expr = otherwise;
+        }
+        let last = self.expression(expr);
+        text.push_str(&format!("{last} & \\text{{otherwise}} \\end{{cases}}"));
+        text
+    }
+
+    /// `t < 2` of the condition t - 2.
+    fn condition(&self, condition: ExprId) -> String {
+        let Comparison {
+            left,
+            is_less,
+            right,
+        } = self.graph().comparison(condition);
+        let sign = if is_less { '<' } else { '>' };
+        let [left, right] = [left, right].map(|terms| match terms.is_empty() {
+            true => "0".to_string(),
+            false => self.sum(&self.order.terms(&terms)),
+        });
+        format!("{left} {sign} {right}")
+    }
+
+    fn sum(&self, terms: &[Term]) -> String {
         let mut text = String::new();
-        for (position, term) in terms(expr, self.graph(), &self.order).iter().enumerate() {
+        for (position, term) in terms.iter().enumerate() {
             text.push_str(match (position, term.coefficient.is_negative()) {
                 (0, false) => "",
                 (0, true) => "-",
@@ -124,9 +161,10 @@ impl<'a> Printer<'a> {
     fn operand(&self, expr: ExprId, followed: bool) -> String {
         match self.graph().node(expr) {
             Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
-                SymbolRole::Arm(_) | SymbolRole::Intermediate => {
-                    local(self.system.local_name(*symbol))
-                }
+                SymbolRole::Arm(_)
+                | SymbolRole::Intermediate
+                | SymbolRole::Parameter(_)
+                | SymbolRole::Input { .. } => local(self.system.local_name(*symbol)),
                 role => self.symbol(role),
             },
             Node::Pi => "\\pi".to_string(),
@@ -141,6 +179,11 @@ impl<'a> Printer<'a> {
             }
             Node::Exp(exponent) => format!("e^{{{}}}", self.expression(*exponent)),
             Node::Ln(argument) => format!("\\ln {}", self.argument(*argument, followed)),
+            Node::Floor(argument) => format!(
+                "\\left\\lfloor {} \\right\\rfloor",
+                self.expression(*argument)
+            ),
+            Node::Choose { .. } => self.cases(expr),
             Node::Number(_) | Node::Sum(_) | Node::Product(_) => self.argument_in_parentheses(expr),
         }
     }
@@ -164,15 +207,27 @@ impl<'a> Printer<'a> {
             SymbolRole::Rate(coordinate) => (coordinate, Some("dot")),
             SymbolRole::Acceleration(coordinate) => (coordinate, Some("ddot")),
             SymbolRole::Arm(arm) => return escaped(&self.system.vector_form.arms[arm].name),
+            SymbolRole::Parameter(parameter) => {
+                let parameter = self.system.mechanism.parameters[parameter].symbol;
+                return local(self.system.local_name(parameter));
+            }
+            SymbolRole::Input { input, level } => {
+                let signal = self.system.mechanism.inputs[input].symbols[level];
+                return local(self.system.local_name(signal));
+            }
             SymbolRole::Intermediate | SymbolRole::Time => return "t".to_string(),
         };
         if coordinate >= self.system.coordinates.len() {
             let name = self.system.unknown_name(coordinate);
-            let ends = name.strip_prefix("length_").unwrap_or(name);
+            let symbols = [("psi_", "\\psi"), ("offset_", "h"), ("length_", "\\ell")];
+            let found = symbols
+                .iter()
+                .find_map(|(prefix, letter)| Some((name.strip_prefix(prefix)?, *letter)));
+            let (ends, letter) = found.unwrap_or((name, "\\ell"));
             let index = format!("_{{\\mathrm{{{}}}}}", ends.replace('_', "\\,"));
             return match accent {
-                None => format!("\\ell{index}"),
-                Some(accent) => format!("\\{accent}{{\\ell}}{index}"),
+                None => format!("{letter}{index}"),
+                Some(accent) => format!("\\{accent}{{{letter}}}{index}"),
             };
         }
         let (letter, body) = match self.system.coordinates[coordinate].describes {

@@ -5,11 +5,12 @@ use quote::quote;
 
 use super::docs::docs;
 use super::expression::{TextbookNames, Writer, identifier};
+use super::given::{kept_in_frame, only};
 use super::lints;
 use super::literal::{count, float};
 use super::solved;
 use crate::program::{LARGEST_TEXTBOOK, Program, Straight};
-use crate::system::{Coordinate, Described, System};
+use crate::system::{Coordinate, Described, Pressure, System};
 
 /// What a structure with a value per coordinate derives. Comparing and printing thousands of fields one by one is code that
 /// no compiler digests; such structures are compared and printed as arrays.
@@ -147,6 +148,9 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
             quote!(#text pub fn #name(&self) -> Motion { #body })
         },
     );
+    let pressure_angles = system.pressures.iter().zip(&program.pressures);
+    let pressure_angles = pressure_angles
+        .map(|(pressure, straight)| pressure_angle(system, program, pressure, straight));
     let (shared, drawn) = match &program.solved {
         Some(solved) => (
             solved::frame_fields(system, solved),
@@ -154,6 +158,15 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
         ),
         None => (TokenStream::new(), TokenStream::new()),
     };
+    let keeps_parameters = kept_in_frame(program);
+    let parameters = only(
+        keeps_parameters,
+        quote! {
+            /// What the points of this instant are found with.
+            parameters: Parameters,
+        },
+    );
+    let nominal = only(keeps_parameters, quote!(parameters: Parameters::NOMINAL,));
     let zeros = system.coordinates.iter().map(|_| quote!(0.0));
     let at_rest = quote!(Coordinates::from_array([#(#zeros),*]));
     let check = if system.coordinates.len() > LARGEST_TEXTBOOK {
@@ -169,7 +182,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     let private = match program.solved {
         Some(_) => quote! {
             /// The drawing at rest, which the solution starts from.
-            const DRAWN: Self = Self { t: 0.0, q: Coordinates::DRAWN, qd: #at_rest, qdd: #at_rest, #drawn };
+            const DRAWN: Self = Self { t: 0.0, q: Coordinates::DRAWN, qd: #at_rest, qdd: #at_rest, #nominal #drawn };
 
             #check
         },
@@ -178,6 +191,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     let implementation = quote! {
         impl Frame {
             #(#methods)*
+            #(#pressure_angles)*
             #private
         }
     };
@@ -195,6 +209,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
             pub qd: Coordinates,
             /// The accelerations of the coordinates.
             pub qdd: Coordinates,
+            #parameters
             #shared
         }
 
@@ -203,7 +218,47 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     }
 }
 
+/// `fn pressure_angle_NAME`.
+fn pressure_angle(
+    system: &System,
+    program: &Program,
+    pressure: &Pressure,
+    straight: &Straight,
+) -> TokenStream {
+    let joint = &system.mechanism.joints[pressure.joint];
+    let name = identifier(&format!("pressure_angle_{}", joint.slug));
+    let text = docs([format!(
+        "The pressure angle of `{}`, in rad: between the common normal and the velocity of the follower's point at the \
+         contact. `None` while the follower rests.",
+        joint.label
+    )]);
+    let (computed, results) = computed(system, program, straight);
+    quote! {
+        #text
+        pub fn #name(&self) -> Option<f64> {
+            #computed
+            ::linkwright::contact::pressure_angle(#(#results),*)
+        }
+    }
+}
+
 fn motion(system: &System, program: &Program, straight: &Straight) -> TokenStream {
+    let (computed, results) = computed(system, program, straight);
+    let [x, y, vx, vy, ax, ay] = results.as_slice() else {
+        unreachable!("a point has two components of position, velocity and acceleration each")
+    };
+    quote! {
+        #computed
+        Motion { position: [#x, #y], velocity: [#vx, #vy], acceleration: [#ax, #ay] }
+    }
+}
+
+/// The statements of a method of the frame, and its results.
+fn computed(
+    system: &System,
+    program: &Program,
+    straight: &Straight,
+) -> (TokenStream, Vec<TokenStream>) {
     let names = TextbookNames { system, straight };
     let writer = Writer {
         system,
@@ -216,6 +271,7 @@ fn motion(system: &System, program: &Program, straight: &Straight) -> TokenStrea
         (inputs.position, quote!(q)),
         (inputs.rate, quote!(qd)),
         (inputs.acceleration, quote!(qdd)),
+        (inputs.parameters, quote!(parameters)),
     ];
     let read: Vec<TokenStream> = read
         .into_iter()
@@ -227,12 +283,5 @@ fn motion(system: &System, program: &Program, straight: &Straight) -> TokenStrea
     } else {
         quote!(let Self { #(#read,)* .. } = self;)
     };
-    let [x, y, vx, vy, ax, ay] = results.as_slice() else {
-        unreachable!("a point has two components of position, velocity and acceleration each")
-    };
-    quote! {
-        #take
-        #(#statements)*
-        Motion { position: [#x, #y], velocity: [#vx, #vy], acceleration: [#ax, #ay] }
-    }
+    (quote!(#take #(#statements)*), results)
 }

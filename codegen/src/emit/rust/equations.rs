@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::docs::docs;
 use super::expression::{TextbookNames, Writer, identifier};
+use super::given::Given;
 use super::layout::comment;
 use super::lints;
 use super::literal::count;
@@ -45,7 +46,7 @@ pub(super) fn equations(system: &System, program: &Program, textbook: &Textbook)
 }
 
 /// The parameters of a function; one that is not read begins with an underscore.
-fn parameters(inputs: Inputs, with_rates: bool) -> TokenStream {
+fn parameters(inputs: Inputs, with_rates: bool, given: Given) -> TokenStream {
     let q = if inputs.position {
         quote!(q)
     } else {
@@ -53,10 +54,11 @@ fn parameters(inputs: Inputs, with_rates: bool) -> TokenStream {
     };
     let t = if inputs.time { quote!(t) } else { quote!(_t) };
     let qd = if inputs.rate { quote!(qd) } else { quote!(_qd) };
+    let given = given.declared(inputs);
     if with_rates {
-        quote!(#q: &Coordinates, #qd: &Coordinates, #t: f64)
+        quote!(#q: &Coordinates, #qd: &Coordinates, #given #t: f64)
     } else {
-        quote!(#q: &Coordinates, #t: f64)
+        quote!(#q: &Coordinates, #given #t: f64)
     }
 }
 
@@ -107,7 +109,7 @@ fn vector(
     lines.extend(row_list(system, &of));
     let text = docs(lines);
     let function = identifier(name);
-    let parameters = parameters(straight.inputs, name == "gamma");
+    let parameters = parameters(straight.inputs, name == "gamma", Given::of(system));
     let zero = system.mechanism.graph.zero();
     // Rows that are zero need no name; those that are not are named after their joint.
     let rows: Vec<_> = system
@@ -171,7 +173,7 @@ fn matrix(system: &System, program: &Program, straight: &Straight) -> TokenStrea
         format!("Rows: {}.", numbered(system.rows.iter().map(|row| row.name.as_str()))),
     ];
     let text = docs(lines.drain(..));
-    let parameters = parameters(straight.inputs, false);
+    let parameters = parameters(straight.inputs, false, Given::of(system));
     let function = quote! {
         pub fn phi_q(#parameters) -> SMatrix<f64, #size, #size> {
             #(#statements)*

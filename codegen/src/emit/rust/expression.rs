@@ -3,10 +3,12 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::given::read;
 use super::literal::float;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::program::{
-    Addend, ConstantPart, Constants, LARGEST_PRODUCT, Power, Statement, Straight, addends,
+    Addend, Compared, ConstantPart, Constants, LARGEST_PRODUCT, Power, Statement, Straight,
+    addends, compared,
 };
 use crate::system::{SymbolRole, System, WrittenOrder};
 
@@ -65,7 +67,34 @@ impl Writer<'_> {
             Node::Exp(x) => Some(self.call("exp", &[x])),
             Node::Ln(x) => Some(self.call("ln", &[x])),
             Node::Atan2(y, x) => Some(self.call("atan2", &[y, x])),
+            Node::Floor(x) => Some(self.call("floor", &[x])),
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } => Some(self.choice(condition, below, otherwise)),
             Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Sum(_) | Node::Product(_) => None,
+        }
+    }
+
+    /// `if x < 2.0 { … } else { … }`; a second arm that is another choice without a name continues with `else if`.
+    fn choice(&self, condition: ExprId, below: ExprId, otherwise: ExprId) -> TokenStream {
+        let graph = &self.system.mechanism.graph;
+        let named = |other: ExprId| self.names.value(other).is_some();
+        let order = WrittenOrder::new(self.system, &[]);
+        let Compared {
+            left,
+            is_less,
+            right,
+        } = compared(condition, graph, &order, &named);
+        let [left, right] = [left, right].map(|side| self.addends(&side));
+        let sign = if is_less { quote!(<) } else { quote!(>) };
+        let continues = matches!(graph.node(otherwise), Node::Choose { .. }) && !named(otherwise);
+        let [below, otherwise] = [below, otherwise].map(|arm| self.expression(arm, &[]));
+        if continues {
+            quote!(if #left #sign #right { #below } else #otherwise)
+        } else {
+            quote!(if #left #sign #right { #below } else { #otherwise })
         }
     }
 
@@ -108,6 +137,10 @@ impl Writer<'_> {
         let named = |other: ExprId| self.names.value(other).is_some();
         let order = WrittenOrder::new(self.system, bodies);
         let addends = addends(expr, &self.system.mechanism.graph, &order, &named);
+        self.addends(&addends)
+    }
+
+    fn addends(&self, addends: &[Addend]) -> TokenStream {
         let mut tokens = TokenStream::new();
         for (position, addend) in addends.iter().enumerate() {
             let value = self.addend(addend);
@@ -184,10 +217,16 @@ impl Writer<'_> {
 
     /// What stands beside a multiplication sign.
     fn operand(&self, expr: ExprId) -> TokenStream {
-        self.atom(expr).unwrap_or_else(|| {
-            let sum = self.sum(expr, &[]);
-            quote!((#sum))
-        })
+        let is_choice = matches!(self.system.mechanism.graph.node(expr), Node::Choose { .. });
+        let atom = self.atom(expr);
+        match atom {
+            Some(atom) if !is_choice || self.names.value(expr).is_some() => atom,
+            Some(choice) => quote!((#choice)),
+            None => {
+                let sum = self.sum(expr, &[]);
+                quote!((#sum))
+            }
+        }
     }
 }
 
@@ -220,6 +259,9 @@ impl Names for TextbookNames<'_> {
             SymbolRole::Rate(unknown) => ("qd", unknown),
             SymbolRole::Acceleration(unknown) => ("qdd", unknown),
             SymbolRole::Time => return quote!(t),
+            SymbolRole::Parameter(_) | SymbolRole::Input { .. } => {
+                return read(symbol, self.system).unwrap_or_default();
+            }
             SymbolRole::Arm(_) | SymbolRole::Intermediate => {
                 let name = identifier(self.system.local_name(symbol));
                 return quote!(#name);

@@ -7,6 +7,7 @@ mod docs;
 mod equations;
 mod expression;
 mod file;
+mod given;
 mod layout;
 mod lints;
 mod literal;

@@ -1,12 +1,15 @@
 //! The parts of the module in their order.
 
-use proc_macro2::TokenStream;
+use std::collections::HashSet;
+
+use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 
 use super::coordinates::{coordinates, frame};
 use super::docs::docs;
 use super::equations::equations;
 use super::expression::identifier;
+use super::given::{Given, only, structures};
 use super::lints;
 use super::literal::float;
 use super::solved;
@@ -25,10 +28,11 @@ pub(super) fn items(system: &System, program: &Program) -> TokenStream {
         .flat_map(|solved| &solved.blocks)
         .any(|block| block.newton.is_some());
     let needs_length = has_newton || program.textbook.is_some();
-    let items = [
+    let mut items = [
         imports(system, program, has_newton),
-        constants(system, program),
+        TokenStream::new(),
         coordinates(system),
+        structures(system, program),
         program
             .textbook
             .as_ref()
@@ -47,7 +51,27 @@ pub(super) fn items(system: &System, program: &Program) -> TokenStream {
         },
         solver(system, program),
     ];
+    let written = items.iter().cloned().collect();
+    items[1] = constants(system, program, &identifiers(written));
     items.into_iter().collect()
+}
+
+/// Every identifier of a piece of code.
+fn identifiers(code: TokenStream) -> HashSet<String> {
+    let mut found = HashSet::new();
+    let mut open = vec![code];
+    while let Some(tokens) = open.pop() {
+        for token in tokens {
+            match token {
+                TokenTree::Group(group) => open.push(group.stream()),
+                TokenTree::Ident(ident) => {
+                    found.insert(ident.to_string());
+                }
+                TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+            }
+        }
+    }
+    found
 }
 
 /// The blocks and the type that a user holds; without a solved view the dense system alone.
@@ -60,7 +84,7 @@ fn solver(system: &System, program: &Program) -> TokenStream {
             let mechanism = solved::mechanism(system, program, blocks);
             quote!(#branches #newton #functions #mechanism)
         }
-        None => mechanism(system),
+        None => mechanism(system, program),
     }
 }
 
@@ -74,25 +98,13 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
             &own.gamma,
         ]
     });
-    let calls_math = functions.chain(&program.points).any(|straight| {
-        let operations = &straight.operations;
-        operations.sines
-            + operations.arctangents
-            + operations.square_roots
-            + operations.exponentials
-            > 0
-    });
+    let mut straight = functions.chain(&program.points).chain(&program.drawn);
+    let calls_math = straight.any(|straight| straight.operations.calls_math());
     let solved_math = program
         .solved
         .iter()
         .flat_map(|solved| solved.report.operations)
-        .any(|operations| {
-            operations.sines
-                + operations.arctangents
-                + operations.square_roots
-                + operations.exponentials
-                > 0
-        });
+        .any(|operations| operations.calls_math());
     let math = if calls_math || solved_math {
         quote!(
             use ::linkwright::math;
@@ -117,6 +129,11 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
         if has(|action| matches!(action, Action::Reach { .. } | Action::Nonzero { .. })) {
             closed.push(quote!(spans));
         }
+    }
+    let given = Given::of(system);
+    if program.solved.is_none() && given.any() {
+        closed.push(quote!(all_finite));
+        closed.push(quote!(failed));
     }
     let kind = if closed.is_empty() {
         TokenStream::new()
@@ -163,11 +180,12 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
     } else {
         TokenStream::new()
     };
+    let signal = only(given.inputs, quote!(Signal,));
     quote! {
         #closed
         #math
         #matrices
-        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #step #kinematics};
+        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #signal #step #kinematics};
     }
 }
 
@@ -185,8 +203,11 @@ fn has_motion(system: &System, program: &Program) -> bool {
     }
 }
 
-fn constants(system: &System, program: &Program) -> TokenStream {
-    let constants = program.constants.list().iter().map(|constant| {
+/// The named constants that the code mentions; what of the solved view is left out may have been all that needed one.
+fn constants(system: &System, program: &Program, mentioned: &HashSet<String>) -> TokenStream {
+    let list = program.constants.list().iter();
+    let used = list.filter(|constant| mentioned.contains(&constant.name));
+    let constants = used.map(|constant| {
         let text = docs([format!("`{}`", text::constant(system, &constant.part))]);
         let (name, value) = (identifier(&constant.name), float(constant.value));
         let allow = lints::approximate(&value);

@@ -3,7 +3,7 @@
 use super::super::notation::Notation;
 
 use super::super::parts::{Fraction, Part, fraction, terms};
-use crate::expr::{ExprId, Graph, Node, Rational, Term};
+use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
 use crate::program::ConstantPart;
 use crate::system::{Described, SymbolRole, System, WrittenOrder};
 
@@ -39,7 +39,42 @@ impl<'a> Printer<'a> {
 
     /// The whole expression.
     pub(crate) fn expression(&self, expr: ExprId) -> String {
-        self.sum(&terms(expr, self.graph(), &self.order))
+        match self.graph().node(expr) {
+            Node::Choose { .. } => self.choice(expr),
+            _ => self.sum(&terms(expr, self.graph(), &self.order)),
+        }
+    }
+
+    /// `if t < 1 { 0 } else if t < 2 { t - 1 } else { 1 }`.
+    fn choice(&self, mut expr: ExprId) -> String {
+        let mut text = String::new();
+        while let Node::Choose {
+            condition,
+            below,
+            otherwise,
+        } = *self.graph().node(expr)
+        {
+            let (condition, below) = (self.condition(condition), self.expression(below));
+            text.push_str(&format!("if {condition} {{ {below} }} else "));
+            expr = otherwise;
+        }
+        text.push_str(&format!("{{ {} }}", self.expression(expr)));
+        text
+    }
+
+    /// `t < 2` of the condition t - 2.
+    fn condition(&self, condition: ExprId) -> String {
+        let Comparison {
+            left,
+            is_less,
+            right,
+        } = self.graph().comparison(condition);
+        let sign = if is_less { '<' } else { '>' };
+        let [left, right] = [left, right].map(|terms| match terms.is_empty() {
+            true => "0".to_string(),
+            false => self.sum(&self.order.terms(&terms)),
+        });
+        format!("{left} {sign} {right}")
     }
 
     /// A constant part: a sum, or a number times powers.
@@ -129,9 +164,10 @@ impl<'a> Printer<'a> {
     fn operand(&self, expr: ExprId, followed: bool) -> String {
         match self.graph().node(expr) {
             Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
-                SymbolRole::Arm(_) | SymbolRole::Intermediate => {
-                    self.system.local_name(*symbol).to_string()
-                }
+                SymbolRole::Arm(_)
+                | SymbolRole::Intermediate
+                | SymbolRole::Parameter(_)
+                | SymbolRole::Input { .. } => self.system.local_name(*symbol).to_string(),
                 role => self.symbol(role),
             },
             Node::Pi => self.either("pi", "π").to_string(),
@@ -140,6 +176,8 @@ impl<'a> Printer<'a> {
             Node::Atan2(y, x) => self.function("atan2", &[*y, *x], followed),
             Node::Exp(exponent) => self.function("exp", &[*exponent], followed),
             Node::Ln(argument) => self.function("ln", &[*argument], followed),
+            Node::Floor(argument) => self.function("floor", &[*argument], true),
+            Node::Choose { .. } => format!("({})", self.choice(expr)),
             Node::Number(_) | Node::Sum(_) | Node::Product(_) => {
                 format!("({})", self.expression(expr))
             }
@@ -167,6 +205,14 @@ impl<'a> Printer<'a> {
             SymbolRole::Rate(coordinate) => (coordinate, 1),
             SymbolRole::Acceleration(coordinate) => (coordinate, 2),
             SymbolRole::Arm(arm) => return self.system.vector_form.arms[arm].name.clone(),
+            SymbolRole::Parameter(parameter) => {
+                let parameter = self.system.mechanism.parameters[parameter].symbol;
+                return self.system.local_name(parameter).to_string();
+            }
+            SymbolRole::Input { input, level } => {
+                let signal = self.system.mechanism.inputs[input].symbols[level];
+                return self.system.local_name(signal).to_string();
+            }
             SymbolRole::Intermediate | SymbolRole::Time => return "t".to_string(),
         };
         let name = self.system.unknown_name(coordinate);

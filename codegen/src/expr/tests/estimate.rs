@@ -56,6 +56,32 @@ impl Estimate {
         }
     }
 
+    /// What cannot be told.
+    pub(super) fn unknown() -> Estimate {
+        Estimate {
+            value: 0.0,
+            error: f64::INFINITY,
+        }
+    }
+
+    /// Whether it is negative, where the error leaves no doubt.
+    pub(super) fn is_below_zero(self) -> Option<bool> {
+        (self.value.abs() > self.error || self.error == 0.0).then_some(self.value < 0.0)
+    }
+
+    /// The largest whole number that is not greater, where the error leaves no doubt.
+    pub(super) fn floor(self) -> Estimate {
+        let floor = self.value.floor();
+        let gap = (self.value - floor).min(floor + 1.0 - self.value);
+        if gap > self.error || self.error == 0.0 {
+            Estimate::exact(floor)
+        } else if !self.value.is_finite() {
+            self
+        } else {
+            Estimate::unknown()
+        }
+    }
+
     pub(super) fn add(self, other: Estimate) -> Estimate {
         self.with(self.value + other.value, self.error + other.error)
     }

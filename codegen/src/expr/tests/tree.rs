@@ -16,6 +16,8 @@ pub(super) enum Tree {
     Unary(Function, Box<Tree>),
     Power(Box<Tree>, i32, i32),
     Binary(Operation, Box<Tree>, Box<Tree>),
+    /// The second where the first is negative, the third elsewhere.
+    Choose(Box<Tree>, Box<Tree>, Box<Tree>),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +32,7 @@ pub(super) enum Function {
     Exp,
     Ln,
     Sqrt,
+    Floor,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -47,7 +50,8 @@ impl Tree {
         if depth == 0 || generator.below(8) == 0 {
             return Tree::leaf(generator);
         }
-        match generator.below(20) {
+        match generator.below(21) {
+            19 => Tree::Choose(boxed(generator), boxed(generator), boxed(generator)),
             0..=4 => Tree::Binary(Operation::Add, boxed(generator), boxed(generator)),
             5..=6 => Tree::Binary(Operation::Subtract, boxed(generator), boxed(generator)),
             7..=11 => Tree::Binary(Operation::Multiply, boxed(generator), boxed(generator)),
@@ -83,8 +87,9 @@ impl Tree {
                     Function::Exp,
                     Function::Ln,
                     Function::Sqrt,
+                    Function::Floor,
                 ];
-                let function = functions[generator.below(12) as usize];
+                let function = functions[generator.below(13) as usize];
                 Tree::Unary(function, boxed(generator))
             }
         }
@@ -120,6 +125,9 @@ impl Tree {
             Tree::Binary(operation, left, right) => {
                 Tree::Binary(*operation, inner(left), inner(right))
             }
+            Tree::Choose(condition, below, otherwise) => {
+                Tree::Choose(inner(condition), inner(below), inner(otherwise))
+            }
             leaf => leaf.clone(),
         }
     }
@@ -154,7 +162,13 @@ impl Tree {
                     Function::Exp => graph.exp(operand),
                     Function::Ln => graph.ln(operand),
                     Function::Sqrt => graph.sqrt(operand),
+                    Function::Floor => graph.floor(operand),
                 }
+            }
+            Tree::Choose(condition, below, otherwise) => {
+                let parts = [condition, below, otherwise];
+                let [condition, below, otherwise] = parts.map(|part| part.build(graph, symbols));
+                graph.choose(condition, below, otherwise)
             }
             Tree::Binary(operation, left, right) => {
                 let left = left.build(graph, symbols);
@@ -208,6 +222,20 @@ impl Tree {
                     Function::Exp => operand.exp(),
                     Function::Ln => operand.ln(),
                     Function::Sqrt => operand.pow(1, 2),
+                    Function::Floor => Dual::constant(operand.value.floor()),
+                }
+            }
+            Tree::Choose(condition, below, otherwise) => {
+                let [condition, below, otherwise] =
+                    [condition, below, otherwise].map(|part| part.evaluate(values, direction));
+                // A choice has a value only where both arms have one.
+                let both = [below, otherwise]
+                    .iter()
+                    .all(|arm| arm.value.is_reliable() && arm.slope.is_reliable());
+                match condition.value.is_below_zero().filter(|_| both) {
+                    Some(true) => below,
+                    Some(false) => otherwise,
+                    None => Dual::constant(number(f64::NAN).value),
                 }
             }
             Tree::Binary(operation, left, right) => {
@@ -254,5 +282,15 @@ pub(super) fn evaluate_node(graph: &Graph, expr: ExprId, values: &[f64]) -> Esti
         Node::Atan2(y, x) => at(*y).atan2(at(*x)),
         Node::Exp(exponent) => at(*exponent).exp(),
         Node::Ln(argument) => at(*argument).ln(),
+        Node::Floor(argument) => at(*argument).floor(),
+        Node::Choose {
+            condition,
+            below,
+            otherwise,
+        } => match at(*condition).is_below_zero() {
+            Some(true) => at(*below),
+            Some(false) => at(*otherwise),
+            None => Estimate::unknown(),
+        },
     }
 }

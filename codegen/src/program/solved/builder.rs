@@ -38,7 +38,12 @@ impl Builder<'_> {
         if graph.is_constant(value) || matches!(graph.node(value), Node::Symbol(_)) {
             return value;
         }
+        let is_fixed = graph.is_fixed(value);
         let target = self.system.intermediate(name);
+        if is_fixed {
+            let zero = self.system.mechanism.graph.zero();
+            self.system.vector_form.set_rate(target, zero);
+        }
         self.actions.push(Action::Let { target, value });
         self.graph().variable(target)
     }
@@ -174,12 +179,12 @@ impl Builder<'_> {
         self.graph().variable(symbol)
     }
 
-    /// The turned vector R(φ) p of a step as symbols that move with the angle: an arm where p is constant.
+    /// The turned vector R(φ) p of a step as symbols that move with the angle: an arm where p does not move.
     pub(super) fn link(&mut self, angle: usize, p: Vector, value: Vector, name: &str) -> Vector {
-        let constant = p
+        let fixed = p
             .iter()
-            .all(|&part| self.system.mechanism.graph.is_constant(part));
-        if !constant {
+            .all(|&part| self.system.mechanism.graph.is_fixed(part));
+        if !fixed {
             return self.vector(name, value);
         }
         let System {
@@ -212,7 +217,7 @@ impl Builder<'_> {
     }
 
     /// States that the symbols of a turned vector move as R(φ) p does: φ̇ Ω w + R(φ) ṗ. The second part and its own rate are new
-    /// symbols, defined when the rates are; they are returned, and zero where p is constant.
+    /// symbols, defined when the rates are; they are returned; there are none where p does not move.
     pub(super) fn moving_link(
         &mut self,
         angle: usize,
@@ -220,10 +225,10 @@ impl Builder<'_> {
         w: Vector,
         direction: Direction,
     ) -> Option<Stretch> {
-        let constant = p
+        let fixed = p
             .iter()
-            .all(|&part| self.system.mechanism.graph.is_constant(part));
-        if constant {
+            .all(|&part| self.system.mechanism.graph.is_fixed(part));
+        if fixed {
             return None;
         }
         let turning = self.rates_of(angle).0;
@@ -261,7 +266,7 @@ impl Builder<'_> {
 
     /// The value of an expression of unknowns and arms in the drawing.
     pub(super) fn drawn_value(&self, expr: ExprId) -> f64 {
-        // Most are constant, and need no table of all symbols.
+        // Most do not move, and need no table of all symbols.
         if let Some(value) = self.system.mechanism.graph.constant_value(expr) {
             return value;
         }

@@ -4,8 +4,9 @@ use std::collections::HashSet;
 
 use super::{Action, BlockProgram};
 use crate::expr::{ExprId, Node, SymbolId};
+use crate::program::addends::{Compared, bases, compared};
 use crate::program::constants::Constants;
-use crate::program::operations::is_function;
+use crate::program::operations::{is_function, written_operands};
 use crate::program::{Addend, Operations, Straight, addends};
 use crate::system::{SymbolRole, System, WrittenOrder};
 
@@ -39,7 +40,7 @@ pub(super) fn operations(blocks: &[BlockProgram], system: &System) -> [Operation
     levels
 }
 
-/// Sines and the like of t, which every use shares.
+/// Sines and the like of t, inputs and parameters, which every use shares.
 pub(super) fn functions_of_time(
     expressions: &[ExprId],
     system: &System,
@@ -47,10 +48,12 @@ pub(super) fn functions_of_time(
 ) -> Straight {
     let graph = &system.mechanism.graph;
     let only_time = |expr: ExprId| {
-        graph
-            .symbols(expr)
-            .iter()
-            .all(|symbol: &SymbolId| system.roles[symbol.index()] == SymbolRole::Time)
+        graph.symbols(expr).iter().all(|symbol: &SymbolId| {
+            matches!(
+                system.roles[symbol.index()],
+                SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. }
+            )
+        })
     };
     let mut found = Vec::new();
     let mut seen = HashSet::new();
@@ -63,13 +66,7 @@ pub(super) fn functions_of_time(
             found.push(expr);
             continue;
         }
-        match graph.node(expr) {
-            Node::Sum(terms) => stack.extend(terms.iter().rev().map(|term| term.expr)),
-            Node::Product(factors) => stack.extend(factors.iter().rev().map(|factor| factor.base)),
-            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) => stack.push(*x),
-            Node::Atan2(y, x) => stack.extend([*x, *y]),
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
-        }
+        stack.extend(written_operands(expr, graph).into_iter().rev());
     }
     Straight::new(
         found.into_iter().map(|expr| (expr, Vec::new())).collect(),
@@ -99,9 +96,10 @@ fn operations_of(action: &Action, system: &System, time: &Straight) -> Operation
         Action::Reach { excess, scale, .. } => vec![*excess, *scale],
         _ => action.values(),
     };
-    visit(&counted, system, time, &mut |parts| {
+    let functions = visit(&counted, system, time, &mut |parts| {
         operations += Operations::of_addends(parts)
     });
+    operations += functions;
     match action {
         Action::SineCosine { .. } => operations.sines += 2,
         Action::Angle { .. } => operations.arctangents += 1,
@@ -110,13 +108,14 @@ fn operations_of(action: &Action, system: &System, time: &Straight) -> Operation
     operations
 }
 
-/// Calls `each` with the addends of every expression that is written out.
+/// Calls `each` with the addends of every expression that is written out, and returns what the functions among them take.
 fn visit(
     expressions: &[ExprId],
     system: &System,
     time: &Straight,
     each: &mut dyn FnMut(&[Addend]),
-) {
+) -> Operations {
+    let mut functions = Operations::default();
     let graph = &system.mechanism.graph;
     let order = WrittenOrder::new(system, &[]);
     let mut stack = expressions.to_vec();
@@ -124,25 +123,32 @@ fn visit(
         if time.name_of(expr).is_some() || matches!(graph.node(expr), Node::Symbol(_)) {
             continue;
         }
+        let named = |other: ExprId| time.name_of(other).is_some();
+        if !graph.is_constant(expr) {
+            functions += Operations::of_function(graph.node(expr));
+        }
         match *graph.node(expr) {
-            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x)
-                if !graph.is_constant(expr) =>
-            {
-                stack.push(x)
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } => {
+                let Compared { left, right, .. } = compared(condition, graph, &order, &named);
+                for side in [left, right] {
+                    each(&side);
+                    stack.extend(bases(&side));
+                }
+                stack.extend([below, otherwise]);
             }
-            Node::Atan2(y, x) if !graph.is_constant(expr) => stack.extend([y, x]),
+            ref node if is_function(node) && !graph.is_constant(expr) => {
+                stack.extend(graph.operands(expr));
+            }
             _ => {
-                let parts = addends(expr, graph, &order, &|other| time.name_of(other).is_some());
+                let parts = addends(expr, graph, &order, &named);
                 each(&parts);
-                let operands = parts
-                    .iter()
-                    .flat_map(|part| part.factors.iter().chain(&part.divisors));
-                stack.extend(
-                    operands
-                        .map(|power| power.base)
-                        .filter(|&base| base != expr),
-                );
+                stack.extend(bases(&parts).filter(|&base| base != expr));
             }
         }
     }
+    functions
 }

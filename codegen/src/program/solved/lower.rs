@@ -147,12 +147,13 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     }
 }
 
-/// The drawing's value of every unknown and arm, by symbol.
+/// The drawing's value of every parameter, unknown and arm, by symbol.
 fn drawn_values(system: &System) -> Vec<f64> {
     let graph = &system.mechanism.graph;
     let form = &system.vector_form;
     let mut values = vec![0.0; graph.symbol_count()];
     let constant = |expr: ExprId| graph.constant_value(expr).unwrap_or(0.0);
+    graph.fill_nominal(&mut values);
     for unknown in &form.unknowns {
         values[unknown.position.index()] = constant(unknown.estimate);
     }

@@ -56,6 +56,7 @@ fn shape(expression: &Expression) -> String {
                 arguments.iter().map(shape).collect::<Vec<_>>().join(", ")
             )
         }
+        ExpressionKind::Pair(pair) => format!("({}, {})", shape(&pair.x), shape(&pair.y)),
     }
 }
 

@@ -6,15 +6,17 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::names::{BlockNames, plain_name};
+use super::newton::reads_frame;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::{Names, Writer, identifier};
+use crate::emit::rust::given::only;
 use crate::emit::rust::layout::comment;
 use crate::emit::rust::lints;
 use crate::emit::rust::literal::count;
 use crate::expr::{ExprId, SymbolId};
-use crate::program::solved::{Action, BlockProgram, Level, SolvedProgram};
-use crate::program::{LARGEST_TEXTBOOK, Program};
-use crate::system::{SymbolRole, System, Unknown};
+use crate::program::solved::{Action, BlockProgram, Level, NewtonBlock, SolvedProgram};
+use crate::program::{Inputs, LARGEST_TEXTBOOK, Program};
+use crate::system::{System, Unknown};
 
 /// What a block's function needs to be given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,6 +24,8 @@ pub(super) struct Needs {
     pub last: bool,
     pub branches: bool,
     pub settings: bool,
+    pub parameters: bool,
+    pub inputs: bool,
     pub time: bool,
     pub fails: bool,
 }
@@ -47,12 +51,23 @@ impl Needs {
                 _ => {}
             }
         }
-        let reads_time = |symbol: &SymbolId| system.roles[symbol.index()] == SymbolRole::Time;
         let values = block.actions.iter().flat_map(Action::values);
-        needs.time |= values
-            .into_iter()
-            .any(|expr: ExprId| system.mechanism.graph.symbols(expr).iter().any(reads_time));
+        needs.time |= reads(values.clone(), system).time;
+        let own = reads(values, system);
+        let newton = block
+            .newton
+            .as_ref()
+            .map(|newton| Needs::given(newton, system));
+        let newton = newton.unwrap_or_default();
+        needs.parameters = own.parameters || newton.parameters;
+        needs.inputs = own.inputs || newton.inputs;
         needs
+    }
+
+    /// What the equations of a Newton block read of parameters and inputs.
+    pub(super) fn given(newton: &NewtonBlock, system: &System) -> Inputs {
+        let geometry = newton.geometry.iter().flat_map(Action::values);
+        reads(newton.expressions().chain(geometry), system)
     }
 
     /// The arguments of a call, in the order of the parameters.
@@ -72,12 +87,14 @@ impl Needs {
         } else {
             TokenStream::new()
         };
+        let parameters = only(self.parameters, quote!(parameters,));
+        let inputs = only(self.inputs, quote!(inputs,));
         let time = if self.time {
             quote!(t)
         } else {
             TokenStream::new()
         };
-        quote!(at, #last #branches #settings #time)
+        quote!(at, #last #branches #settings #parameters #inputs #time)
     }
 
     fn parameters(self) -> TokenStream {
@@ -96,13 +113,26 @@ impl Needs {
         } else {
             TokenStream::new()
         };
+        let parameters = only(self.parameters, quote!(parameters: &Parameters,));
+        let inputs = only(self.inputs, quote!(inputs: &Inputs,));
         let time = if self.time {
             quote!(t: f64)
         } else {
             TokenStream::new()
         };
-        quote!(at: &mut Frame, #last #branches #settings #time)
+        quote!(at: &mut Frame, #last #branches #settings #parameters #inputs #time)
     }
+}
+
+/// What expressions read beside what blocks compute.
+pub(super) fn reads(expressions: impl Iterator<Item = ExprId>, system: &System) -> Inputs {
+    let mut read = Inputs::default();
+    for expr in expressions {
+        for symbol in system.mechanism.graph.symbols(expr) {
+            read.note(system.roles[symbol.index()]);
+        }
+    }
+    read
 }
 
 /// Up to so many blocks become one function.
@@ -130,7 +160,9 @@ pub(in crate::emit::rust) fn blocks(
         let needs = Needs::of(block, system);
         let names = BlockNames { system, solved, time: &block.time, local: HashSet::new() };
         let writer = Writer { system, constants: &program.constants, names: &names };
-        let time = writer.statements(&block.time);
+        // What only the equations of a Newton-Raphson read, they compute themselves.
+        let read: Vec<ExprId> = block.actions.iter().flat_map(Action::values).collect();
+        let time = writer.statements(&block.time.for_results(&read, system));
         let actions = block.actions.iter().map(|action| statement(action, index, block, &writer, &names));
         let (name, parameters) = (identifier(&block.name), needs.parameters());
         let title = docs([block.title.as_str()]);
@@ -275,6 +307,19 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     let [q, qd, qdd] = of.map(|of| fields(of, "at"));
     let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
     let places: Vec<_> = (0..q.len()).map(count).collect();
+    let needs = Needs::given(newton, names.system);
+    let at = only(
+        reads_frame(block, newton, names.system, names.solved),
+        quote!(at,),
+    );
+    let parameters = only(needs.parameters, quote!(parameters,));
+    let inputs = only(needs.inputs, quote!(inputs,));
+    let fields = quote!(#at #parameters #inputs);
+    let equations = if fields.is_empty() {
+        quote!(#type_name)
+    } else {
+        quote!(#type_name { #fields })
+    };
     quote! {
         let tears = kinematics::Frame {
             t: last.t,
@@ -282,7 +327,7 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
             qd: SVector::from([#(#last_qd),*]),
             qdd: SVector::from([#(#last_qdd),*]),
         };
-        let tears = kinematics::advance(&#type_name { at }, &tears, t, settings)
+        let tears = kinematics::advance(&#equations, &tears, t, settings)
             .map_err(|failure| failure.in_block(#number))?;
         #(#q = tears.q[#places];)*
         #(#qd = tears.qd[#places];)*

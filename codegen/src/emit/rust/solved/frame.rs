@@ -8,8 +8,9 @@ use crate::emit::rust::coordinates::derives;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::identifier;
 use crate::emit::rust::lints;
-use crate::emit::rust::literal::float;
+use crate::emit::rust::literal::{count, float};
 use crate::expr::SymbolId;
+use crate::program::Program;
 use crate::program::solved::{Output, SolvedProgram};
 use crate::system::{SymbolRole, System};
 
@@ -193,14 +194,13 @@ fn method(output: &Output, system: &System) -> TokenStream {
 /// The frame before the first one: the drawing, with what `estimate` says of the coordinates.
 pub(in crate::emit::rust) fn estimated_frame(
     system: &System,
+    program: &Program,
     solved: &SolvedProgram,
 ) -> TokenStream {
+    let given = given_estimates(system, program, solved);
+    let rest = quote!(..Frame::DRAWN);
     if solved.outputs.is_none() {
-        return quote!(Frame {
-            t,
-            q: *estimate,
-            ..Frame::DRAWN
-        });
+        return quote!(Frame { t, q: *estimate, #given #rest });
     }
     let coordinates =
         solved
@@ -213,5 +213,23 @@ pub(in crate::emit::rust) fn estimated_frame(
                 }
                 _ => None,
             });
-    quote!(Frame { t, #(#coordinates)* ..Frame::DRAWN })
+    quote!(Frame { t, #(#coordinates)* #given #rest })
+}
+
+/// The drawn displacements that the frame keeps, where parameters change them.
+fn given_estimates(system: &System, program: &Program, solved: &SolvedProgram) -> TokenStream {
+    let Some(drawn) = &program.drawn else {
+        return TokenStream::new();
+    };
+    let graph = &system.mechanism.graph;
+    let fields = solved.fields.iter().filter_map(|symbol| {
+        let SymbolRole::Position(unknown) = system.roles[symbol.index()] else {
+            return None;
+        };
+        let (estimate, _) = drawn.results.get(unknown)?;
+        let is_given = unknown >= system.coordinates.len() && !graph.is_constant(*estimate);
+        let (name, place) = (plain_name(*symbol, system), count(unknown));
+        is_given.then(|| quote!(#name: drawn(parameters)[#place],))
+    });
+    quote!(#(#fields)*)
 }

@@ -6,6 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::rust::expression::{Names, identifier};
+use crate::emit::rust::given;
 use crate::expr::{ExprId, SymbolId};
 use crate::program::Straight;
 use crate::program::solved::SolvedProgram;
@@ -71,7 +72,10 @@ pub(super) fn plain_name(symbol: SymbolId, system: &System) -> Ident {
             format!("{}_acceleration", system.unknown_name(unknown))
         }
         SymbolRole::Time => "t".to_string(),
-        SymbolRole::Arm(_) | SymbolRole::Intermediate => system.local_name(symbol).to_string(),
+        SymbolRole::Arm(_)
+        | SymbolRole::Intermediate
+        | SymbolRole::Parameter(_)
+        | SymbolRole::Input { .. } => system.local_name(symbol).to_string(),
     };
     identifier(&name)
 }
@@ -85,6 +89,9 @@ impl Names for BlockNames<'_> {
         if let Some(branch) = self.solved.branch_of(symbol) {
             let name = identifier(&branch.name);
             return quote!(branches.#name.sign::<f64>());
+        }
+        if let Some(given) = given::read(symbol, self.system) {
+            return given;
         }
         if !self.is_field(symbol) {
             let name = plain_name(symbol, self.system);

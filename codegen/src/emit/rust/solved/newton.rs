@@ -5,10 +5,11 @@ use std::collections::HashSet;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::block::{equations_name, statement};
+use super::block::{Needs, equations_name, reads, statement};
 use super::names::{BlockNames, plain_name};
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::Writer;
+use crate::emit::rust::given::only;
 use crate::emit::rust::literal::count;
 use crate::emit::rust::solver::scale;
 use crate::expr::{ExprId, SymbolId};
@@ -37,6 +38,34 @@ pub(in crate::emit::rust) fn newton_blocks(
             ))
         });
     quote!(#(#types)*)
+}
+
+/// Whether the equations of a block read what was found before it.
+pub(super) fn reads_frame(
+    block: &BlockProgram,
+    newton: &NewtonBlock,
+    system: &System,
+    solved: &SolvedProgram,
+) -> bool {
+    let unknowns = newton.unknowns.iter();
+    let own = unknowns.flat_map(|&unknown| {
+        let unknown = &system.vector_form.unknowns[unknown];
+        [unknown.position, unknown.rate]
+    });
+    let geometry = newton.geometry.iter().flat_map(Action::targets);
+    let names = BlockNames {
+        system,
+        solved,
+        time: &block.time,
+        local: own.chain(geometry).collect(),
+    };
+    let results: Vec<ExprId> = newton.expressions().collect();
+    let needed = newton.geometry_for(&results, system);
+    let mut read = results
+        .into_iter()
+        .chain(needed.iter().flat_map(Action::values))
+        .flat_map(|expr| system.mechanism.graph.symbols(expr));
+    read.any(|&symbol| names.is_field(symbol))
 }
 
 fn equations(
@@ -74,7 +103,12 @@ fn equations(
             names: &names,
         };
         let needed = newton.geometry_for(results, system);
-        let time = writer.statements(&block.time.for_results(results, system));
+        let evaluated: Vec<ExprId> = results
+            .iter()
+            .copied()
+            .chain(needed.iter().flat_map(Action::values))
+            .collect();
+        let time = writer.statements(&block.time.for_results(&evaluated, system));
         let actions: Vec<TokenStream> = needed
             .iter()
             .map(|action| statement(action, index, block, &writer, &names))
@@ -83,10 +117,12 @@ fn equations(
             .iter()
             .map(|&expr| writer.expression(expr, &[]))
             .collect();
-        let read: HashSet<SymbolId> = results
+        let read_expressions = results
             .iter()
             .copied()
-            .chain(needed.iter().flat_map(Action::values))
+            .chain(needed.iter().flat_map(Action::values));
+        let read: HashSet<SymbolId> = read_expressions
+            .clone()
             .flat_map(|expr| system.mechanism.graph.symbols(expr).iter().copied())
             .collect();
         let pattern = |symbol: SymbolId| {
@@ -119,6 +155,9 @@ fn equations(
         let reads_time = read
             .iter()
             .any(|symbol| system.roles[symbol.index()] == SymbolRole::Time);
+        let given = reads(read_expressions, system);
+        let parameters = only(given.parameters, quote!(let parameters = self.parameters;));
+        let inputs = only(given.inputs, quote!(let inputs = self.inputs;));
         let t = if reads_time { quote!(t) } else { quote!(_t) };
         let q = if unpack_q.is_empty() {
             quote!(_q)
@@ -130,7 +169,7 @@ fn equations(
         } else {
             quote!(qd)
         };
-        let body = quote!(#at #unpack_q #unpack_qd #(#time)* #(#actions)*);
+        let body = quote!(#at #parameters #inputs #unpack_q #unpack_qd #(#time)* #(#actions)*);
         (body, values, q, qd, t)
     };
     let (residual_body, residual, residual_q, _, residual_t) = part(&newton.residuals, false);
@@ -138,18 +177,29 @@ fn equations(
     let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
     let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
     let column_scales = unknowns.iter().map(|unknown| scale(unknown.quantity));
+    let given = Needs::given(newton, system);
+    let parameters = only(given.parameters, quote!(parameters: &'a Parameters,));
+    let inputs = only(given.inputs, quote!(inputs: &'a Inputs,));
     let title = docs([format!(
         "The equations of `{}` for {}.",
         block.name,
         listed(newton, system)
     )]);
+    let at = only(
+        reads_frame(block, newton, system, solved),
+        quote!(at: &'a Frame,),
+    );
+    let fields = quote!(#at #parameters #inputs);
+    let (declaration, lifetime) = if fields.is_empty() {
+        (quote!(struct #name;), TokenStream::new())
+    } else {
+        (quote!(struct #name<'a> { #fields }), quote!(<'_>))
+    };
     quote! {
         #title
-        struct #name<'a> {
-            at: &'a Frame,
-        }
+        #declaration
 
-        impl Equations<f64, Const<#size>> for #name<'_> {
+        impl Equations<f64, Const<#size>> for #name #lifetime {
             fn dimension(&self) -> Const<#size> {
                 Const
             }

@@ -8,7 +8,9 @@ use super::frame::estimated_frame;
 use crate::emit::rust::coordinates::derives;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::identifier;
+use crate::emit::rust::given::{Given, access, drawn_pose, finite_check, kept_in_frame, only};
 use crate::emit::rust::literal::count;
+use crate::emit::rust::solver::own_parameters;
 use crate::model::type_name;
 use crate::program::Program;
 use crate::program::solved::SolvedProgram;
@@ -27,7 +29,7 @@ pub(in crate::emit::rust) fn mechanism(
         lines.push(format!("The mechanism `{}`.", system.mechanism.name));
     }
     let text = docs(lines);
-    let estimated = estimated_frame(system, solved);
+    let estimated = estimated_frame(system, program, solved);
     let mut all = Needs::default();
     let calls: Vec<TokenStream> = solved
         .blocks
@@ -61,6 +63,36 @@ pub(in crate::emit::rust) fn mechanism(
     } else {
         quote!(_settings)
     };
+    let given = Given::of(system);
+    let (with, passed) = (given.parameters_declared(), given.parameters_passed());
+    let (inputs, inputs_passed) = (given.inputs_declared(), given.inputs_passed());
+    let (field, kept) = (
+        only(given.parameters, quote!(parameters: Parameters,)),
+        only(given.parameters, quote!(parameters: *parameters,)),
+    );
+    let signals = only(given.inputs, quote!(inputs: &Inputs,));
+    let signals_passed = only(given.inputs, quote!(inputs,));
+    let in_frame = only(kept_in_frame(program), quote!(at.parameters = *parameters;));
+    let (equations, check, access) = (given.copied(), finite_check(system), access(system));
+    let drawn = drawn_pose(program);
+    let nominal = only(
+        given.parameters,
+        quote!(let parameters = &Parameters::NOMINAL;),
+    );
+    let own_parameters = own_parameters(given);
+    let for_parameters = only(
+        given.parameters,
+        quote! {
+            /// Assembles the mechanism of these parameters at time `t` (s) as it is drawn.
+            ///
+            /// # Errors
+            /// A [`Failure`] where it cannot be assembled so.
+            pub fn assemble_for(parameters: &Parameters, t: f64 #inputs) -> Result<Self, Failure> {
+                let estimate = #drawn;
+                Self::assemble_with(parameters, estimate, Branches::DRAWN, t #inputs_passed, Settings::default())
+            }
+        },
+    );
     let verdict = if checks_itself(system) {
         quote!(Ok(()))
     } else {
@@ -77,8 +109,8 @@ pub(in crate::emit::rust) fn mechanism(
             ///
             /// # Errors
             /// A [`Failure`] where the Jacobian is singular.
-            pub fn newton_step(q: &Coordinates, t: f64) -> Result<Step<f64, Const<#size>>, Failure> {
-                newton::step(&Textbook, &SVector::from(q.to_array()), t, &Settings::default())
+            pub fn newton_step(q: &Coordinates, #with #signals t: f64) -> Result<Step<f64, Const<#size>>, Failure> {
+                newton::step(&Textbook #equations, &SVector::from(q.to_array()), t, &Settings::default())
             }
         },
         None => TokenStream::new(),
@@ -91,9 +123,13 @@ pub(in crate::emit::rust) fn mechanism(
             #last: &Frame,
             #branches: &Branches,
             #settings: &Settings,
+            #with
+            #signals
             t: f64,
         ) -> Result<(), Failure> {
+            #check
             at.t = t;
+            #in_frame
             #(#calls)*
             #verdict
         }
@@ -105,6 +141,7 @@ pub(in crate::emit::rust) fn mechanism(
             frames: [Frame; 2],
             second_is_last: bool,
             branches: Branches,
+            #field
             settings: Settings,
         }
 
@@ -114,16 +151,19 @@ pub(in crate::emit::rust) fn mechanism(
             ///
             /// # Errors
             /// A [`Failure`] where it cannot be assembled so.
-            pub fn assemble(t: f64) -> Result<Self, Failure> {
-                Self::assemble_on(Branches::DRAWN, t)
+            pub fn assemble(t: f64 #inputs) -> Result<Self, Failure> {
+                Self::assemble_on(Branches::DRAWN, t #inputs_passed)
             }
+
+            #for_parameters
 
             /// Assembles the mechanism at time `t` (s) in other modes than the drawing's.
             ///
             /// # Errors
             /// A [`Failure`] where it cannot be assembled so.
-            pub fn assemble_on(branches: Branches, t: f64) -> Result<Self, Failure> {
-                Self::assemble_with(&Coordinates::DRAWN, branches, t, Settings::default())
+            pub fn assemble_on(branches: Branches, t: f64 #inputs) -> Result<Self, Failure> {
+                #nominal
+                Self::assemble_with(#passed #drawn, branches, t #inputs_passed, Settings::default())
             }
 
             /// Assembles the mechanism at time `t` (s) in the drawing's modes, with angles near those of `estimate`, a measured pose
@@ -131,8 +171,9 @@ pub(in crate::emit::rust) fn mechanism(
             ///
             /// # Errors
             /// A [`Failure`] where it cannot be assembled so.
-            pub fn assemble_from(estimate: &Coordinates, t: f64, settings: Settings) -> Result<Self, Failure> {
-                Self::assemble_with(estimate, Branches::DRAWN, t, settings)
+            pub fn assemble_from(estimate: &Coordinates, t: f64 #inputs, settings: Settings) -> Result<Self, Failure> {
+                #nominal
+                Self::assemble_with(#passed estimate, Branches::DRAWN, t #inputs_passed, settings)
             }
 
             /// Assembles the mechanism at time `t` (s) in these modes, with angles near those of `estimate`. Where a block needs
@@ -141,25 +182,28 @@ pub(in crate::emit::rust) fn mechanism(
             /// # Errors
             /// A [`Failure`] where it cannot be assembled so.
             pub fn assemble_with(
+                #with
                 estimate: &Coordinates,
                 branches: Branches,
-                t: f64,
+                t: f64
+                #inputs,
                 settings: Settings,
             ) -> Result<Self, Failure> {
                 let last = #estimated;
                 let mut at = last;
-                solve(&mut at, &last, &branches, &settings, t)?;
-                Ok(Self { frames: [at, last], second_is_last: false, branches, settings })
+                solve(&mut at, &last, &branches, &settings, #passed #signals_passed t)?;
+                Ok(Self { frames: [at, last], second_is_last: false, branches, #kept settings })
             }
 
             /// Moves the mechanism to time `t` (s), starting from the last frame, which a failure leaves as it is.
             ///
             /// # Errors
             /// A [`Failure`] where the equations cannot be solved from there.
-            pub fn advance(&mut self, t: f64) -> Result<&Frame, Failure> {
+            pub fn advance(&mut self, t: f64 #inputs) -> Result<&Frame, Failure> {
+                #own_parameters
                 let [first, second] = &mut self.frames;
                 let (last, at) = if self.second_is_last { (&*second, first) } else { (&*first, second) };
-                solve(at, last, &self.branches, &self.settings, t)?;
+                solve(at, last, &self.branches, &self.settings, #passed #signals_passed t)?;
                 self.second_is_last = !self.second_is_last;
                 Ok(self.frame())
             }
@@ -174,6 +218,8 @@ pub(in crate::emit::rust) fn mechanism(
             pub fn branches(&self) -> Branches {
                 self.branches
             }
+
+            #access
 
             #newton_step
         }

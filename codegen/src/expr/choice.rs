@@ -1,0 +1,110 @@
+//! Choices between two expressions: *a condition and two arms* → *the canonical expression*.
+//!
+//! A choice is its first arm where the condition is negative and its second arm elsewhere. Its derivative is the choice
+//! between the derivatives of the arms: exact wherever the arms join; a jump between them is not differentiated, so whoever
+//! builds a choice answers for the join. An argument brought into one period needs the number of whole periods, whose
+//! derivative is zero for the same reason.
+
+use super::graph::Graph;
+use super::node::{ExprId, Node, Term};
+use super::number::Number;
+
+/// A condition as a person writes it: `left < right`, or `left > right`, without negative variable terms.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// The terms on the left; never empty.
+    pub left: Vec<Term>,
+    /// Whether the sign is `<`, and not `>`.
+    pub is_less: bool,
+    /// The terms on the right; empty for 0.
+    pub right: Vec<Term>,
+}
+
+impl Graph {
+    /// `below` where `condition` is negative, `otherwise` elsewhere.
+    pub fn choose(&mut self, condition: ExprId, below: ExprId, otherwise: ExprId) -> ExprId {
+        if self.any_non_finite(&[condition, below, otherwise]) {
+            return self.not_a_number();
+        }
+        if let Some(value) = self.constant_value(condition) {
+            return if value < 0.0 { below } else { otherwise };
+        }
+        // An arm that asks the same question has its answer already.
+        let below = match *self.node(below) {
+            Node::Choose {
+                condition: same,
+                below,
+                ..
+            } if same == condition => below,
+            _ => below,
+        };
+        let otherwise = match *self.node(otherwise) {
+            Node::Choose {
+                condition: same,
+                otherwise,
+                ..
+            } if same == condition => otherwise,
+            _ => otherwise,
+        };
+        if below == otherwise {
+            return below;
+        }
+        self.intern(Node::Choose {
+            condition,
+            below,
+            otherwise,
+        })
+    }
+
+    /// The largest whole number that is not greater than the argument.
+    pub fn floor(&mut self, argument: ExprId) -> ExprId {
+        if !self.is_finite(argument) {
+            return self.not_a_number();
+        }
+        if let Some(value) = self.constant_value(argument) {
+            let floor = value.floor();
+            // Larger numbers are whole anyway, and too large to be counted exactly.
+            return if floor.abs() < 1e15 {
+                self.integer(floor as i64)
+            } else {
+                self.number(Number::float(floor))
+            };
+        }
+        self.intern(Node::Floor(argument))
+    }
+
+    /// What `condition < 0` says, with every variable term on the side where it is positive and constants on the right.
+    pub fn comparison(&self, condition: ExprId) -> Comparison {
+        let terms = match self.node(condition) {
+            Node::Sum(terms) => terms.to_vec(),
+            _ => vec![Term {
+                coefficient: Number::ONE,
+                expr: condition,
+            }],
+        };
+        let variable = |term: &&Term| !self.is_constant(term.expr);
+        let is_less = terms
+            .iter()
+            .filter(variable)
+            .any(|term| !term.coefficient.is_negative());
+        let mut comparison = Comparison {
+            left: Vec::new(),
+            is_less,
+            right: Vec::new(),
+        };
+        for term in terms {
+            let negated = Term {
+                coefficient: term.coefficient.neg(),
+                expr: term.expr,
+            };
+            let is_left = !self.is_constant(term.expr) && term.coefficient.is_negative() != is_less;
+            match (is_left, is_less) {
+                (true, true) => comparison.left.push(term),
+                (true, false) => comparison.left.push(negated),
+                (false, true) => comparison.right.push(negated),
+                (false, false) => comparison.right.push(term),
+            }
+        }
+        comparison
+    }
+}

@@ -1,0 +1,66 @@
+//! Flat-faced follower: a straight face of one body stays tangent to a curve of another.
+
+use super::geometry::{dot, perpendicular, subtract};
+use super::{Contact, Kind, Operands, Quantity, Resolved, Row, Value};
+use crate::expr::Graph;
+
+/// (R_j v)ᵀ (r_i + R_i p(s) − r_j − R_j s_A) = 0 and (R_j v)ᵀ R_i p'(s) = 0, with v across the face, fixed in body j: the touched
+/// point lies on the face, and the tangent there along it (Nikravesh 1988, section 4.2.4).
+pub struct Flat;
+
+impl Kind for Flat {
+    fn keyword(&self) -> &'static str {
+        "flat"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::FACE_AND_CURVE
+    }
+
+    fn value(&self) -> Value {
+        Value::None
+    }
+
+    fn example(&self) -> &'static str {
+        "`flat (2, rim) along A -> B;` with A and B on body 2"
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let (Some(face), Some(curve)) = (operands.axis, operands.curve) else {
+            return Vec::new();
+        };
+        let begin = operands.marks[0];
+        let [across, turned] =
+            [face.direction, face.turned].map(|along| perpendicular(along, graph));
+        let touched = curve.position(curve.point, graph);
+        // The arm s_A needs no rotation, since it and v are fixed in the same frame.
+        let reach = subtract(touched, begin.frame.origin, graph);
+        let height = dot(turned, reach, graph);
+        let start = dot(across, begin.local, graph);
+        let tangent = curve.tangent(graph);
+        let tangent = curve.rotate(tangent, graph);
+        let row = |residual, component| Row {
+            residual,
+            quantity: Quantity::Length,
+            component,
+        };
+        vec![
+            row(graph.subtract(height, start), "face"),
+            row(dot(turned, tangent, graph), "tangent"),
+        ]
+    }
+
+    /// A face touches a curve from outside, so the curve must not be hollow anywhere.
+    fn contact(&self, operands: &Resolved, graph: &mut Graph) -> Option<Contact> {
+        let (face, curve) = (operands.axis?, operands.curve?);
+        Some(Contact {
+            normal: perpendicular(face.turned, graph),
+            follower: operands.marks[0].frame,
+            place: curve.position(curve.point, graph),
+            fit: Some((
+                curve.curvature(graph),
+                "a flat face does not reach into a hollow of the curve",
+            )),
+        })
+    }
+}

@@ -1,0 +1,79 @@
+//! Roller follower: a disc whose center is a point of one body rolls along a curve of another.
+
+use super::geometry::{Vector, add, subtract};
+use super::{Contact, Curve, Kind, Operands, Quantity, Refusal, Resolved, Row, Value};
+use crate::expr::{ExprId, Graph};
+
+/// r_j + R_j s_j − r_i − R_i (p(s) + ρ n(s)) = 0, with the radius ρ, and the unit normal n on the side on which the drawing
+/// has the roller (Norton 2009, Cam Design and Manufacturing Handbook: the pitch curve of a cam).
+///
+/// How the roller turns about its center is not asked for, so it needs no body.
+pub struct Roller;
+
+/// p + ρ n: the pitch curve, in the frame of the curve.
+fn pitch(curve: &Curve, radius: ExprId, graph: &mut Graph) -> Vector {
+    let normal = curve.normal(graph);
+    let reach = normal.map(|component| graph.multiply(radius, component));
+    add(curve.point, reach, graph)
+}
+
+impl Kind for Roller {
+    fn keyword(&self) -> &'static str {
+        "roller"
+    }
+
+    fn operands(&self) -> Operands {
+        Operands::POINT_AND_CURVE
+    }
+
+    fn value(&self) -> Value {
+        Value::Required(Quantity::Length)
+    }
+
+    fn example(&self) -> &'static str {
+        "`roller (2.P, rim) = 10mm;` with `curve rim(a) on 1 = polar RADIUS;`"
+    }
+
+    fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
+        let radius = graph.constant_value(operands.value?)?;
+        (radius <= 0.0).then(|| Refusal {
+            problem: "the radius of a roller is positive".to_string(),
+            help: "write `point_on_curve` for a point; the side of the roller follows from the drawing"
+                .to_string(),
+        })
+    }
+
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let (Some(curve), Some(radius)) = (operands.curve, operands.value) else {
+            return Vec::new();
+        };
+        let center = operands.marks[0].position(graph);
+        let pitch = pitch(&curve, radius, graph);
+        let held = curve.position(pitch, graph);
+        let gap = subtract(center, held, graph);
+        let row = |residual, component| Row {
+            residual,
+            quantity: Quantity::Length,
+            component,
+        };
+        vec![row(gap[0], "x"), row(gap[1], "y")]
+    }
+
+    /// The pitch curve turns back where 1 + ρ κ = 0: there the roller is larger than the hollow.
+    fn contact(&self, operands: &Resolved, graph: &mut Graph) -> Option<Contact> {
+        let (curve, radius) = (operands.curve?, operands.value?);
+        let normal = curve.normal(graph);
+        let curvature = curve.curvature(graph);
+        let turn = graph.multiply(radius, curvature);
+        let one = graph.one();
+        Some(Contact {
+            normal: curve.rotate(normal, graph),
+            follower: operands.marks[0].frame,
+            place: operands.marks[0].position(graph),
+            fit: Some((
+                graph.add(one, turn),
+                "the roller does not fit into the curve",
+            )),
+        })
+    }
+}

@@ -1,0 +1,213 @@
+//! A joint that touches a curve → where it touches it in the drawing, and what makes that impossible or doubtful.
+//!
+//! The place is the one at which the joint's own rows come nearest to zero in the drawn pose; nothing here depends on the kind.
+
+use super::curve::{DrawnCurve, shown};
+use super::operands::Given;
+use super::resolve::Resolver;
+use super::search::{Along, Minima, Minimum, minima};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::expr::{ExprId, Number};
+use crate::joint::{Curve, Resolved};
+use crate::syntax::Reference;
+
+/// What beside the best place counts as just as good, in shares of the size of the curve.
+const AS_GOOD: f64 = 1e-3;
+
+/// What is called far away, in shares of the size of the curve.
+const FAR: f64 = 0.25;
+
+impl Resolver<'_> {
+    /// The curve of this name; `None` also where its own statement has an error.
+    pub(super) fn named_curve(&mut self, reference: &Reference) -> Option<DrawnCurve> {
+        if let (None, Some(&curve)) = (&reference.body, self.curves.get(&reference.name.text)) {
+            return curve;
+        }
+        let name = &reference.name;
+        let diagnostic = match &reference.body {
+            Some(_) => Diagnostic::error(
+                Code::WrongForm,
+                reference.span,
+                "a curve is wanted here, not a point",
+            )
+            .help("declare `curve NAME(s) on BODY = (X, Y);` and write its name alone"),
+            None => self.curves.unknown(&name.text, name.span),
+        };
+        self.diagnostics.push(diagnostic);
+        None
+    }
+
+    /// The curve with a parameter of its own for this joint; where it is touched is found by [`Resolver::touch`].
+    pub(super) fn touched_curve(&mut self, drawn: &DrawnCurve, slug: &str) -> Curve {
+        let base = format!("s_{slug}");
+        let numbered = (2..).map(|number| format!("{base}_{number}"));
+        let free = std::iter::once(base.clone())
+            .chain(numbered)
+            .find(|name| self.graph.find_symbol(name).is_none());
+        let parameter = self.graph.symbol(&free.unwrap_or(base));
+        let frame = self.bodies[drawn.body.0].frame;
+        let own = self.graph.variable(parameter);
+        let (zero, one) = (self.graph.zero(), self.graph.one());
+        let point = drawn
+            .point
+            .map(|part| self.graph.substitute(part, &[(drawn.parameter, own)]));
+        Curve {
+            frame,
+            axis: frame.rotate([one, zero], &mut self.graph),
+            parameter,
+            quantity: drawn.quantity,
+            point,
+            side: one,
+            estimate: zero,
+        }
+    }
+
+    /// Finds where and on which side the joint touches its curve in the drawing. `None` after an error.
+    pub(super) fn touch(
+        &mut self,
+        given: &Given<'_>,
+        drawn: &DrawnCurve,
+        mut operands: Resolved,
+    ) -> Option<Resolved> {
+        let curve = operands.curve?;
+        let symbols = self.drawn_symbols();
+        let one = self.graph.one();
+        let mut searched: Vec<(ExprId, Minima)> = Vec::new();
+        let mut stated: Vec<Vec<ExprId>> = Vec::new();
+        for side in [one, self.graph.negate(one)] {
+            operands.curve = Some(Curve { side, ..curve });
+            let rows = given.kind.rows(&operands, &mut self.graph);
+            let rows: Vec<ExprId> = rows.iter().map(|row| row.residual).collect();
+            // A kind that does not tell the sides apart states the same rows for both.
+            if !stated.contains(&rows) {
+                let mut along = Along::new(&self.graph, &rows, curve.parameter, &symbols);
+                searched.push((side, minima(drawn.range, |place| along.square(place))));
+                stated.push(rows);
+            }
+        }
+        let mut along = Along::new(&self.graph, &drawn.point, drawn.parameter, &symbols);
+        let size = minima(drawn.range, |place| along.square(place))
+            .largest
+            .sqrt();
+        let candidates = searched
+            .iter()
+            .flat_map(|(side, minima)| minima.iter().map(|minimum| (*side, *minimum)));
+        let candidates: Vec<(ExprId, Minimum)> = candidates.collect();
+        let best = candidates
+            .iter()
+            .min_by(|(_, one), (_, other)| one.cost.total_cmp(&other.cost));
+        let Some(&(side, Minimum { place, cost })) = best else {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::DegenerateGeometry,
+                    given.span,
+                    "nowhere in its range this curve has a normal or is defined",
+                )
+                .help("look at the formula of the curve"),
+            );
+            return None;
+        };
+        let distance = cost.sqrt();
+        let [x, y] = [along.at(place)[0], along.at(place)[1]];
+        let rival = candidates.iter().find(|(other, minimum)| {
+            let there = along.at(minimum.place);
+            let apart = (there[0] - x).hypot(there[1] - y) > AS_GOOD * size;
+            (apart || *other != side) && minimum.cost.sqrt() - distance <= AS_GOOD * size
+        });
+        let is_even = searched
+            .iter()
+            .any(|(_, minima)| minima.largest.sqrt() - distance <= AS_GOOD * size);
+        let doubt = match rival {
+            _ if is_even => Some("every point of it is as near".to_string()),
+            Some((other, _)) if *other != side => Some(format!(
+                "both sides of it are as near, at {}",
+                shown(place, drawn.quantity)
+            )),
+            Some((_, rival)) => {
+                let (low, high) = (place.min(rival.place), place.max(rival.place));
+                Some(format!(
+                    "{} and {} are as near",
+                    shown(low, drawn.quantity),
+                    shown(high, drawn.quantity)
+                ))
+            }
+            None => None,
+        };
+        if let Some(doubt) = doubt {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::DegenerateGeometry,
+                    given.span,
+                    "the drawing does not tell where the curve is touched",
+                )
+                .label(doubt)
+                .help("draw the bodies such that one place of the curve is nearest"),
+            );
+            return None;
+        }
+        if distance > FAR * size {
+            self.diagnostics.push(
+                Diagnostic::warning(
+                    Code::DegenerateGeometry,
+                    given.span,
+                    format!("in the drawing this is {distance:.3} m away from touching its curve"),
+                )
+                .label(format!("nearest at {}", shown(place, drawn.quantity)))
+                .help("draw the bodies as they touch; the mechanism is assembled from there"),
+            );
+        }
+        // Eight decimals are more than an estimate needs, and the same on every machine.
+        let rounded = (place * 1e8).round() / 1e8;
+        let estimate = self.graph.number(Number::float(rounded));
+        operands.curve = Some(Curve {
+            side,
+            estimate,
+            ..curve
+        });
+        self.warn_of_hollows(given, drawn, &operands, rounded, &symbols);
+        Some(operands)
+    }
+
+    /// Warns where the shape of the curve keeps the joint from touching it.
+    fn warn_of_hollows(
+        &mut self,
+        given: &Given<'_>,
+        drawn: &DrawnCurve,
+        operands: &Resolved,
+        place: f64,
+        symbols: &[f64],
+    ) {
+        let Some(curve) = operands.curve else { return };
+        let contact = given.kind.contact(operands, &mut self.graph);
+        let Some((fit, problem)) = contact.and_then(|contact| contact.fit) else {
+            return;
+        };
+        let mut along = Along::new(&self.graph, &[fit], curve.parameter, symbols);
+        let sign = along.at(place)[0].signum();
+        let worst = minima(drawn.range, |place| sign * along.at(place)[0]).first();
+        if let Some(worst) = worst
+            && worst.cost <= 0.0
+        {
+            self.diagnostics.push(
+                Diagnostic::warning(
+                    Code::DegenerateGeometry,
+                    given.span,
+                    format!("{problem} at {}", shown(worst.place, drawn.quantity)),
+                )
+                .label("would touch the curve in two places there")
+                .help("the equations hold one contact only: give the curve another shape there"),
+            );
+        }
+    }
+
+    /// The values of all symbols in the drawing, at t = 0.
+    pub(super) fn drawn_symbols(&self) -> Vec<f64> {
+        let mut values = vec![0.0; self.graph.symbol_count()];
+        for body in &self.bodies {
+            for (symbol, drawn) in body.coordinates.into_iter().flatten().zip(body.estimate()) {
+                values[symbol.index()] = self.graph.constant_value(drawn).unwrap_or(0.0);
+            }
+        }
+        values
+    }
+}

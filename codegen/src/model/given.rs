@@ -1,0 +1,238 @@
+//! `param` and `input` statements → symbols with a default.
+//!
+//! A parameter is a fixed symbol: it may stand wherever a constant may, and questions about numbers are answered at its default.
+//! An input moves as t does: it may stand where t may. Both are named in the name space of the constants. Deliberately unknown
+//! here: what depends on them.
+
+use super::dimension::Dimension;
+use super::expression::Value;
+use super::resolve::Resolver;
+use super::{Input, Mechanism, Parameter};
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::ExprId;
+use crate::syntax::{self, Name};
+
+/// What a statement declares, for messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sort {
+    Parameter,
+    Input,
+}
+
+impl Sort {
+    fn noun(self) -> &'static str {
+        match self {
+            Sort::Parameter => "parameter",
+            Sort::Input => "input",
+        }
+    }
+}
+
+impl Resolver<'_> {
+    pub(super) fn add_parameter(&mut self, written: &syntax::Constant) {
+        let Some((nominal, dimension)) = self.default_of(written, Sort::Parameter) else {
+            return;
+        };
+        let name = &written.name;
+        // No coordinate can have this name, nor that of another parameter.
+        let symbol = self.graph.symbol(&format!("{} parameter", name.text));
+        let value = self.graph.constant_value(nominal).unwrap_or(f64::NAN);
+        self.graph.set_nominal(symbol, value);
+        let variable = self.graph.variable(symbol);
+        if let Some(duplicate) = self.constants.declare(name, (variable, dimension)) {
+            self.diagnostics.push(duplicate);
+            return;
+        }
+        self.parameters.push(Parameter {
+            name: name.text.clone(),
+            docs: written.docs.clone(),
+            symbol,
+            nominal,
+            dimension,
+            used: false,
+            span: name.span,
+        });
+    }
+
+    pub(super) fn add_input(&mut self, written: &syntax::Constant) {
+        let Some((initial, dimension)) = self.default_of(written, Sort::Input) else {
+            return;
+        };
+        let name = &written.name;
+        let [value, rate, acceleration] =
+            ["", "'", "''"].map(|dots| self.graph.symbol(&format!("{}{dots} input", name.text)));
+        let variable = self.graph.variable(value);
+        if let Some(duplicate) = self.constants.declare(name, (variable, dimension)) {
+            self.diagnostics.push(duplicate);
+            return;
+        }
+        self.inputs.push(Input {
+            name: name.text.clone(),
+            docs: written.docs.clone(),
+            symbols: [value, rate, acceleration],
+            initial,
+            dimension,
+            used: false,
+            span: name.span,
+        });
+    }
+
+    /// The value that a statement gives, a number. An erroneous one counts as one, so that the name is still declared; `None`
+    /// where the name cannot be.
+    fn default_of(&mut self, written: &syntax::Constant, sort: Sort) -> Option<Value> {
+        let name = &written.name;
+        if !self.may_be_declared(name) {
+            return None;
+        }
+        self.tell_apart(name, sort);
+        let one = (self.graph.one(), Dimension::Number);
+        let Some((value, dimension)) = self.value(&written.value) else {
+            return Some(one);
+        };
+        if self.graph.is_constant(value) {
+            return Some((value, dimension));
+        }
+        let noun = sort.noun();
+        let (article, cause) = match sort {
+            Sort::Parameter => ("a", self.moving(value)),
+            Sort::Input => ("an", self.moving(value)),
+        };
+        let finding = match cause {
+            Some(cause) => Diagnostic::error(
+                Code::NotConstant,
+                written.value.span,
+                format!("the default of {article} {noun} cannot depend on {cause}"),
+            )
+            .label("changes with time")
+            .help(match sort {
+                Sort::Parameter => "a value that is supplied as it changes is an `input`",
+                Sort::Input => {
+                    "write the value at assembly; the signal itself is supplied at run time"
+                }
+            }),
+            None => Diagnostic::error(
+                Code::NotConstant,
+                written.value.span,
+                format!("the default of {article} {noun} cannot depend on a parameter"),
+            )
+            .label("a number is wanted here")
+            .help("a value that follows from parameters is a `const`"),
+        };
+        self.diagnostics.push(finding);
+        Some(one)
+    }
+
+    /// Reports a name that is printed or generated like that of something else.
+    fn tell_apart(&mut self, name: &Name, sort: Sort) {
+        let noun = sort.noun();
+        if self.graph.find_symbol(&name.text).is_some() {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::NameNotAllowed,
+                    name.span,
+                    format!("`{}` is a coordinate of a body", name.text),
+                )
+                .label("formulas could not tell them apart")
+                .help(format!("give the {noun} another name")),
+            );
+            return;
+        }
+        let others: Vec<(&str, Span)> = match sort {
+            Sort::Parameter => {
+                let parameters = self.parameters.iter();
+                parameters
+                    .map(|own| (own.name.as_str(), own.span))
+                    .collect()
+            }
+            Sort::Input => {
+                let inputs = self.inputs.iter();
+                inputs.map(|own| (own.name.as_str(), own.span)).collect()
+            }
+        };
+        let earlier = others
+            .into_iter()
+            .find(|(other, _)| *other != name.text && field_name(other) == field_name(&name.text));
+        let Some((earlier, span)) = earlier else {
+            return;
+        };
+        let finding = Diagnostic::error(
+            Code::NameNotAllowed,
+            name.span,
+            format!(
+                "{noun}s `{earlier}` and `{}` differ only in case",
+                name.text
+            ),
+        )
+        .label(format!(
+            "both would be `{}` in the generated code",
+            field_name(&name.text)
+        ))
+        .also(span, "the other one")
+        .help("give one of them another name");
+        self.diagnostics.push(finding);
+    }
+
+    /// What in an expression changes with time, as messages name it: `t`, or an input.
+    pub(super) fn moving(&self, value: ExprId) -> Option<String> {
+        if self.graph.depends_on(value, self.time) {
+            return Some("`t`".to_string());
+        }
+        let input = self
+            .inputs
+            .iter()
+            .find(|input| self.graph.depends_on(value, input.symbols[0]))?;
+        Some(format!("the input `{}`", input.name))
+    }
+
+    /// Notes which parameters and inputs are mentioned.
+    pub(super) fn mention(&mut self, value: ExprId) {
+        let symbols = self.graph.symbols(value);
+        self.mentioned.extend(symbols.iter().copied());
+    }
+
+    /// Notes which parameters and inputs are used, once all statements have been read.
+    pub(super) fn note_used(&mut self) {
+        for parameter in &mut self.parameters {
+            parameter.used = self.mentioned.contains(&parameter.symbol);
+        }
+        for input in &mut self.inputs {
+            input.used = self.mentioned.contains(&input.symbols[0]);
+        }
+    }
+}
+
+/// Warnings of the parameters and inputs that no motion uses.
+pub(super) fn unused(mechanisms: &[Mechanism]) -> Vec<Diagnostic> {
+    let declared = |mechanism: &Mechanism| -> Vec<(Sort, String, Span, bool)> {
+        let parameters = mechanism
+            .parameters
+            .iter()
+            .map(|own| (Sort::Parameter, own.name.clone(), own.span, own.used));
+        let inputs = mechanism
+            .inputs
+            .iter()
+            .map(|own| (Sort::Input, own.name.clone(), own.span, own.used));
+        parameters.chain(inputs).collect()
+    };
+    let mut found: Vec<(Sort, String, Span, bool)> = Vec::new();
+    for (sort, name, span, used) in mechanisms.iter().flat_map(declared) {
+        match found.iter_mut().find(|earlier| earlier.2 == span) {
+            Some(earlier) => earlier.3 |= used,
+            None => found.push((sort, name, span, used)),
+        }
+    }
+    found
+        .into_iter()
+        .filter(|(.., used)| !used)
+        .map(|(sort, name, span, _)| {
+            let message = format!("the {} `{name}` is not used", sort.noun());
+            Diagnostic::warning(Code::UnusedName, span, message)
+                .help("use it in a statement below, or remove it")
+        })
+        .collect()
+}
+
+/// The field of the generated structure: the name in lower case.
+pub(crate) fn field_name(name: &str) -> String {
+    name.to_lowercase()
+}

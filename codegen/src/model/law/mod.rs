@@ -1,0 +1,115 @@
+//! A call of a law of motion → an expression of its argument.
+//!
+//! A law is built from choices, polynomials and sines of any argument x: its derivatives of every order follow by
+//! differentiation. The arguments stand in the order of ADAMS. Deliberately unknown here: what is driven, and that x is
+//! mostly t.
+
+mod rise;
+mod sequence;
+mod series;
+
+use super::dimension::Dimension;
+use super::expression::Value;
+use super::resolve::Resolver;
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::ExprId;
+use crate::syntax::{Expression, Name};
+use rise::Rise;
+
+/// Every law of motion, for help lines.
+pub(super) const LAWS: &[&str] = &[
+    "step",
+    "havsin",
+    "step5",
+    "cycloidal",
+    "poly345",
+    "poly4567",
+    "modified_trapezoid",
+    "modified_sine",
+    "simple_harmonic",
+    "sequence",
+    "polynomial",
+    "harmonic",
+];
+
+impl Resolver<'_> {
+    /// The value of a law; its name is one of [`LAWS`].
+    pub(super) fn law(
+        &mut self,
+        law: &Name,
+        arguments: &[Expression],
+        span: Span,
+    ) -> Option<Value> {
+        match (law.text.as_str(), Rise::named(&law.text)) {
+            (_, Some(rise)) => self.single_rise(rise, law, arguments, span),
+            ("sequence", _) => self.sequence(arguments, span),
+            ("polynomial", _) => self.polynomial(arguments, span),
+            _ => self.harmonic(arguments, span),
+        }
+    }
+
+    /// Reports a call with too few or too many arguments; `form` says how the law is written.
+    fn wrong_count(&mut self, law: &str, wanted: &str, given: usize, form: &str, span: Span) {
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::WrongArgumentCount,
+                span,
+                format!("`{law}` takes {wanted}, not {given}"),
+            )
+            .label(format!("{given} given"))
+            .help(format!("write `{form}`")),
+        );
+    }
+
+    /// The values of all arguments; every one is looked at even after an error.
+    fn all_values(&mut self, arguments: &[Expression]) -> Option<Vec<Value>> {
+        let values: Vec<Option<Value>> = arguments
+            .iter()
+            .map(|argument| self.value(argument))
+            .collect();
+        values.into_iter().collect()
+    }
+
+    /// Whether a value measures what `like` does; an error where not.
+    fn fits_like(
+        &mut self,
+        written: &Expression,
+        found: Dimension,
+        like: (&Expression, Dimension),
+    ) -> bool {
+        if found.fits(like.1) {
+            return true;
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::WrongDimension,
+                written.span,
+                format!("expected {}, found {}", like.1.name(), found.name()),
+            )
+            .label(format!("this is {}", found.name()))
+            .also(like.0.span, format!("this is {}", like.1.name()))
+            .help("give both the same kind of unit, or write bare numbers for SI units"),
+        );
+        false
+    }
+
+    /// Whether `later` is larger than `earlier`, as far as both are known; an error where not.
+    fn increases(&mut self, earlier: (&Expression, ExprId), later: (&Expression, ExprId)) -> bool {
+        let gap = self.graph.subtract(later.1, earlier.1);
+        let known = self.graph.constant_value(gap);
+        if known.is_none_or(|gap| gap > 0.0) {
+            return true;
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::NotIncreasing,
+                later.0.span,
+                "a law of motion ends after it begins",
+            )
+            .label("not larger than where it begins")
+            .also(earlier.0.span, "it begins here")
+            .help("the arguments are `x, x0, h0, x1, h1` with x1 larger than x0"),
+        );
+        false
+    }
+}

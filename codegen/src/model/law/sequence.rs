@@ -1,0 +1,167 @@
+//! Rises and dwells one after the other: *x, a law and its stations* → *the motion through all of them*.
+//!
+//! Between two stations of one height the motion dwells, between two others it goes by the law. Before the first and after
+//! the last station it dwells too, unless it is periodic: then it is repeated for ever, and the first and the last station
+//! must have the same height.
+
+use super::super::expression::{Value, listed};
+use super::super::resolve::Resolver;
+use super::rise::Rise;
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::ExprId;
+use crate::syntax::{Expression, ExpressionKind};
+
+const FORM: &str = "sequence(x, cycloidal, (x0, h0), (x1, h1), …)";
+
+/// The laws that a sequence may be made of, for help lines.
+const RISES: &[&str] = &[
+    "step",
+    "havsin",
+    "step5",
+    "cycloidal",
+    "poly345",
+    "poly4567",
+    "modified_trapezoid",
+    "modified_sine",
+    "simple_harmonic",
+];
+
+/// One station: the place and the height, as written and as values.
+type Station<'a> = [(&'a Expression, Value); 2];
+
+impl Resolver<'_> {
+    /// `sequence(x, LAW, (x0, h0), (x1, h1), …)`, with `periodic` as the last argument where it is repeated.
+    pub(super) fn sequence(&mut self, arguments: &[Expression], span: Span) -> Option<Value> {
+        let is_periodic = arguments
+            .last()
+            .is_some_and(|last| word(last) == Some("periodic"));
+        let arguments = &arguments[..arguments.len() - usize::from(is_periodic)];
+        let [written_x, written_law, pairs @ ..] = arguments else {
+            let given = arguments.len();
+            self.wrong_count("sequence", "at least 4 arguments", given, FORM, span);
+            return None;
+        };
+        if pairs.len() < 2 {
+            let given = arguments.len();
+            self.wrong_count("sequence", "at least 4 arguments", given, FORM, span);
+            return None;
+        }
+        let law = word(written_law).and_then(Rise::named);
+        if law.is_none() {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    written_law.span,
+                    "the second argument of `sequence` names a law of motion",
+                )
+                .label("no law of this name")
+                .help(format!("the laws are {}", listed(RISES))),
+            );
+        }
+        let x = self.value(written_x);
+        let stations: Vec<Option<Station<'_>>> =
+            pairs.iter().map(|pair| self.station(pair)).collect();
+        let (law, x) = (law?, x?);
+        let stations: Vec<Station<'_>> = stations.into_iter().collect::<Option<_>>()?;
+        let mut fits = true;
+        for station in &stations {
+            let [place, height] = *station;
+            fits &= self.fits_like(place.0, place.1.1, (written_x, x.1));
+            fits &= self.fits_like(height.0, height.1.1, (stations[0][1].0, stations[0][1].1.1));
+        }
+        for pair in stations.windows(2) {
+            let [earlier, later] = [pair[0][0], pair[1][0]];
+            fits = fits && self.increases((earlier.0, earlier.1.0), (later.0, later.1.0));
+        }
+        if !fits {
+            return None;
+        }
+        let (first, last) = (stations[0], stations[stations.len() - 1]);
+        let x = if is_periodic {
+            self.closes(first[1], last[1])?;
+            self.within_period(x.0, first[0].1.0, last[0].1.0)
+        } else {
+            x.0
+        };
+        let graph = &mut self.graph;
+        let mut motion = last[1].1.0;
+        for pair in stations.windows(2).rev() {
+            let (places, heights) = (pair_of(pair, 0), pair_of(pair, 1));
+            motion = if heights[0] == heights[1] {
+                let left = graph.subtract(x, places[1]);
+                graph.choose(left, heights[0], motion)
+            } else {
+                law.segment(x, places, heights, motion, graph)
+            };
+        }
+        if !is_periodic {
+            let before = graph.subtract(x, first[0].1.0);
+            motion = graph.choose(before, first[1].1.0, motion);
+        }
+        let dimension = stations
+            .iter()
+            .map(|station| station[1].1.1)
+            .reduce(|one, other| one.joined(other))?;
+        Some((motion, dimension))
+    }
+
+    fn station<'a>(&mut self, written: &'a Expression) -> Option<Station<'a>> {
+        let ExpressionKind::Pair(pair) = &written.kind else {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    written.span,
+                    "a station of `sequence` is a pair",
+                )
+                .label("one value")
+                .help(format!("write `{FORM}`: each pair is a place and a height")),
+            );
+            return None;
+        };
+        let (place, height) = (self.value(&pair.x), self.value(&pair.y));
+        Some([(&pair.x, place?), (&pair.y, height?)])
+    }
+
+    /// Reports a periodic motion that does not end where it begins.
+    fn closes(&mut self, first: (&Expression, Value), last: (&Expression, Value)) -> Option<()> {
+        let gap = self.graph.subtract(last.1.0, first.1.0);
+        if gap == self.graph.zero() {
+            return Some(());
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::PiecesApart,
+                last.0.span,
+                "a periodic motion ends at the height at which it begins",
+            )
+            .label("not the height of the first pair")
+            .also(first.0.span, "it begins here")
+            .help("give the first and the last pair the same height, or leave out `periodic`"),
+        );
+        None
+    }
+
+    /// x less a whole number of periods, so that it is in [from, to).
+    fn within_period(&mut self, x: ExprId, from: ExprId, to: ExprId) -> ExprId {
+        let graph = &mut self.graph;
+        let (gone, period) = (graph.subtract(x, from), graph.subtract(to, from));
+        let periods = graph.divide(gone, period);
+        let whole = graph.floor(periods);
+        let skipped = graph.multiply(period, whole);
+        graph.subtract(x, skipped)
+    }
+}
+
+fn pair_of(stations: &[Station<'_>], component: usize) -> [ExprId; 2] {
+    [0, 1].map(|place: usize| stations[place][component].1.0)
+}
+
+/// The bare word that an argument is, if it is one.
+fn word(written: &Expression) -> Option<&str> {
+    match &written.kind {
+        ExpressionKind::Reference(reference) if reference.body.is_none() => {
+            Some(reference.name.text.as_str())
+        }
+        _ => None,
+    }
+}

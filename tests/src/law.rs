@@ -1,0 +1,57 @@
+//! *An expression of t as text* → *its value and its derivatives at any t*, by differentiation of the expression.
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::expr::{ExprId, Graph, Tape};
+use linkwright_codegen::read;
+
+/// A driven angle as a function of t, with its derivatives.
+pub struct Motion {
+    graph: Graph,
+    orders: Vec<ExprId>,
+}
+
+impl Motion {
+    /// The motion that is written after `drive phi(1) =`, with derivatives up to the fourth.
+    ///
+    /// # Panics
+    /// Where the description has errors.
+    pub fn new(written: &str) -> Motion {
+        Motion::with("", written)
+    }
+
+    /// The same, below further statements.
+    ///
+    /// # Panics
+    /// Where the description has errors.
+    pub fn with(statements: &str, written: &str) -> Motion {
+        let text = format!(
+            "mechanism driven {{ {statements} body 1 at (0, 0); absolute_x(1) = 0; absolute_y(1) = 0; drive phi(1) = {written}; }}"
+        );
+        let source = Source::new("driven.mech", text);
+        let read = read(&source).unwrap_or_else(|found| panic!("{}", found.render(&source)));
+        let system = read.only().expect("one motion");
+        let residual = system.rows[2].residual;
+        let mechanism = system.mechanism;
+        let mut graph = mechanism.graph;
+        let angle = mechanism.bodies[1].coordinates.expect("a moving body")[2];
+        let zero = graph.zero();
+        // Φ is φ − f(t).
+        let negative = graph.substitute(residual, &[(angle, zero)]);
+        let mut orders = vec![graph.negate(negative)];
+        for order in 0..4 {
+            orders.push(graph.derivative(orders[order], mechanism.time));
+        }
+        Motion { graph, orders }
+    }
+
+    /// The value and the first four derivatives.
+    pub fn at(&self, t: f64) -> [f64; 5] {
+        let mut symbols = vec![0.0; self.graph.symbol_count()];
+        if let Some(time) = self.graph.symbols(self.orders[0]).first() {
+            symbols[time.index()] = t;
+        }
+        let mut values = [0.0; 5];
+        Tape::new(&self.graph, &self.orders).evaluate(&symbols, &mut Vec::new(), &mut values);
+        values
+    }
+}

@@ -1,0 +1,414 @@
+//! Points, rollers and flat faces on curves: closed forms, derivatives against differences, generated code against the
+//! interpreter, and what is said about curves that nothing can follow.
+
+use linkwright::Equations;
+use linkwright::nalgebra::{SMatrix, SVector};
+use linkwright_cli::interpreter::Interpreter;
+use linkwright_codegen::diagnostic::{Code, Source};
+use linkwright_tests::files;
+use linkwright_tests::random::Random;
+
+macro_rules! modules {
+    ($($name:ident),+) => {$(
+        mod $name {
+            linkwright::include_mechanism!($name);
+        }
+    )+};
+}
+
+modules!(cam_flat, cam_roller, cam_polar, trammel, rocking_cams);
+
+/// Compares a position, a velocity and an acceleration with those of a closed form, relative to `scale`.
+fn assert_motion(found: [f64; 3], wanted: [f64; 3], scale: f64, place: &str) {
+    for level in 0..3 {
+        let error = (found[level] - wanted[level]).abs();
+        assert!(
+            error <= 1e-13 * scale,
+            "{place}, level {level}: {} and {}, {error:e}",
+            found[level],
+            wanted[level]
+        );
+    }
+}
+
+/// The y components of a motion.
+fn vertical(motion: &linkwright::Motion) -> [f64; 3] {
+    [
+        motion.position[1],
+        motion.velocity[1],
+        motion.acceleration[1],
+    ]
+}
+
+const STEPS: i32 = 700;
+
+/// A flat face rises by r + e sin θ, with θ = π/2 + 2t the angle of the cam (Norton 2009).
+#[test]
+fn a_flat_face_on_an_eccentric_disc_is_lifted_harmonically() {
+    let mut cam = cam_flat::CamFlat::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cam.advance(t).expect("a turn of the cam");
+        let (sine, cosine) = (2.0 * t).sin_cos();
+        let wanted = [0.03 + 0.01 * cosine, -0.02 * sine, -0.04 * cosine];
+        assert_motion(vertical(&frame.point_g()), wanted, 0.1, &format!("t = {t}"));
+        // The disc is touched straight above its center.
+        let touched = (frame.q.s_flat_follower_rim + frame.q.phi_cam).sin();
+        assert!((touched - 1.0).abs() < 1e-13, "{touched}");
+    }
+}
+
+/// A roller's center is (R + ρ) from the center of the disc: y = e sin θ + √((R + ρ)² − e² cos² θ).
+#[test]
+fn a_roller_on_an_eccentric_disc_follows_the_slider_crank() {
+    let mut cam = cam_roller::CamRoller::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cam.advance(t).expect("a turn of the cam");
+        let (sine, cosine) = (std::f64::consts::FRAC_PI_2 + 2.0 * t).sin_cos();
+        let (e, reach, rate) = (0.01, 0.038_f64, 2.0);
+        // With w² = (R + ρ)² − e² cos² θ: w w' = e² cos θ sin θ θ', and once more.
+        let w = (reach * reach - e * e * cosine * cosine).sqrt();
+        let first = e * e * cosine * sine * rate / w;
+        let second = (e * e * (cosine * cosine - sine * sine) * rate * rate - first * first) / w;
+        let wanted = [
+            e * sine + w,
+            e * cosine * rate + first,
+            -e * sine * rate * rate + second,
+        ];
+        assert_motion(vertical(&frame.point_p()), wanted, 0.1, &format!("t = {t}"));
+    }
+}
+
+/// The tip of a radial follower is at r(a), where the angle from the curve's axis to the follower is a = π/2 − φ = t.
+#[test]
+fn a_tip_follows_the_radius_of_its_pitch_curve() {
+    let mut cam = cam_polar::CamPolar::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cam.advance(t).expect("a turn of the cam");
+        let (sine, cosine) = t.sin_cos();
+        let wanted = [0.04 + 0.01 * cosine, -0.01 * sine, -0.01 * cosine];
+        assert_motion(vertical(&frame.point_p()), wanted, 0.1, &format!("t = {t}"));
+    }
+}
+
+/// A pin on a turning arm in an elliptic groove is at r(φ) = a b / √(b² cos² φ + a² sin² φ).
+#[test]
+fn a_pin_in_an_elliptic_groove_is_on_the_ellipse() {
+    let mut arm = trammel::Trammel::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = arm.advance(t).expect("a turn of the arm");
+        let (sine, cosine) = t.sin_cos();
+        let (a, b) = (0.06, 0.04);
+        // 1/r² = u with u' = (1/b² − 1/a²) 2 sin φ cos φ.
+        let u = (cosine / a).powi(2) + (sine / b).powi(2);
+        let excess = 1.0 / (b * b) - 1.0 / (a * a);
+        let (u1, u2) = (
+            2.0 * excess * sine * cosine,
+            2.0 * excess * (cosine * cosine - sine * sine),
+        );
+        let r = u.powf(-0.5);
+        let r1 = -0.5 * u.powf(-1.5) * u1;
+        let r2 = 0.75 * u.powf(-2.5) * u1 * u1 - 0.5 * u.powf(-1.5) * u2;
+        let motion = frame.point_p();
+        let along = |v: [f64; 2]| v[0] * cosine + v[1] * sine;
+        let across = |v: [f64; 2]| v[1] * cosine - v[0] * sine;
+        assert_motion(
+            [motion.position, motion.velocity, motion.acceleration].map(along),
+            [r, r1, r2 - r],
+            0.3,
+            &format!("along the arm at t = {t}"),
+        );
+        assert_motion(
+            [motion.position, motion.velocity, motion.acceleration].map(across),
+            [0.0, r, 2.0 * r1],
+            0.3,
+            &format!("across the arm at t = {t}"),
+        );
+    }
+}
+
+/// At the contact the levers touch the oval: the roller's center is 25 mm off it along its normal, and no point of the oval is
+/// on the other side of the face.
+#[test]
+fn rocking_levers_touch_their_cam_and_do_not_cut_it() {
+    let mut cams = rocking_cams::RockingCams::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let q = cams.advance(t).expect("a turn of the cam").q;
+        let point = |s: f64| {
+            let (x, y) = (0.04 * s.cos(), 0.032 * s.sin() + 0.005);
+            let (sine, cosine) = q.phi_cam.sin_cos();
+            [cosine * x - sine * y, sine * x + cosine * y]
+        };
+        let (mut nearest, mut lowest) = (f64::MAX, f64::MAX);
+        let motion = cams.frame().point_p().position;
+        let (sine, cosine) = q.phi_rocker.sin_cos();
+        for sample in 0..20_000 {
+            let [x, y] = point(f64::from(sample) * std::f64::consts::TAU / 20_000.0);
+            nearest = nearest.min((motion[0] - x).hypot(motion[1] - y));
+            let height = cosine * (y - q.y_rocker) - sine * (x - q.x_rocker);
+            lowest = lowest.min(0.045 - height);
+        }
+        // Sampling misses the contact by at most d = 6.3 µm, and the distance by d²/2 (1/ρ + κ) with curvatures κ up to
+        // a/b² = 39/m of the oval.
+        assert!((nearest - 0.025).abs() < 1.6e-9, "{t}: {nearest}");
+        assert!(lowest.abs() < 0.8e-9, "{t}: {lowest}");
+    }
+}
+
+/// Φ_q, Φ_t and γ against differences of Φ at random places, which need not satisfy Φ.
+macro_rules! derivatives {
+    ($test:ident, $module:ident) => {
+        #[test]
+        fn $test() {
+            const N: usize = $module::Coordinates::COUNT;
+            let phi = |q: &SVector<f64, N>, t: f64| {
+                $module::phi(&$module::Coordinates::from_array(q.data.0[0]), t)
+            };
+            let mut random = Random::new(7);
+            for _ in 0..200 {
+                let mut draw = || SVector::<f64, N>::from_fn(|_, _| random.between(-1.0, 1.0));
+                let (q, qd) = (draw(), draw());
+                let t = random.between(0.0, 2.0);
+                let [named, rates] =
+                    [q, qd].map(|values| $module::Coordinates::from_array(values.data.0[0]));
+                let h = 1.0 / 1024.0;
+                // Fourth-order differences: what is left is h⁴/30 of the fifth derivative, and rounding over h.
+                let first = |values: [SVector<f64, N>; 4]| {
+                    (values[0] - values[3] + (values[2] - values[1]) * 8.0) / (12.0 * h)
+                };
+                let mut jacobian = SMatrix::<f64, N, N>::zeros();
+                for column in 0..N {
+                    let values = [-2.0, -1.0, 1.0, 2.0].map(|step| {
+                        let mut moved = q;
+                        moved[column] += step * h;
+                        phi(&moved, t)
+                    });
+                    jacobian.set_column(column, &first(values));
+                }
+                let error = ($module::phi_q(&named, t) - jacobian).abs().max();
+                assert!(error < 1e-9, "Φ_q: {error:e}");
+                let values = [-2.0, -1.0, 1.0, 2.0].map(|step| phi(&q, t + step * h));
+                let error = ($module::phi_t(&named, t) - first(values)).abs().max();
+                assert!(error < 1e-9, "Φ_t: {error:e}");
+                // −γ is the second derivative of Φ along (q + q̇ s, t + s).
+                let h = 1.0 / 256.0;
+                let along = |step: f64| phi(&(q + qd * (step * h)), t + step * h);
+                let second = (along(-1.0) + along(1.0)) * 16.0 - along(-2.0) - along(2.0);
+                let second = (second - along(0.0) * 30.0) / (12.0 * h * h);
+                let error = ($module::gamma(&named, &rates, t) + second).abs().max();
+                assert!(error < 1e-7, "γ: {error:e}");
+            }
+        }
+    };
+}
+
+derivatives!(derivatives_of_flat_agree_with_differences, cam_flat);
+derivatives!(derivatives_of_roller_agree_with_differences, cam_roller);
+derivatives!(
+    derivatives_of_point_on_curve_agree_with_differences,
+    cam_polar
+);
+derivatives!(derivatives_on_the_ground_agree_with_differences, trammel);
+derivatives!(
+    derivatives_with_all_bodies_turning_agree_with_differences,
+    rocking_cams
+);
+
+/// Generated code and interpreter find the same motion.
+#[test]
+fn generated_code_agrees_with_the_interpreter() {
+    let path = files::package("descriptions/rocking_cams.mech");
+    let text = std::fs::read_to_string(path).expect("the description");
+    let read =
+        linkwright_codegen::read(&Source::new("rocking_cams.mech", text)).expect("no errors");
+    let equations = Interpreter::new(&read.motions[0]);
+    let mut generated = rocking_cams::RockingCams::assemble(0.0).expect("the drawing assembles");
+    let start = equations.estimate().clone();
+    let settings = linkwright::Settings::default();
+    let mut interpreted =
+        linkwright::assemble(&equations, &start, 0.0, &settings).expect("the drawing assembles");
+    for step in 1..=300 {
+        let t = f64::from(step) / 50.0;
+        interpreted =
+            linkwright::advance(&equations, &interpreted, t, &settings).expect("a turn of the cam");
+        let frame = generated.advance(t).expect("a turn of the cam");
+        let pairs = [
+            (frame.q, &interpreted.q),
+            (frame.qd, &interpreted.qd),
+            (frame.qdd, &interpreted.qdd),
+        ];
+        for (one, other) in pairs {
+            for (one, other) in one.to_array().iter().zip(other.iter()) {
+                assert!((one - other).abs() < 1e-11, "{t}: {one} and {other}");
+            }
+        }
+    }
+}
+
+/// The warnings of a description of a cam and a follower.
+fn warnings(curve: &str, follower: &str) -> Vec<(Code, String)> {
+    let text = format!(
+        "mechanism cam {{
+            point O = (0, 0), P = (0, 58mm);
+            body cam at O {{ O }}
+            body follower at P {{ P, A: (-20mm, 0), B: (20mm, 0) }}
+            {curve}
+            revolute O(ground, cam);
+            translational (ground, follower) along O -> P;
+            {follower}
+            drive phi(cam) = t;
+        }}"
+    );
+    let source = Source::new("cam.mech", text);
+    let read = linkwright_codegen::read(&source)
+        .unwrap_or_else(|found| panic!("{}", found.render(&source)));
+    let found = read.warnings.iter();
+    found
+        .map(|warning| (warning.code, warning.message.clone()))
+        .collect()
+}
+
+#[test]
+fn curves_that_nothing_can_follow_are_warned_of() {
+    let kidney = "curve rim(a) on cam = polar 40mm + 10mm*cos(2*a + pi);";
+    // r = 40 − 10 cos 2a is hollow at a = 0, where r = 30, r'' = 40 and κ = (r − r'')/r² = −1/90 per mm.
+    let found = warnings(kidney, "flat (follower, rim) along A -> B;");
+    assert!(
+        found
+            .iter()
+            .any(|(code, message)| *code == Code::DegenerateGeometry
+                && message
+                    .starts_with("a flat face does not reach into a hollow of the curve at ")),
+        "{found:?}"
+    );
+    // A roller of 8 mm fits into that, and one of 95 mm does not.
+    assert_eq!(warnings(kidney, "roller (follower.P, rim) = 8mm;"), []);
+    let found = warnings(kidney, "roller (follower.P, rim) = 95mm;");
+    assert!(
+        found
+            .iter()
+            .any(|(_, message)| message.starts_with("the roller does not fit into the curve at ")),
+        "{found:?}"
+    );
+    // A deltoid has three cusps.
+    let found = warnings(
+        "curve rim(s) on cam = (40mm*cos(s) + 20mm*cos(2*s), 40mm*sin(s) - 20mm*sin(2*s));",
+        "point_on_curve (follower.P, rim);",
+    );
+    assert!(
+        found
+            .iter()
+            .any(|(_, message)| message.starts_with("the curve `rim` stops at s = ")),
+        "{found:?}"
+    );
+    let found = warnings(
+        "curve rim(a) on cam = polar 20mm;",
+        "point_on_curve (follower.P, rim);",
+    );
+    assert!(
+        found
+            .iter()
+            .any(|(_, message)| message
+                == "in the drawing this is 0.038 m away from touching its curve"),
+        "{found:?}"
+    );
+}
+
+/// The side of the roller is that of the drawing: inside a ring its center is 8 mm nearer to the middle than the ring is.
+#[test]
+fn a_roller_runs_inside_where_it_is_drawn_inside() {
+    let text = "mechanism ring {
+        point O = (0, 0), P = (31mm, 0);
+        body arm at O { O }
+        body hub at P { P }
+        curve bore(a) on ground = polar 40mm;
+        revolute O(ground, arm);
+        translational (arm, hub) along O -> P;
+        roller (hub.P, bore) = 8mm;
+        drive phi(arm) = t;
+    }";
+    let read = linkwright_codegen::read(&Source::new("ring.mech", text)).expect("no errors");
+    let equations = Interpreter::new(&read.motions[0]);
+    let settings = linkwright::Settings::default();
+    let pose =
+        linkwright::assemble(&equations, equations.estimate(), 0.5, &settings).expect("a pose");
+    let place = |name: &str| {
+        let found = read.motions[0].coordinates.iter();
+        found.map(|it| it.name.as_str()).position(|it| it == name)
+    };
+    let [x, y] = ["x_hub", "y_hub"].map(|name| pose.q[place(name).expect("a coordinate")]);
+    assert!((x.hypot(y) - 0.032).abs() < 1e-14, "{}", x.hypot(y));
+    assert_eq!(equations.dimension().0, 7);
+}
+
+/// tan α = |dr/da| / r for a tip on the line through the axle (Norton 2009, section 7.2).
+#[test]
+fn the_pressure_angle_of_a_polar_cam_is_that_of_the_textbook() {
+    let mut cam = cam_polar::CamPolar::assemble(0.0).expect("the drawing assembles");
+    let mut resting = 0;
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cam.advance(t).expect("a turn of the cam");
+        let wanted = (0.01 * t.sin()).abs() / (0.04 + 0.01 * t.cos());
+        match frame.pressure_angle_tip() {
+            Some(angle) => assert!((angle.tan() - wanted).abs() < 1e-13, "{t}: {angle}"),
+            None => {
+                assert!(wanted < 1e-7, "{t}: {wanted}");
+                resting += 1;
+            }
+        }
+    }
+    assert_eq!(resting, 1, "at the top of the lift");
+}
+
+/// The normal of a disc goes through its center: sin α = e |cos θ| / (R + ρ). A flat face across its guide has none.
+#[test]
+fn pressure_angles_of_an_eccentric_disc_are_those_of_its_triangle() {
+    let mut roller = cam_roller::CamRoller::assemble(0.0).expect("the drawing assembles");
+    let mut face = cam_flat::CamFlat::assemble(0.0).expect("the drawing assembles");
+    for step in 1..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let angle = roller
+            .advance(t)
+            .expect("a turn of the cam")
+            .pressure_angle_wheel();
+        let wanted = 0.01 * (2.0 * t).sin().abs() / 0.038;
+        let angle = angle.expect("it moves");
+        assert!((angle.sin() - wanted).abs() < 1e-13, "{t}: {angle}");
+        let frame = face.advance(t).expect("a turn of the cam");
+        let angle = frame.pressure_angle_flat_follower_rim().expect("it moves");
+        assert!(angle < 1e-13, "{t}: {angle}");
+    }
+}
+
+/// A lever's point moves across the line to its pivot, so the angle between the normal and that line is the complement.
+#[test]
+fn the_pressure_angle_of_a_lever_is_measured_against_its_arc() {
+    let mut cams = rocking_cams::RockingCams::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cams.advance(t).expect("a turn of the cam");
+        let Some(angle) = frame.pressure_angle_roller_lever_p_oval() else {
+            continue;
+        };
+        let (q, p) = (frame.q, frame.point_p().position);
+        // The normal from the slope of the oval, and the arm from the pivot.
+        let (x, y) = (
+            0.032 * q.s_roller_lever_p_oval.cos(),
+            0.04 * q.s_roller_lever_p_oval.sin(),
+        );
+        let (sine, cosine) = q.phi_cam.sin_cos();
+        let normal = [cosine * x - sine * y, sine * x + cosine * y];
+        let arm = [p[0] - q.x_lever, p[1] - q.y_lever];
+        let sine = (normal[0] * arm[0] + normal[1] * arm[1])
+            / (normal[0].hypot(normal[1]) * arm[0].hypot(arm[1]));
+        assert!(
+            (angle.sin() - sine.abs()).abs() < 1e-12,
+            "{t}: {angle} and {sine}"
+        );
+    }
+}

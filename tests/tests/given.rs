@@ -1,0 +1,302 @@
+//! Parameters and inputs of generated mechanisms, against the same mechanism with everything written down.
+
+use linkwright::nalgebra::SVector;
+use linkwright::{FailureKind, Signal};
+
+mod four_bar_given {
+    linkwright::include_mechanism!(four_bar_given);
+}
+
+mod four_bar_written {
+    linkwright::include_mechanism!(four_bar_written);
+}
+
+use four_bar_given::{FourBarGiven, Inputs, Parameters};
+use four_bar_written::FourBarWritten;
+
+/// What `four_bar_written` says of its lengths.
+const WRITTEN: Parameters = Parameters {
+    g: 0.11,
+    l1: 0.035,
+    l2: 0.13,
+    l3: 0.085,
+    off: -0.02,
+};
+
+/// What `four_bar_written` says of its crank: f, f' and f''.
+fn crank(t: f64) -> Inputs {
+    let start = 40.0_f64.to_radians();
+    Inputs {
+        crank_angle: Signal {
+            value: start + 3.0 * t + (2.0 * t).sin() / 5.0,
+            rate: 3.0 + 2.0 * (2.0 * t).cos() / 5.0,
+            acceleration: -4.0 * (2.0 * t).sin() / 5.0,
+        },
+    }
+}
+
+fn assert_near(one: [f64; 9], other: [f64; 9], scale: f64, t: f64) {
+    for (one, other) in one.into_iter().zip(other) {
+        assert!(
+            (one - other).abs() <= 1e-13 * scale.max(other.abs()),
+            "{one} is not {other} at {t}"
+        );
+    }
+}
+
+fn assert_same(given: &four_bar_given::Frame, written: &four_bar_written::Frame) {
+    let t = written.t;
+    assert_near(given.q.to_array(), written.q.to_array(), 1.0, t);
+    assert_near(given.qd.to_array(), written.qd.to_array(), 3.0, t);
+    assert_near(given.qdd.to_array(), written.qdd.to_array(), 10.0, t);
+    let (one, other) = (given.point_p(), written.point_p());
+    for axis in [0, 1] {
+        assert!((one.position[axis] - other.position[axis]).abs() < 1e-14);
+        assert!((one.velocity[axis] - other.velocity[axis]).abs() < 1e-13);
+        assert!((one.acceleration[axis] - other.acceleration[axis]).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn parameters_and_signals_give_what_is_written_down() {
+    let mut written = FourBarWritten::assemble(0.0).expect("the drawing assembles");
+    let mut given =
+        FourBarGiven::assemble_for(&WRITTEN, 0.0, &crank(0.0)).expect("the drawing assembles");
+    assert_same(given.frame(), written.frame());
+    for step in 1..=300 {
+        let t = f64::from(step) / 100.0;
+        let written = written.advance(t).expect("the crank turns");
+        let given = given.advance(t, &crank(t)).expect("the crank turns");
+        assert_same(given, written);
+    }
+}
+
+#[test]
+fn parameters_set_on_the_way_count_from_the_next_instant() {
+    let mut given = FourBarGiven::assemble(0.0, &crank(0.0)).expect("the drawing assembles");
+    assert_eq!(*given.parameters(), Parameters::default());
+    let before = *given.frame();
+    given.set_parameters(&WRITTEN);
+    assert_eq!(*given.parameters(), WRITTEN);
+    assert_eq!(*given.frame(), before);
+    let mut written = FourBarWritten::assemble(0.0).expect("the drawing assembles");
+    let now = given.advance(0.25, &crank(0.25)).expect("the crank turns");
+    let expected = written.advance(0.25).expect("the crank turns");
+    assert_same(now, expected);
+}
+
+#[test]
+fn the_nominal_values_are_those_of_the_description() {
+    let nominal = Parameters::default();
+    assert_eq!(
+        [nominal.g, nominal.l1, nominal.l2, nominal.l3, nominal.off],
+        [0.1, 0.04, 0.12, 0.08, 0.04]
+    );
+    let initial = Inputs::default().crank_angle;
+    assert_eq!(initial, Signal::constant(40.0_f64.to_radians()));
+}
+
+#[test]
+fn what_is_no_number_is_a_failure_and_keeps_the_last_frame() {
+    let mut given = FourBarGiven::assemble(0.0, &crank(0.0)).expect("the drawing assembles");
+    let before = *given.frame();
+    for level in 0..3 {
+        let mut wrong = crank(0.1);
+        let signal = &mut wrong.crank_angle;
+        *[
+            &mut signal.value,
+            &mut signal.rate,
+            &mut signal.acceleration,
+        ][level] = f64::NAN;
+        let failure = given.advance(0.1, &wrong).expect_err("not a number");
+        assert_eq!(failure.kind, FailureKind::NotFinite);
+        assert!(FourBarGiven::assemble(0.1, &wrong).is_err());
+    }
+    let wrong = Parameters {
+        off: f64::INFINITY,
+        ..WRITTEN
+    };
+    given.set_parameters(&wrong);
+    let failure = given.advance(0.1, &crank(0.1)).expect_err("not a number");
+    assert_eq!(failure.kind, FailureKind::NotFinite);
+    assert_eq!(*given.frame(), before);
+    // Links that do not meet say so, and the mechanism can be repaired.
+    given.set_parameters(&Parameters { g: 0.5, ..WRITTEN });
+    let failure = given.advance(0.1, &crank(0.1)).expect_err("out of reach");
+    assert!(matches!(failure.kind, FailureKind::OutOfReach { .. }));
+    given.set_parameters(&WRITTEN);
+    assert!(given.advance(0.1, &crank(0.1)).is_ok());
+}
+
+mod platform_given {
+    linkwright::include_mechanism!(platform_given);
+}
+
+mod slider_given {
+    linkwright::include_mechanism!(slider_given);
+}
+
+mod sleeve_given {
+    linkwright::include_mechanism!(sleeve_given);
+}
+
+/// a + b sin(c t) with its derivatives.
+fn harmonic(a: f64, b: f64, c: f64, t: f64) -> Signal {
+    Signal::new(
+        a + b * (c * t).sin(),
+        b * c * (c * t).cos(),
+        -b * c * c * (c * t).sin(),
+    )
+}
+
+fn platform_signals(t: f64) -> platform_given::Inputs {
+    platform_given::Inputs {
+        lift: harmonic(0.8, 0.05, 1.3, t),
+        sway: harmonic(0.02, 0.04, 0.9, t),
+    }
+}
+
+fn slider_signals(t: f64) -> slider_given::Inputs {
+    slider_given::Inputs {
+        extension: harmonic(0.06, 0.02, 1.7, t),
+    }
+}
+
+const PLATFORM: platform_given::Parameters = platform_given::Parameters {
+    reach: 0.75,
+    p_x: -0.08,
+};
+
+const SLIDER: slider_given::Parameters = slider_given::Parameters {
+    r: 0.045,
+    l: 0.13,
+    offset: -0.015,
+    tilt: 0.3,
+    speed: 2.5,
+};
+
+/// The first two derivatives at 0, from five places `h` apart: errors of the order h⁴.
+fn derivatives<const N: usize>(of: impl Fn(f64) -> [f64; N], h: f64) -> [[f64; N]; 2] {
+    let values = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|step: f64| of(step * h));
+    let [a, b, c, d, e] = values;
+    let first = std::array::from_fn(|at| (a[at] - 8.0 * b[at] + 8.0 * d[at] - e[at]) / (12.0 * h));
+    let second = std::array::from_fn(|at| {
+        (-a[at] + 16.0 * b[at] - 30.0 * c[at] + 16.0 * d[at] - e[at]) / (12.0 * h * h)
+    });
+    [first, second]
+}
+
+/// The solved view against the textbook's functions, its rates against differences of its positions, and the textbook's
+/// derivatives against differences of Φ along straight lines through poses that satisfy no equation.
+macro_rules! agrees {
+    ($module:ident, $mechanism:ident, $parameters:expr, $signals:expr) => {{
+        use $module::{Coordinates, gamma, phi, phi_q, phi_t, $mechanism};
+        const N: usize = Coordinates::COUNT;
+        let (parameters, signals) = (&$parameters, $signals);
+        let vector = |values: &Coordinates| SVector::<f64, N>::from(values.to_array());
+        let mut mechanism = $mechanism::assemble_for(parameters, 0.0, &signals(0.0))
+            .expect("the drawing assembles");
+        for step in 1..=60 {
+            let t = f64::from(step) / 20.0;
+            let frame = *mechanism
+                .advance(t, &signals(t))
+                .expect("the motion can be followed");
+            let (q, qd, qdd) = (frame.q, frame.qd, frame.qdd);
+            let inputs = signals(t);
+            let jacobian = phi_q(&q, parameters, &inputs, t);
+            let residual = phi(&q, parameters, &inputs, t);
+            let rate = jacobian * vector(&qd) + phi_t(&q, parameters, &inputs, t);
+            let drift = jacobian * vector(&qdd) - gamma(&q, &qd, parameters, &inputs, t);
+            let [size, speed] = [qd, qdd].map(|values| 1.0 + vector(&values).amax());
+            assert!(residual.amax() < 1e-13, "{residual}");
+            assert!(rate.amax() < 1e-13 * size, "{rate}");
+            assert!(drift.amax() < 1e-13 * (speed + size * size), "{drift}");
+
+            let near = |after: f64, of: fn(&$module::Frame) -> Coordinates| {
+                let mut near = mechanism;
+                let frame = near.advance(t + after, &signals(t + after));
+                of(frame.expect("the motion can be followed")).to_array()
+            };
+            let [first, second] = derivatives(|after| near(after, |frame| frame.q), 2e-3);
+            assert!((SVector::from(first) - vector(&qd)).amax() < 1e-8 * size);
+            assert!((SVector::from(second) - vector(&qdd)).amax() < 1e-6 * speed);
+
+            // Off the constraints: q moves on a straight line, so its accelerations are zero.
+            let mut off = q.to_array();
+            let mut along = qd.to_array();
+            for (place, (position, rate)) in off.iter_mut().zip(&mut along).enumerate() {
+                let turn = f64::from(step) + f64::from(place as u32);
+                *position += 0.3 * turn.sin();
+                *rate = 0.7 * (1.7 * turn).cos();
+            }
+            let line = |after: f64| {
+                let moved = std::array::from_fn(|at| off[at] + after * along[at]);
+                phi(
+                    &Coordinates::from_array(moved),
+                    parameters,
+                    &signals(t + after),
+                    t + after,
+                )
+                .data
+                .0[0]
+            };
+            let [first, second] = derivatives(line, 5e-3);
+            let (off, along) = (Coordinates::from_array(off), Coordinates::from_array(along));
+            let rate = phi_q(&off, parameters, &inputs, t) * vector(&along)
+                + phi_t(&off, parameters, &inputs, t);
+            assert!((SVector::from(first) - rate).amax() < 1e-9);
+            let drift = gamma(&off, &along, parameters, &inputs, t);
+            assert!((SVector::from(second) + drift).amax() < 1e-8);
+        }
+    }};
+}
+
+#[test]
+fn rates_count_those_of_the_signals() {
+    agrees!(platform_given, PlatformGiven, PLATFORM, platform_signals);
+    agrees!(slider_given, SliderGiven, SLIDER, slider_signals);
+    agrees!(four_bar_given, FourBarGiven, WRITTEN, crank);
+}
+
+/// Where the crank's pin is, and through which point the rod passes: the rod is drawn from B to S, so it turns with both.
+#[test]
+fn a_line_that_is_drawn_with_parameters_follows_them() {
+    use sleeve_given::{Inputs, Parameters, SleeveGiven};
+    let parameters = Parameters {
+        crank_x: 0.035,
+        h: 0.02,
+        d: 0.14,
+        slope: -0.004,
+    };
+    let signals = |t: f64| Inputs {
+        angle: harmonic(0.1, 0.4, 2.0, t),
+    };
+    let mut mechanism =
+        SleeveGiven::assemble_for(&parameters, 0.0, &signals(0.0)).expect("the drawing assembles");
+    // The distance of D from the line B-S as drawn, which the sleeve keeps.
+    let line = [parameters.d - parameters.crank_x, parameters.slope];
+    let length = line[0].hypot(line[1]);
+    let to_pivot = [parameters.d - parameters.crank_x, 0.03 - parameters.h];
+    let offset = (line[0] * to_pivot[1] - line[1] * to_pivot[0]) / length;
+    let near = |mut mechanism: SleeveGiven, t: f64| {
+        let frame = mechanism.advance(t, &signals(t)).expect("it turns");
+        [frame.phi_rod(), frame.phi_rod_rate()]
+    };
+    for step in 1..=40 {
+        let t = f64::from(step) / 20.0;
+        let frame = *mechanism.advance(t, &signals(t)).expect("it turns");
+        let (sine, cosine) = signals(t).angle.value.sin_cos();
+        let [x, y] = [parameters.crank_x, parameters.h];
+        let pin = [cosine * x - sine * y, sine * x + cosine * y];
+        let found = frame.point_b().position;
+        assert!((found[0] - pin[0]).hypot(found[1] - pin[1]) < 1e-15);
+        // The rod's x axis is its line, since its frame faces from B to S.
+        let (sine, cosine) = frame.phi_rod().sin_cos();
+        let to_pivot = [parameters.d - pin[0], 0.03 - pin[1]];
+        let kept = cosine * to_pivot[1] - sine * to_pivot[0];
+        assert!((kept - offset).abs() < 1e-15, "{kept} is not {offset}");
+        let [first, _] = derivatives(|after| near(mechanism, t + after), 2e-3);
+        assert!((first[0] - frame.phi_rod_rate()).abs() < 1e-9);
+        assert!((first[1] - frame.phi_rod_acceleration()).abs() < 1e-8);
+    }
+}

@@ -1,0 +1,38 @@
+//! How the mechanisms of the joints are solved: what a person solves in closed form is.
+
+use linkwright_codegen::structure;
+use linkwright_tests::description;
+
+/// The steps that are more than explicit, in solve order.
+fn steps(name: &str) -> Vec<String> {
+    let mut system = description::system(name);
+    let plan = structure::plan(&mut system).unwrap_or_else(|| panic!("`{name}` has no plan"));
+    let steps = plan.blocks.iter().flat_map(|block| &block.steps);
+    steps.map(structure::Step::name).collect()
+}
+
+#[test]
+fn every_joint_is_solved_as_a_person_would() {
+    let two_rotations = ["two rotations"];
+    let plans: [(&str, &[&str]); 14] = [
+        ("held_at_distance", &two_rotations),
+        ("ellipse_sliders", &["one angle"]),
+        ("coupled_rockers", &two_rotations),
+        ("pushed_apart", &two_rotations),
+        ("slotted_link", &["rotation and slide"]),
+        ("offset_slot", &["rotation and slide"]),
+        ("rolling_pinion", &["two slides"]),
+        ("following", &[]),
+        ("welded", &[]),
+        ("driven_tip", &two_rotations),
+        ("planetary", &[]),
+        ("belt_drive", &[]),
+        ("geared_cranks", &two_rotations),
+        ("driven_coupler", &two_rotations),
+    ];
+    for (name, wanted) in plans {
+        assert_eq!(steps(name), wanted, "{name}");
+    }
+    // Four angles of one loop, of which the gears tie two.
+    assert_eq!(steps("mirrored_cranks"), ["Newton of size 3"]);
+}
