@@ -108,3 +108,13 @@ pub mod planetary_gear {
 pub mod rack_steering {
     linkwright::include_mechanism!(rack_steering);
 }
+
+/// A disc cam with a roller follower.
+pub mod cam_roller {
+    linkwright::include_mechanism!(cam_roller);
+}
+
+/// A cam designed from the motion of its follower.
+pub mod cam_dwell {
+    linkwright::include_mechanism!(cam_dwell);
+}

@@ -24,6 +24,8 @@ pub const REFERENCES: &[(&str, &str)] = &[
     ("pantograph", "pantograph.csv"),
     ("planetary_gear", "planetary_gear.csv"),
     ("rack_steering", "rack_steering.csv"),
+    ("cam_roller", "cam_roller.csv"),
+    ("cam_dwell", "cam_dwell.csv"),
 ];
 
 /// The file of a mechanism's reference.

@@ -1,8 +1,8 @@
 //! What each mechanism of the gallery is known for, from the generated code.
 
 use linkwright_mechanisms::{
-    double_wishbone, jansen, pantograph, peaucellier, planetary_gear, quick_return, rack_steering,
-    scotch_yoke,
+    cam_dwell, cam_roller, double_wishbone, jansen, pantograph, peaucellier, planetary_gear,
+    quick_return, rack_steering, scotch_yoke,
 };
 
 /// Instants of five seconds.
@@ -176,4 +176,82 @@ fn a_double_wishbone_gains_camber() {
         camber[2356].to_degrees()
     );
     assert!(camber[785] > 0.0 && camber[2356] < camber[785]);
+}
+
+/// y = e sin φ + sqrt((R + r)² − e² cos² φ), and sin α = e |cos φ|/(R + r) for the pressure angle.
+#[test]
+fn a_roller_follows_an_eccentric_disc() {
+    let mut cam = cam_roller::CamRoller::assemble(0.0).expect("the drawing assembles");
+    let (e, reach) = (0.01, 0.038_f64);
+    for t in instants() {
+        let frame = cam.advance(t).expect("the motion is regular");
+        let (sine, cosine) = frame.q.phi_cam.sin_cos();
+        let height = e * sine + (reach * reach - e * e * cosine * cosine).sqrt();
+        assert!(
+            (frame.q.y_follower - height).abs() < 1e-16,
+            "{} for {height}",
+            frame.q.y_follower
+        );
+        if let Some(angle) = frame.pressure_angle_wheel() {
+            // Where the follower turns round, the direction of its velocity is lost in rounding.
+            if frame.qd.y_follower.abs() > 1e-6 {
+                let wanted = (e * cosine / reach).asin().abs();
+                assert!(
+                    (angle.abs() - wanted).abs() < 1e-9,
+                    "{angle} for {wanted} at {t}"
+                );
+            }
+        }
+    }
+}
+
+/// The cycloid of the text: rest, rise, dwell and return, with two derivatives; tan α = |dr/da|/r.
+#[test]
+fn a_cam_follower_obeys_its_law() {
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
+    let mut cam = cam_dwell::CamDwell::assemble(0.0).expect("the drawing assembles");
+    let cycloid = |s: f64| {
+        [
+            s - (TAU * s).sin() / TAU,
+            1.0 - (TAU * s).cos(),
+            TAU * (TAU * s).sin(),
+        ]
+    };
+    let mut worst = [0.0_f64; 3];
+    for t in instants() {
+        let a = (3.0 * t).rem_euclid(TAU);
+        let (length, h0, h1, s) = if a < FRAC_PI_2 {
+            (1.0, 0.04, 0.04, 0.0)
+        } else if a < PI {
+            (FRAC_PI_2, 0.04, 0.06, (a - FRAC_PI_2) / FRAC_PI_2)
+        } else if a < 4.0 * PI / 3.0 {
+            (1.0, 0.06, 0.06, 0.0)
+        } else {
+            (TAU / 3.0, 0.06, 0.04, (a - 4.0 * PI / 3.0) / (TAU / 3.0))
+        };
+        let [y, slope, bend] = cycloid(s);
+        let rate = 3.0 / length;
+        let wanted = [
+            h0 + (h1 - h0) * y,
+            (h1 - h0) * slope * rate,
+            (h1 - h0) * bend * rate * rate,
+        ];
+        let frame = cam.advance(t).expect("the motion is regular");
+        let found = [
+            frame.q.x_follower,
+            frame.qd.x_follower,
+            frame.qdd.x_follower,
+        ];
+        for level in 0..3 {
+            worst[level] = worst[level].max((found[level] - wanted[level]).abs());
+        }
+        if let Some(angle) = frame.pressure_angle_tip()
+            && wanted[1].abs() > 1e-6
+        {
+            let tangent = (wanted[1] / 3.0 / wanted[0]).abs();
+            assert!((angle.abs().tan() - tangent).abs() < 1e-9, "{angle} at {t}");
+        }
+    }
+    println!("off the law by {worst:?} m, m/s, m/s²");
+    assert!(worst[0] < 1e-13 && worst[1] < 1e-13 && worst[2] < 1e-12);
 }
