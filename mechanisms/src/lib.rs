@@ -110,8 +110,8 @@ pub mod rack_steering {
 }
 
 /// A disc cam with a roller follower.
-pub mod cam_roller {
-    linkwright::include_mechanism!(cam_roller);
+pub mod disc_cam {
+    linkwright::include_mechanism!(disc_cam);
 }
 
 /// A cam designed from the motion of its follower.

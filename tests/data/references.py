@@ -609,7 +609,7 @@ def rack_steering():
     )
 
 
-def cam_roller():
+def disc_cam():
     e, disc, roller = (exact(v) / 1000 for v in ("10", "30", "8"))
 
     def poses(t):
@@ -661,7 +661,7 @@ TABLES = {
     "pantograph": pantograph,
     "planetary_gear": planetary_gear,
     "rack_steering": rack_steering,
-    "cam_roller": cam_roller,
+    "disc_cam": disc_cam,
     "cam_dwell": cam_dwell,
 }
 

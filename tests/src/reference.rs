@@ -24,7 +24,7 @@ pub const REFERENCES: &[(&str, &str)] = &[
     ("pantograph", "pantograph.csv"),
     ("planetary_gear", "planetary_gear.csv"),
     ("rack_steering", "rack_steering.csv"),
-    ("cam_roller", "cam_roller.csv"),
+    ("disc_cam", "disc_cam.csv"),
     ("cam_dwell", "cam_dwell.csv"),
 ];
 

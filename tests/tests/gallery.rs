@@ -1,7 +1,7 @@
 //! What each mechanism of the gallery is known for, from the generated code.
 
 use linkwright_mechanisms::{
-    cam_dwell, cam_roller, double_wishbone, jansen, pantograph, peaucellier, planetary_gear,
+    cam_dwell, disc_cam, double_wishbone, jansen, pantograph, peaucellier, planetary_gear,
     quick_return, rack_steering, scotch_yoke,
 };
 
@@ -181,7 +181,7 @@ fn a_double_wishbone_gains_camber() {
 /// y = e sin φ + sqrt((R + r)² − e² cos² φ), and sin α = e |cos φ|/(R + r) for the pressure angle.
 #[test]
 fn a_roller_follows_an_eccentric_disc() {
-    let mut cam = cam_roller::CamRoller::assemble(0.0).expect("the drawing assembles");
+    let mut cam = disc_cam::DiscCam::assemble(0.0).expect("the drawing assembles");
     let (e, reach) = (0.01, 0.038_f64);
     for t in instants() {
         let frame = cam.advance(t).expect("the motion is regular");

@@ -23,7 +23,7 @@ fn every_mechanism_is_solved_as_a_person_would() {
     let plans: [(&str, Vec<&str>); 20] = [
         ("arm", vec![two_rotations; 4]),
         ("cam_dwell", vec!["Newton of size 1"]),
-        ("cam_roller", vec!["Newton of size 1"]),
+        ("disc_cam", vec!["Newton of size 1"]),
         ("double_wishbone", vec!["Newton of size 3"]),
         ("excavator", vec![two_rotations; 4]),
         ("excavator_pins", vec![two_rotations; 4]),
