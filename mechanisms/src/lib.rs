@@ -34,6 +34,11 @@ pub mod excavator_tool {
     linkwright::include_mechanism!(excavator_tool);
 }
 
+/// The same arm driven from either end: from its actuators, or from its tool.
+pub mod excavator_motions {
+    linkwright::include_mechanism!(excavator_motions);
+}
+
 /// The ten-body arm whose motion MSC ADAMS has computed.
 pub mod arm {
     linkwright::include_mechanism!(arm);

@@ -1,4 +1,4 @@
-//! Lists the repository's mechanisms.
+//! Lists the repository's mechanisms, and generates those that only tests need.
 
 #[path = "../registry.rs"]
 mod registry;
@@ -6,5 +6,6 @@ mod registry;
 fn main() {
     println!("cargo::rerun-if-changed=../../mechanisms");
     println!("cargo::rerun-if-changed=../registry.rs");
+    linkwright_codegen::build("../descriptions");
     registry::write("../../mechanisms");
 }

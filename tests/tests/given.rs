@@ -300,3 +300,32 @@ fn a_line_that_is_drawn_with_parameters_follows_them() {
         assert!((first[1] - frame.phi_rod_acceleration()).abs() < 1e-8);
     }
 }
+
+mod crane {
+    linkwright::include_mechanism!(crane);
+}
+
+/// The example of README.md.
+#[test]
+fn a_crane_is_lengthened_and_lifted() -> Result<(), linkwright::Failure> {
+    use crane::{Crane, Inputs, Parameters};
+    let mut crane = Crane::assemble(0.0, &Inputs::default())?;
+    crane.set_parameters(&Parameters { l2: 0.36 });
+    let lift = Signal {
+        value: 0.6,
+        rate: 0.02,
+        acceleration: 0.0,
+    };
+    let frame = crane.advance(0.01, &Inputs { lift })?;
+    // In the triangle A-B-C the angle at A follows from the law of cosines: |AB| = 0.5 m and |AC|² = 0.0725 m².
+    let side = 0.0725_f64.sqrt();
+    let at_pivot = ((0.25 + 0.0725 - 0.36) / (2.0 * 0.5 * side)).acos();
+    let phi = (-0.4_f64).atan2(0.3) + at_pivot - 0.1_f64.atan2(0.25);
+    let tip = frame.point_k();
+    assert!((tip.position[0] - 0.36 * phi.cos()).abs() < 1e-15);
+    assert!((tip.position[1] - 0.36 * phi.sin()).abs() < 1e-15);
+    // 2 c ċ = 2 |AB| |AC| sin α · α̇.
+    let rate = 0.6 * 0.02 / (0.5 * side * at_pivot.sin());
+    assert!((frame.qd.phi_jib - rate).abs() < 1e-15);
+    Ok(())
+}

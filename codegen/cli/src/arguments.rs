@@ -63,6 +63,9 @@ pub struct Solve {
     /// Only this instant, in s, followed from T0 by steps of H; may be repeated. Files are then written only on request
     #[arg(long, value_name = "T", value_delimiter = ',', value_parser = finite, allow_hyphen_values = true, conflicts_with_all = ["to", "plot"])]
     pub at: Vec<f64>,
+    /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
     /// Only these points, separated by commas [default: all, with tables of six]
     #[arg(long, value_name = "A,K", value_delimiter = ',')]
     pub points: Vec<String>,
@@ -82,6 +85,7 @@ Examples:
   linkwright solve mechanisms/excavator.mech                        summary, CSV and plots of five seconds
   linkwright solve mechanisms/excavator.mech --at 2.5 --points K    one instant of one point
   linkwright solve mechanisms/two_body.mech --csv - > motion.csv
+  linkwright solve lift.mech --set L2=360mm --set 'lift=0.5 + 0.1*sin(2*t)'
   linkwright solve mechanisms/two_body.mech --json | jq '.frames[-1].points.Q'
 
 This solves the textbook view: all equations together as one dense system, by Newton-Raphson, also those for which

@@ -42,6 +42,9 @@ pub struct Interpreter {
     rates: Vec<SymbolId>,
     accelerations: Vec<SymbolId>,
     time: SymbolId,
+    /// Value, rate and acceleration of every input at one time, and their symbols.
+    signals: Tape,
+    signal_symbols: Vec<SymbolId>,
     scratch: RefCell<Scratch>,
 }
 
@@ -54,6 +57,8 @@ struct Scratch {
     workspace: Vec<f64>,
     /// Results that are not a vector of n entries.
     results: Vec<f64>,
+    /// The inputs at one time.
+    signals: Vec<f64>,
 }
 
 impl Interpreter {
@@ -93,6 +98,7 @@ impl Interpreter {
             .flat_map(|pressure| [pressure.along, pressure.across, pressure.sliding])
             .collect();
         let coordinates = &system.coordinates;
+        let inputs = system.mechanism.inputs.iter();
         Interpreter {
             dimension,
             residual: rows(|row| row.residual),
@@ -127,9 +133,15 @@ impl Interpreter {
             rates: coordinates.iter().map(|it| it.rate).collect(),
             accelerations: coordinates.iter().map(|it| it.acceleration).collect(),
             time: system.mechanism.time,
+            signals: Tape::new(
+                graph,
+                &inputs.clone().flat_map(|it| it.signal).collect::<Vec<_>>(),
+            ),
+            signal_symbols: inputs.flat_map(|it| it.symbols).collect(),
             scratch: RefCell::new(Scratch {
-                symbols: given(system),
+                symbols: parameters(system),
                 workspace: Vec::new(),
+                signals: Vec::new(),
                 results: vec![0.0; places.len().max(motions.len()).max(pressures.len())],
             }),
             places,
@@ -152,7 +164,7 @@ impl Interpreter {
         let scratch = &mut *self.scratch.borrow_mut();
         self.fill(&mut scratch.symbols, &self.positions, frame.q.as_slice());
         self.fill(&mut scratch.symbols, &self.rates, frame.qd.as_slice());
-        scratch.symbols[self.time.index()] = frame.t;
+        self.set_time(scratch, frame.t);
         let results = &mut scratch.results[..3 * self.pressure_count];
         self.pressures
             .evaluate(&scratch.symbols, &mut scratch.workspace, results);
@@ -172,7 +184,7 @@ impl Interpreter {
             &self.accelerations,
             frame.qdd.as_slice(),
         );
-        scratch.symbols[self.time.index()] = frame.t;
+        self.set_time(scratch, frame.t);
         let results = &mut scratch.results[..6 * self.output_names.len()];
         self.outputs
             .evaluate(&scratch.symbols, &mut scratch.workspace, results);
@@ -191,12 +203,29 @@ impl Interpreter {
     pub fn residual_magnitudes(&self, q: &DVector<f64>, t: f64, magnitudes: &mut DVector<f64>) {
         let scratch = &mut *self.scratch.borrow_mut();
         self.fill(&mut scratch.symbols, &self.positions, q.as_slice());
-        scratch.symbols[self.time.index()] = t;
+        self.set_time(scratch, t);
         self.residual.magnitudes(
             &scratch.symbols,
             &mut scratch.workspace,
             magnitudes.as_mut_slice(),
         );
+    }
+
+    /// Puts in the time and what the inputs are then.
+    fn set_time(&self, scratch: &mut Scratch, t: f64) {
+        scratch.symbols[self.time.index()] = t;
+        if self.signal_symbols.is_empty() {
+            return;
+        }
+        scratch.signals.resize(self.signal_symbols.len(), 0.0);
+        self.signals.evaluate(
+            &scratch.symbols,
+            &mut scratch.workspace,
+            &mut scratch.signals,
+        );
+        for (symbol, value) in self.signal_symbols.iter().zip(&scratch.signals) {
+            scratch.symbols[symbol.index()] = *value;
+        }
     }
 
     fn fill(&self, symbols: &mut [f64], places: &[SymbolId], values: &[f64]) {
@@ -219,7 +248,7 @@ impl Interpreter {
         if let Some(qd) = qd {
             self.fill(&mut scratch.symbols, &self.rates, qd.as_slice());
         }
-        scratch.symbols[self.time.index()] = t;
+        self.set_time(scratch, t);
         tape.evaluate(
             &scratch.symbols,
             &mut scratch.workspace,
@@ -228,16 +257,11 @@ impl Interpreter {
     }
 }
 
-/// A value per symbol: parameters at their nominal values, inputs at rest at their initial ones, and zero for all others.
-fn given(system: &System) -> Vec<f64> {
+/// A value per symbol: parameters at their nominal values, and zero for all others.
+fn parameters(system: &System) -> Vec<f64> {
     let graph = &system.mechanism.graph;
     let mut symbols = vec![0.0; graph.symbol_count()];
-    for parameter in &system.mechanism.parameters {
-        symbols[parameter.symbol.index()] = graph.nominal(parameter.symbol).unwrap_or(f64::NAN);
-    }
-    for input in &system.mechanism.inputs {
-        symbols[input.symbols[0].index()] = graph.constant_value(input.initial).unwrap_or(f64::NAN);
-    }
+    graph.fill_nominal(&mut symbols);
     symbols
 }
 
@@ -253,7 +277,7 @@ impl Equations<f64, Dyn> for Interpreter {
     fn jacobian(&self, q: &DVector<f64>, t: f64, phi_q: &mut DMatrix<f64>) {
         let scratch = &mut *self.scratch.borrow_mut();
         self.fill(&mut scratch.symbols, &self.positions, q.as_slice());
-        scratch.symbols[self.time.index()] = t;
+        self.set_time(scratch, t);
         let entries = &mut scratch.results[..self.places.len()];
         self.jacobian
             .evaluate(&scratch.symbols, &mut scratch.workspace, entries);

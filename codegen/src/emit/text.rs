@@ -5,6 +5,7 @@ mod inspect;
 pub(super) mod table;
 
 use formula::Printer;
+pub(crate) use inspect::given;
 pub use inspect::inspect;
 
 use super::Notation;

@@ -71,6 +71,7 @@ impl Resolver<'_> {
             docs: written.docs.clone(),
             symbols: [value, rate, acceleration],
             initial,
+            signal: [initial, self.graph.zero(), self.graph.zero()],
             dimension,
             used: false,
             span: name.span,

@@ -7,11 +7,13 @@
 mod contact;
 mod curve;
 mod dimension;
+mod equation;
 mod expression;
 mod given;
 mod joints;
 mod law;
 mod lines;
+mod live;
 mod motions;
 mod names;
 mod not_finite;
@@ -20,6 +22,7 @@ mod points;
 mod request;
 mod resolve;
 mod search;
+mod setting;
 mod slug;
 mod synonyms;
 
@@ -27,6 +30,7 @@ pub use dimension::Dimension;
 pub(crate) use given::field_name;
 pub use motions::resolve;
 pub use resolve::type_name;
+pub use setting::set;
 pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
@@ -95,6 +99,9 @@ pub struct Input {
     pub symbols: [SymbolId; 3],
     /// Its value at assembly unless another is given, a constant in SI units.
     pub initial: ExprId,
+    /// What it does where nobody supplies it, as when a description is interpreted: its value, rate and acceleration as
+    /// expressions of t. At rest at its initial value unless it is set.
+    pub signal: [ExprId; 3],
     /// What its value measures.
     pub dimension: Dimension,
     /// Whether a statement mentions it.

@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use super::curve::{self, DrawnCurve};
 use super::expression::{BUILT_IN, Value, listed};
+use super::live::Live;
 use super::names::Names;
 use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
@@ -38,6 +39,10 @@ pub(super) struct Resolver<'a> {
     pub body_ids: Names<BodyId>,
     /// The names that drivers were given.
     pub drivers: Names<()>,
+    /// The names that equations were given.
+    pub equations: Names<()>,
+    /// What the equation that is being read mentions; `None` elsewhere, where nothing moves but by t.
+    pub live: Option<Live>,
     pub bodies: Vec<Body>,
     /// Each with the direction it was written along, by which drivers find it.
     pub joints: Vec<(Joint, Option<syntax::Direction>)>,
@@ -85,48 +90,13 @@ pub(super) fn resolve_statements(
         }
     }
     let time = graph.symbol("t");
-    let zero = graph.zero();
-    let ground_frame = Frame {
-        body: BodyId::GROUND,
-        origin: [zero, zero],
-        angle: zero,
-    };
-    let mut resolver = Resolver {
-        graph,
-        time,
-        constants: Names::new("constant"),
-        parameters: Vec::new(),
-        inputs: Vec::new(),
-        mentioned: HashSet::new(),
-        has_given: statements.iter().any(|statement| {
-            matches!(
-                statement,
-                syntax::Statement::Parameter(_) | syntax::Statement::Input(_)
-            )
-        }),
-        drawn: Names::new("point"),
-        curves: Names::new("curve"),
-        parameter: None,
-        body_ids: Names::new("body"),
-        drivers: Names::new("driver"),
-        bodies: vec![Body {
-            name: "ground".to_string(),
-            docs: Vec::new(),
-            span: Span::default(),
-            frame: ground_frame,
-            coordinates: None,
-            drawn: ground_frame,
-            marks: Vec::new(),
-        }],
-        joints: Vec::new(),
-        diagnostics,
-    };
-    let ground = syntax::Name {
-        text: "ground".to_string(),
-        span: Span::default(),
-    };
-    // The first declaration of a fresh table cannot be a duplicate.
-    let _ = resolver.body_ids.declare(&ground, BodyId::GROUND);
+    let mut resolver = Resolver::new(graph, time, diagnostics);
+    resolver.has_given = statements.iter().any(|statement| {
+        matches!(
+            statement,
+            syntax::Statement::Parameter(_) | syntax::Statement::Input(_)
+        )
+    });
     resolver.check_mechanism_name(&item.name);
     for statement in statements {
         match statement {
@@ -138,6 +108,7 @@ pub(super) fn resolve_statements(
             syntax::Statement::Curve(curve) => resolver.add_curve(curve),
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
+            syntax::Statement::Equation(equation) => resolver.add_equation(equation),
             // Points are known once all bodies are.
             syntax::Statement::Output(_) => {}
             // Its statements come by themselves.
@@ -211,6 +182,56 @@ pub fn type_name(mechanism: &str) -> String {
             first.into_iter().chain(rest).collect::<String>()
         })
         .collect()
+}
+
+impl<'a> Resolver<'a> {
+    /// Nothing has been declared but the ground.
+    pub(super) fn new(
+        graph: Graph,
+        time: SymbolId,
+        diagnostics: &'a mut Diagnostics,
+    ) -> Resolver<'a> {
+        let zero = graph.zero();
+        let ground_frame = Frame {
+            body: BodyId::GROUND,
+            origin: [zero, zero],
+            angle: zero,
+        };
+        let mut resolver = Resolver {
+            graph,
+            time,
+            constants: Names::new("constant"),
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+            mentioned: HashSet::new(),
+            has_given: false,
+            drawn: Names::new("point"),
+            curves: Names::new("curve"),
+            parameter: None,
+            body_ids: Names::new("body"),
+            drivers: Names::new("driver"),
+            equations: Names::new("equation"),
+            live: None,
+            bodies: vec![Body {
+                name: "ground".to_string(),
+                docs: Vec::new(),
+                span: Span::default(),
+                frame: ground_frame,
+                coordinates: None,
+                drawn: ground_frame,
+                marks: Vec::new(),
+            }],
+            joints: Vec::new(),
+            diagnostics,
+        };
+        let ground = syntax::Name {
+            text: "ground".to_string(),
+            span: Span::default(),
+        };
+        // The first declaration of a fresh table cannot be a duplicate.
+        let _ = resolver.body_ids.declare(&ground, BodyId::GROUND);
+        resolver
+    }
 }
 
 impl Resolver<'_> {

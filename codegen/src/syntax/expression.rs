@@ -6,8 +6,10 @@
 use proc_macro2::Delimiter;
 
 use super::brackets::too_deep;
-use super::document::{Expression, ExpressionKind, Operation, Pair, Sign};
-use super::reference::reference;
+use super::document::{
+    Component, Expression, ExpressionKind, Name, Operation, Pair, Reference, Sign,
+};
+use super::reference::reference_or_component;
 use super::tokens::{Outcome, Tokens};
 use super::{DEEPEST, literal};
 use crate::diagnostic::{Code, Diagnostic};
@@ -180,12 +182,8 @@ fn number(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
     let is_body =
         ahead.peek_mark('.') || written.text.ends_with('.') && ahead.peek_word().is_some();
     if is_body {
-        let point = reference(tokens, "a point")?;
-        let span = point.span;
-        return Ok(Expression {
-            kind: ExpressionKind::Reference(point),
-            span,
-        });
+        let (point, axis) = reference_or_component(tokens, "a point")?;
+        return Ok(named_value(point, axis));
     }
     *tokens = ahead;
     Ok(Expression {
@@ -194,7 +192,25 @@ fn number(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
     })
 }
 
-/// A constant, a point of a body, or a call.
+/// What one, two or three names with dots between them stand for.
+fn named_value(reference: Reference, axis: Option<Name>) -> Expression {
+    let span = reference.span;
+    match axis {
+        Some(axis) => Expression {
+            span: span.to(axis.span),
+            kind: ExpressionKind::Component(Box::new(Component {
+                point: reference,
+                axis,
+            })),
+        },
+        None => Expression {
+            kind: ExpressionKind::Reference(reference),
+            span,
+        },
+    }
+}
+
+/// A constant, a point of a body or its component, or a call.
 fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     if let Some(word) = tokens.peek_word().filter(|word| CONTROL.contains(word)) {
         let message = format!("`{word}` is no part of a formula");
@@ -203,14 +219,10 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
             .help("write one formula that holds at all times: there are no cases and no loops");
         return Err(Box::new(finding));
     }
-    let reference = reference(tokens, "a formula")?;
+    let (reference, axis) = reference_or_component(tokens, "a formula")?;
     // A bracket on the next line starts something else: a semicolon is missing.
-    if !tokens.peek_group(Delimiter::Parenthesis) || tokens.at_line_start() {
-        let span = reference.span;
-        return Ok(Expression {
-            kind: ExpressionKind::Reference(reference),
-            span,
-        });
+    if axis.is_some() || !tokens.peek_group(Delimiter::Parenthesis) || tokens.at_line_start() {
+        return Ok(named_value(reference, axis));
     }
     if let Some(body) = &reference.body {
         let message = format!("`{}` is called like a method", reference.name.text);

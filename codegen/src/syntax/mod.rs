@@ -15,6 +15,7 @@ mod body;
 mod brackets;
 mod curve;
 mod document;
+mod equation;
 mod expression;
 mod literal;
 mod motion;
@@ -42,8 +43,8 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 9] = [
-    "const", "param", "input", "point", "body", "curve", "drive", "output", "motion",
+pub const KEYWORDS: [&str; 10] = [
+    "const", "param", "input", "point", "body", "curve", "drive", "equation", "output", "motion",
 ];
 
 /// Reads a description. Never panics and never overflows the stack, whatever the text.

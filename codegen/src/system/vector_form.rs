@@ -319,6 +319,7 @@ impl VectorForm {
             curve,
             value: operands.value,
             auxiliaries,
+            formula: operands.formula.clone(),
         }
     }
 

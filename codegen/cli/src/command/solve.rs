@@ -3,6 +3,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use linkwright_codegen::model::set;
+
 use super::description::{determined, source};
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Solve;
@@ -29,7 +31,10 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
         ));
     }
     let source = source(&arguments.file)?;
-    let system = determined(&source, arguments.motion.as_deref())?;
+    let mut system = determined(&source, arguments.motion.as_deref())?;
+    for assignment in &arguments.set {
+        set(&mut system.mechanism, assignment).map_err(Problem)?;
+    }
     let points =
         select(&system, &arguments.points).map_err(|text| Problem(format!("error: {text}")))?;
     let schedule = schedule(arguments)?;

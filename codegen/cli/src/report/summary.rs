@@ -2,6 +2,8 @@
 
 use std::io::{self, Write};
 
+use linkwright_codegen::emit::Notation;
+use linkwright_codegen::emit::text::formula;
 use linkwright_codegen::model::Role;
 
 use super::motion_table;
@@ -59,6 +61,27 @@ fn pressure_angles(solution: &Solution, output: &mut dyn Write) -> io::Result<()
     writeln!(output)
 }
 
+/// The parameters and inputs with what they are here.
+fn given(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
+    let system = &solution.system;
+    let mechanism = &system.mechanism;
+    let parameters = mechanism.parameters.iter().map(|own| {
+        let value = mechanism.graph.nominal(own.symbol).unwrap_or(f64::NAN);
+        format!("{} = {value} {}", own.name, own.dimension.unit())
+    });
+    if !mechanism.parameters.is_empty() {
+        list(output, "parameters", mechanism.parameters.len(), parameters)?;
+    }
+    let inputs = mechanism.inputs.iter().map(|own| {
+        let signal = formula(system, &[], Notation::Ascii, own.signal[0]);
+        format!("{} = {signal} {}", own.name, own.dimension.unit())
+    });
+    if !mechanism.inputs.is_empty() {
+        list(output, "inputs", mechanism.inputs.len(), inputs)?;
+    }
+    Ok(())
+}
+
 fn mechanism(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
     let system = &solution.system;
     let bodies = system.mechanism.moving_bodies();
@@ -66,6 +89,7 @@ fn mechanism(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
     list(output, "bodies", bodies.len(), names)?;
     let names = system.coordinates.iter().map(|it| it.name.clone());
     shortened(output, "coordinates", system.coordinates.len(), names)?;
+    given(solution, output)?;
     for (title, role) in [
         ("constraint equations", Role::Constraint),
         ("driver equations", Role::Driver),

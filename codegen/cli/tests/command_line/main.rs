@@ -5,4 +5,5 @@ mod generate_and_inspect;
 mod motions;
 mod plan;
 mod pressure;
+mod set;
 mod solve;

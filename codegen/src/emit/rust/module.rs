@@ -232,6 +232,7 @@ pub(super) fn facts(system: &System, program: &Program) -> Vec<String> {
         system.rows.len() - drivers,
         drivers,
     )];
+    lines.extend(text::given(system).lines().map(capitalized));
     match &program.solved {
         Some(solved) => {
             lines.extend(report::lines(&solved.report));
@@ -248,4 +249,11 @@ pub(super) fn facts(system: &System, program: &Program) -> Vec<String> {
         )),
     }
     lines
+}
+
+/// `Parameter L = 0.05 m.` of `parameter L = 0.05 m`.
+fn capitalized(line: &str) -> String {
+    let mut letters = line.chars();
+    let first = letters.next().map(|letter| letter.to_ascii_uppercase());
+    first.into_iter().chain(letters).chain(['.']).collect()
 }

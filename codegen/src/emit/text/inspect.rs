@@ -4,7 +4,7 @@ use super::super::notation::Notation;
 use super::formula::Printer;
 use super::table::{aligned, shown_width};
 use crate::expr::ExprId;
-use crate::model::Role;
+use crate::model::{Dimension, Role};
 use crate::system::{Output, Row, System};
 
 /// The widest matrix that is printed as one; wider ones are listed entry by entry.
@@ -27,6 +27,24 @@ pub fn inspect(system: &System, notation: Notation) -> String {
     text.push_str(&page.rows(headings[3], |row| row.gamma, false));
     text.push_str(&page.points());
     text
+}
+
+/// The parameters and inputs with their defaults, a line each; nothing where there are none.
+pub(crate) fn given(system: &System) -> String {
+    let mechanism = &system.mechanism;
+    let value = |expr| mechanism.graph.constant_value(expr).unwrap_or(f64::NAN);
+    let line = |what: &str, name: &str, dimension: Dimension, default: f64| {
+        format!("{what} {name} = {default} {}\n", dimension.unit())
+    };
+    let parameters = mechanism.parameters.iter().map(|own| {
+        let default = value(own.nominal);
+        line("parameter", &own.name, own.dimension, default)
+    });
+    let inputs = mechanism.inputs.iter().map(|own| {
+        let initial = value(own.initial);
+        line("input", &own.name, own.dimension, initial)
+    });
+    parameters.chain(inputs).collect()
 }
 
 struct Page<'a> {
@@ -66,7 +84,7 @@ impl Page<'_> {
             plural(drivers as i64, "equation", "equations"),
             plural(freedom, "degree of freedom", "degrees of freedom"),
             wrapped("q = (", &names, ")"),
-        )
+        ) + &given(self.system)
     }
 
     /// Row number and joint, the joint only at its first row that is shown: `previous` is the one shown before.

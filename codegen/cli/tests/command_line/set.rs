@@ -1,0 +1,110 @@
+//! `linkwright solve --set` from the outside.
+
+use crate::folder::Folder;
+
+/// A crank of changeable length that follows a signal.
+const CRANK: &str = "mechanism crank {
+    param L = 0.5m;
+    input angle = 30deg;
+    body 1 at (0, 0) { P: (L, 0) }
+    absolute_x(1) = 0;
+    absolute_y(1) = 0;
+    drive phi(1) = angle;
+}
+";
+
+/// The last row that is written of P: its position, velocity and acceleration.
+fn last_row(folder: &Folder, options: &str) -> Vec<f64> {
+    let ran = folder.run(&format!(
+        "solve a.mech --at 0.5 --points P --csv - {options}"
+    ));
+    let printed = ran.exits_with(0).stdout;
+    let titles = printed.lines().next().expect("a line of titles");
+    let row = printed.lines().last().expect("a row");
+    let wanted = titles.split(',').zip(row.split(','));
+    wanted
+        .filter(|(title, _)| title.starts_with("P_") || title.starts_with("P."))
+        .map(|(_, value)| value.parse().expect("a number"))
+        .collect()
+}
+
+fn assert_near(found: &[f64], expected: [f64; 6]) {
+    assert_eq!(found.len(), 6);
+    for (found, expected) in found.iter().zip(expected) {
+        assert!(
+            (found - expected).abs() < 1e-14,
+            "{found} is not {expected}"
+        );
+    }
+}
+
+#[test]
+fn a_parameter_and_a_signal_are_set() {
+    let folder = Folder::new("set", CRANK);
+    let (sine, cosine) = 30.0_f64.to_radians().sin_cos();
+    let still = [0.5 * cosine, 0.5 * sine, 0.0, 0.0, 0.0, 0.0];
+    assert_near(&last_row(&folder, ""), still);
+    let longer = [0.75 * cosine, 0.75 * sine, 0.0, 0.0, 0.0, 0.0];
+    assert_near(&last_row(&folder, "--set L=750mm"), longer);
+    // angle = t³ at t = 1/2, with the rates 3t² and 6t.
+    let (length, angle, rate, acceleration) = (0.75, 0.125_f64, 0.75, 3.0);
+    let (sine, cosine) = angle.sin_cos();
+    let moving = [
+        length * cosine,
+        length * sine,
+        -length * sine * rate,
+        length * cosine * rate,
+        -length * (cosine * rate * rate + sine * acceleration),
+        length * (cosine * acceleration - sine * rate * rate),
+    ];
+    assert_near(&last_row(&folder, "--set L=0.75 --set angle=t^3"), moving);
+}
+
+#[test]
+fn parameters_and_inputs_are_listed() {
+    let folder = Folder::new("set_listed", CRANK);
+    let ran = folder.run("solve a.mech --at 0.5 --set L=750mm --set angle=2*t");
+    let printed = ran.exits_with(0).stdout;
+    assert!(printed.contains("L = 0.75 m"), "{printed}");
+    assert!(printed.contains("angle = 2*t rad"), "{printed}");
+    let printed = folder.run("inspect a.mech").exits_with(0).stdout;
+    assert!(printed.contains("\nparameter L = 0.5 m\n"), "{printed}");
+    assert!(
+        printed.contains("\ninput angle = 0.5235987755982988 rad\n"),
+        "{printed}"
+    );
+    let printed = folder.run("plan a.mech").exits_with(0).stdout;
+    assert!(printed.contains("phi1 = angle "), "{printed}");
+}
+
+#[test]
+fn what_cannot_be_set_is_said_with_its_place() {
+    let folder = Folder::new("set_wrong", CRANK);
+    for (assignment, code, text) in [
+        ("angel=1", "K11", "did you mean `angle`?"),
+        ("M=1", "K11", "it has `L`, `angle`"),
+        ("L=5deg", "K21", "expected a length, found an angle"),
+        ("L=t", "K23", "the parameter `L` cannot depend on `t`"),
+        ("L=1/0", "K22", "division by zero"),
+        ("L", "K02", "expected `=`"),
+    ] {
+        let ran = folder
+            .run(&format!("solve a.mech --set {assignment}"))
+            .exits_with(2);
+        assert!(
+            ran.stderr.contains(&format!("error[{code}]")),
+            "{}",
+            ran.stderr
+        );
+        assert!(ran.stderr.contains(text), "{}", ran.stderr);
+        assert!(ran.stderr.contains("--> --set:"), "{}", ran.stderr);
+    }
+    let ran = folder
+        .run("solve a.mech --set L=1;revolute(P,P)")
+        .exits_with(2);
+    assert!(
+        ran.stderr.contains("takes one assignment"),
+        "{}",
+        ran.stderr
+    );
+}
