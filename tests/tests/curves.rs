@@ -16,7 +16,15 @@ macro_rules! modules {
     )+};
 }
 
-modules!(cam_flat, cam_roller, cam_polar, trammel, rocking_cams);
+modules!(
+    cam_flat,
+    cam_roller,
+    cam_polar,
+    cam_param,
+    cam_law,
+    trammel,
+    rocking_cams
+);
 
 /// Compares a position, a velocity and an acceleration with those of a closed form, relative to `scale`.
 fn assert_motion(found: [f64; 3], wanted: [f64; 3], scale: f64, place: &str) {
@@ -410,5 +418,74 @@ fn the_pressure_angle_of_a_lever_is_measured_against_its_arc() {
             (angle.sin() - sine.abs()).abs() < 1e-12,
             "{t}: {angle} and {sine}"
         );
+    }
+}
+
+/// The pressure angle and the lift follow the eccentricity e and the roller's radius ρ that are set at run time.
+#[test]
+fn curves_and_rollers_take_their_sizes_from_parameters() {
+    let parameters = cam_param::Parameters {
+        e: 0.012,
+        rho: 0.005,
+    };
+    let mut cam = cam_param::CamParam::assemble_for(&parameters, 0.0).expect("the drawing is near");
+    for step in 1..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cam.advance(t).expect("a turn of the cam");
+        let (sine, cosine) = (2.0 * t).sin_cos();
+        let reach = 0.035_f64;
+        let height = 0.012 * cosine + (reach * reach - (0.012 * sine).powi(2)).sqrt();
+        let found = frame.point_p().position[1];
+        assert!((found - height).abs() < 1e-15, "{t}: {found} and {height}");
+        let angle = frame.pressure_angle_wheel().expect("it moves");
+        assert!(
+            (angle.sin() - 0.012 * sine.abs() / reach).abs() < 1e-13,
+            "{t}: {angle}"
+        );
+    }
+}
+
+/// A follower on the pitch curve of a law obeys it, turn after turn: s = h (x − sin 2πx / 2π) over a rise (Norton 2009,
+/// section 2.3), with x the share of the rise that has passed.
+#[test]
+fn a_cam_designed_from_a_law_moves_its_follower_by_it() {
+    use std::f64::consts::{PI, TAU};
+    let mut cam = cam_law::CamLaw::assemble(0.0).expect("the drawing assembles");
+    let (lift, rate, beta) = (0.012, 3.0, 2.0 * PI / 3.0);
+    let rise = |x: f64| {
+        [
+            lift * (x - (TAU * x).sin() / TAU),
+            lift * (1.0 - (TAU * x).cos()) * rate / beta,
+            lift * TAU * (TAU * x).sin() * (rate / beta).powi(2),
+        ]
+    };
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cam.advance(t).expect("the cam turns");
+        let angle = (rate * t).rem_euclid(TAU);
+        let law = if angle < beta {
+            rise(angle / beta)
+        } else if angle < PI {
+            [lift, 0.0, 0.0]
+        } else if angle < PI + beta {
+            let fall = rise((angle - PI) / beta);
+            [lift - fall[0], -fall[1], -fall[2]]
+        } else {
+            [0.0; 3]
+        };
+        let found = vertical(&frame.point_p());
+        assert_motion(
+            found,
+            [0.04 + law[0], law[1], law[2]],
+            1.0,
+            &format!("t = {t}"),
+        );
+        match frame.pressure_angle_tip() {
+            Some(angle) => {
+                let wanted = (law[1] / rate).abs() / (0.04 + law[0]);
+                assert!((angle.tan() - wanted).abs() < 1e-12, "{t}: {angle}");
+            }
+            None => assert!(law[1].abs() < 1e-8, "{t}: {law:?}"),
+        }
     }
 }

@@ -257,11 +257,17 @@ fn the_printed_formulas_give_the_motion() {
 #[test]
 fn the_other_forms_satisfy_the_textbook_equations() {
     for (name, method) in [
-        ("two_lines", "two slides"),
-        ("turning_rail", "rotation and slide"),
-        ("inclined_slider", "one angle"),
+        ("fixtures/plans/two_lines", "two slides"),
+        ("fixtures/plans/turning_rail", "rotation and slide"),
+        ("fixtures/plans/inclined_slider", "one angle"),
+        // Links without a body, a driven one, a block beside its line, a rack, and an angle that follows another in its loop.
+        ("descriptions/coupled_rockers", "two rotations"),
+        ("descriptions/pushed_apart", "two rotations"),
+        ("descriptions/offset_slot", "rotation and slide"),
+        ("descriptions/rolling_pinion", "two slides"),
+        ("descriptions/driven_coupler", "two rotations"),
     ] {
-        let path = files::package("fixtures/plans").join(format!("{name}.mech"));
+        let path = files::package(&format!("{name}.mech"));
         let text = std::fs::read_to_string(&path).expect("a fixture");
         let source = Source::new(name.to_string(), text);
         let mut system = linkwright_codegen::read(&source)

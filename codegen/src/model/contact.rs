@@ -203,6 +203,7 @@ impl Resolver<'_> {
     /// The values of all symbols in the drawing, at t = 0.
     pub(super) fn drawn_symbols(&self) -> Vec<f64> {
         let mut values = vec![0.0; self.graph.symbol_count()];
+        self.graph.fill_nominal(&mut values);
         for body in &self.bodies {
             for (symbol, drawn) in body.coordinates.into_iter().flatten().zip(body.estimate()) {
                 values[symbol.index()] = self.graph.constant_value(drawn).unwrap_or(0.0);

@@ -14,8 +14,12 @@ pub(super) struct Names {
 }
 
 impl Names {
-    pub(super) fn new() -> Names {
-        Names::default()
+    /// Names beside those that are taken.
+    pub(super) fn beside(taken: impl Iterator<Item = String>) -> Names {
+        Names {
+            taken: taken.collect(),
+            numbers: HashMap::new(),
+        }
     }
 
     /// `shared_1` for a value that is used again, `exponential_1` or `piece_1` for the value of a function.
@@ -33,10 +37,13 @@ impl Names {
 
     fn numbered(&mut self, base: &'static str) -> String {
         let number = self.numbers.entry(base).or_insert(0);
-        *number += 1;
-        let name = format!("{base}_{number}");
-        self.taken.insert(name.clone());
-        name
+        loop {
+            *number += 1;
+            let name = format!("{base}_{number}");
+            if self.taken.insert(name.clone()) {
+                return name;
+            }
+        }
     }
 
     /// `sin_phi1` and `cos_phi1`; the names of other angles are numbered.

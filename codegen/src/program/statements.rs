@@ -62,6 +62,16 @@ pub enum Statement {
     },
 }
 
+impl Statement {
+    /// What it defines.
+    fn names(&self) -> Vec<&String> {
+        match self {
+            Statement::SineCosine { sine, cosine, .. } => vec![sine, cosine],
+            Statement::Value { name, .. } => vec![name],
+        }
+    }
+}
+
 impl Straight {
     /// What the statements cost, their arguments and the results not counted.
     pub fn operations(&self, graph: &Graph) -> Operations {
@@ -74,6 +84,20 @@ impl Straight {
                     operations.choices += self.further_pieces(*expr, graph).len();
                 }
             }
+        }
+        operations
+    }
+
+    /// What one statement costs with its arguments.
+    pub(super) fn operations_of(&self, statement: &Statement, system: &System) -> Operations {
+        let alone = Straight {
+            statements: vec![statement.clone()],
+            results: Vec::new(),
+            ..self.clone()
+        };
+        let mut operations = alone.operations(&system.mechanism.graph);
+        for parts in alone.computed(&[], system) {
+            operations += Operations::of_addends(&parts);
         }
         operations
     }
@@ -121,6 +145,17 @@ impl Straight {
         }
     }
 
+    /// Which of the statements these results need: places in the list.
+    pub(super) fn needed_by(&self, results: &[ExprId], system: &System) -> Vec<usize> {
+        let needed = self.for_results(results, system).statements;
+        let is_needed = |name: &String| needed.iter().any(|other| other.names().contains(&name));
+        let places = self.statements.iter().enumerate();
+        places
+            .filter(|(_, statement)| statement.names().into_iter().any(is_needed))
+            .map(|(place, _)| place)
+            .collect()
+    }
+
     /// How an expression is computed here, in written order.
     pub fn addends(&self, expr: ExprId, system: &System, bodies: &[usize]) -> Vec<Addend> {
         let graph = &system.mechanism.graph;
@@ -164,16 +199,34 @@ impl Straight {
         system: &System,
         constants: &mut Constants,
     ) -> Straight {
-        let graph = &system.mechanism.graph;
-        let usage = Usage::of(&results, graph);
-        let mut straight = Straight {
+        let nothing = Straight {
             inputs: Inputs::default(),
             statements: Vec::new(),
             results: Vec::new(),
             operations: Operations::default(),
             names: HashMap::new(),
         };
-        let mut names = Names::new();
+        Straight::beside(&nothing, std::iter::empty(), results, system, constants)
+    }
+
+    /// The same where what `known` computes has its names already, and `taken` are names of other values.
+    pub(super) fn beside(
+        known: &Straight,
+        taken: impl Iterator<Item = String>,
+        results: Vec<(ExprId, Vec<usize>)>,
+        system: &System,
+        constants: &mut Constants,
+    ) -> Straight {
+        let graph = &system.mechanism.graph;
+        let usage = Usage::of(&results, graph, known);
+        let mut straight = Straight {
+            inputs: Inputs::default(),
+            statements: Vec::new(),
+            results: Vec::new(),
+            operations: Operations::default(),
+            names: known.names.clone(),
+        };
+        let mut names = Names::beside(taken.chain(known.names.values().cloned()));
         for &expr in &usage.ordered {
             if let Node::Symbol(symbol) = graph.node(expr) {
                 straight.inputs.note(system.roles[symbol.index()]);
@@ -317,7 +370,7 @@ struct Usage {
 }
 
 impl Usage {
-    fn of(results: &[(ExprId, Vec<usize>)], graph: &Graph) -> Usage {
+    fn of(results: &[(ExprId, Vec<usize>)], graph: &Graph, known: &Straight) -> Usage {
         let mut usage = Usage {
             ordered: Vec::new(),
             uses: HashMap::new(),
@@ -325,7 +378,7 @@ impl Usage {
             sine_cosine: HashMap::new(),
         };
         for (result, _) in results {
-            usage.visit(*result, 1, graph);
+            usage.visit(*result, 1, graph, known);
         }
         for &expr in &usage.ordered {
             match *graph.node(expr) {
@@ -337,8 +390,8 @@ impl Usage {
         usage
     }
 
-    fn visit(&mut self, expr: ExprId, weight: usize, graph: &Graph) {
-        if graph.is_constant(expr) {
+    fn visit(&mut self, expr: ExprId, weight: usize, graph: &Graph, known: &Straight) {
+        if graph.is_constant(expr) || known.names.contains_key(&expr) {
             return;
         }
         if let Some(uses) = self.uses.get_mut(&expr) {
@@ -350,7 +403,7 @@ impl Usage {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
             Node::Sum(terms) => terms
                 .iter()
-                .for_each(|term| self.visit(term.expr, 1, graph)),
+                .for_each(|term| self.visit(term.expr, 1, graph, known)),
             Node::Product(factors) => {
                 for factor in factors {
                     // A power is written as a product, so its base is used as often.
@@ -364,6 +417,7 @@ impl Usage {
                         factor.base,
                         usize::try_from(whole).unwrap_or(usize::MAX),
                         graph,
+                        known,
                     );
                 }
             }
@@ -373,21 +427,21 @@ impl Usage {
                 for arm in [*below, *otherwise] {
                     *self.as_arm.entry(arm).or_default() += 1;
                 }
-                self.visit_all(written_operands(expr, graph), graph);
+                self.visit_all(written_operands(expr, graph), graph, known);
             }
             Node::Sin(_)
             | Node::Cos(_)
             | Node::Exp(_)
             | Node::Ln(_)
             | Node::Floor(_)
-            | Node::Atan2(..) => self.visit_all(graph.operands(expr), graph),
+            | Node::Atan2(..) => self.visit_all(graph.operands(expr), graph, known),
         }
         self.ordered.push(expr);
     }
 
-    fn visit_all(&mut self, operands: Vec<ExprId>, graph: &Graph) {
+    fn visit_all(&mut self, operands: Vec<ExprId>, graph: &Graph, known: &Straight) {
         for operand in operands {
-            self.visit(operand, 1, graph);
+            self.visit(operand, 1, graph, known);
         }
     }
 

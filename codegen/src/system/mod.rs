@@ -6,6 +6,7 @@
 //! equations are solved.
 
 mod assemble;
+mod auxiliary;
 mod orientation;
 mod pressure;
 mod row_name;

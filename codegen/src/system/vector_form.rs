@@ -6,12 +6,12 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::orientation::{Orientations, as_symbol};
+use super::orientation::Orientations;
 use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{BodyId, Frame, Mark, Vector, dot, offset_along};
-use crate::joint::{Auxiliary, AuxiliaryUnknown, Quantity, Resolved};
-use crate::model::{Body, Joint, Mechanism, NamedMark, apart};
+use crate::joint::geometry::{Frame, Mark, Vector};
+use crate::joint::{Quantity, Resolved};
+use crate::model::{Body, Mechanism, apart};
 
 /// The vector form of a mechanism.
 #[derive(Clone, Debug)]
@@ -31,9 +31,9 @@ pub struct VectorForm {
     // Looked up, never iterated.
     arm_places: HashMap<(usize, Vector), usize>,
     // The unknowns beyond the coordinates, by symbol; only looked up.
-    auxiliary_places: HashMap<SymbolId, usize>,
+    pub(super) auxiliary_places: HashMap<SymbolId, usize>,
     // The names of unknowns and arms; only looked up.
-    taken_names: HashSet<String>,
+    pub(super) taken_names: HashSet<String>,
 }
 
 /// What is solved for.
@@ -112,7 +112,7 @@ impl VectorForm {
             }
         }
         for (index, joint) in joints.iter().enumerate() {
-            form.add_auxiliaries(joint, bodies, graph);
+            form.add_auxiliaries(joint, bodies, points, graph);
             let operands = form.with_arms(&joint.operands, bodies, graph);
             let rows = joint.kind.vector_rows(&operands, graph);
             form.rows.extend(rows.iter().map(|row| VectorRow {
@@ -208,84 +208,6 @@ impl VectorForm {
         [x, y]
     }
 
-    /// The auxiliary unknowns of one joint, named after the points that it concerns.
-    fn add_auxiliaries(&mut self, joint: &Joint, bodies: &[Body], graph: &mut Graph) {
-        // A driver on the line of another joint has that joint's unknowns, and none of its own.
-        let own = joint.kind.auxiliaries().len();
-        for auxiliary in joint.operands.auxiliaries.iter().take(own) {
-            let Some(position) = as_symbol(auxiliary.value, graph) else {
-                continue;
-            };
-            // A length is named from the line's own point to the other one.
-            let first = joint.operands.axis.map_or(0, |axis| axis.owner);
-            let ends = [first, 1 - first].map(|side| {
-                let mark = joint.operands.marks.get(side)?;
-                let drawn = joint.operands.drawn.get(side)?;
-                let ground = mark.frame.body == BodyId::GROUND;
-                let own = |other: &&NamedMark| other.mark.local == mark.local;
-                // The ground lists no points; one that another body carries has its name from there.
-                let there = |other: &&NamedMark| {
-                    auxiliary.kind == Auxiliary::LinkAngle
-                        && ground
-                        && other.drawn == drawn.position
-                };
-                let listed = bodies[mark.frame.body.0].marks.iter().find(own);
-                let carried =
-                    listed.or_else(|| bodies.iter().flat_map(|body| &body.marks).find(there));
-                carried.map(|carried| carried.name.to_lowercase())
-            });
-            let prefix = match auxiliary.kind {
-                Auxiliary::Displacement | Auxiliary::Distance => "length",
-                Auxiliary::Offset => "offset",
-                Auxiliary::LinkAngle => "psi",
-            };
-            let name = match ends {
-                [Some(from), Some(to)] => format!("{prefix}_{from}_{to}"),
-                _ => format!("{prefix}_{}", joint.slug),
-            };
-            let name = if self.taken_names.contains(&name) {
-                format!("{name}_{}", self.unknowns.len())
-            } else {
-                name
-            };
-            self.taken_names.insert(name.clone());
-            let [rate, acceleration] =
-                ["'", "''"].map(|dots| graph.symbol(&format!("{name}{dots}")));
-            let estimate = in_drawing(auxiliary.kind, &joint.operands, bodies, graph);
-            self.auxiliary_places.insert(position, self.unknowns.len());
-            self.unknowns.push(Unknown {
-                name,
-                position,
-                rate,
-                acceleration,
-                quantity: auxiliary.kind.quantity(),
-                estimate,
-            });
-        }
-    }
-
-    /// An auxiliary unknown with symbols for the vector that it turns.
-    fn auxiliary_with_arm(
-        &mut self,
-        auxiliary: &AuxiliaryUnknown,
-        graph: &mut Graph,
-    ) -> AuxiliaryUnknown {
-        let place = as_symbol(auxiliary.value, graph)
-            .and_then(|symbol| self.auxiliary_places.get(&symbol).copied());
-        match (auxiliary.kind, place) {
-            (Auxiliary::LinkAngle, Some(place)) => {
-                let ends = self.unknowns[place].name.replacen("psi", "link", 1);
-                let along = [graph.one(), graph.zero()];
-                let turned = self.arm(place, along, &ends, graph);
-                AuxiliaryUnknown {
-                    turned,
-                    ..*auxiliary
-                }
-            }
-            _ => *auxiliary,
-        }
-    }
-
     /// The operands with symbols for all turned vectors.
     fn with_arms(&mut self, operands: &Resolved, bodies: &[Body], graph: &mut Graph) -> Resolved {
         let marks = operands
@@ -370,41 +292,6 @@ fn set(roles: &mut Vec<SymbolRole>, symbol: SymbolId, role: SymbolRole) {
         roles.resize(symbol.index() + 1, SymbolRole::Intermediate);
     }
     roles[symbol.index()] = role;
-}
-
-/// The value of an auxiliary unknown in the drawing.
-fn in_drawing(
-    auxiliary: Auxiliary,
-    operands: &Resolved,
-    bodies: &[Body],
-    graph: &mut Graph,
-) -> ExprId {
-    let drawn = |mark: &Mark, graph: &mut Graph| {
-        Mark::new(bodies[mark.frame.body.0].drawn, mark.local, graph)
-    };
-    match auxiliary {
-        Auxiliary::Displacement => match operands.along() {
-            Some((axis, i, j)) => {
-                let [i, j] = [i, j].map(|mark| drawn(&mark, graph));
-                let turned = i.frame.rotate(axis.direction, graph);
-                offset_along(axis.direction, turned, &i, &j, graph)
-            }
-            None => graph.zero(),
-        },
-        Auxiliary::Offset => match operands.across_in_drawing(graph) {
-            Some(offset) => offset,
-            None => graph.zero(),
-        },
-        Auxiliary::Distance => {
-            let gap = operands.drawn_gap(graph);
-            let square = dot(gap, gap, graph);
-            graph.sqrt(square)
-        }
-        Auxiliary::LinkAngle => {
-            let [x, y] = operands.drawn_gap(graph);
-            graph.atan2(y, x)
-        }
-    }
 }
 
 fn unknown_of(coordinate: &Coordinate) -> Unknown {

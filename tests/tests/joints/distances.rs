@@ -65,3 +65,33 @@ fn a_driven_distance_opens_a_triangle() {
         vec![("phi1", first), ("phi2", y.atan2(x) - inner)]
     });
 }
+
+mod platform_on_cylinders {
+    linkwright::include_mechanism!(platform_on_cylinders);
+}
+
+/// There is no closed form, so the angles of the links are found by Newton-Raphson with the platform; legs with bodies move it alike.
+#[test]
+fn cylinders_without_bodies_move_a_platform_as_those_with_bodies_do() {
+    let mut legs = linkwright_mechanisms::platform_3rpr::Platform3rpr::assemble(0.0)
+        .expect("the drawing assembles");
+    let mut links =
+        platform_on_cylinders::PlatformOnCylinders::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=500 {
+        let t = f64::from(step) / 100.0;
+        let expected = *legs.advance(t).expect("the motion can be followed");
+        let found = *links.advance(t).expect("the motion can be followed");
+        let pairs = [
+            (expected.q.x_platform, found.q.x_platform),
+            (expected.q.y_platform, found.q.y_platform),
+            (expected.q.phi_platform, found.q.phi_platform),
+            (expected.qd.phi_platform, found.qd.phi_platform),
+            (expected.qdd.x_platform, found.qdd.x_platform),
+            (expected.qdd.phi_platform, found.qdd.phi_platform),
+        ];
+        for (expected, found) in pairs {
+            let error = (expected - found).abs() / expected.abs().max(1.0);
+            assert!(error <= 1e-11, "t = {t}: {found} instead of {expected}");
+        }
+    }
+}

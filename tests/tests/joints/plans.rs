@@ -33,6 +33,7 @@ fn every_joint_is_solved_as_a_person_would() {
     for (name, wanted) in plans {
         assert_eq!(steps(name), wanted, "{name}");
     }
+    assert_eq!(steps("platform_on_cylinders"), ["Newton of size 4"]);
     // Four angles of one loop, of which the gears tie two.
     assert_eq!(steps("mirrored_cranks"), ["Newton of size 3"]);
 }

@@ -227,11 +227,13 @@ fn pressure_angle(
 ) -> TokenStream {
     let joint = &system.mechanism.joints[pressure.joint];
     let name = identifier(&format!("pressure_angle_{}", joint.slug));
-    let text = docs([format!(
-        "The pressure angle of `{}`, in rad: between the common normal and the velocity of the follower's point at the \
-         contact. `None` while the follower rests.",
-        joint.label
-    )]);
+    let text = docs([
+        format!("The pressure angle of `{}`, in rad.", joint.label),
+        String::new(),
+        "It is the angle between the common normal and the velocity of the follower's point at the"
+            .to_string(),
+        "contact; `None` while the follower rests.".to_string(),
+    ]);
     let (computed, results) = computed(system, program, straight);
     quote! {
         #text

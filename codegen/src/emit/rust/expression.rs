@@ -40,7 +40,15 @@ pub(super) fn identifier(name: &str) -> Ident {
 impl Writer<'_> {
     /// Definitions of functions' values and of what is shared.
     pub(super) fn statements(&self, straight: &Straight) -> Vec<TokenStream> {
-        let statement = |statement: &Statement| match statement {
+        let statements = straight.statements.iter();
+        statements
+            .map(|statement| self.statement(statement))
+            .collect()
+    }
+
+    /// One definition.
+    pub(super) fn statement(&self, statement: &Statement) -> TokenStream {
+        match statement {
             Statement::SineCosine {
                 sine,
                 cosine,
@@ -55,8 +63,7 @@ impl Writer<'_> {
                 let value = self.function(*expr).unwrap_or_else(|| self.sum(*expr, &[]));
                 quote!(let #name = #value;)
             }
-        };
-        straight.statements.iter().map(statement).collect()
+        }
     }
 
     /// A function's call.

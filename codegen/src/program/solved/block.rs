@@ -2,6 +2,7 @@
 
 use super::builder::Builder;
 use super::evaluation::{evaluated, functions_of_time, note_constants};
+use super::sharing::calls_functions;
 use super::{Action, BlockProgram, Level};
 use crate::expr::ExprId;
 use crate::program::constants::Constants;
@@ -216,7 +217,10 @@ pub(super) fn lower_block(
     let actions = builder.actions;
     let expressions = evaluated(&actions, newton.as_ref());
     let time = functions_of_time(&expressions, system, constants);
-    note_constants(&expressions, system, &time, constants);
+    // Where functions of unknowns are shared, what is written out is known only then.
+    if !calls_functions(expressions.iter().copied(), &time, &system.mechanism.graph) {
+        note_constants(&expressions, system, &time, constants);
+    }
     let joints: Vec<&str> = block
         .joints
         .iter()
@@ -236,6 +240,7 @@ pub(super) fn lower_block(
         title: format!("{}: {}.", capitalized(&how), labels.join(", ")),
         joints: block.joints.clone(),
         time,
+        shared: None,
         actions,
         newton,
         reads_branch: branches.len() > first_branch,

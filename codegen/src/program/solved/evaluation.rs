@@ -34,7 +34,7 @@ pub(super) fn operations(blocks: &[BlockProgram], system: &System) -> [Operation
             if let Action::Section(section) = action {
                 level = *section as usize;
             }
-            levels[level] += operations_of(action, system, &block.time);
+            levels[level] += operations_of(action, system, block.named());
         }
     }
     levels
@@ -91,6 +91,9 @@ pub(super) fn note_constants(
 
 fn operations_of(action: &Action, system: &System, time: &Straight) -> Operations {
     let mut operations = Operations::default();
+    if let Action::Share(statement) = action {
+        return time.operations_of(statement, system);
+    }
     let counted = match action {
         // What a failure reports is computed only then.
         Action::Reach { excess, scale, .. } => vec![*excess, *scale],

@@ -51,6 +51,8 @@ pub(super) fn needed(
             }
             // What is checked is needed by all that follows in the block.
             Action::Reach { .. } | Action::Nonzero { .. } => remains,
+            // Sharing comes after this.
+            Action::Share(_) => true,
             Action::Section(_) | Action::Comment(_) => std::mem::take(&mut followed),
         };
         if !keep {

@@ -7,6 +7,7 @@ use super::evaluation::{evaluated, note_constants, operations};
 use super::fields::fields;
 use super::liveness::prune;
 use super::outputs::outputs;
+use super::sharing::share;
 use super::{Action, BlockProgram, Output, Report, SolvedProgram};
 use crate::expr::{ExprId, SymbolId};
 use crate::program::constants::Constants;
@@ -54,6 +55,16 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         &|symbol| is_coordinate(symbol, system) || asked_for.contains(&symbol),
         system,
     );
+    // What nothing asks for needs no constants.
+    let mut unused = Constants::default();
+    for block in &mut all {
+        let constants = if wanted.is_none() {
+            &mut *constants
+        } else {
+            &mut unused
+        };
+        share(block, system, constants);
+    }
     report.all_operations = operations(&all, system);
     let (outputs, asked) = match wanted {
         None => {
@@ -74,6 +85,9 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
             blocks.push(last);
             let asked = asked_for;
             prune(&mut blocks, &|symbol| asked.contains(&symbol), system);
+            for block in &mut blocks {
+                share(block, system, constants);
+            }
             (Some(outputs), asked)
         }
     };

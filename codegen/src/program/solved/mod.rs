@@ -13,6 +13,7 @@ mod lower;
 mod newton;
 mod one_angle;
 mod outputs;
+mod sharing;
 mod slides;
 mod two_rotations;
 
@@ -21,7 +22,7 @@ pub use outputs::Output;
 
 use std::collections::{HashMap, HashSet};
 
-use super::{Operations, Straight};
+use super::{Operations, Statement, Straight};
 use crate::expr::{ExprId, SymbolId};
 use crate::system::System;
 
@@ -83,12 +84,22 @@ pub struct BlockProgram {
     pub joints: Vec<usize>,
     /// Functions of time alone, computed first.
     pub time: Straight,
+    /// What it computes once although it uses it more often, beside the functions of time; by [`Action::Share`]. Nothing where it
+    /// evaluates no function of an unknown.
+    pub shared: Option<Straight>,
     /// What it does.
     pub actions: Vec<Action>,
     /// The equations of its Newton-Raphson, where it needs it.
     pub newton: Option<NewtonBlock>,
     /// Whether it reads an assembly mode.
     pub reads_branch: bool,
+}
+
+impl BlockProgram {
+    /// The names of all values that its actions share.
+    pub fn named(&self) -> &Straight {
+        self.shared.as_ref().unwrap_or(&self.time)
+    }
 }
 
 /// Position, velocity or acceleration.
@@ -116,6 +127,8 @@ pub enum Action {
         /// What it is.
         value: ExprId,
     },
+    /// A value that is used more than once, or the value of a function.
+    Share(Statement),
     /// The sine and cosine of an angle.
     SineCosine {
         /// The sine.
@@ -164,6 +177,8 @@ impl Action {
     pub fn values(&self) -> Vec<ExprId> {
         match self {
             Action::Let { value, .. } => vec![*value],
+            Action::Share(Statement::Value { expr, .. }) => vec![*expr],
+            Action::Share(Statement::SineCosine { angle, .. }) => vec![*angle],
             Action::SineCosine { angle, .. } => vec![*angle],
             Action::Angle { sine, cosine, .. } => vec![*sine, *cosine],
             Action::Reach {
@@ -187,6 +202,7 @@ impl Action {
             Action::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
             Action::Section(_)
             | Action::Comment(_)
+            | Action::Share(_)
             | Action::Angle { .. }
             | Action::Reach { .. }
             | Action::Nonzero { .. }
@@ -223,6 +239,8 @@ pub struct NewtonBlock {
     pub time_derivative: Vec<ExprId>,
     /// Minus the second rates of the residuals with the tears' accelerations zero.
     pub gamma: Vec<ExprId>,
+    /// What its functions compute once, beside the functions of time. Nothing where they evaluate no function of an unknown.
+    pub shared: Option<Straight>,
 }
 
 impl NewtonBlock {

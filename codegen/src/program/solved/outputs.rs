@@ -92,6 +92,7 @@ pub(super) fn outputs(
         title: "What is asked for.".to_string(),
         joints: Vec::new(),
         time: Straight::new(Vec::new(), system, constants),
+        shared: None,
         actions,
         newton: None,
         reads_branch: false,

@@ -158,7 +158,7 @@ pub(in crate::emit::rust) fn blocks(
         .any(|body| body.name.contains(char::is_uppercase));
     let functions = solved.blocks.iter().enumerate().map(|(index, block)| {
         let needs = Needs::of(block, system);
-        let names = BlockNames { system, solved, time: &block.time, local: HashSet::new() };
+        let names = BlockNames { system, solved, named: block.named(), local: HashSet::new() };
         let writer = Writer { system, constants: &program.constants, names: &names };
         // What only the equations of a Newton-Raphson read, they compute themselves.
         let read: Vec<ExprId> = block.actions.iter().flat_map(Action::values).collect();
@@ -216,6 +216,7 @@ pub(super) fn statement(
         Action::Section(Level::Acceleration) => comment("Acceleration."),
         Action::Comment(text) => comment(text),
         Action::Let { target, value } => assignment(*target, writer.expression(*value, &[]), names),
+        Action::Share(statement) => writer.statement(statement),
         Action::SineCosine {
             sine,
             cosine,

@@ -16,7 +16,8 @@ use crate::system::{SymbolRole, System};
 pub(super) struct BlockNames<'a> {
     pub system: &'a System,
     pub solved: &'a SolvedProgram,
-    pub time: &'a Straight,
+    /// What has a name of its own: functions of time, and what is shared.
+    pub named: &'a Straight,
     /// Unknowns that are local here although they are coordinates: the tears while Newton-Raphson looks for them.
     pub local: HashSet<SymbolId>,
 }
@@ -82,7 +83,7 @@ pub(super) fn plain_name(symbol: SymbolId, system: &System) -> Ident {
 
 impl Names for BlockNames<'_> {
     fn value(&self, expr: ExprId) -> Option<Ident> {
-        self.time.name_of(expr).map(identifier)
+        self.named.name_of(expr).map(identifier)
     }
 
     fn symbol(&self, symbol: SymbolId) -> TokenStream {

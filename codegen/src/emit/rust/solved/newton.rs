@@ -56,7 +56,7 @@ pub(super) fn reads_frame(
     let names = BlockNames {
         system,
         solved,
-        time: &block.time,
+        named: &block.time,
         local: own.chain(geometry).collect(),
     };
     let results: Vec<ExprId> = newton.expressions().collect();
@@ -91,27 +91,38 @@ fn equations(
         if with_rates {
             local.extend(&rates);
         }
+        // The geometry comes first and knows functions of time alone; what the results share comes after it.
+        let first_names = BlockNames {
+            system,
+            solved,
+            named: &block.time,
+            local: local.clone(),
+        };
         let names = BlockNames {
             system,
             solved,
-            time: &block.time,
+            named: newton.shared.as_ref().unwrap_or(&block.time),
             local,
         };
-        let writer = Writer {
+        let writer_of = |names| Writer {
             system,
             constants: &program.constants,
-            names: &names,
+            names,
         };
+        let (first_writer, writer) = (writer_of(&first_names), writer_of(&names));
         let needed = newton.geometry_for(results, system);
         let evaluated: Vec<ExprId> = results
             .iter()
             .copied()
             .chain(needed.iter().flat_map(Action::values))
             .collect();
-        let time = writer.statements(&block.time.for_results(&evaluated, system));
+        let time = first_writer.statements(&block.time.for_results(&evaluated, system));
+        let shared = newton.shared.as_ref();
+        let shared = shared.map(|shared| writer.statements(&shared.for_results(results, system)));
+        let shared = shared.unwrap_or_default();
         let actions: Vec<TokenStream> = needed
             .iter()
-            .map(|action| statement(action, index, block, &writer, &names))
+            .map(|action| statement(action, index, block, &first_writer, &first_names))
             .collect();
         let values: Vec<TokenStream> = results
             .iter()
@@ -169,7 +180,8 @@ fn equations(
         } else {
             quote!(qd)
         };
-        let body = quote!(#at #parameters #inputs #unpack_q #unpack_qd #(#time)* #(#actions)*);
+        let body =
+            quote!(#at #parameters #inputs #unpack_q #unpack_qd #(#time)* #(#actions)* #(#shared)*);
         (body, values, q, qd, t)
     };
     let (residual_body, residual, residual_q, _, residual_t) = part(&newton.residuals, false);

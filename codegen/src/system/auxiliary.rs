@@ -1,0 +1,136 @@
+//! The unknowns that the vector form of a joint has beyond the coordinates: displacements, and the angles of links without a body.
+//!
+//! Afterwards each has a name after the points that it lies between, and its value in the drawing. Deliberately unknown here: which
+//! kind of joint asks for which of them.
+
+use super::orientation::as_symbol;
+use super::{Unknown, VectorForm};
+use crate::expr::{ExprId, Graph};
+use crate::joint::geometry::{Mark, dot, offset_along};
+use crate::joint::{Auxiliary, AuxiliaryUnknown, Resolved};
+use crate::model::{Body, Joint, NamedMark, Point};
+
+impl VectorForm {
+    /// The auxiliary unknowns of one joint, named after the points that it concerns.
+    pub(super) fn add_auxiliaries(
+        &mut self,
+        joint: &Joint,
+        bodies: &[Body],
+        points: &[Point],
+        graph: &mut Graph,
+    ) {
+        // A driver on the line of another joint has that joint's unknowns, and none of its own.
+        let own = joint.kind.auxiliaries().len();
+        for auxiliary in joint.operands.auxiliaries.iter().take(own) {
+            let Some(position) = as_symbol(auxiliary.value, graph) else {
+                continue;
+            };
+            // A length is named from the line's own point to the other one.
+            let first = joint.operands.axis.map_or(0, |axis| axis.owner);
+            let ends = [first, 1 - first].map(|side| {
+                let mark = joint.operands.marks.get(side)?;
+                let drawn = joint.operands.drawn.get(side)?;
+                let body = &bodies[mark.frame.body.0];
+                let own = |other: &&NamedMark| other.mark.local == mark.local;
+                let name = match body.marks.iter().find(own) {
+                    Some(named) => Some(&named.name),
+                    // A displacement against the ground is named after its joint.
+                    None if auxiliary.kind == Auxiliary::Displacement => None,
+                    // The ground lists no points: those it alone carries are points of the mechanism, others have their name from there.
+                    None => {
+                        let free = points.iter().find(|point| point.mark == *mark);
+                        let carried = bodies.iter().flat_map(|body| &body.marks);
+                        let mut there = carried.filter(|other| other.drawn == drawn.position);
+                        free.map(|point| &point.name)
+                            .or_else(|| there.next().map(|named| &named.name))
+                    }
+                };
+                name.map(|name| name.to_lowercase())
+            });
+            let prefix = match auxiliary.kind {
+                Auxiliary::Displacement | Auxiliary::Distance => "length",
+                Auxiliary::Offset => "offset",
+                Auxiliary::LinkAngle => "psi",
+            };
+            let name = match ends {
+                [Some(from), Some(to)] => format!("{prefix}_{from}_{to}"),
+                _ => format!("{prefix}_{}", joint.slug),
+            };
+            let name = if self.taken_names.contains(&name) {
+                format!("{name}_{}", self.unknowns.len())
+            } else {
+                name
+            };
+            self.taken_names.insert(name.clone());
+            let [rate, acceleration] =
+                ["'", "''"].map(|dots| graph.symbol(&format!("{name}{dots}")));
+            let estimate = in_drawing(auxiliary.kind, &joint.operands, bodies, graph);
+            self.auxiliary_places.insert(position, self.unknowns.len());
+            self.unknowns.push(Unknown {
+                name,
+                position,
+                rate,
+                acceleration,
+                quantity: auxiliary.kind.quantity(),
+                estimate,
+            });
+        }
+    }
+
+    /// An auxiliary unknown with symbols for the vector that it turns.
+    pub(super) fn auxiliary_with_arm(
+        &mut self,
+        auxiliary: &AuxiliaryUnknown,
+        graph: &mut Graph,
+    ) -> AuxiliaryUnknown {
+        let place = as_symbol(auxiliary.value, graph)
+            .and_then(|symbol| self.auxiliary_places.get(&symbol).copied());
+        match (auxiliary.kind, place) {
+            (Auxiliary::LinkAngle, Some(place)) => {
+                let ends = self.unknowns[place].name.replacen("psi", "link", 1);
+                let along = [graph.one(), graph.zero()];
+                let turned = self.arm(place, along, &ends, graph);
+                AuxiliaryUnknown {
+                    turned,
+                    ..*auxiliary
+                }
+            }
+            _ => *auxiliary,
+        }
+    }
+}
+
+/// The value of an auxiliary unknown in the drawing.
+fn in_drawing(
+    auxiliary: Auxiliary,
+    operands: &Resolved,
+    bodies: &[Body],
+    graph: &mut Graph,
+) -> ExprId {
+    let drawn = |mark: &Mark, graph: &mut Graph| {
+        Mark::new(bodies[mark.frame.body.0].drawn, mark.local, graph)
+    };
+    match auxiliary {
+        Auxiliary::Displacement => match operands.along() {
+            Some((axis, i, j)) => {
+                let [i, j] = [i, j].map(|mark| drawn(&mark, graph));
+                let turned = i.frame.rotate(axis.direction, graph);
+                offset_along(axis.direction, turned, &i, &j, graph)
+            }
+            None => graph.zero(),
+        },
+        Auxiliary::Offset => match operands.across_in_drawing(graph) {
+            Some(offset) => offset,
+            None => graph.zero(),
+        },
+        Auxiliary::Distance => {
+            let gap = operands.drawn_gap(graph);
+            let square = dot(gap, gap, graph);
+            graph.sqrt(square)
+        }
+        Auxiliary::LinkAngle => {
+            let [x, y] = operands.drawn_gap(graph);
+            graph.atan2(y, x)
+        }
+    }
+}
