@@ -1,6 +1,8 @@
-//! Generates the mechanisms that only tests need, the repository's in single precision, and a list of the latter.
+//! Generates the mechanisms that only tests need, the repository's in single precision, a list of the latter, and all of them
+//! once more with what their drivers transmit.
 
 mod registry;
+mod transmitting;
 
 use linkwright_codegen::{Options, Scalar};
 
@@ -11,4 +13,5 @@ fn main() {
     };
     linkwright_codegen::build_with("../mechanisms", &single);
     registry::write("../mechanisms");
+    transmitting::write(&["descriptions", "../mechanisms"]);
 }

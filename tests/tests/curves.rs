@@ -489,3 +489,38 @@ fn a_cam_designed_from_a_law_moves_its_follower_by_it() {
         }
     }
 }
+
+/// The contact parameter is a coordinate like the others in every print, and its sine and cosine are computed once.
+#[test]
+fn contacts_are_printed_and_written_as_a_person_would() {
+    use linkwright_codegen::emit::{Notation, latex, text};
+    let path = files::package("descriptions/cam_polar.mech");
+    let text = std::fs::read_to_string(path).expect("the description");
+    let source = Source::new("cam_polar.mech", text);
+    let system = &linkwright_codegen::read(&source)
+        .expect("no errors")
+        .motions[0];
+    let unicode = text::inspect(system, Notation::Unicode);
+    for line in [
+        "q = (x_cam, y_cam, φ_cam, x_follower, y_follower, φ_follower, s_tip)",
+        "7 coordinates, 6 equations of joints, 1 equation of drivers, 1 degree of freedom",
+        "x_follower − x_cam − cos(φ_cam)·cos(s_tip)·(0.01·cos s_tip + 0.04) + sin(φ_cam)·sin(s_tip)·(0.01·cos s_tip + 0.04)",
+    ] {
+        assert!(unicode.contains(line), "{line} in {unicode}");
+    }
+    let typeset = latex::inspect(system);
+    assert!(typeset.contains("\\cos s_{\\mathrm{tip}}"), "{typeset}");
+    let code = linkwright_codegen::generate(&source)
+        .expect("no errors")
+        .code;
+    let solved = code
+        .split("struct LoopTranslationalGroundFollowerTip")
+        .nth(1);
+    let solved = solved.expect("the block of the contact");
+    // Once in each of the four functions of Newton-Raphson, and once in the block itself.
+    let pairs = solved.matches("let (sin_s_tip, cos_s_tip) = math::sin_cos(");
+    assert_eq!(pairs.count(), 5, "{solved}");
+    for function in ["math::sin(", "math::cos("] {
+        assert!(!solved.contains(function), "{function} in {solved}");
+    }
+}

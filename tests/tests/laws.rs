@@ -14,6 +14,10 @@ mod generated {
     linkwright::include_mechanism!(laws);
 }
 
+mod pieces {
+    linkwright::include_mechanism!(pieces);
+}
+
 /// Every rise from (x0, h0) = (1, 0.5) to (x1, h1) = (3, 2): s = (t − 1)/2, and one unit of y is 3/2.
 fn rise(law: &str) -> Motion {
     Motion::new(&format!("{law}(t, 1, 0.5, 3, 2)"))
@@ -361,5 +365,95 @@ fn generated_code_agrees_with_the_interpreter() {
                 close(*found, expected, 1000.0, &format!("row {row} at {t}"));
             }
         }
+    }
+}
+
+#[test]
+fn pieces_are_what_their_conditions_say() {
+    let mut mechanism = pieces::Pieces::assemble(-1.0).expect("the drawing assembles");
+    for step in -200..=1200 {
+        let t = f64::from(step) / 200.0;
+        let frame = mechanism.advance(t).expect("the motion can be followed");
+        let s = t / 2.0;
+        let expected = if t < 0.0 {
+            0.0
+        } else if t <= 2.0 {
+            quintic(s)[0] + 3.0 * s.powi(3) * (1.0 - s).powi(3)
+        } else {
+            1.0 + 0.5 * (t - 2.0).powi(3) / (1.0 + (t - 2.0).powi(2))
+        };
+        close(frame.q.phi_crank, expected, 100.0, &format!("angle at {t}"));
+        // t³ − 3t² + 4t meets t + 1 at t = 1 with the same tangent and without curvature.
+        let expected = if t > 1.0 {
+            [
+                t * t * t - 3.0 * t * t + 4.0 * t,
+                3.0 * t * t - 6.0 * t + 4.0,
+                6.0 * t - 6.0,
+            ]
+        } else {
+            [t + 1.0, 1.0, 0.0]
+        };
+        let found = [frame.q.x_slide - 1.0, frame.qd.x_slide, frame.qdd.x_slide];
+        for (found, expected) in found.iter().zip(expected) {
+            close(*found, 0.1 * expected, 1000.0, &format!("length at {t}"));
+        }
+    }
+}
+
+/// The findings about a driven angle.
+fn findings(written: &str) -> String {
+    let text = format!(
+        "mechanism case {{ param L = 2s; body 1 at (0, 0); absolute_x(1) = 0; absolute_y(1) = 0; drive phi(1) = {written}; }}"
+    );
+    let source = Source::new("case.mech", text);
+    match read(&source) {
+        Ok(read) => read.warnings.render(&source),
+        Err(found) => found.render(&source),
+    }
+}
+
+#[test]
+fn a_jump_is_named_with_its_place_and_both_sides() {
+    let cases = [
+        (
+            "if t < 2s { t } else { 5 }",
+            "error[K28]: the value jumps from 2 to 5 at t = 2",
+        ),
+        (
+            "if t >= L { t } else { 5 }",
+            "error[K28]: the value jumps from 5 to 2 at t = 2",
+        ),
+        (
+            "if 4s - 2*t < 0 { 2*t } else { t + 2 }",
+            "warning[K28]: the first derivative jumps from 1 to 2 at t = 2",
+        ),
+        (
+            "if t <= L { t^2 } else { 4*t - 4 }",
+            "warning[K28]: the second derivative jumps from 2 to 0 at t = 2",
+        ),
+        (
+            "if t < 1s { 0 } else if t < 2s { t - 1 } else { 7 }",
+            "error[K28]: the value jumps from 1 to 7 at t = 2",
+        ),
+        (
+            "if sin(t) < 0 { t } else { t }",
+            "error[K30]: where this condition changes cannot be solved for",
+        ),
+    ];
+    for (written, expected) in cases {
+        let found = findings(written);
+        assert!(found.contains(expected), "{written}:\n{found}");
+    }
+    let smooth = [
+        "if t < L { t^3 } else { t^3 + (t - L)^3 }",
+        "if t < 2s { step(t, 0s, 0, 1s, 1) } else { 1 }",
+        // The inner boundary is never reached.
+        "if t < 2s { if t < 3s { 1 } else { t } } else { 1 }",
+        // Sines are rounded, which is no jump.
+        "if t < 1s { sin(pi*t/3) } else { sin(pi*t/3) + (t - 1)^3 }",
+    ];
+    for written in smooth {
+        let found = findings(written);
+        assert!(!found.contains("K28"), "{written}:\n{found}");
     }
 }

@@ -10,8 +10,9 @@
 use std::cell::RefCell;
 
 use linkwright::contact::pressure_angle;
-use linkwright::{Equations, Frame, Motion};
+use linkwright::{Equations, Failure, Frame, Motion, Settings, kinematics};
 use linkwright_codegen::expr::{ExprId, SymbolId, Tape};
+use linkwright_codegen::model::Requested;
 use linkwright_codegen::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -31,6 +32,10 @@ pub struct Interpreter {
     /// Six results per output: position, velocity, acceleration.
     outputs: Tape,
     output_names: Vec<String>,
+    /// ∂Φ/∂δ of every direction, one after another: n results each.
+    columns: Tape,
+    directions: usize,
+    transmissions: Vec<Requested>,
     /// Three results per contact: the velocity of the follower along and across the normal, and the square of the sliding speed.
     pressures: Tape,
     pressure_count: usize,
@@ -92,6 +97,11 @@ impl Interpreter {
             .flat_map(|output| [output.position, output.velocity, output.acceleration])
             .flatten()
             .collect();
+        let columns: Vec<ExprId> = system
+            .directions
+            .iter()
+            .flat_map(|direction| direction.column.iter().copied())
+            .collect();
         let pressures: Vec<ExprId> = system
             .pressures
             .iter()
@@ -113,6 +123,9 @@ impl Interpreter {
                 .iter()
                 .map(|output| output.name.clone())
                 .collect(),
+            columns: Tape::new(graph, &columns),
+            directions: system.directions.len(),
+            transmissions: system.mechanism.transmissions.clone(),
             // A drawing that is not constant has been rejected before; NaN would be reported as not finite.
             estimate: DVector::from_iterator(
                 dimension,
@@ -196,6 +209,56 @@ impl Interpreter {
                 acceleration: [it[4], it[5]],
             })
             .collect()
+    }
+
+    /// ∂q/∂δ (n × directions) at a pose that is solved: Φ_q ∂q/∂δ = −∂Φ/∂δ for each of [`System::directions`].
+    ///
+    /// # Errors
+    /// Where Φ_q is singular.
+    pub fn responses(&self, q: &DVector<f64>, t: f64) -> Result<DMatrix<f64>, Failure> {
+        let factorization = kinematics::factorize(self, q, t, &Settings::default())?;
+        let mut columns = DVector::zeros(self.dimension * self.directions);
+        self.evaluate(&self.columns, q, None, t, &mut columns);
+        let mut responses = DMatrix::zeros(self.dimension, self.directions);
+        let parts = columns.as_slice().chunks_exact(self.dimension.max(1));
+        for (mut response, column) in responses.column_iter_mut().zip(parts) {
+            let mut right_hand_side = -DVector::from_column_slice(column);
+            factorization.solve(&mut right_hand_side);
+            response.copy_from(&right_hand_side);
+        }
+        Ok(responses)
+    }
+
+    /// What the drivers transmit, in the order of the mechanism's transmissions: a row for each component (x and y of a
+    /// point), a column for each direction. `responses` is what [`Interpreter::responses`] says of the same pose.
+    pub fn transmissions(
+        &self,
+        q: &DVector<f64>,
+        t: f64,
+        responses: &DMatrix<f64>,
+    ) -> Vec<DMatrix<f64>> {
+        // The velocity of a point is linear in q̇, so responses in place of q̇ give the columns.
+        let along: Vec<Vec<Motion<f64>>> = responses
+            .column_iter()
+            .map(|response| {
+                let (qd, qdd) = (response.into_owned(), DVector::zeros(self.dimension));
+                self.points(&Frame {
+                    t,
+                    q: q.clone(),
+                    qd,
+                    qdd,
+                })
+            })
+            .collect();
+        let matrix = |quantity: &Requested| match *quantity {
+            Requested::Point(place) => DMatrix::from_fn(2, self.directions, |row, column| {
+                along[column][place].velocity[row]
+            }),
+            Requested::Coordinate { body, axis } => {
+                responses.rows(3 * (body - 1) + axis, 1).into_owned()
+            }
+        };
+        self.transmissions.iter().map(matrix).collect()
     }
 
     /// Fills `magnitudes` (n) with the sum of the absolute values of the terms of each Φ_i: what its residual is the

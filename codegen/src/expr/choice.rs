@@ -26,7 +26,10 @@ impl Graph {
         if self.any_non_finite(&[condition, below, otherwise]) {
             return self.not_a_number();
         }
-        if let Some(value) = self.constant_value(condition) {
+        // A symbol with a nominal value keeps the choice open.
+        if self.is_constant(condition)
+            && let Some(value) = self.constant_value(condition)
+        {
             return if value < 0.0 { below } else { otherwise };
         }
         // An arm that asks the same question has its answer already.
@@ -61,7 +64,9 @@ impl Graph {
         if !self.is_finite(argument) {
             return self.not_a_number();
         }
-        if let Some(value) = self.constant_value(argument) {
+        if self.is_constant(argument)
+            && let Some(value) = self.constant_value(argument)
+        {
             let floor = value.floor();
             // Larger numbers are whole anyway, and too large to be counted exactly.
             return if floor.abs() < 1e15 {

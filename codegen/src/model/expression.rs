@@ -91,6 +91,7 @@ impl Resolver<'_> {
                 function,
                 arguments,
             } => self.call(function, arguments, written.span)?,
+            ExpressionKind::Choice(choice) => self.choice(choice)?,
             ExpressionKind::Pair(_) => {
                 self.diagnostics.push(
                     Diagnostic::error(Code::OutsideGrammar, written.span, "a pair is no formula")

@@ -4,6 +4,7 @@
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
 //! determine the motion.
 
+mod choice;
 mod contact;
 mod curve;
 mod dimension;
@@ -25,6 +26,7 @@ mod search;
 mod setting;
 mod slug;
 mod synonyms;
+mod transmission;
 
 pub use dimension::Dimension;
 pub(crate) use given::field_name;
@@ -65,6 +67,8 @@ pub struct Mechanism {
     pub points: Vec<Point>,
     /// What the generated code is asked for; empty means everything.
     pub requests: Vec<Request>,
+    /// What the drivers move and how fast: the quantities of `transmission` statements, each once.
+    pub transmissions: Vec<Requested>,
     /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }
@@ -205,7 +209,7 @@ pub struct Request {
     pub level: usize,
 }
 
-/// What an `output` statement can name.
+/// What an `output` or a `transmission` statement can name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Requested {
     /// The motion of a point: an index into the mechanism's points.

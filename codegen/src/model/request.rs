@@ -18,38 +18,38 @@ impl Resolver<'_> {
         let level = named.unwrap_or(LEVELS.len() - 1);
         let mut requests = Vec::new();
         for item in &output.items {
-            let quantity = match item {
-                OutputItem::Point(reference) => self.requested_point(reference, points),
-                OutputItem::Coordinate { axis, bodies, span } => {
-                    let found = AXES.iter().position(|name| *name == axis.text);
-                    match (found, bodies.as_slice()) {
-                        (
-                            Some(axis),
-                            [
-                                Reference {
-                                    body: None, name, ..
-                                },
-                            ],
-                        ) => self
-                            .moving_body(name)
-                            .map(|body| Requested::Coordinate { body, axis }),
-                        _ => {
-                            self.diagnostics.push(
-                                Diagnostic::error(
-                                    Code::WrongForm,
-                                    *span,
-                                    "this is no coordinate of a body",
-                                )
-                                .help("write `x(1)`, `y(1)` or `phi(1)` with the name of one body"),
-                            );
-                            None
-                        }
-                    }
-                }
-            };
+            let quantity = self.requested(item, points);
             requests.extend(quantity.map(|quantity| Request { quantity, level }));
         }
         requests
+    }
+
+    /// A point, or a coordinate of a body that has some; `None` after an error.
+    pub(super) fn requested(&mut self, item: &OutputItem, points: &[Point]) -> Option<Requested> {
+        let (axis, bodies, span) = match item {
+            OutputItem::Point(reference) => return self.requested_point(reference, points),
+            OutputItem::Coordinate { axis, bodies, span } => (axis, bodies, *span),
+        };
+        let found = AXES.iter().position(|name| *name == axis.text);
+        match (found, bodies.as_slice()) {
+            (
+                Some(axis),
+                [
+                    Reference {
+                        body: None, name, ..
+                    },
+                ],
+            ) => self
+                .moving_body(name)
+                .map(|body| Requested::Coordinate { body, axis }),
+            _ => {
+                self.diagnostics.push(
+                    Diagnostic::error(Code::WrongForm, span, "this is no coordinate of a body")
+                        .help("write `x(1)`, `y(1)` or `phi(1)` with the name of one body"),
+                );
+                None
+            }
+        }
     }
 
     /// The number of a body that has coordinates.

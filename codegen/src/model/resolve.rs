@@ -34,6 +34,8 @@ pub(super) struct Resolver<'a> {
     pub drawn: Names<DrawnPoint>,
     /// Curves; nothing where the statement has an error.
     pub curves: Names<Option<DrawnCurve>>,
+    /// The choices around the formula that is read: each condition, and whether the formula stands where it is negative.
+    pub choices: Vec<(ExprId, bool)>,
     /// The parameter of the curve whose formula is read.
     pub parameter: Option<curve::Parameter>,
     pub body_ids: Names<BodyId>,
@@ -110,7 +112,7 @@ pub(super) fn resolve_statements(
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
             syntax::Statement::Equation(equation) => resolver.add_equation(equation),
             // Points are known once all bodies are.
-            syntax::Statement::Output(_) => {}
+            syntax::Statement::Output(_) | syntax::Statement::Transmission(_) => {}
             // Its statements come by themselves.
             syntax::Statement::Motion(_) => {}
         }
@@ -133,6 +135,7 @@ pub(super) fn resolve_statements(
     let requests = outputs
         .flat_map(|output| resolver.requests(output, &points))
         .collect();
+    let transmissions = resolver.transmissions(statements, &points);
     resolver.note_used();
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
@@ -157,6 +160,7 @@ pub(super) fn resolve_statements(
             .collect(),
         points,
         requests,
+        transmissions,
         characteristic_length,
     }
 }
@@ -207,6 +211,7 @@ impl<'a> Resolver<'a> {
             has_given: false,
             drawn: Names::new("point"),
             curves: Names::new("curve"),
+            choices: Vec::new(),
             parameter: None,
             body_ids: Names::new("body"),
             drivers: Names::new("driver"),

@@ -19,7 +19,7 @@ pub use elimination::Definition;
 pub use incidence::Incidence;
 pub use matching::{Matching, maximum_matching};
 pub use parts::{Parts, coarse_parts};
-pub use plan::{SolvedBlock, SolvedPlan, Step, plan};
+pub use plan::{SolvedBlock, SolvedPlan, Step, plan, plan_of_motion};
 
 use crate::diagnostic::Diagnostics;
 use crate::system::System;

@@ -141,8 +141,15 @@ impl Step {
     }
 }
 
-/// The plan of the solved view. `None` where the vector form is not structurally square.
+/// The plan of the solved view, with the values of the drivers shifted where the system has directions. `None` where the
+/// vector form is not structurally square.
 pub fn plan(system: &mut System) -> Option<SolvedPlan> {
+    system.shift_drivers();
+    plan_of_motion(system)
+}
+
+/// The same for the motion alone, as a person writes it down.
+pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     let coordinates = system.coordinates.len();
     let form = &mut system.vector_form;
     let graph = &mut system.mechanism.graph;

@@ -1,7 +1,7 @@
 //! *Lexemes → balanced brackets.* Finds brackets that are never closed or close nothing, says where each was opened, and edits the
 //! text so that `syn` sees them balanced and never deeper than [`DEEPEST`].
 //!
-//! Where a bracket should have been closed is judged by the shape of the text: `;` and braces never stand in parentheses, and a
+//! Where a bracket should have been closed is judged by the shape of the text: `;` and braces, other than those of an `if`, never stand in parentheses, and a
 //! line that [starts a statement](StatementStarts) does not stand inside the braces of a body.
 
 use super::scan::{Fill, Kind, Lexeme, Scan};
@@ -26,6 +26,8 @@ struct Opener {
     at: usize,
     /// The braces of a mechanism or a motion, in which statements stand.
     holds_statements: bool,
+    /// The braces of a piece of a formula, after `if` or `else`.
+    holds_formula: bool,
     /// Too deep: hidden from `syn`, and so will its other half be.
     hidden: bool,
 }
@@ -43,7 +45,10 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
     for (index, lexeme) in lexemes.iter().enumerate() {
         let previous = index.checked_sub(1).map(|before| &lexemes[before]);
         let end_of_previous = previous.map_or(lexeme.start, |it| it.end);
-        if looks_like_statement(text, &lexemes[index..]) {
+        // Inside a formula a call at the start of a line starts no statement.
+        let in_formula = balance.open.iter().any(|opener| opener.holds_formula)
+            && word(text, lexeme).is_none_or(|word| !KEYWORDS.contains(&word));
+        if !in_formula && looks_like_statement(text, &lexemes[index..]) {
             let continues = previous.is_some_and(|it| continues_after(it.kind));
             if !continues {
                 starts.push(lexeme.start);
@@ -55,14 +60,15 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
         }
         match lexeme.kind {
             Kind::Open(bracket) => {
-                if bracket == b'{' {
+                let holds_formula = bracket == b'{' && opens_piece(text, &lexemes[..index]);
+                if bracket == b'{' && !holds_formula {
                     balance.close_parentheses(end_of_previous);
                 }
                 let holds_statements = bracket == b'{'
                     && (balance.open.is_empty() || opens_motion(text, &lexemes[..index]));
-                balance.open(bracket, lexeme.start, holds_statements);
+                balance.open(bracket, lexeme.start, holds_statements, holds_formula);
             }
-            Kind::Mark(b';') => balance.close_parentheses(end_of_previous),
+            Kind::Mark(b';') => balance.close_formulas(end_of_previous),
             Kind::Close(bracket) => {
                 if bracket == b'}' {
                     balance.close_parentheses(end_of_previous);
@@ -88,7 +94,7 @@ struct Balance<'a> {
 }
 
 impl Balance<'_> {
-    fn open(&mut self, bracket: u8, at: usize, holds_statements: bool) {
+    fn open(&mut self, bracket: u8, at: usize, holds_statements: bool, holds_formula: bool) {
         let hidden = self.open.len() >= DEEPEST;
         if hidden {
             self.scan.edit(at, at + 1, Fill::Blank);
@@ -102,6 +108,7 @@ impl Balance<'_> {
             bracket,
             at,
             holds_statements,
+            holds_formula,
             hidden,
         });
     }
@@ -113,11 +120,20 @@ impl Balance<'_> {
         }
     }
 
+    /// Closes everything that is open inside of a formula.
+    fn close_formulas(&mut self, place: usize) {
+        self.close_parentheses(place);
+        while let Some(opener) = self.open.pop_if(|opener| opener.holds_formula) {
+            self.insert(&opener, place);
+            self.close_parentheses(place);
+        }
+    }
+
     /// A line that starts a statement: what is still open inside the braces of the mechanism or of a motion was meant to be
     /// closed before it, and a motion before the next one.
     fn before_statement(&mut self, place: usize, continues: bool, next_motion: bool) {
         if !continues {
-            self.close_parentheses(place);
+            self.close_formulas(place);
         }
         let must_close = |opener: &mut Opener| {
             opener.bracket == b'{' && (next_motion || !opener.holds_statements)
@@ -297,6 +313,18 @@ fn word<'a>(text: &'a str, lexeme: &Lexeme) -> Option<&'a str> {
 fn opens_motion(text: &str, before: &[Lexeme]) -> bool {
     let mut last = before.iter().rev().take(2);
     last.any(|lexeme| word(text, lexeme) == Some("motion"))
+}
+
+/// Whether a brace after these lexemes opens a piece of a formula: after `else`, or after `if` and a condition.
+fn opens_piece(text: &str, before: &[Lexeme]) -> bool {
+    let ends = |kind: Kind| {
+        matches!(
+            kind,
+            Kind::Open(b'{') | Kind::Close(b'}') | Kind::Mark(b';')
+        )
+    };
+    let mut condition = before.iter().rev().take_while(|lexeme| !ends(lexeme.kind));
+    condition.any(|lexeme| matches!(word(text, lexeme), Some("if" | "else")))
 }
 
 /// Whether a line starts here that reads like a statement: a keyword and a name, or `word name? (`.

@@ -59,6 +59,8 @@ pub enum Statement {
     Curve(Curve),
     /// `output K, phi(1);`
     Output(Output),
+    /// `transmission K, phi(1);`
+    Transmission(Transmission),
     /// `motion NAME { statements }`
     Motion(Motion),
 }
@@ -89,6 +91,7 @@ impl Statement {
             Statement::Equation(statement) => statement.span,
             Statement::Curve(statement) => statement.span,
             Statement::Output(statement) => statement.span,
+            Statement::Transmission(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }
     }
@@ -352,6 +355,38 @@ pub enum ExpressionKind {
     },
     /// `(x, y)`, as an argument of a call only.
     Pair(Box<Pair>),
+    /// `if left < right { holds } else { otherwise }`.
+    Choice(Box<Choice>),
+}
+
+/// `if left < right { holds } else { otherwise }`; `else if` is a choice in `otherwise`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// Left of the comparison.
+    pub left: Expression,
+    /// How both sides are compared.
+    pub comparison: Comparison,
+    /// Right of the comparison.
+    pub right: Expression,
+    /// The value where the comparison holds.
+    pub holds: Expression,
+    /// The value elsewhere.
+    pub otherwise: Expression,
+    /// The comparison with both sides.
+    pub condition: Span,
+}
+
+/// The sign between both sides of a condition.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Comparison {
+    /// `<`
+    Less,
+    /// `<=`
+    LessOrEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterOrEqual,
 }
 
 /// `BODY.POINT.COMPONENT`
@@ -389,6 +424,17 @@ pub struct Output {
     /// Up to which level, if not all: one of [`LEVELS`](super::LEVELS).
     pub level: Option<Name>,
     /// What is wanted; at least one.
+    pub items: Vec<OutputItem>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `transmission K, phi(1);`: what the drivers move, and how fast.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Transmission {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// What is moved; at least one.
     pub items: Vec<OutputItem>,
     /// The whole statement with its semicolon.
     pub span: Span,

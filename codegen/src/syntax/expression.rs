@@ -7,7 +7,8 @@ use proc_macro2::Delimiter;
 
 use super::brackets::too_deep;
 use super::document::{
-    Component, Expression, ExpressionKind, Name, Operation, Pair, Reference, Sign,
+    Choice, Comparison, Component, Expression, ExpressionKind, Name, Operation, Pair, Reference,
+    Sign,
 };
 use super::reference::reference_or_component;
 use super::tokens::{Outcome, Tokens};
@@ -19,7 +20,11 @@ const FORMULA: &str =
     "a formula is made of numbers, names, `( )`, `+ - * / ^` and functions such as `sin(t)`";
 
 /// Words of programs that some will try here.
-const CONTROL: [&str; 6] = ["if", "else", "match", "for", "while", "let"];
+const CONTROL: [&str; 5] = ["else", "match", "for", "while", "let"];
+
+/// How a choice is written.
+const CHOICE: &str =
+    "a choice is written `if t < 2s { … } else { … }`, with `<`, `<=`, `>` or `>=`";
 
 /// A formula up to the first token that cannot continue it. What may follow is for the caller to say.
 pub(super) fn expression(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
@@ -212,11 +217,14 @@ fn named_value(reference: Reference, axis: Option<Name>) -> Expression {
 
 /// A constant, a point of a body or its component, or a call.
 fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
+    if tokens.peek_word() == Some("if") {
+        return choice(tokens, depth);
+    }
     if let Some(word) = tokens.peek_word().filter(|word| CONTROL.contains(word)) {
         let message = format!("`{word}` is no part of a formula");
         let finding = Diagnostic::error(Code::OutsideGrammar, tokens.next_span(), message)
             .label("not a formula of this language")
-            .help("write one formula that holds at all times: there are no cases and no loops");
+            .help("there are no loops; a choice is written `if t < 2s { … } else { … }`");
         return Err(Box::new(finding));
     }
     let (reference, axis) = reference_or_component(tokens, "a formula")?;
@@ -252,6 +260,68 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         },
         span,
     })
+}
+
+/// `if left < right { holds } else { otherwise }`, or another choice after `else`.
+fn choice(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
+    if depth >= DEEPEST {
+        return Err(Box::new(too_deep(tokens.next_span())));
+    }
+    let Some(start) = tokens.keyword("if") else {
+        return Err(tokens.unexpected("`if`", CHOICE));
+    };
+    let left = sum(tokens, depth + 1)?;
+    let comparison = match (tokens.mark('<'), tokens.mark('>')) {
+        (None, None) => {
+            let wanted = "`<`, `<=`, `>` or `>=`";
+            return Err(tokens.unexpected_with_code(Code::OutsideGrammar, wanted, CHOICE));
+        }
+        (Some(_), None) if tokens.mark('=').is_some() => Comparison::LessOrEqual,
+        (Some(_), None) => Comparison::Less,
+        (None, Some(_)) if tokens.mark('=').is_some() => Comparison::GreaterOrEqual,
+        (None, Some(_)) => Comparison::Greater,
+        (Some(less), Some(greater)) => {
+            let message = "`<>` is no comparison";
+            let finding = Diagnostic::error(Code::OutsideGrammar, less.to(greater), message);
+            return Err(Box::new(finding.help(CHOICE)));
+        }
+    };
+    let right = sum(tokens, depth + 1)?;
+    let condition = left.span.to(right.span);
+    let holds = piece(tokens, depth)?;
+    if tokens.keyword("else").is_none() {
+        return Err(tokens.unexpected("`else`", CHOICE));
+    }
+    let otherwise = if tokens.peek_word() == Some("if") {
+        choice(tokens, depth + 1)?
+    } else {
+        piece(tokens, depth)?
+    };
+    let span = start.to(otherwise.span);
+    Ok(Expression {
+        kind: ExpressionKind::Choice(Box::new(Choice {
+            left,
+            comparison,
+            right,
+            holds,
+            otherwise,
+            condition,
+        })),
+        span,
+    })
+}
+
+/// A formula in braces.
+fn piece(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
+    let Some((mut inner, span)) = tokens.group(Delimiter::Brace) else {
+        return Err(after_expression(tokens, "an operation or `{`", CHOICE));
+    };
+    let mut inside = sum(&mut inner, depth + 1)?;
+    if !inner.at_end() {
+        return Err(after_expression(&inner, "an operation or `}`", CHOICE));
+    }
+    inside.span = span;
+    Ok(inside)
 }
 
 /// An argument of a call: a formula, or a pair of formulas.
@@ -341,8 +411,11 @@ pub(super) fn after_expression(tokens: &Tokens<'_>, wanted: &str, help: &str) ->
         };
         return tokens.unexpected_with_code(Code::OutsideGrammar, wanted, &help);
     }
-    if tokens.peek_mark('=') || tokens.peek_mark('>') {
-        let help = "a formula has no comparisons";
+    if ['=', '<', '>']
+        .into_iter()
+        .any(|mark| tokens.peek_mark(mark))
+    {
+        let help = "two values are compared only between `if` and `{`";
         return tokens.unexpected_with_code(Code::OutsideGrammar, wanted, help);
     }
     if tokens.peek_group(Delimiter::Bracket) || tokens.peek_group(Delimiter::Brace) {

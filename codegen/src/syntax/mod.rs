@@ -43,8 +43,18 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 10] = [
-    "const", "param", "input", "point", "body", "curve", "drive", "equation", "output", "motion",
+pub const KEYWORDS: [&str; 11] = [
+    "const",
+    "param",
+    "input",
+    "point",
+    "body",
+    "curve",
+    "drive",
+    "equation",
+    "output",
+    "transmission",
+    "motion",
 ];
 
 /// Reads a description. Never panics and never overflows the stack, whatever the text.

@@ -1,8 +1,8 @@
-//! *Tokens → what a mechanism is asked for:* `output K;`, `output velocity K, phi(c1);`.
+//! *Tokens → what a mechanism is asked for:* `output K;`, `output velocity K, phi(c1);`, `transmission K;`.
 
 use proc_macro2::Delimiter;
 
-use super::document::{Output, OutputItem, Statement};
+use super::document::{Output, OutputItem, Statement, Transmission};
 use super::reference::{identifier, operands, reference};
 use super::statement::semicolon_after_operands;
 use super::tokens::{Outcome, Tokens};
@@ -30,13 +30,7 @@ pub(super) fn output(
         }
         _ => None,
     };
-    let mut items = vec![item(tokens)?];
-    while tokens.mark(',').is_some() {
-        if tokens.peek_mark(';') {
-            break;
-        }
-        items.push(item(tokens)?);
-    }
+    let items = items(tokens)?;
     let span = start.to(semicolon_after_operands(tokens, start)?);
     Ok(Statement::Output(Output {
         docs,
@@ -44,6 +38,29 @@ pub(super) fn output(
         items,
         span,
     }))
+}
+
+/// The statement after its first word.
+pub(super) fn transmission(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+) -> Outcome<Statement> {
+    let items = items(tokens)?;
+    let span = start.to(semicolon_after_operands(tokens, start)?);
+    Ok(Statement::Transmission(Transmission { docs, items, span }))
+}
+
+/// One or more quantities; a comma may follow the last one.
+fn items(tokens: &mut Tokens<'_>) -> Outcome<Vec<OutputItem>> {
+    let mut items = vec![item(tokens)?];
+    while tokens.mark(',').is_some() {
+        if tokens.peek_mark(';') {
+            break;
+        }
+        items.push(item(tokens)?);
+    }
+    Ok(items)
 }
 
 /// A point, or a coordinate of a body.

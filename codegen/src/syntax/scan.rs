@@ -124,7 +124,7 @@ impl Scanner<'_> {
                 letter if starts_word(letter) => self.word(),
                 '(' | '[' | '{' => self.lexeme(Kind::Open(next as u8), 1),
                 ')' | ']' | '}' => self.lexeme(Kind::Close(next as u8), 1),
-                ';' | ':' | ',' | '.' | '=' | '+' | '-' | '*' | '/' | '^' | '>' => {
+                ';' | ':' | ',' | '.' | '=' | '+' | '-' | '*' | '/' | '^' | '<' | '>' => {
                     self.lexeme(Kind::Mark(next as u8), 1);
                 }
                 other => self.unreadable(other),

@@ -1,5 +1,6 @@
 //! The rows of every joint, and their derivatives.
 
+use super::direction::directions;
 use super::pressure::pressures;
 use super::row_name::RowNames;
 use super::{Coordinate, Described, Entry, Output, Row, SymbolRole, System, VectorForm};
@@ -70,6 +71,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             }
         })
         .collect();
+    let directions = directions(&mut mechanism, &rows);
     let pressures = pressures(&mut mechanism, &coordinates);
     let vector_form = VectorForm::new(&mut mechanism, &coordinates);
     let mut roles = roles(&mechanism, &coordinates);
@@ -79,6 +81,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         coordinates,
         rows,
         outputs,
+        directions,
         pressures,
         vector_form,
         roles,

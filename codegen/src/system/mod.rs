@@ -2,11 +2,13 @@
 //!
 //! The textbook view: Φ(q, t) in absolute coordinates, rows in written order, with Φ_q, Φ_t and γ by differentiation alone.
 //! Afterwards the Jacobian lists exactly the entries that are not identically zero, row by row, and every point has its
-//! position, velocity and acceleration as expressions of q, q̇, q̈. Deliberately unknown here: joint kinds, and how the
+//! position, velocity and acceleration as expressions of q, q̇, q̈; every direction that a statement asks for has its column
+//! ∂Φ/∂δ. Deliberately unknown here: joint kinds, and how the
 //! equations are solved.
 
 mod assemble;
 mod auxiliary;
+mod direction;
 mod orientation;
 mod pressure;
 mod row_name;
@@ -14,6 +16,7 @@ mod vector_form;
 mod written_order;
 
 pub use assemble::assemble;
+pub use direction::{Cause, Direction};
 pub use orientation::Orientations;
 pub use pressure::Pressure;
 pub use vector_form::{Arm, Unknown, VectorForm, VectorRow};
@@ -34,6 +37,8 @@ pub struct System {
     pub rows: Vec<Row>,
     /// The motion of every declared point.
     pub outputs: Vec<Output>,
+    /// What the pose is moved along besides time, where a statement asks for it.
+    pub directions: Vec<Direction>,
     /// The pressure angles of cams and their followers.
     pub pressures: Vec<Pressure>,
     /// The same constraints in vector form.

@@ -11,7 +11,7 @@ use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{Frame, Mark, Vector};
 use crate::joint::{Quantity, Resolved};
-use crate::model::{Body, Mechanism, apart};
+use crate::model::{Body, Joint, Mechanism, Role, apart};
 
 /// The vector form of a mechanism.
 #[derive(Clone, Debug)]
@@ -92,6 +92,7 @@ impl VectorForm {
                 .map(|coordinate| coordinate.name.clone())
                 .collect(),
         };
+        let moved = !mechanism.transmissions.is_empty();
         form.rates.extend(mechanism.explicit_rates());
         let Mechanism {
             graph,
@@ -105,6 +106,10 @@ impl VectorForm {
         form.rates.extend(fixed);
         // Which angles are tied must be known before the first arm is made.
         for joint in joints.iter() {
+            // A driver that holds an angle ties it, unless its value is to be moved.
+            if moved && joint.role == Role::Driver {
+                continue;
+            }
             for row in joint.kind.vector_rows(&joint.operands, graph) {
                 if row.quantity == Quantity::Angle {
                     form.orientations.tie(&row, bodies, graph);
@@ -134,6 +139,35 @@ impl VectorForm {
             form.rates.insert(unknown.rate, acceleration);
         }
         form
+    }
+
+    /// Adds a symbol that does not depend on time to the value of a driver, a joint of the mechanism.
+    pub(super) fn shift_driver(
+        &mut self,
+        joint: usize,
+        shift: SymbolId,
+        mechanism: &mut Mechanism,
+    ) {
+        let Mechanism {
+            graph,
+            joints,
+            bodies,
+            ..
+        } = mechanism;
+        let Joint { kind, operands, .. } = &joints[joint];
+        let Some(value) = operands.value else {
+            return;
+        };
+        self.rates.insert(shift, graph.zero());
+        let delta = graph.variable(shift);
+        let shifted = Resolved {
+            value: Some(graph.add(value, delta)),
+            ..self.with_arms(operands, bodies, graph)
+        };
+        let own = self.rows.iter_mut().filter(|row| row.joint == joint);
+        for (row, shifted) in own.zip(kind.vector_rows(&shifted, graph)) {
+            row.residual = shifted.residual;
+        }
     }
 
     /// d/dt of an expression of unknowns, rates, arms, parameters, inputs and t.

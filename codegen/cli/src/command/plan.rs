@@ -14,7 +14,7 @@ use crate::arguments::{Plan, Script};
 pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
     let source = source(&arguments.file)?;
     let mut system = determined(&source, arguments.motion.as_deref())?;
-    let Some(plan) = structure::plan(&mut system) else {
+    let Some(plan) = structure::plan_of_motion(&mut system) else {
         return Err(Problem(format!(
             "error: the equations of `{}` determine the motion, but no order in which they can be solved one block after the other",
             arguments.file.display()

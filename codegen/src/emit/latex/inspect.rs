@@ -22,7 +22,34 @@ pub fn inspect(system: &System) -> String {
     text.push_str(&jacobian(system, &coordinates));
     text.push_str(&rows(system, "\\Phi_{t}", |row| row.time_derivative, ""));
     text.push_str(&rows(system, "\\gamma", |row| row.gamma, ""));
+    text.push_str(&directions(system));
     text
+}
+
+/// ∂Φ/∂s for the value s of each driver, where something is transmitted: the rows that are not zero.
+fn directions(system: &System) -> String {
+    let zero = system.mechanism.graph.zero();
+    let mut lines = Vec::new();
+    for direction in &system.directions {
+        for (index, (row, &entry)) in system.rows.iter().zip(&direction.column).enumerate() {
+            if entry == zero {
+                continue;
+            }
+            let formula = Printer::new(system, &row.bodies).expression(entry);
+            let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
+            lines.push(format!(
+                "  (\\Phi_{{s}})_{{{}}} &= {formula} && \\text{{{joint}}}",
+                index + 1
+            ));
+        }
+    }
+    if lines.is_empty() {
+        return String::new();
+    }
+    format!(
+        "The value of each driver is $s$; all other rows of $\\Phi_{{s}}$ are zero.\n\\begin{{align*}}\n{}\n\\end{{align*}}\n",
+        lines.join(" \\\\\n")
+    )
 }
 
 /// One aligned equation a row, with the joint as its tag. Where the equations do not end in ` = 0`, a remark stands for the rows

@@ -151,12 +151,19 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     let pressure_angles = system.pressures.iter().zip(&program.pressures);
     let pressure_angles = pressure_angles
         .map(|(pressure, straight)| pressure_angle(system, program, pressure, straight));
-    let (shared, drawn) = match &program.solved {
+    let (shared, drawn, transmissions, transmitted) = match &program.solved {
         Some(solved) => (
             solved::frame_fields(system, solved),
             solved::frame_values(system, solved),
+            solved::transmissions(system, solved),
+            solved::transmitted(system, solved),
         ),
-        None => (TokenStream::new(), TokenStream::new()),
+        None => Default::default(),
+    };
+    let also = if transmitted.is_empty() {
+        TokenStream::new()
+    } else {
+        quote!(&& all_finite(&[#(#transmitted),*]))
     };
     let keeps_parameters = kept_in_frame(program);
     let parameters = only(
@@ -175,7 +182,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
         quote! {
             /// Whether every coordinate, rate and acceleration is a number.
             fn is_finite(&self) -> bool {
-                [self.q, self.qd, self.qdd].iter().all(|values| all_finite(&values.to_array()))
+                [self.q, self.qd, self.qdd].iter().all(|values| all_finite(&values.to_array())) #also
             }
         }
     };
@@ -191,6 +198,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     let implementation = quote! {
         impl Frame {
             #(#methods)*
+            #transmissions
             #(#pressure_angles)*
             #private
         }

@@ -160,12 +160,23 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
         TokenStream::new()
     };
     let has_textbook = program.textbook.is_some();
+    let transmits = program
+        .solved
+        .iter()
+        .any(|solved| !solved.transmissions.is_empty());
     let (matrices, equations) = if has_textbook || has_newton {
         (
             quote!(
                 use ::linkwright::nalgebra::{Const, SMatrix, SVector};
             ),
             quote!(Equations,),
+        )
+    } else if transmits {
+        (
+            quote!(
+                use ::linkwright::nalgebra::{SMatrix, SVector};
+            ),
+            TokenStream::new(),
         )
     } else {
         Default::default()

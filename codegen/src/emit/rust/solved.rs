@@ -5,8 +5,10 @@ mod frame;
 mod names;
 mod newton;
 mod solver;
+mod transmission;
 
 pub(super) use block::blocks;
 pub(super) use frame::{branches, frame_fields, frame_values, output_frame};
 pub(super) use newton::newton_blocks;
 pub(super) use solver::mechanism;
+pub(super) use transmission::{transmissions, transmitted};

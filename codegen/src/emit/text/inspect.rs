@@ -25,6 +25,7 @@ pub fn inspect(system: &System, notation: Notation) -> String {
     text.push_str(&page.jacobian(headings[1]));
     text.push_str(&page.rows(headings[2], |row| row.time_derivative, false));
     text.push_str(&page.rows(headings[3], |row| row.gamma, false));
+    text.push_str(&page.directions());
     text.push_str(&page.points());
     text
 }
@@ -176,6 +177,28 @@ impl Page<'_> {
             "\n{heading}, entries that are not zero\n{}",
             aligned(&lines)
         )
+    }
+
+    /// ∂Φ/∂s for the value s of each driver, where something is transmitted: the rows that are not zero.
+    fn directions(&self) -> String {
+        let zero = self.system.mechanism.graph.zero();
+        let mut lines: Vec<Vec<String>> = Vec::new();
+        for direction in &self.system.directions {
+            let entries = self.system.rows.iter().zip(&direction.column).enumerate();
+            for (index, (row, &entry)) in entries.filter(|(_, (_, entry))| **entry != zero) {
+                let mut line = self.label(index, None);
+                line.push(Printer::new(self.system, &row.bodies, self.notation).expression(entry));
+                lines.push(line);
+            }
+        }
+        if lines.is_empty() {
+            return String::new();
+        }
+        let heading = match self.notation {
+            Notation::Ascii => "Phi_s, s the value of the driver",
+            Notation::Unicode => "Φ_s, s the value of the driver",
+        };
+        format!("\n{heading}\n{}", aligned(&lines))
     }
 
     fn points(&self) -> String {

@@ -71,7 +71,7 @@ impl Resolver<'_> {
     }
 
     /// Whether a value measures what `like` does; an error where not.
-    fn fits_like(
+    pub(super) fn fits_like(
         &mut self,
         written: &Expression,
         found: Dimension,

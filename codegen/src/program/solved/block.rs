@@ -1,7 +1,8 @@
-//! One block of the plan → its function: positions, then rates, then accelerations.
+//! One block of the plan → its function: positions, then rates, then accelerations, then responses to each direction.
 
 use super::builder::Builder;
 use super::evaluation::{evaluated, functions_of_time, note_constants};
+use super::responses::Responses;
 use super::sharing::calls_functions;
 use super::{Action, BlockProgram, Level};
 use crate::expr::ExprId;
@@ -22,7 +23,7 @@ enum Pending {
     },
 }
 
-/// The same with what both levels share.
+/// The same with what all levels share.
 enum Motion {
     TwoRotations(super::two_rotations::DyadMotion),
     OneAngle(super::one_angle::Root),
@@ -81,6 +82,7 @@ pub(super) fn lower_block(
     block: &SolvedBlock,
     drawn: &[f64],
     branches: &mut Vec<super::Branch>,
+    responses: &mut Responses,
     constants: &mut Constants,
 ) -> BlockProgram {
     let first_branch = branches.len();
@@ -90,6 +92,7 @@ pub(super) fn lower_block(
         branches,
         drawn,
         defined: Vec::new(),
+        responses,
     };
     let mut pending = Vec::new();
     let mut newton = None;
@@ -201,19 +204,22 @@ pub(super) fn lower_block(
         .into_iter()
         .map(|step| builder.motion(step))
         .collect();
-    for level in [Level::Velocity, Level::Acceleration] {
-        if level == Level::Acceleration {
+    for level in builder.levels() {
+        if level != Level::Velocity {
             builder.actions.push(Action::Section(level));
+        }
+        if let (Level::Response(direction), Some(newton)) = (level, &newton) {
+            builder.newton_response(newton, direction);
         }
         for motion in &motions {
             builder.rates(motion, level);
         }
         for definition in &block.definitions {
-            let target = builder.target(definition.unknown, level);
             let rate = builder.rate_at(definition.value, level);
-            builder.assign(target, rate);
+            builder.find(definition.unknown, level, rate);
         }
     }
+    builder.without_shifts(newton.as_mut());
     let actions = builder.actions;
     let expressions = evaluated(&actions, newton.as_ref());
     let time = functions_of_time(&expressions, system, constants);

@@ -1,5 +1,6 @@
 //! What the steps of all kinds are written with.
 
+use super::responses::Responses;
 use super::{Action, Branch, Level};
 use crate::expr::{ExprId, Graph, Node, Number, Rational, SymbolId, Tape};
 use crate::joint::geometry::{Vector, dot, turned};
@@ -14,6 +15,8 @@ pub(super) struct Builder<'a> {
     pub drawn: &'a [f64],
     /// Arms that are defined already.
     pub defined: Vec<SymbolId>,
+    /// What has been found along the directions.
+    pub responses: &'a mut Responses,
 }
 
 /// The cosine and the sine of an angle that was found.
@@ -43,6 +46,7 @@ impl Builder<'_> {
         if is_fixed {
             let zero = self.system.mechanism.graph.zero();
             self.system.vector_form.set_rate(target, zero);
+            self.fix(target, value);
         }
         self.actions.push(Action::Let { target, value });
         self.graph().variable(target)
@@ -86,8 +90,11 @@ impl Builder<'_> {
             .rate(expr, &mut self.system.mechanism.graph)
     }
 
-    /// The first or the second rate of an expression.
+    /// The first or the second rate of an expression, or its derivative along a direction.
     pub(super) fn rate_at(&mut self, expr: ExprId, level: Level) -> ExprId {
+        if let Level::Response(direction) = level {
+            return self.along(expr, direction);
+        }
         let first = self.rate(expr);
         if level == Level::Velocity {
             first
@@ -96,8 +103,32 @@ impl Builder<'_> {
         }
     }
 
+    /// The same with the unknown that the level finds taken as zero.
+    pub(super) fn drift_at(&mut self, expr: ExprId, unknown: usize, level: Level) -> ExprId {
+        let whole = self.rate_at(expr, level);
+        match level {
+            // What has not been found is held.
+            Level::Response(_) => whole,
+            _ => {
+                let target = self.target(unknown, level);
+                self.without(whole, &[target])
+            }
+        }
+    }
+
+    /// States what a level finds for an unknown.
+    pub(super) fn find(&mut self, unknown: usize, level: Level, value: ExprId) {
+        match level {
+            Level::Response(direction) => self.respond(unknown, direction, value),
+            _ => {
+                let target = self.target(unknown, level);
+                self.assign(target, value);
+            }
+        }
+    }
+
     /// The rate or the acceleration of an unknown.
-    pub(super) fn target(&self, unknown: usize, level: Level) -> SymbolId {
+    fn target(&self, unknown: usize, level: Level) -> SymbolId {
         let (rate, acceleration) = self.rates_of(unknown);
         if level == Level::Velocity {
             rate
@@ -240,7 +271,11 @@ impl Builder<'_> {
         self.turn_rule(w, turning, stretch);
         let stretch_variables = stretch.map(|symbol| self.graph().variable(symbol));
         self.turn_rule(stretch_variables, turning, pull);
+        self.turn_response(angle, w);
         Some(Stretch {
+            p,
+            w,
+            direction,
             stretch,
             pull,
             first: self.turn(direction, first),
@@ -305,6 +340,12 @@ impl Builder<'_> {
 /// The parts of a turned vector's motion that come from its own change: R ṗ and R p̈.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch {
+    /// The vector in the orientation that turns.
+    pub p: Vector,
+    /// The turned vector.
+    pub w: Vector,
+    /// What turns it.
+    pub direction: Direction,
     pub stretch: [SymbolId; 2],
     pub pull: [SymbolId; 2],
     pub first: Vector,

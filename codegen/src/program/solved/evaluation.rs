@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::{Action, BlockProgram};
+use super::{Action, BlockProgram, Level};
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::program::addends::{Compared, bases, compared};
 use crate::program::constants::Constants;
@@ -20,9 +20,9 @@ pub(super) fn evaluated(actions: &[Action], newton: Option<&super::NewtonBlock>)
     expressions
 }
 
-/// The operations of each level in all blocks.
-pub(super) fn operations(blocks: &[BlockProgram], system: &System) -> [Operations; 3] {
-    let mut levels = [Operations::default(); 3];
+/// The operations of each level in all blocks, the last ones those of all responses to drivers.
+pub(super) fn operations(blocks: &[BlockProgram], system: &System) -> [Operations; 4] {
+    let mut levels = [Operations::default(); 4];
     for block in blocks {
         let mut level = 0;
         let time = block
@@ -32,7 +32,12 @@ pub(super) fn operations(blocks: &[BlockProgram], system: &System) -> [Operation
         levels[0] += time.operations(&system.mechanism.graph);
         for action in &block.actions {
             if let Action::Section(section) = action {
-                level = *section as usize;
+                level = match section {
+                    Level::Position => 0,
+                    Level::Velocity => 1,
+                    Level::Acceleration => 2,
+                    Level::Response(_) => 3,
+                };
             }
             levels[level] += operations_of(action, system, block.named());
         }

@@ -28,6 +28,7 @@ pub(super) fn fields(
                 Action::SineCosine { sine, cosine, .. } => {
                     [*sine, *cosine].into_iter().for_each(&mut define)
                 }
+                Action::Solve { .. } => action.targets().into_iter().for_each(&mut define),
                 Action::Angle { unknown, .. } => {
                     define(system.vector_form.unknowns[*unknown].position)
                 }

@@ -32,12 +32,20 @@ pub(super) fn needed(
     let mut needed = Vec::with_capacity(actions.len());
     // Whether anything after this place remains at all, and whether anything does before the next comment.
     let (mut remains, mut followed) = (false, false);
-    for action in actions.into_iter().rev() {
+    for mut action in actions.into_iter().rev() {
         let wanted = |symbol: SymbolId| live.contains(&symbol) || kept(symbol);
+        if let Action::Solve { targets, .. } = &mut action {
+            for target in targets {
+                *target = target.filter(|&symbol| wanted(symbol));
+            }
+        }
         let keep = match &action {
-            Action::Let { .. } | Action::SineCosine { .. } => {
+            Action::Let { .. } | Action::SineCosine { .. } | Action::Solve { .. } => {
                 action.targets().into_iter().any(wanted)
             }
+            Action::Factorize => needed
+                .iter()
+                .any(|later| matches!(later, Action::Solve { .. })),
             Action::Angle { unknown, .. } => wanted(system.vector_form.unknowns[*unknown].position),
             Action::Newton => {
                 let found = newton.into_iter().flat_map(|newton| &newton.unknowns);

@@ -7,7 +7,9 @@ use super::evaluation::{evaluated, note_constants, operations};
 use super::fields::fields;
 use super::liveness::prune;
 use super::outputs::outputs;
+use super::responses::Responses;
 use super::sharing::share;
+use super::transmissions::{Transmission, transmissions};
 use super::{Action, BlockProgram, Output, Report, SolvedProgram};
 use crate::expr::{ExprId, SymbolId};
 use crate::program::constants::Constants;
@@ -20,8 +22,16 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     let mut branches = Vec::new();
     let mut blocks = Vec::with_capacity(plan.blocks.len());
     let mut names: Vec<String> = Vec::new();
+    let mut responses = Responses::new(system);
     for block in &plan.blocks {
-        let mut lowered = lower_block(system, block, &drawn, &mut branches, constants);
+        let mut lowered = lower_block(
+            system,
+            block,
+            &drawn,
+            &mut branches,
+            &mut responses,
+            constants,
+        );
         let base = lowered.name.clone();
         let taken = |name: &str| names.iter().any(|other| other == name);
         let mut number = 2;
@@ -40,16 +50,24 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         _ => false,
     };
     let wanted = outputs(system, constants);
+    let (transmissions, transmitting) = transmissions(system, &mut responses, constants).unzip();
+    let transmissions = transmissions.unwrap_or_default();
     let system = &*system;
     let mut report = Report::default();
     let mut all = blocks.clone();
     // What the points take is counted on both sides.
     all.extend(wanted.iter().map(|(_, last)| last.clone()));
-    let asked_for: HashSet<SymbolId> = wanted
+    all.extend(transmitting.iter().cloned());
+    let transmitted: HashSet<SymbolId> = transmissions
+        .iter()
+        .flat_map(Transmission::fields)
+        .collect();
+    let mut asked_for: HashSet<SymbolId> = wanted
         .iter()
         .flat_map(|(outputs, _)| outputs)
         .flat_map(Output::fields)
         .collect();
+    asked_for.extend(&transmitted);
     prune(
         &mut all,
         &|symbol| is_coordinate(symbol, system) || asked_for.contains(&symbol),
@@ -65,24 +83,28 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         };
         share(block, system, constants);
     }
-    report.all_operations = operations(&all, system);
+    let all_levels = operations(&all, system);
+    report.all_operations.copy_from_slice(&all_levels[..3]);
+    for last in wanted.iter().map(|(_, last)| last).chain(&transmitting) {
+        note_constants(
+            &last
+                .actions
+                .iter()
+                .flat_map(Action::values)
+                .collect::<Vec<_>>(),
+            system,
+            &last.time,
+            constants,
+        );
+    }
     let (outputs, asked) = match wanted {
         None => {
             blocks = all;
-            (None, HashSet::new())
+            (None, transmitted)
         }
         Some((outputs, last)) => {
-            note_constants(
-                &last
-                    .actions
-                    .iter()
-                    .flat_map(Action::values)
-                    .collect::<Vec<_>>(),
-                system,
-                &last.time,
-                constants,
-            );
             blocks.push(last);
+            blocks.extend(transmitting);
             let asked = asked_for;
             prune(&mut blocks, &|symbol| asked.contains(&symbol), system);
             for block in &mut blocks {
@@ -99,7 +121,9 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         .collect();
     blocks.retain(|block| !is_empty(block));
     report.kept = blocks.iter().map(|block| block.name.clone()).collect();
-    report.operations = operations(&blocks, system);
+    let levels = operations(&blocks, system);
+    report.operations.copy_from_slice(&levels[..3]);
+    report.transmission = (!transmissions.is_empty()).then_some(levels[3]);
     let angles = |blocks: &[BlockProgram]| -> HashSet<usize> {
         let actions = blocks.iter().flat_map(|block| &block.actions);
         actions
@@ -155,6 +179,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         fields,
         branches,
         outputs,
+        transmissions,
         report,
         field_set,
         branch_places,

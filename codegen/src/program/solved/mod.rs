@@ -13,12 +13,15 @@ mod lower;
 mod newton;
 mod one_angle;
 mod outputs;
+mod responses;
 mod sharing;
 mod slides;
+mod transmissions;
 mod two_rotations;
 
 pub use lower::lower;
 pub use outputs::Output;
+pub use transmissions::Transmission;
 
 use std::collections::{HashMap, HashSet};
 
@@ -37,6 +40,8 @@ pub struct SolvedProgram {
     pub branches: Vec<Branch>,
     /// What is asked for; `None` where everything is.
     pub outputs: Option<Vec<Output>>,
+    /// What the drivers transmit, in written order.
+    pub transmissions: Vec<Transmission>,
     /// What was kept and left out.
     pub report: Report,
     // The same fields and branches by symbol; only looked up.
@@ -71,6 +76,8 @@ pub struct Report {
     pub operations: [Operations; 3],
     /// The same with nothing left out.
     pub all_operations: [Operations; 3],
+    /// What the transmissions take beside the pose; `None` where there are none.
+    pub transmission: Option<Operations>,
 }
 
 /// The function of one block.
@@ -102,7 +109,7 @@ impl BlockProgram {
     }
 }
 
-/// Position, velocity or acceleration.
+/// Position, velocity, acceleration, or what the pose does along a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
     /// The pose.
@@ -111,6 +118,8 @@ pub enum Level {
     Velocity,
     /// Second rates.
     Acceleration,
+    /// Derivatives of the pose along a direction: an index into the system's directions.
+    Response(usize),
 }
 
 /// One statement.
@@ -170,6 +179,15 @@ pub enum Action {
     },
     /// Runs the block's Newton-Raphson, which finds the tears with their rates and accelerations.
     Newton,
+    /// Factorizes the block's Jacobian at the tears that Newton-Raphson found.
+    Factorize,
+    /// Solves with the factorized Jacobian.
+    Solve {
+        /// What is found: one symbol a tear, none where nothing needs it.
+        targets: Vec<Option<SymbolId>>,
+        /// The right-hand side: one expression a row.
+        right_hand_side: Vec<ExprId>,
+    },
 }
 
 impl Action {
@@ -191,7 +209,45 @@ impl Action {
                 vec![*excess, *scale, *distance, *longest, *shortest]
             }
             Action::Nonzero { value, scale } => vec![*value, *scale],
-            Action::Section(_) | Action::Comment(_) | Action::Newton => Vec::new(),
+            Action::Solve {
+                right_hand_side, ..
+            } => right_hand_side.clone(),
+            Action::Section(_) | Action::Comment(_) | Action::Newton | Action::Factorize => {
+                Vec::new()
+            }
+        }
+    }
+
+    /// Changes the expressions that it evaluates.
+    fn change_values(&mut self, change: &mut dyn FnMut(ExprId) -> ExprId) {
+        let mut each = |values: &mut [&mut ExprId]| {
+            for value in values {
+                **value = change(**value);
+            }
+        };
+        match self {
+            Action::Let { value, .. } => each(&mut [value]),
+            Action::SineCosine { angle, .. } => each(&mut [angle]),
+            Action::Angle { sine, cosine, .. } => each(&mut [sine, cosine]),
+            Action::Reach {
+                excess,
+                scale,
+                distance,
+                longest,
+                shortest,
+            } => each(&mut [excess, scale, distance, longest, shortest]),
+            Action::Nonzero { value, scale } => each(&mut [value, scale]),
+            Action::Solve {
+                right_hand_side, ..
+            } => right_hand_side
+                .iter_mut()
+                .for_each(|value| each(&mut [value])),
+            // What is shared is found when all actions are as they stay.
+            Action::Share(_)
+            | Action::Section(_)
+            | Action::Comment(_)
+            | Action::Newton
+            | Action::Factorize => {}
         }
     }
 
@@ -200,13 +256,15 @@ impl Action {
         match self {
             Action::Let { target, .. } => vec![*target],
             Action::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
+            Action::Solve { targets, .. } => targets.iter().copied().flatten().collect(),
             Action::Section(_)
             | Action::Comment(_)
             | Action::Share(_)
             | Action::Angle { .. }
             | Action::Reach { .. }
             | Action::Nonzero { .. }
-            | Action::Newton => Vec::new(),
+            | Action::Newton
+            | Action::Factorize => Vec::new(),
         }
     }
 }

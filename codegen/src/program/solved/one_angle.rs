@@ -81,12 +81,10 @@ impl Builder<'_> {
         }
     }
 
-    /// The rate or the acceleration: the derivative of the equation in φ is minus the root.
+    /// The rate, the acceleration or a response: the derivative of the equation in φ is minus the root.
     pub(super) fn one_angle_rates(&mut self, root: &Root, level: Level) {
-        let target = self.target(root.unknown, level);
-        let whole = self.rate_at(root.equation, level);
-        let drift = self.without(whole, &[target]);
+        let drift = self.drift_at(root.equation, root.unknown, level);
         let value = self.graph().divide(drift, root.root);
-        self.assign(target, value);
+        self.find(root.unknown, level, value);
     }
 }

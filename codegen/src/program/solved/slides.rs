@@ -41,7 +41,7 @@ impl Builder<'_> {
         coefficient
     }
 
-    /// The rate or the acceleration of a linear step, from its equation.
+    /// The rate, the acceleration or a response of a linear step, from its equation.
     pub(super) fn linear_rates(
         &mut self,
         unknown: usize,
@@ -49,12 +49,10 @@ impl Builder<'_> {
         equation: ExprId,
         level: Level,
     ) {
-        let target = self.target(unknown, level);
-        let whole = self.rate_at(equation, level);
-        let drift = self.without(whole, &[target]);
+        let drift = self.drift_at(equation, unknown, level);
         let ratio = self.graph().divide(drift, coefficient);
         let value = self.graph().negate(ratio);
-        self.assign(target, value);
+        self.find(unknown, level, value);
     }
 
     /// R(φ) p + ℓ d + c = 0 with a known direction d: a circle of radius |p| meets a line.
@@ -234,7 +232,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The rates of a rotation and a slide, or their accelerations.
+    /// The rates of a rotation and a slide, their accelerations or responses.
     pub(super) fn slide_rates(&mut self, motion: &SlideMotion, level: Level) {
         let SlideMotion {
             slide,
@@ -242,14 +240,13 @@ impl Builder<'_> {
             closing,
         } = motion;
         let v = self.closing_vector(closing, level);
-        let targets = [slide.angle, slide.slide].map(|unknown| self.target(unknown, level));
         let across = self.cross(v, slide.d);
         let turning = self.graph().multiply(across, *inverse);
-        self.assign(targets[0], turning);
+        self.find(slide.angle, level, turning);
         let along = self.dot(slide.w, v);
         let sliding = self.graph().multiply(along, *inverse);
         let sliding = self.graph().negate(sliding);
-        self.assign(targets[1], sliding);
+        self.find(slide.slide, level, sliding);
     }
 
     /// ℓ_a d_a + ℓ_b d_b + c = 0: two lines meet. Returns the determinant.
@@ -271,8 +268,11 @@ impl Builder<'_> {
             value: determinant,
             scale,
         });
-        let targets = unknowns.map(|unknown| self.system.vector_form.unknowns[unknown].position);
-        self.meet(directions, closure, determinant, targets);
+        let values = self.meet(directions, closure, determinant);
+        for (unknown, value) in unknowns.into_iter().zip(values) {
+            let target = self.system.vector_form.unknowns[unknown].position;
+            self.assign(target, value);
+        }
         let lengths = unknowns.map(|unknown| self.position(unknown));
         let chain = [0, 1].map(|axis| {
             let graph = self.graph();
@@ -295,26 +295,19 @@ impl Builder<'_> {
         )
     }
 
-    /// The rates of two slides, or their accelerations.
+    /// The rates of two slides, their accelerations or responses.
     pub(super) fn two_slide_rates(&mut self, lines: &Lines, closing: &Closing, level: Level) {
-        let targets = lines.unknowns.map(|unknown| self.target(unknown, level));
         let v = self.closing_vector(closing, level);
-        self.meet(lines.directions, v, lines.determinant, targets);
+        let values = self.meet(lines.directions, v, lines.determinant);
+        for (unknown, value) in lines.unknowns.into_iter().zip(values) {
+            self.find(unknown, level, value);
+        }
     }
 
     /// u_a d_a + u_b d_b + v = 0 by Cramer's rule.
-    fn meet(
-        &mut self,
-        d: [Vector; 2],
-        v: Vector,
-        determinant: ExprId,
-        targets: [crate::expr::SymbolId; 2],
-    ) {
+    fn meet(&mut self, d: [Vector; 2], v: Vector, determinant: ExprId) -> [ExprId; 2] {
         let (first, second) = (self.cross(d[1], v), self.cross(v, d[0]));
-        for (target, numerator) in targets.into_iter().zip([first, second]) {
-            let value = self.graph().divide(numerator, determinant);
-            self.assign(target, value);
-        }
+        [first, second].map(|numerator| self.graph().divide(numerator, determinant))
     }
 
     /// The value in the drawing of a local value or an expression of unknowns and arms.

@@ -166,7 +166,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The rates of the dyad's angles, or their accelerations: [Ω w_a, Ω w_b] (φ̇_a, φ̇_b) = −v, by Cramer's rule.
+    /// The rates of the dyad's angles, their accelerations or responses: [Ω w_a, Ω w_b] (φ̇_a, φ̇_b) = −v, by Cramer's rule.
     pub(super) fn two_rotation_rates(&mut self, motion: &DyadMotion, level: Level) {
         let DyadMotion {
             triangle,
@@ -174,7 +174,6 @@ impl Builder<'_> {
             closing,
         } = motion;
         let v = self.closing_vector(closing, level);
-        let targets = triangle.angles.map(|angle| self.target(angle, level));
         let (with_second, with_first) = (
             self.dot(v, triangle.links[1]),
             self.dot(v, triangle.links[0]),
@@ -182,8 +181,8 @@ impl Builder<'_> {
         let first = self.graph().multiply(with_second, *inverse);
         let first = self.graph().negate(first);
         let second = self.graph().multiply(with_first, *inverse);
-        self.assign(targets[0], first);
-        self.assign(targets[1], second);
+        self.find(triangle.angles[0], level, first);
+        self.find(triangle.angles[1], level, second);
     }
 
     /// The rate and the second rate of a closed chain of links and its closure, with the unknowns' own rates, or only their
@@ -207,10 +206,12 @@ impl Builder<'_> {
             let whole = self.graph().sum(&parts);
             let first = self.rate(whole);
             let second = self.rate(first);
-            [self.without(first, &held), self.without(second, &steady)]
+            let levels = [self.without(first, &held), self.without(second, &steady)];
+            (whole, levels)
         });
         Closing {
-            levels: [[x[0], y[0]], [x[1], y[1]]],
+            whole: [x.0, y.0],
+            levels: [[x.1[0], y.1[0]], [x.1[1], y.1[1]]],
             stretches: stretches.iter().flatten().copied().collect(),
         }
     }
@@ -219,6 +220,10 @@ impl Builder<'_> {
     pub(super) fn closing_vector(&mut self, closing: &Closing, level: Level) -> Vector {
         for stretch in &closing.stretches {
             let (targets, values) = match level {
+                Level::Response(direction) => {
+                    self.stretch_response(stretch, direction);
+                    continue;
+                }
                 Level::Velocity => (stretch.stretch, stretch.first),
                 _ => (stretch.pull, stretch.second),
             };
@@ -227,6 +232,10 @@ impl Builder<'_> {
             }
         }
         let (name, vector) = match level {
+            Level::Response(direction) => {
+                let response = closing.whole.map(|part| self.along(part, direction));
+                ("drift", response)
+            }
             Level::Velocity => ("drift", closing.levels[0]),
             _ => ("drift_rate", closing.levels[1]),
         };
@@ -237,6 +246,8 @@ impl Builder<'_> {
 /// What a closed chain does with its unknowns held.
 #[derive(Clone, Debug)]
 pub(super) struct Closing {
+    /// The chain itself.
+    whole: Vector,
     levels: [Vector; 2],
     stretches: Vec<Stretch>,
 }

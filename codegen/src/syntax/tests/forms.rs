@@ -59,6 +59,14 @@ fn shape(expression: &Expression) -> String {
                 arguments.iter().map(shape).collect::<Vec<_>>().join(", ")
             )
         }
+        ExpressionKind::Choice(choice) => format!(
+            "[{} {:?} {} ? {} : {}]",
+            shape(&choice.left),
+            choice.comparison,
+            shape(&choice.right),
+            shape(&choice.holds),
+            shape(&choice.otherwise)
+        ),
         ExpressionKind::Pair(pair) => format!("({}, {})", shape(&pair.x), shape(&pair.y)),
     }
 }
@@ -100,6 +108,16 @@ fn precedence() {
         ("a--b", "{+a -(-b)}"),
         ("f(a, -b, g(c),)", "f(a, (-b), g(c))"),
         ("f()", "f()"),
+        ("f((a, b), (c))", "f((a, b), c)"),
+        ("if a < b { c } else { d }", "[a Less b ? c : d]"),
+        (
+            "2 * (if a >= 1 { b } else if a > 0 { c }\n else {\n f(a)\n })",
+            "{*2 *[a GreaterOrEqual 1 ? b : [a Greater 0 ? c : f(a)]]}",
+        ),
+        (
+            "f(if a <= b { c } else { d }, e)",
+            "f([a LessOrEqual b ? c : d], e)",
+        ),
         ("c1.A + 1.P * 1 .Q - 1. R", "{+c1.A +{*1.P *1.Q} -1.R}"),
         ("2. * 1.5", "{*2. *1.5}"),
         ("30deg + 1_000.5e-3mm", "{+30'deg +1000.5e-3'mm}"),

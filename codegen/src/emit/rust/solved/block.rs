@@ -16,7 +16,7 @@ use crate::emit::rust::literal::count;
 use crate::expr::{ExprId, SymbolId};
 use crate::program::solved::{Action, BlockProgram, Level, NewtonBlock, SolvedProgram};
 use crate::program::{Inputs, LARGEST_TEXTBOOK, Program};
-use crate::system::{System, Unknown};
+use crate::system::{Cause, System, Unknown};
 
 /// What a block's function needs to be given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -214,6 +214,11 @@ pub(super) fn statement(
         Action::Section(Level::Position) => comment("Position."),
         Action::Section(Level::Velocity) => comment("Velocity."),
         Action::Section(Level::Acceleration) => comment("Acceleration."),
+        Action::Section(Level::Response(direction)) => {
+            let Cause::Driver(joint) = names.system.directions[*direction].cause;
+            let label = &names.system.mechanism.joints[joint].label;
+            comment(&format!("Response to {label}."))
+        }
         Action::Comment(text) => comment(text),
         Action::Let { target, value } => assignment(*target, writer.expression(*value, &[]), names),
         Action::Share(statement) => writer.statement(statement),
@@ -268,6 +273,25 @@ pub(super) fn statement(
             }
         }
         Action::Newton => newton_call(index, block, names),
+        Action::Factorize => factorization(index, block, names),
+        Action::Solve {
+            targets,
+            right_hand_side,
+        } => {
+            let values = right_hand_side
+                .iter()
+                .map(|&value| writer.expression(value, &[]));
+            let found = targets.iter().enumerate();
+            let assignments = found.filter_map(|(place, target)| {
+                let place = count(place);
+                Some(assignment((*target)?, quote!(response[#place]), names))
+            });
+            quote! {
+                let mut response = SVector::from([#(#values),*]);
+                factorization.solve(&mut response);
+                #(#assignments)*
+            }
+        }
     }
 }
 
@@ -288,7 +312,6 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
         return TokenStream::new();
     };
     let number = count(index);
-    let type_name = equations_name(block);
     let unknowns: Vec<_> = newton
         .unknowns
         .iter()
@@ -308,19 +331,7 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     let [q, qd, qdd] = of.map(|of| fields(of, "at"));
     let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
     let places: Vec<_> = (0..q.len()).map(count).collect();
-    let needs = Needs::given(newton, names.system);
-    let at = only(
-        reads_frame(block, newton, names.system, names.solved),
-        quote!(at,),
-    );
-    let parameters = only(needs.parameters, quote!(parameters,));
-    let inputs = only(needs.inputs, quote!(inputs,));
-    let fields = quote!(#at #parameters #inputs);
-    let equations = if fields.is_empty() {
-        quote!(#type_name)
-    } else {
-        quote!(#type_name { #fields })
-    };
+    let equations = equations(block, newton, names);
     quote! {
         let tears = kinematics::Frame {
             t: last.t,
@@ -333,6 +344,42 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
         #(#q = tears.q[#places];)*
         #(#qd = tears.qd[#places];)*
         #(#qdd = tears.qdd[#places];)*
+    }
+}
+
+/// The value of a Newton block's equations: with the fields that they read.
+fn equations(block: &BlockProgram, newton: &NewtonBlock, names: &BlockNames<'_>) -> TokenStream {
+    let type_name = equations_name(block);
+    let needs = Needs::given(newton, names.system);
+    let at = only(
+        reads_frame(block, newton, names.system, names.solved),
+        quote!(at,),
+    );
+    let parameters = only(needs.parameters, quote!(parameters,));
+    let inputs = only(needs.inputs, quote!(inputs,));
+    let fields = quote!(#at #parameters #inputs);
+    if fields.is_empty() {
+        quote!(#type_name)
+    } else {
+        quote!(#type_name { #fields })
+    }
+}
+
+/// The call of the runtime that factorizes the Jacobian at the tears.
+fn factorization(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> TokenStream {
+    let Some(newton) = &block.newton else {
+        return TokenStream::new();
+    };
+    let number = count(index);
+    let q = newton.unknowns.iter().map(|&unknown| {
+        let symbol = names.system.vector_form.unknowns[unknown].position;
+        names.field(symbol, "at")
+    });
+    let equations = equations(block, newton, names);
+    quote! {
+        let tears = SVector::from([#(#q),*]);
+        let factorization = kinematics::factorize(&#equations, &tears, t, settings)
+            .map_err(|failure| failure.in_block(#number))?;
     }
 }
 

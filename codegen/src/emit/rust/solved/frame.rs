@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::names::plain_name;
+use super::transmission::{transmissions, transmitted};
 use crate::emit::rust::coordinates::derives;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::identifier;
@@ -98,9 +99,13 @@ pub(in crate::emit::rust) fn output_frame(
         let name = plain_name(symbol, system);
         quote!(self.#name)
     });
+    let checked = checked.chain(transmitted(system, solved));
+    let transmissions = transmissions(system, solved);
     let implementation = quote! {
         impl Frame {
             #(#methods)*
+
+            #transmissions
 
             /// The drawing at rest, which the solution starts from.
             const DRAWN: Self = Self { t: 0.0, #drawn };

@@ -1,0 +1,128 @@
+//! What the drivers transmit, as functions of the frame.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::names::plain_name;
+use crate::emit::rust::docs::docs;
+use crate::emit::rust::expression::identifier;
+use crate::emit::rust::literal::count;
+use crate::joint::Quantity;
+use crate::program::solved::{SolvedProgram, Transmission};
+use crate::system::{Cause, System};
+
+/// The functions of all transmissions, and the list of the drivers; nothing where there are none.
+pub(in crate::emit::rust) fn transmissions(system: &System, solved: &SolvedProgram) -> TokenStream {
+    if solved.transmissions.is_empty() {
+        return TokenStream::new();
+    }
+    let labels = system.directions.iter().map(|direction| {
+        let Cause::Driver(joint) = direction.cause;
+        system.mechanism.joints[joint].label.as_str()
+    });
+    let number = count(system.directions.len());
+    let functions = solved
+        .transmissions
+        .iter()
+        .map(|transmission| functions(transmission, system));
+    quote! {
+        /// The drivers in written order, one for each column of a transmission.
+        pub const DRIVERS: [&'static str; #number] = [#(#labels),*];
+
+        #(#functions)*
+    }
+}
+
+/// The values that must be numbers, with a comma before each.
+pub(in crate::emit::rust) fn transmitted(
+    system: &System,
+    solved: &SolvedProgram,
+) -> Vec<TokenStream> {
+    let fields = solved.transmissions.iter().flat_map(Transmission::fields);
+    fields
+        .map(|symbol| {
+            let name = plain_name(symbol, system);
+            quote!(self.#name)
+        })
+        .collect()
+}
+
+fn functions(transmission: &Transmission, system: &System) -> TokenStream {
+    let Transmission {
+        name,
+        what,
+        rows,
+        columns,
+    } = transmission;
+    let (rate, force) = (
+        identifier(&format!("transmission_{name}")),
+        identifier(&format!("forces_{name}")),
+    );
+    let (number, height) = (count(columns.len()), count(rows.len()));
+    let fields: Vec<Vec<TokenStream>> = columns
+        .iter()
+        .map(|column| {
+            let own = |&symbol| {
+                let name = plain_name(symbol, system);
+                quote!(self.#name)
+            };
+            column.iter().map(own).collect()
+        })
+        .collect();
+    let matrix = fields.iter().map(|column| quote!([#(#column),*]));
+    let is_point = rows.len() == 2;
+    let unit = |quantity: Quantity| match quantity {
+        Quantity::Length => "m".to_string(),
+        Quantity::Angle => "rad".to_string(),
+        Quantity::Power(0) => "1".to_string(),
+        Quantity::Power(exponent) => format!("m^{exponent}"),
+    };
+    let drivers = system.directions.iter().map(|direction| {
+        let Cause::Driver(joint) = direction.cause;
+        let unit = format!("{}/{}", unit(rows[0]), unit(direction.quantity));
+        format!("`{}` ({unit})", system.mechanism.joints[joint].label)
+    });
+    let listed: Vec<String> = drivers
+        .enumerate()
+        .map(|(column, driver)| format!("{column} {driver}"))
+        .collect();
+    let shape = if is_point { "Rows: x, y. " } else { "" };
+    let about_rate = docs([
+        format!(
+            "The rate of {what} per unit rate of each driver, so that the rate is this matrix times the rates of the drivers."
+        ),
+        String::new(),
+        format!("{shape}Columns: {}.", listed.join(", ")),
+    ]);
+    let (load, given) = match (is_point, rows[0]) {
+        (true, _) => (format!("a force (N) at {what}"), quote!([f64; 2])),
+        (false, Quantity::Angle) => (format!("a torque (N·m) on {what}"), quote!(f64)),
+        (false, _) => (format!("a force (N) along {what}"), quote!(f64)),
+    };
+    let about_force = docs([format!(
+        "What {load} does to each driver: the forces (N; for angles torques, N·m) along the drivers with the same power, which is the transposed transmission times the load. A driver that holds the load pushes back with as much."
+    )]);
+    let (parameter, pull) = if is_point {
+        (quote!(force), vec![quote!(force[0]), quote!(force[1])])
+    } else {
+        (quote!(load), vec![quote!(load)])
+    };
+    let forces = fields.iter().map(|column| {
+        let products = column
+            .iter()
+            .zip(&pull)
+            .map(|(rate, pull)| quote!(#rate * #pull));
+        quote!(#(#products)+*)
+    });
+    quote! {
+        #about_rate
+        pub fn #rate(&self) -> SMatrix<f64, #height, #number> {
+            SMatrix::from([#(#matrix),*])
+        }
+
+        #about_force
+        pub fn #force(&self, #parameter: #given) -> SVector<f64, #number> {
+            SVector::from([#(#forces),*])
+        }
+    }
+}

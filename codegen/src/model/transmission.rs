@@ -1,0 +1,129 @@
+//! `transmission` statements → the quantities whose rates are wanted per rate of each driver.
+
+use super::resolve::Resolver;
+use super::{Point, Requested, Role};
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::syntax::{OutputItem, Statement, Transmission};
+
+impl Resolver<'_> {
+    /// What all `transmission` statements name, in written order; items with an error are reported and left out.
+    pub(super) fn transmissions(
+        &mut self,
+        statements: &[&Statement],
+        points: &[Point],
+    ) -> Vec<Requested> {
+        let mut found: Vec<(Requested, Span)> = Vec::new();
+        for statement in statements {
+            let Statement::Transmission(transmission) = statement else {
+                continue;
+            };
+            self.require_driver(transmission);
+            for item in &transmission.items {
+                let Some(quantity) = self.requested(item, points) else {
+                    continue;
+                };
+                let earlier = found.iter().find(|(other, _)| *other == quantity);
+                match earlier {
+                    Some(&(_, earlier)) => self.diagnostics.push(
+                        Diagnostic::error(
+                            Code::DuplicateName,
+                            place(item),
+                            "this transmission is asked for twice",
+                        )
+                        .label("named again here")
+                        .also(earlier, "first named here")
+                        .help("remove one of them"),
+                    ),
+                    None => {
+                        self.reject_equal_names(quantity, place(item), &found, points);
+                        found.push((quantity, place(item)));
+                    }
+                }
+            }
+        }
+        found.into_iter().map(|(quantity, _)| quantity).collect()
+    }
+
+    /// The functions of a point and of a coordinate are named alike, so a point must not be called like a coordinate beside it.
+    fn reject_equal_names(
+        &mut self,
+        quantity: Requested,
+        span: Span,
+        earlier: &[(Requested, Span)],
+        points: &[Point],
+    ) {
+        let name = self.generated_name(quantity, points);
+        let other = earlier
+            .iter()
+            .find(|(other, _)| self.generated_name(*other, points) == name);
+        if let Some(&(_, other)) = other {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::NameNotAllowed,
+                    span,
+                    format!("both would be `transmission_{name}` in the generated code"),
+                )
+                .also(other, "the other one")
+                .help("give the point another name"),
+            );
+        }
+    }
+
+    /// What functions of a quantity are named after: `k` of the point `K`, `phi_c1` of the angle of the body `c1`.
+    fn generated_name(&self, quantity: Requested, points: &[Point]) -> String {
+        match quantity {
+            Requested::Point(place) => points[place].name.to_lowercase(),
+            Requested::Coordinate { body, axis } => self.bodies[body]
+                .coordinates
+                .map(|symbols| self.graph.symbol_name(symbols[axis]).to_string())
+                .unwrap_or_default(),
+        }
+    }
+
+    /// A transmission has a column for each driver, so there must be one.
+    fn require_driver(&mut self, transmission: &Transmission) {
+        let mut drivers = self
+            .joints
+            .iter()
+            .map(|(joint, _)| joint)
+            .filter(|joint| joint.role == Role::Driver);
+        // An equation that moves with time has no value whose rate could be a column.
+        if let Some(equation) = drivers.clone().find(|it| it.operands.value.is_none()) {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    transmission.span,
+                    format!(
+                        "`{}` moves with time and drives no one quantity",
+                        equation.label
+                    ),
+                )
+                .label("has no column for it")
+                .also(equation.span, "moves with time")
+                .help("write what moves as a `drive` statement, and the equation without it"),
+            );
+            return;
+        }
+        let driven = drivers.next().is_some();
+        // A driver that was not understood has been reported.
+        if driven || self.diagnostics.has_errors() {
+            return;
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::WrongForm,
+                transmission.span,
+                "there is no driver whose motion could be transmitted",
+            )
+            .help("add a driver, for example `drive phi(1) = t;`, or remove the statement"),
+        );
+    }
+}
+
+/// Where an item stands.
+fn place(item: &OutputItem) -> Span {
+    match item {
+        OutputItem::Point(reference) => reference.span,
+        OutputItem::Coordinate { span, .. } => *span,
+    }
+}

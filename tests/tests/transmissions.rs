@@ -1,0 +1,413 @@
+//! What the drivers transmit: T ṡ is the velocity, virtual work is conserved, closed forms, the textbook view, singular poses.
+
+use std::path::Path;
+
+use linkwright::FailureKind;
+use linkwright::nalgebra::{DMatrix, DVector};
+use linkwright_cli::interpreter::Interpreter;
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::expr::{ExprId, Tape};
+use linkwright_codegen::model::Role;
+use linkwright_codegen::system::System;
+
+/// One transmission of one frame.
+pub struct Sample {
+    name: &'static str,
+    /// The velocity of the point, or the rate of the coordinate.
+    velocity: Vec<f64>,
+    /// T: a row for each component, a column for each driver.
+    transmission: DMatrix<f64>,
+    /// What the loads do to the drivers.
+    forces: DVector<f64>,
+}
+
+/// One frame of a mechanism.
+pub struct Instant {
+    t: f64,
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    qdd: Vec<f64>,
+    samples: Vec<Sample>,
+}
+
+/// q, q̇ and q̈ of one frame.
+type Original = [Vec<f64>; 3];
+
+/// The frames at these times.
+type Follow = fn(&[f64]) -> Vec<Original>;
+
+/// A mechanism of which every point and every angle is asked for.
+pub struct Transmitting {
+    name: &'static str,
+    /// The frames at these times, with the samples under a load.
+    sample: fn(&[f64], [f64; 2]) -> Vec<Instant>,
+    /// q, q̇ and q̈ of the mechanism without transmissions.
+    original: Option<Follow>,
+}
+
+macro_rules! point_sample {
+    ($frame:ident, $load:ident, $name:literal, $point:ident, $transmission:ident, $forces:ident) => {
+        crate::Sample {
+            name: $name,
+            velocity: $frame.$point().velocity.to_vec(),
+            transmission: crate::dynamic($frame.$transmission()),
+            forces: crate::vector($frame.$forces($load)),
+        }
+    };
+}
+
+macro_rules! angle_sample {
+    ($frame:ident, $load:ident, $name:literal, $angle:ident, $transmission:ident, $forces:ident) => {
+        crate::Sample {
+            name: $name,
+            velocity: vec![$frame.qd.$angle],
+            transmission: crate::dynamic($frame.$transmission()),
+            forces: crate::vector($frame.$forces($load[0])),
+        }
+    };
+}
+
+macro_rules! sampled {
+    ($mechanism:ident, $frame:ident, $load:ident, [$($sample:ident!($($argument:tt)+)),+]) => {
+        pub fn sample(times: &[f64], $load: [f64; 2]) -> Vec<crate::Instant> {
+            let mut mechanism = $mechanism::assemble(times[0]).expect("the drawing assembles");
+            let mut instants = Vec::new();
+            for &t in times {
+                // One mechanism folds on the way; nothing is known of it afterwards.
+                let Ok($frame) = mechanism.advance(t) else {
+                    break;
+                };
+                instants.push(crate::Instant {
+                    t,
+                    q: $frame.q.to_array().to_vec(),
+                    qd: $frame.qd.to_array().to_vec(),
+                    qdd: $frame.qdd.to_array().to_vec(),
+                    samples: sampled!(@each $frame, $load, [$($sample!($($argument)+)),+]),
+                });
+            }
+            assert!(instants.len() > 40, "{} instants", instants.len());
+            instants
+        }
+    };
+    (@each $frame:ident, $load:ident, [$($sample:ident!($($argument:tt)+)),+]) => {
+        vec![$($sample!($frame, $load, $($argument)+)),+]
+    };
+}
+
+macro_rules! original {
+    ($module:ident, $mechanism:ident) => {
+        |times: &[f64]| {
+            use linkwright_mechanisms::$module::$mechanism;
+            let mut mechanism = $mechanism::assemble(times[0]).expect("the drawing assembles");
+            let each = |&t: &f64| {
+                let frame = mechanism.advance(t).expect("the motion can be followed");
+                [frame.q, frame.qd, frame.qdd].map(|it| it.to_array().to_vec())
+            };
+            times.iter().map(each).collect()
+        }
+    };
+}
+
+mod transmitted {
+    linkwright::include_mechanism!(transmitted);
+}
+
+mod generated {
+    use super::Transmitting;
+    include!(concat!(env!("OUT_DIR"), "/transmitting.rs"));
+}
+use generated::{ALL, folding, platform_3rpr};
+
+fn dynamic<const R: usize, const C: usize>(
+    matrix: linkwright::nalgebra::SMatrix<f64, R, C>,
+) -> DMatrix<f64> {
+    DMatrix::from_column_slice(R, C, matrix.as_slice())
+}
+
+fn vector<const N: usize>(vector: linkwright::nalgebra::SVector<f64, N>) -> DVector<f64> {
+    DVector::from_column_slice(vector.as_slice())
+}
+
+const TIMES: usize = 200;
+
+fn times() -> Vec<f64> {
+    (0..=TIMES).map(|step| step as f64 / 80.0).collect()
+}
+
+/// A load without symmetry, in N and N·m.
+const LOAD: [f64; 2] = [0.7, -1.3];
+
+impl Transmitting {
+    /// The equations with the transmission of every point and angle.
+    fn system(&self) -> System {
+        let folder = Path::new(env!("OUT_DIR")).join("transmitting");
+        let path = folder.join(format!("{}.mech", self.name));
+        let text = std::fs::read_to_string(&path).expect("a description");
+        let source = Source::new(self.name, text);
+        linkwright_codegen::read(&source)
+            .expect("no errors")
+            .only()
+            .expect("one motion")
+            .clone()
+    }
+
+    /// ṡ at these times: the derivatives of what the drivers prescribe, in written order.
+    fn driver_rates(&self) -> Vec<DVector<f64>> {
+        let mut system = self.system();
+        let mechanism = &mut system.mechanism;
+        let drivers = mechanism.joints.iter().filter(|it| it.role == Role::Driver);
+        let values: Vec<ExprId> = drivers.filter_map(|it| it.operands.value).collect();
+        let (graph, time) = (&mut mechanism.graph, mechanism.time);
+        let rates: Vec<ExprId> = values
+            .iter()
+            .map(|&value| graph.derivative(value, time))
+            .collect();
+        let tape = Tape::new(graph, &rates);
+        let at = |&t: &f64| {
+            let mut symbols = vec![0.0; graph.symbol_count()];
+            symbols[time.index()] = t;
+            let mut results = vec![0.0; rates.len()];
+            tape.evaluate(&symbols, &mut Vec::new(), &mut results);
+            DVector::from_vec(results)
+        };
+        times().iter().map(at).collect()
+    }
+}
+
+/// The largest sum of the terms of T ṡ: what rounding is judged against, since points that rest do so as a difference.
+fn fastest(instant: &Instant, rates: &DVector<f64>) -> f64 {
+    let terms = |sample: &Sample| (sample.transmission.abs() * rates.abs()).max();
+    let largest = instant.samples.iter().map(terms).fold(0.0, f64::max);
+    // Where all drivers rest, everything does.
+    if largest == 0.0 { 1.0 } else { largest }
+}
+
+#[test]
+fn the_velocity_is_the_transmission_times_the_rates_of_the_drivers() {
+    for mechanism in ALL {
+        let all_rates = mechanism.driver_rates();
+        let mut largest = 0.0_f64;
+        for (instant, rates) in (mechanism.sample)(&times(), LOAD).iter().zip(&all_rates) {
+            let scale = fastest(instant, rates);
+            for sample in &instant.samples {
+                let product = &sample.transmission * rates;
+                for (product, velocity) in product.iter().zip(&sample.velocity) {
+                    let error = (product - velocity).abs() / scale;
+                    assert!(
+                        error < 1e-12,
+                        "{} of {}: {error:e}",
+                        sample.name,
+                        mechanism.name
+                    );
+                    largest = largest.max(error);
+                }
+            }
+        }
+        println!(
+            "{}: T ṡ − v at most {largest:.1e} of its terms",
+            mechanism.name
+        );
+    }
+}
+
+#[test]
+fn virtual_work_is_conserved() {
+    for mechanism in ALL {
+        let all_rates = mechanism.driver_rates();
+        let mut largest = 0.0_f64;
+        for (instant, rates) in (mechanism.sample)(&times(), LOAD).iter().zip(&all_rates) {
+            for sample in &instant.samples {
+                let load = DVector::from_column_slice(&LOAD[..sample.velocity.len()]);
+                let velocity = DVector::from_column_slice(&sample.velocity);
+                let (given, taken) = (load.dot(&velocity), sample.forces.dot(rates));
+                let scale = fastest(instant, rates) * load.norm();
+                largest = largest.max((given - taken).abs() / scale);
+            }
+        }
+        println!("{}: powers differ by at most {largest:.1e}", mechanism.name);
+        assert!(largest < 1e-12, "{}: {largest:e}", mechanism.name);
+    }
+}
+
+#[test]
+fn a_transmission_does_not_change_the_motion() {
+    let mut compared = 0;
+    for mechanism in ALL {
+        let Some(original) = mechanism.original else {
+            continue;
+        };
+        for (instant, [q, qd, qdd]) in (mechanism.sample)(&times(), LOAD)
+            .iter()
+            .zip(original(&times()))
+        {
+            assert_eq!(instant.q, q, "{}", mechanism.name);
+            assert_eq!(instant.qd, qd, "{}", mechanism.name);
+            assert_eq!(instant.qdd, qdd, "{}", mechanism.name);
+            compared += 1;
+        }
+    }
+    assert!(compared > 5 * TIMES);
+}
+
+/// Φ_q X = −Φ_δ of the textbook view as one dense system, at the pose that generated code found.
+#[test]
+fn the_textbook_view_transmits_the_same() {
+    for mechanism in ALL {
+        let system = mechanism.system();
+        let interpreter = Interpreter::new(&system);
+        let mut largest = 0.0_f64;
+        for instant in (mechanism.sample)(&times(), LOAD).iter().step_by(7) {
+            let q = DVector::from_column_slice(&instant.q);
+            let responses = interpreter
+                .responses(&q, instant.t)
+                .expect("a regular pose");
+            let points = interpreter.transmissions(&q, instant.t, &responses);
+            let scale = points.iter().map(|it| it.amax()).fold(0.0, f64::max);
+            assert_eq!(points.len(), instant.samples.len());
+            for (point, sample) in points.iter().zip(&instant.samples) {
+                let error = (point - &sample.transmission).amax() / scale;
+                assert!(
+                    error < 1e-11,
+                    "{} of {}: {error:e}",
+                    sample.name,
+                    mechanism.name
+                );
+                largest = largest.max(error);
+            }
+        }
+        println!(
+            "{}: the views differ by at most {largest:.1e}",
+            mechanism.name
+        );
+    }
+}
+
+/// The coupler of a slider-crank with offset e: x = r cos φ + √(l² − (r sin φ − e)²), so that
+/// x' = −r sin φ − (r sin φ − e) r cos φ / √(l² − (r sin φ − e)²) per radian.
+#[test]
+fn a_slider_crank_transmits_as_its_closed_form_says() {
+    let (r, l, e) = (0.04, 0.12, -0.02_f64);
+    let mechanism = ALL
+        .iter()
+        .find(|it| it.name == "slider_crank")
+        .expect("it is listed");
+    for instant in (mechanism.sample)(&times(), LOAD) {
+        let point = |name: &str| {
+            instant
+                .samples
+                .iter()
+                .find(|it| it.name == name)
+                .expect("a point")
+        };
+        let phi = instant.q[2];
+        let height = r * phi.sin() - e;
+        let slope = -r * phi.sin() - height * r * phi.cos() / (l * l - height * height).sqrt();
+        let slider = &point("C").transmission;
+        assert!(
+            (slider[(0, 0)] - slope).abs() < 1e-15,
+            "{} {slope}",
+            slider[(0, 0)]
+        );
+        assert!(slider[(1, 0)].abs() < 1e-16);
+        let crank = &point("B").transmission;
+        assert!((crank[(0, 0)] + r * phi.sin()).abs() < 1e-16);
+        assert!((crank[(1, 0)] - r * phi.cos()).abs() < 1e-16);
+    }
+}
+
+/// A leg of length s with direction u from its ground pin to its pin on the platform has ṡ = u · v of that pin (Tsai 1999,
+/// *Robot Analysis*, section 5.4): the transmissions of the three pins, each projected on its leg, are the unit matrix.
+#[test]
+fn the_legs_of_a_platform_move_as_they_are_driven() {
+    let legs = [("A", "P"), ("B", "Q"), ("C", "R")];
+    for t in times() {
+        let mut platform =
+            platform_3rpr::TransmittingPlatform3rpr::assemble(0.0).expect("as drawn");
+        let frame = platform.advance(t).expect("the motion can be followed");
+        let pins = [
+            (frame.point_a(), frame.point_p(), frame.transmission_p()),
+            (frame.point_b(), frame.point_q(), frame.transmission_q()),
+            (frame.point_c(), frame.point_r(), frame.transmission_r()),
+        ];
+        for (leg, (ground, pin, transmission)) in pins.iter().enumerate() {
+            let along = [0, 1].map(|axis| pin.position[axis] - ground.position[axis]);
+            let length = along[0].hypot(along[1]);
+            for driver in 0..3 {
+                let rate = (along[0] * transmission[(0, driver)]
+                    + along[1] * transmission[(1, driver)])
+                    / length;
+                let expected = if driver == leg { 1.0 } else { 0.0 };
+                assert!(
+                    (rate - expected).abs() < 1e-13,
+                    "{:?} by {driver}: {rate}",
+                    legs[leg]
+                );
+            }
+        }
+    }
+}
+
+/// Where crank and rod come in line the transmission grows without limit; what is returned is finite, or a failure.
+#[test]
+fn a_singular_pose_is_a_failure_and_never_infinite() {
+    let mut mechanism = folding::TransmittingFolding::assemble(0.0).expect("as drawn");
+    let fold = std::f64::consts::FRAC_PI_2;
+    for exponent in 1..=6 {
+        let t = fold - 10.0_f64.powi(-exponent);
+        let frame = mechanism.advance(t).expect("not yet in line");
+        let transmission = frame.transmission_phi2();
+        assert!(transmission[(0, 0)].is_finite());
+        assert!(transmission[(0, 0)].abs() > 0.1 * 10.0_f64.powi(exponent).sqrt());
+    }
+    let before = mechanism.frame().transmission_phi2();
+    let failure = mechanism.advance(fold).expect_err("in line");
+    assert!(
+        matches!(failure.kind, FailureKind::Singular { .. }),
+        "{failure}"
+    );
+    let failure = mechanism.advance(fold + 0.1).expect_err("out of reach");
+    assert!(
+        matches!(failure.kind, FailureKind::OutOfReach { .. }),
+        "{failure}"
+    );
+    assert_eq!(mechanism.frame().transmission_phi2(), before);
+}
+
+/// Only the pose and what is transmitted are computed, and they are those of the mechanism that is asked for everything.
+#[test]
+fn a_transmission_needs_no_velocities() {
+    let whole = ALL
+        .iter()
+        .find(|it| it.name == "four_bar")
+        .expect("it is listed");
+    let mut mechanism = transmitted::Transmitted::assemble(0.0).expect("as drawn");
+    for (t, instant) in times().into_iter().zip((whole.sample)(&times(), LOAD)) {
+        let frame = mechanism.advance(t).expect("the crank turns");
+        let named = |name: &str| {
+            instant
+                .samples
+                .iter()
+                .find(|it| it.name == name)
+                .expect("a sample")
+        };
+        assert_eq!(dynamic(frame.transmission_p()), named("P").transmission);
+        assert_eq!(
+            dynamic(frame.transmission_phi_rocker()),
+            named("phi_rocker").transmission
+        );
+        assert_eq!(vector(frame.forces_p(LOAD)), named("P").forces);
+    }
+    let path = linkwright_tests::files::package("descriptions/transmitted.mech");
+    let source = Source::new(
+        "transmitted",
+        std::fs::read_to_string(path).expect("a description"),
+    );
+    let read = linkwright_codegen::read(&source).expect("no errors");
+    let report =
+        linkwright_codegen::report(&read.only().expect("one motion")).expect("it is determined");
+    // The reciprocal of the determinant is what velocities would share with the transmission.
+    assert_eq!(report.operations[1].total(), 1);
+    assert_eq!(report.operations[2].total(), 0);
+    assert!(report.transmission.expect("it is asked for").total() < 20);
+    assert_eq!(transmitted::Frame::DRIVERS, ["drive phi(crank)"]);
+}

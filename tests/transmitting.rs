@@ -1,0 +1,111 @@
+//! *Descriptions* → *the same with the transmission of every point and every angle*, for build scripts.
+//!
+//! So every mechanism of the repository is tested for what its drivers transmit without being named anywhere.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::model::{Role, type_name};
+
+/// Every description that is not limited by `output`, as `transmitting_NAME`, and `transmitting.rs` with a list of samples.
+pub fn write(folders: &[&str]) {
+    let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
+    let descriptions = output.join("transmitting");
+    fs::create_dir_all(&descriptions).expect("a folder of its own");
+    let (mut modules, mut list) = (String::new(), String::new());
+    for folder in folders {
+        for path in descriptions_in(folder) {
+            let Ok(text) = fs::read_to_string(&path) else {
+                continue;
+            };
+            let source = Source::new(path.display().to_string(), text.clone());
+            // A description with errors is reported where it is built for itself.
+            let Ok(read) = linkwright_codegen::read(&source) else {
+                continue;
+            };
+            let Some(system) = read.only() else {
+                continue;
+            };
+            let mechanism = &system.mechanism;
+            let limited = !mechanism.requests.is_empty() || !mechanism.transmissions.is_empty();
+            // An equation that moves with time is no driver of a quantity.
+            let mut joints = mechanism.joints.iter();
+            let limited =
+                limited || joints.any(|it| it.role == Role::Driver && it.operands.value.is_none());
+            // Signals would have to be supplied.
+            if limited || mechanism.motion.is_some() || !mechanism.inputs.is_empty() {
+                continue;
+            }
+            let name = &mechanism.name;
+            let points: Vec<&str> = mechanism.points.iter().map(|it| it.name.as_str()).collect();
+            let bodies = mechanism.moving_bodies().iter();
+            let angles: Vec<String> = bodies.map(|body| format!("phi({})", body.name)).collect();
+            let angle_fields: Vec<&str> = system
+                .coordinates
+                .iter()
+                .take(3 * mechanism.moving_bodies().len())
+                .skip(2)
+                .step_by(3)
+                .map(|it| it.name.as_str())
+                .collect();
+            let wanted: Vec<&str> = points
+                .iter()
+                .copied()
+                .chain(angles.iter().map(String::as_str))
+                .collect();
+            let renamed = text.replacen(
+                &format!("mechanism {name}"),
+                &format!("mechanism transmitting_{name}"),
+                1,
+            );
+            let end = renamed.rfind('}').expect("a mechanism ends in a brace");
+            let statement = format!("\n    transmission {};\n", wanted.join(", "));
+            let text = format!("{}{statement}{}", &renamed[..end], &renamed[end..]);
+            fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
+            modules.push_str(&module(name, &points, &angle_fields));
+            let original = if *folder == "descriptions" {
+                "None".to_string()
+            } else {
+                format!("Some(original!({name}, {}))", type_name(name))
+            };
+            list.push_str(&format!(
+                "    Transmitting {{ name: \"{name}\", sample: {name}::sample, original: {original} }},\n"
+            ));
+        }
+    }
+    linkwright_codegen::build(&descriptions);
+    let text = format!("{modules}\npub const ALL: &[Transmitting] = &[\n{list}];\n");
+    fs::write(output.join("transmitting.rs"), text).expect("a new file");
+}
+
+/// A module with a function that samples every transmission of a mechanism.
+fn module(name: &str, points: &[&str], angles: &[&str]) -> String {
+    let point_samples = points.iter().map(|point| {
+        format!(
+            "point_sample!(\"{point}\", point_{0}, transmission_{0}, forces_{0})",
+            point.to_lowercase()
+        )
+    });
+    let angle_samples = angles.iter().map(|angle| {
+        format!("angle_sample!(\"{angle}\", {angle}, transmission_{angle}, forces_{angle})")
+    });
+    let samples: Vec<String> = point_samples.chain(angle_samples).collect();
+    format!(
+        "pub mod {name} {{\n    linkwright::include_mechanism!(transmitting_{name});\n    sampled!({}, frame, load, [{}]);\n}}\n",
+        type_name(&format!("transmitting_{name}")),
+        samples.join(", ")
+    )
+}
+
+fn descriptions_in(folder: &str) -> Vec<PathBuf> {
+    let Ok(entries) = fs::read_dir(Path::new(folder)) else {
+        return Vec::new();
+    };
+    let mut files: Vec<PathBuf> = entries
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .filter(|path| path.extension().is_some_and(|it| it == "mech"))
+        .collect();
+    files.sort();
+    files
+}
