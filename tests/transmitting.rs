@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::model::type_name;
+use linkwright_codegen::model::{Role, type_name};
 
 /// Every description that is not limited by `output`, as `transmitting_NAME`, and `transmitting.rs` with a list of samples.
 pub fn write(folders: &[&str]) {
@@ -29,6 +29,10 @@ pub fn write(folders: &[&str]) {
             };
             let mechanism = &system.mechanism;
             let limited = !mechanism.requests.is_empty() || !mechanism.transmissions.is_empty();
+            // An equation that moves with time is no driver of a quantity.
+            let mut joints = mechanism.joints.iter();
+            let limited =
+                limited || joints.any(|it| it.role == Role::Driver && it.operands.value.is_none());
             // Signals would have to be supplied.
             if limited || mechanism.motion.is_some() || !mechanism.inputs.is_empty() {
                 continue;

@@ -34,6 +34,11 @@ pub mod excavator_tool {
     linkwright::include_mechanism!(excavator_tool);
 }
 
+/// The same arm driven from either end: from its actuators, or from its tool.
+pub mod excavator_motions {
+    linkwright::include_mechanism!(excavator_motions);
+}
+
 /// The ten-body arm whose motion MSC ADAMS has computed.
 pub mod arm {
     linkwright::include_mechanism!(arm);
@@ -77,4 +82,44 @@ pub mod jansen {
 /// Peaucellier's cell, whose point R moves on a straight line.
 pub mod peaucellier {
     linkwright::include_mechanism!(peaucellier);
+}
+
+/// The quick return of a shaping machine.
+pub mod quick_return {
+    linkwright::include_mechanism!(quick_return);
+}
+
+/// A Scotch yoke, whose motion is exactly harmonic.
+pub mod scotch_yoke {
+    linkwright::include_mechanism!(scotch_yoke);
+}
+
+/// A double wishbone suspension, moved at the wheel.
+pub mod double_wishbone {
+    linkwright::include_mechanism!(double_wishbone);
+}
+
+/// A pantograph, traced by its two coordinates.
+pub mod pantograph {
+    linkwright::include_mechanism!(pantograph);
+}
+
+/// A planetary gear with its ring held.
+pub mod planetary_gear {
+    linkwright::include_mechanism!(planetary_gear);
+}
+
+/// Rack and pinion steering.
+pub mod rack_steering {
+    linkwright::include_mechanism!(rack_steering);
+}
+
+/// A disc cam with a roller follower.
+pub mod disc_cam {
+    linkwright::include_mechanism!(disc_cam);
+}
+
+/// A cam designed from the motion of its follower.
+pub mod cam_dwell {
+    linkwright::include_mechanism!(cam_dwell);
 }

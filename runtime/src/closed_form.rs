@@ -6,7 +6,10 @@
 use crate::failure::{Failure, FailureKind};
 use crate::math::Real;
 
-/// One of the two ways in which a closed-form block can be assembled.
+/// One of the two signs that the determinant of a block can have.
+///
+/// A block with a closed form can be assembled in two ways, and each has one of the signs. Blocks that need Newton-Raphson
+/// may have several poses of either sign; on a motion without singular poses the sign does not change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Branch {
     /// The block's determinant is negative.

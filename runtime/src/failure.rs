@@ -26,15 +26,29 @@ pub struct Failure<T = f64> {
 
 /// What happened to a solve that did not succeed.
 ///
-/// The thresholds are those of [`crate::newton::solve`]; every comparison is made after scaling.
+/// The thresholds are those of [`crate::newton::solve`]; every comparison is made after scaling. The ways in which
+/// Newton-Raphson is known to fail have these names:
+///
+/// | what happens | kind |
+/// |---|---|
+/// | the iterates run away | [`Diverged`](Self::Diverged) |
+/// | they repeat themselves | [`Cycling`](Self::Cycling) |
+/// | they converge to another root | [`WrongBranch`](Self::WrongBranch), where the branch is given |
+/// | one of them is a stationary point | [`Singular`](Self::Singular), at the step from there |
+/// | the Jacobian is singular at the solution | [`Singular`](Self::Singular), of a frame |
+/// | no root is near, or none at all | [`Stalled`](Self::Stalled) or one of the first two |
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FailureKind<T = f64> {
     /// The Jacobian is singular, or so close to it that no digit of a solution can be trusted.
+    ///
+    /// Either a pivot ratio is below [`crate::Settings::pivot_ratio`], or the pose of a frame cannot be told from a
+    /// singular one: within the uncertainty that its residual leaves, the Jacobian changes by half of itself or more.
     Singular {
-        /// The pivot ratio that was found, below [`crate::Settings::pivot_ratio`]; see [`crate::Factorization`].
+        /// The pivot ratio that was found; see [`crate::Factorization`].
         pivot_ratio: T,
-        /// The coordinate at which elimination stopped: it depends on those before it.
+        /// The coordinate at which elimination stopped, because it depends on those before it, or the one that the
+        /// residual leaves most uncertain.
         column: u16,
     },
     /// The iterates run away: a step is longer than [`crate::newton::LONGEST_STEP`] coordinate scales, or the
@@ -46,13 +60,20 @@ pub enum FailureKind<T = f64> {
     /// A step was shorter than [`crate::newton::ROUNDING`] ε of every coordinate (or of its scale, if that is
     /// larger), and the residual still exceeds the tolerance: no better pose can be represented.
     Stalled,
-    /// None of the other failures occurred within [`crate::Settings::iterations`] steps.
+    /// None of the other failures occurred within [`crate::Settings::iterations`] steps, and the residual still exceeds
+    /// the tolerance, or the pose has not settled (see [`crate::newton::solve`]).
     IterationLimit,
     /// The links of a closed-form block do not span the distance between their far pins.
     OutOfReach {
         /// How much is missing, in m.
         by: T,
     },
+    /// The Jacobian determinant does not have the sign of the branch that was asked for: the pose belongs to another
+    /// assembly mode.
+    WrongBranch,
+    /// The motion could not be followed to the time asked for: its estimate is so far from the pose that
+    /// Newton-Raphson may end at another one, and [`crate::Settings::substeps`] attempts did not bring it nearer.
+    StepTooLarge,
     /// A time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is infinite or NaN,
     /// or a scale of the equations is not a positive finite number.
     NotFinite,
@@ -95,6 +116,8 @@ impl<T: Real> fmt::Display for Failure<T> {
             FailureKind::Cycling => Some("cycling"),
             FailureKind::Stalled => Some("stalled"),
             FailureKind::IterationLimit => Some("iteration limit"),
+            FailureKind::WrongBranch => Some("wrong branch"),
+            FailureKind::StepTooLarge => Some("step too large"),
             FailureKind::NotFinite => Some("not finite"),
         };
         if let Some(what) = what {

@@ -14,6 +14,10 @@
 //! textbook view, all equations as one dense system, through the type `Textbook` of the generated module. The scalar is f64
 //! or f32.
 //!
+//! [`advance`] takes the pose to which Newton-Raphson converges; [`follow`] takes only one that is on the same path and
+//! branch, goes there in as many steps as it needs, and names the time at which a path ends. [`assemble`] is for good
+//! estimates, [`assemble_from_afar`] for poor ones.
+//!
 //! # By hand
 //!
 //! A slider on the x axis hangs on a crank of length 1 by a rod of length 2; the crank turns as φ = t. The position s
@@ -67,24 +71,32 @@
 #![no_std]
 
 pub mod angle;
+pub mod assembly;
 pub mod closed_form;
 pub mod contact;
+pub mod damped;
 pub mod equations;
 pub mod failure;
 pub mod kinematics;
+pub mod least_squares;
 pub mod linear;
 pub mod math;
 pub mod motion;
 pub mod newton;
+pub mod path;
 mod progress;
+mod regularity;
 pub mod scale;
 pub mod settings;
 pub mod signal;
+pub mod substeps;
 pub mod table;
 mod vector;
+mod watch;
 
 pub use nalgebra;
 
+pub use assembly::assemble_from_afar;
 pub use closed_form::Branch;
 pub use equations::Equations;
 pub use failure::{Failure, FailureKind};
@@ -93,9 +105,11 @@ pub use linear::Factorization;
 pub use math::Real;
 pub use motion::Motion;
 pub use newton::{Convergence, Step};
+pub use path::{branch_of, follow};
 pub use scale::Scales;
 pub use settings::Settings;
 pub use signal::Signal;
+pub use substeps::{Broken, in_steps};
 pub use table::Table;
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.

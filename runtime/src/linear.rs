@@ -23,9 +23,14 @@
 //!
 //! The module does not know Newton-Raphson, nor what the matrix is the Jacobian of.
 
+mod condition;
+
+pub(crate) use condition::position_of_largest;
+
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
 
+use crate::closed_form::Branch;
 use crate::failure::{FailureKind, index};
 use crate::math::Real;
 use crate::scale::Scales;
@@ -108,11 +113,20 @@ where
     pub fn solve(&self, right_hand_side: &mut OVector<T, D>) {
         let (dimension, _) = self.factors.shape_generic();
         require_dimension(right_hand_side, dimension);
-        let n = dimension.value();
         let x = right_hand_side.as_mut_slice();
         for (entry, factor) in x.iter_mut().zip(self.row_factors.as_slice()) {
             *entry *= *factor;
         }
+        self.solve_scaled(x);
+        for (entry, factor) in x.iter_mut().zip(self.column_factors.as_slice()) {
+            *entry *= *factor;
+        }
+    }
+
+    /// Replaces the right-hand side (n) of the scaled system with its solution.
+    #[inline]
+    fn solve_scaled(&self, x: &mut [T]) {
+        let n = self.exchanges.len();
         let columns = || self.factors.as_slice().chunks_exact(n.max(1)).enumerate();
         // Forward: L y = P b, the exchange of each column before its multipliers.
         for ((k, column), distance) in columns().zip(self.exchanges.as_slice()) {
@@ -136,14 +150,30 @@ where
                 subtract_multiple(above, *entry, upper);
             }
         }
-        for (entry, factor) in x.iter_mut().zip(self.column_factors.as_slice()) {
-            *entry *= *factor;
-        }
     }
 
     /// The smallest pivot ratio of all columns: |pivot| / max(1, max |â_ij|), in (0, 1]; 1 for an empty matrix.
     pub fn pivot_ratio(&self) -> T {
         self.pivot_ratio
+    }
+
+    /// The sign of the determinant, which an empty matrix has positive. Two poses between which it differs belong to
+    /// different assembly modes.
+    pub fn branch(&self) -> Branch {
+        let columns = self
+            .factors
+            .as_slice()
+            .chunks_exact(self.exchanges.len().max(1));
+        let mut negative = false;
+        for ((k, column), distance) in columns.enumerate().zip(self.exchanges.as_slice()) {
+            let below = column.get(k).is_some_and(|pivot| *pivot < T::ZERO);
+            negative ^= below ^ (*distance != 0);
+        }
+        if negative {
+            Branch::Negative
+        } else {
+            Branch::Positive
+        }
     }
 
     /// The determinant of the matrix as it was given, not of the scaled one, with its sign.

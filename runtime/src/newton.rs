@@ -19,9 +19,11 @@ use crate::failure::{Failure, FailureKind};
 use crate::linear::Factorization;
 use crate::math::Real;
 use crate::progress::Progress;
+use crate::regularity;
 use crate::scale::{Residual, Scales};
 use crate::settings::Settings;
 use crate::vector::{add, all_finite, negate, require_dimension, zero_matrix, zero_vector};
+use crate::watch::{Unwatched, Watch};
 
 /// The longest step, in coordinate scales, that still counts as progress. A part of a mechanism that is a million
 /// times its size away does not come back.
@@ -36,6 +38,10 @@ pub const GROWING_STEPS: u16 = 5;
 
 /// The multiple of ε below which a change of a coordinate, or a residual, is rounding.
 pub const ROUNDING: f64 = 4.0;
+
+/// A polishing step that leaves more than this part of the residual ends a solve: what is left is rounding. At a pose
+/// whose Jacobian is singular a step leaves at most e^(-1/e) = 0.69 of the residual.
+pub const NOISE: f64 = 0.75;
 
 /// One Newton-Raphson step, with all that a calculation by hand writes down.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,6 +127,16 @@ where
 /// more step follows, unless the residual is at rounding level already; it reuses the newest factorization, whose
 /// error is of the order of the last update and so too small to matter, and it is taken back if the residual grows.
 ///
+/// The step also tells whether the pose itself has settled, for a small residual alone does not: x² = 1e-12 says little
+/// about x. What the step has left of the residual it has left of the error, so twice the length of the step times this part
+/// estimates the error that remains; the factor two is for the older Jacobian. Where it exceeds the tolerance, in coordinate
+/// scales, and the residual is not at rounding level, the iteration goes on. Without the polishing step, and for an estimate
+/// that has a residual at rounding level already, the residual alone decides; [`crate::assemble`] and [`crate::advance`]
+/// judge such poses by their Jacobian.
+///
+/// # Work
+/// With N for [`Settings::iterations`] at most N + 2 evaluations of the residual and N + 3 of the Jacobian.
+///
 /// # Errors
 /// Every [`FailureKind`]; `q` is then as it was.
 ///
@@ -135,18 +151,33 @@ pub fn solve<T: Real, D: Dim, E: Equations<T, D>>(
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
+    solve_watched(equations, q, t, settings, &mut Unwatched)
+}
+
+/// [`solve`], given up where `watch` says so.
+pub(crate) fn solve_watched<T: Real, D: Dim, E: Equations<T, D>, W: Watch<T, D>>(
+    equations: &E,
+    q: &mut OVector<T, D>,
+    t: T,
+    settings: &Settings<T>,
+    watch: &mut W,
+) -> Result<Convergence<T>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
     require_dimension(q, equations.dimension());
     let mut pose = q.clone();
-    let convergence = iterate(equations, &mut pose, t, settings)?;
+    let convergence = iterate(equations, &mut pose, t, settings, watch)?;
     *q = pose;
     Ok(convergence)
 }
 
-fn iterate<T: Real, D: Dim, E: Equations<T, D>>(
+fn iterate<T: Real, D: Dim, E: Equations<T, D>, W: Watch<T, D>>(
     equations: &E,
     pose: &mut OVector<T, D>,
     t: T,
     settings: &Settings<T>,
+    watch: &mut W,
 ) -> Result<Convergence<T>, Failure<T>>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
@@ -164,30 +195,35 @@ where
     }
     let mut progress = Progress::new(pose, residual.magnitude);
     let mut iterations = 0;
+    let mut unsettled = false;
     loop {
         let solved = residual.magnitude <= settings.tolerance;
         if solved && !worth_polishing(residual, settings) {
             return Ok(convergence(iterations, residual, false));
         }
-        if !solved && iterations >= settings.iterations {
-            return Err(failure(
-                FailureKind::IterationLimit,
-                t,
-                iterations,
-                residual,
-            ));
+        if (!solved || unsettled) && iterations >= settings.iterations {
+            let kind = if unsettled {
+                verdict(equations, pose, t, residual, &scales, settings)
+            } else {
+                FailureKind::IterationLimit
+            };
+            return Err(failure(kind, t, iterations, residual));
         }
         equations.jacobian(pose, t, &mut jacobian);
         let factorization = match Factorization::new(&jacobian, &scales, settings.pivot_ratio) {
             Ok(factorization) => factorization,
             // The pose meets the tolerance as it is; a singular Jacobian only prevents polishing it.
-            Err(_) if solved => return Ok(convergence(iterations, residual, false)),
+            Err(_) if solved && !unsettled => return Ok(convergence(iterations, residual, false)),
             Err(kind) => return Err(failure(kind, t, iterations, residual)),
         };
         if !solved {
             update.clone_from(&phi);
             negate(&mut update);
             factorization.solve(&mut update);
+            watch
+                .jacobian(&factorization)
+                .and_then(|()| watch.step(&scales, &update))
+                .map_err(|kind| failure(kind, t, iterations, residual))?;
             add(pose, &update);
             equations.residual(pose, t, &mut phi);
             residual = scales.residual(&phi);
@@ -214,11 +250,43 @@ where
         let after = scales.residual(&phi);
         let better = after.magnitude <= residual.magnitude && all_finite(update.as_slice());
         if better {
+            unsettled = after.magnitude > T::from_f64(ROUNDING) * T::EPSILON
+                && after.magnitude < T::from_f64(NOISE) * residual.magnitude
+                && !scales.close(
+                    pose,
+                    &update,
+                    T::HALF * settings.tolerance * (residual.magnitude / after.magnitude),
+                );
             pose.clone_from(&update);
             residual = after;
+            if unsettled {
+                iterations += 1;
+                continue;
+            }
         }
         return Ok(convergence(iterations, residual, better));
     }
+}
+
+/// Why a pose that meets the tolerance has not settled within the limit: it is singular, or there were too few steps.
+#[cold]
+fn verdict<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    pose: &OVector<T, D>,
+    t: T,
+    residual: Residual<T>,
+    scales: &Scales<T, D>,
+    settings: &Settings<T>,
+) -> FailureKind<T>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let mut jacobian = zero_matrix(equations.dimension());
+    equations.jacobian(pose, t, &mut jacobian);
+    let regular = Factorization::new(&jacobian, scales, settings.pivot_ratio).and_then(|factors| {
+        regularity::require(equations, pose, t, residual.magnitude, &jacobian, &factors)
+    });
+    regular.err().unwrap_or(FailureKind::IterationLimit)
 }
 
 fn worth_polishing<T: Real>(residual: Residual<T>, settings: &Settings<T>) -> bool {
@@ -234,7 +302,7 @@ fn convergence<T: Real>(iterations: u16, residual: Residual<T>, polished: bool) 
     }
 }
 
-fn failure<T: Real>(
+pub(crate) fn failure<T: Real>(
     kind: FailureKind<T>,
     time: T,
     iterations: u16,

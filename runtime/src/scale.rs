@@ -101,6 +101,24 @@ where
         })
     }
 
+    /// The distance of two vectors in coordinate scales: max |a_j - b_j| / scale_j.
+    pub(crate) fn distance(&self, a: &OVector<T, D>, b: &OVector<T, D>) -> T {
+        let entries = a.as_slice().iter().zip(b.as_slice());
+        entries
+            .zip(self.columns.as_slice())
+            .fold(T::ZERO, |longest, ((a, b), scale)| {
+                longest.max((*a - *b).abs() / *scale)
+            })
+    }
+
+    /// Whether no coordinate of two poses differs by more than `fraction` of its scale.
+    pub(crate) fn close(&self, a: &OVector<T, D>, b: &OVector<T, D>, fraction: T) -> bool {
+        let entries = a.as_slice().iter().zip(b.as_slice());
+        entries
+            .zip(self.columns.as_slice())
+            .all(|((a, b), scale)| (*a - *b).abs() <= fraction * *scale)
+    }
+
     /// Whether no entry of `update` exceeds `fraction` of its coordinate or of its scale, whichever is larger.
     pub(crate) fn negligible(
         &self,

@@ -15,6 +15,7 @@ use crate::math::Real;
 /// | `iterations` | 25 | 25 |
 /// | `pivot_ratio` | 64 ε = 1.4e-14 | 64 ε = 7.6e-6 |
 /// | `polish` | true | true |
+/// | `substeps` | 32 | 32 |
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings<T = f64> {
     /// The largest scaled residual max |Φ_i| / scale_i that counts as solved.
@@ -27,6 +28,10 @@ pub struct Settings<T = f64> {
     ///
     /// Convergence is quadratic, so this step usually removes all that the tolerance left.
     pub polish: bool,
+    /// The largest number of attempts of [`crate::follow`] to move on, and the least that it makes is one.
+    ///
+    /// An attempt that fails halves the step. Two attempts are worth about one bit of the time at which a path ends.
+    pub substeps: u16,
 }
 
 impl Default for Settings<f64> {
@@ -49,5 +54,6 @@ fn with_tolerance<T: Real>(tolerance: T) -> Settings<T> {
         // digit that could be told from such an error at the sizes this crate is for.
         pivot_ratio: T::EPSILON * T::from_f64(64.0),
         polish: true,
+        substeps: 32,
     }
 }

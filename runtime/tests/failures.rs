@@ -1,55 +1,11 @@
 //! Every kind of failure, provoked by one equation whose behavior under Newton-Raphson is known.
 
-use linkwright::nalgebra::{Const, SMatrix, SVector};
+mod single;
+
+use linkwright::nalgebra::SVector;
 use linkwright::newton::{self, Convergence};
-use linkwright::{Equations, Failure, FailureKind, Settings, assemble};
-
-type Scalar = fn(f64) -> f64;
-
-/// One equation f(x) = 0 with its derivative.
-struct Single {
-    value: Scalar,
-    slope: Scalar,
-    time_derivative: f64,
-    gamma: f64,
-    row_scale: f64,
-    coordinate_scale: f64,
-}
-
-fn single(value: Scalar, slope: Scalar) -> Single {
-    Single {
-        value,
-        slope,
-        time_derivative: 0.0,
-        gamma: 0.0,
-        row_scale: 1.0,
-        coordinate_scale: 1.0,
-    }
-}
-
-impl Equations<f64, Const<1>> for Single {
-    fn dimension(&self) -> Const<1> {
-        Const
-    }
-    fn residual(&self, q: &SVector<f64, 1>, _t: f64, phi: &mut SVector<f64, 1>) {
-        phi[0] = (self.value)(q[0]);
-    }
-    fn jacobian(&self, q: &SVector<f64, 1>, _t: f64, phi_q: &mut SMatrix<f64, 1, 1>) {
-        phi_q[0] = (self.slope)(q[0]);
-    }
-    fn time_derivative(&self, _q: &SVector<f64, 1>, _t: f64, phi_t: &mut SVector<f64, 1>) {
-        phi_t[0] = self.time_derivative;
-    }
-    fn gamma(&self, _: &SVector<f64, 1>, _: &SVector<f64, 1>, _: f64, gamma: &mut SVector<f64, 1>) {
-        gamma[0] = self.gamma;
-    }
-    fn row_scale(&self, _row: usize) -> f64 {
-        self.row_scale
-    }
-    fn coordinate_scale(&self, _column: usize) -> f64 {
-        self.coordinate_scale
-    }
-}
+use linkwright::{Failure, FailureKind, Settings, assemble};
+use single::{Single, single};
 
 /// Solves from `start`; a failure must leave the pose as it was, bit for bit.
 fn solve(
@@ -334,6 +290,35 @@ fn polishing_step_that_makes_the_pose_worse_is_not_taken() {
         solve(&misleading, start, &Settings::default()).expect("solved as it is");
     assert_eq!(x.to_bits(), start.to_bits());
     assert!(!convergence.polished && convergence.residual <= 1e-12);
+}
+
+#[test]
+fn every_kind_has_words() {
+    let said = |kind| {
+        let failure = Failure {
+            kind,
+            time: 2.0,
+            block: 1,
+            iterations: 3,
+            residual: 0.25,
+            row: 4,
+        };
+        failure.to_string()
+    };
+    let rest = "scaled residual 2.5e-1 in equation 4 after 3 steps, block 1, t = 2";
+    for (kind, words) in [
+        (FailureKind::Diverged, "diverged"),
+        (FailureKind::Cycling, "cycling"),
+        (FailureKind::Stalled, "stalled"),
+        (FailureKind::IterationLimit, "iteration limit"),
+        (FailureKind::WrongBranch, "wrong branch"),
+        (FailureKind::StepTooLarge, "step too large"),
+        (FailureKind::NotFinite, "not finite"),
+    ] {
+        assert_eq!(said(kind), format!("{words}: {rest}"));
+    }
+    let reach = said(FailureKind::OutOfReach { by: 0.5 });
+    assert_eq!(reach, "out of reach by 5.0e-1 m, block 1, t = 2");
 }
 
 #[test]

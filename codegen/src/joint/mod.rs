@@ -11,6 +11,7 @@ mod absolute_distance;
 mod absolute_position;
 mod angle_driver;
 mod curve;
+mod equation;
 mod flat;
 mod gear;
 pub mod geometry;
@@ -32,7 +33,7 @@ mod weld;
 
 pub use curve::Curve;
 pub use operands::{
-    Auxiliary, AuxiliaryUnknown, Axis, Drawn, Line, Operands, Resolved, Slot, Value,
+    Auxiliary, AuxiliaryUnknown, Axis, Drawn, Formula, Line, Operands, Resolved, Slot, Value,
 };
 pub use quantity::Quantity;
 
@@ -139,6 +140,9 @@ pub static CONSTRAINTS: &[&dyn Kind] = &[
     &roller::Roller,
     &flat::Flat,
 ];
+
+/// The equation that a description writes out.
+pub static EQUATION: &dyn Kind = &equation::Equation;
 
 /// Every quantity that a `drive` statement can prescribe.
 pub static DRIVERS: &[&dyn Kind] = &[

@@ -3,7 +3,7 @@
 use super::Quantity;
 use super::curve::Curve;
 use super::geometry::{Frame, Mark, Vector, dot, perpendicular, subtract};
-use crate::expr::{ExprId, Graph};
+use crate::expr::{ExprId, Graph, SymbolId};
 
 /// What a statement of a kind must give beside its keyword: what stands in the parentheses, and its line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,6 +156,19 @@ pub struct Resolved {
     pub value: Option<ExprId>,
     /// The unknowns of the vector form, as the kind lists them; those of the joint whose line this is, where it names one.
     pub auxiliaries: Vec<AuxiliaryUnknown>,
+    /// The formula of an equation that the description writes out.
+    pub formula: Option<Formula>,
+}
+
+/// An equation as a description writes it, with both sides on the left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    /// The residual, of coordinates, t and the symbols of `arms`.
+    pub residual: ExprId,
+    /// For each of the marks the symbols that stand for the components of its arm R s; `None` where nothing mentions the arm.
+    pub arms: Vec<Option<[SymbolId; 2]>>,
+    /// What the residual is measured in.
+    pub quantity: Quantity,
 }
 
 /// A mark in the drawing: constants.

@@ -38,6 +38,16 @@ impl Dimension {
         }
     }
 
+    /// What a residual of this dimension is judged as.
+    pub fn quantity(self) -> Quantity {
+        match self {
+            Dimension::Angle => Quantity::Angle,
+            Dimension::LENGTH => Quantity::Length,
+            Dimension::Marked { length, .. } => Quantity::Power(length),
+            Dimension::Number | Dimension::OfTime => Quantity::Power(0),
+        }
+    }
+
     /// The powers of meter and second, where units say what they are.
     fn powers(self) -> Option<(i32, i32)> {
         match self {

@@ -77,6 +77,9 @@ impl Resolver<'_> {
                 self.number(digits, unit.as_ref(), written.span)?
             }
             ExpressionKind::Reference(reference) => self.named_value(reference)?,
+            ExpressionKind::Component(component) => {
+                self.component_of(&component.point, &component.axis, written.span)?
+            }
             ExpressionKind::Sum(terms) => self.sum(terms)?,
             ExpressionKind::Product(factors) => self.product(factors)?,
             ExpressionKind::Negative(inner) => {
@@ -153,6 +156,9 @@ impl Resolver<'_> {
                 self.mention(value.0);
                 return Some(value);
             }
+        }
+        if self.live.is_some() {
+            return self.live_name(reference);
         }
         let carrier = self
             .bodies
@@ -277,6 +283,9 @@ impl Resolver<'_> {
 
     fn call(&mut self, function: &Name, arguments: &[Expression], span: Span) -> Option<Value> {
         let name = function.text.as_str();
+        if let Some(value) = self.live_call(function, arguments, span) {
+            return value;
+        }
         if LAWS.contains(&name) {
             return self.law(function, arguments, span);
         }

@@ -94,6 +94,7 @@ impl Resolver<'_> {
             curve: touched,
             value: value?,
             auxiliaries,
+            formula: None,
         };
         match given.kind.refusal(&operands, &mut self.graph) {
             None => match curve {

@@ -62,7 +62,7 @@ impl Resolver<'_> {
     }
 
     /// The first carrier of every distinct point of this name.
-    fn carriers_of(&self, name: &str) -> Vec<(BodyId, NamedMark)> {
+    pub(super) fn carriers_of(&self, name: &str) -> Vec<(BodyId, NamedMark)> {
         let carried: Vec<(BodyId, &NamedMark)> = self
             .bodies
             .iter()

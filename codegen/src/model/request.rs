@@ -53,7 +53,7 @@ impl Resolver<'_> {
     }
 
     /// The number of a body that has coordinates.
-    fn moving_body(&mut self, name: &Name) -> Option<usize> {
+    pub(super) fn moving_body(&mut self, name: &Name) -> Option<usize> {
         let body = self.body(name)?;
         if body.0 == 0 {
             self.diagnostics.push(

@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use super::curve::{self, DrawnCurve};
 use super::expression::{BUILT_IN, Value, listed};
+use super::live::Live;
 use super::names::Names;
 use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter, Table};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
@@ -43,6 +44,10 @@ pub(super) struct Resolver<'a> {
     pub body_ids: Names<BodyId>,
     /// The names that drivers were given.
     pub drivers: Names<()>,
+    /// The names that equations were given.
+    pub equations: Names<()>,
+    /// What the equation that is being read mentions; `None` elsewhere, where nothing moves but by t.
+    pub live: Option<Live>,
     pub bodies: Vec<Body>,
     /// Each with the direction it was written along, by which drivers find it.
     pub joints: Vec<(Joint, Option<syntax::Direction>)>,
@@ -109,6 +114,7 @@ pub(super) fn resolve_statements(
             syntax::Statement::Curve(curve) => resolver.add_curve(curve),
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
+            syntax::Statement::Equation(equation) => resolver.add_equation(equation),
             // Points are known once all bodies are.
             syntax::Statement::Output(_) | syntax::Statement::Transmission(_) => {}
             // Its statements come by themselves.
@@ -216,6 +222,8 @@ impl<'a> Resolver<'a> {
             parameter: None,
             body_ids: Names::new("body"),
             drivers: Names::new("driver"),
+            equations: Names::new("equation"),
+            live: None,
             bodies: vec![Body {
                 name: "ground".to_string(),
                 docs: Vec::new(),

@@ -77,7 +77,12 @@ impl Resolver<'_> {
                 }
             }
         }
-        let mut base = apart(&words.join("_").to_lowercase(), "row");
+        self.unique(&words.join("_"))
+    }
+
+    /// The words as a lower-case identifier that no other joint's rows are named after.
+    pub(super) fn unique(&self, words: &str) -> String {
+        let mut base = apart(&words.to_lowercase(), "row");
         if self.has_given && TAKEN_BY_GIVEN.contains(&base.as_str()) {
             base = format!("row_{base}");
         }

@@ -82,10 +82,29 @@ impl Resolver<'_> {
 
     /// A transmission has a column for each driver, so there must be one.
     fn require_driver(&mut self, transmission: &Transmission) {
-        let driven = self
+        let mut drivers = self
             .joints
             .iter()
-            .any(|(joint, _)| joint.role == Role::Driver);
+            .map(|(joint, _)| joint)
+            .filter(|joint| joint.role == Role::Driver);
+        // An equation that moves with time has no value whose rate could be a column.
+        if let Some(equation) = drivers.clone().find(|it| it.operands.value.is_none()) {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    transmission.span,
+                    format!(
+                        "`{}` moves with time and drives no one quantity",
+                        equation.label
+                    ),
+                )
+                .label("has no column for it")
+                .also(equation.span, "moves with time")
+                .help("write what moves as a `drive` statement, and the equation without it"),
+            );
+            return;
+        }
+        let driven = drivers.next().is_some();
         // A driver that was not understood has been reported.
         if driven || self.diagnostics.has_errors() {
             return;

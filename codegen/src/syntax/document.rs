@@ -55,6 +55,8 @@ pub enum Statement {
     Joint(Joint),
     /// `drive phi(1) = EXPRESSION;`, `drive K.x = EXPRESSION;`
     Drive(Drive),
+    /// `equation [NAME:] EXPRESSION = EXPRESSION;`
+    Equation(Equation),
     /// `curve rim(a) on cam = polar RADIUS;`
     Curve(Curve),
     /// `output K, phi(1);`
@@ -89,6 +91,7 @@ impl Statement {
             Statement::Body(statement) => statement.span,
             Statement::Joint(statement) => statement.span,
             Statement::Drive(statement) => statement.span,
+            Statement::Equation(statement) => statement.span,
             Statement::Curve(statement) => statement.span,
             Statement::Output(statement) => statement.span,
             Statement::Transmission(statement) => statement.span,
@@ -306,6 +309,21 @@ pub struct Drive {
     pub span: Span,
 }
 
+/// `equation [NAME:] EXPRESSION = EXPRESSION;`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equation {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// The equation's own name.
+    pub name: Option<Name>,
+    /// What stands left of `=`.
+    pub left: Expression,
+    /// What stands right of `=`.
+    pub right: Expression,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
 /// `NAME` or `BODY.NAME`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
@@ -347,8 +365,10 @@ pub enum ExpressionKind {
         /// The suffix; whether such a unit exists is not checked here.
         unit: Option<Name>,
     },
-    /// A constant, a point or a body's point.
+    /// A constant, a point, a body's point or a point's component.
     Reference(Reference),
+    /// `BODY.POINT.COMPONENT`
+    Component(Box<Component>),
     /// Two or more terms; the first has the sign `Plus` (a leading minus is a [`ExpressionKind::Negative`] term).
     Sum(Vec<(Sign, Expression)>),
     /// Two or more factors; the first has the operation `Times`.
@@ -398,6 +418,15 @@ pub enum Comparison {
     Greater,
     /// `>=`
     GreaterOrEqual,
+}
+
+/// `BODY.POINT.COMPONENT`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Component {
+    /// The point of a body.
+    pub point: Reference,
+    /// `x` or `y`, as far as the parser knows any word.
+    pub axis: Name,
 }
 
 /// The sign before a term.

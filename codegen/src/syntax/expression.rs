@@ -6,8 +6,11 @@
 use proc_macro2::Delimiter;
 
 use super::brackets::too_deep;
-use super::document::{Choice, Comparison, Expression, ExpressionKind, Operation, Pair, Sign};
-use super::reference::reference;
+use super::document::{
+    Choice, Comparison, Component, Expression, ExpressionKind, Name, Operation, Pair, Reference,
+    Sign,
+};
+use super::reference::reference_or_component;
 use super::tokens::{Outcome, Tokens};
 use super::{DEEPEST, literal};
 use crate::diagnostic::{Code, Diagnostic};
@@ -184,12 +187,8 @@ fn number(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
     let is_body =
         ahead.peek_mark('.') || written.text.ends_with('.') && ahead.peek_word().is_some();
     if is_body {
-        let point = reference(tokens, "a point")?;
-        let span = point.span;
-        return Ok(Expression {
-            kind: ExpressionKind::Reference(point),
-            span,
-        });
+        let (point, axis) = reference_or_component(tokens, "a point")?;
+        return Ok(named_value(point, axis));
     }
     *tokens = ahead;
     Ok(Expression {
@@ -198,7 +197,25 @@ fn number(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
     })
 }
 
-/// A constant, a point of a body, or a call.
+/// What one, two or three names with dots between them stand for.
+fn named_value(reference: Reference, axis: Option<Name>) -> Expression {
+    let span = reference.span;
+    match axis {
+        Some(axis) => Expression {
+            span: span.to(axis.span),
+            kind: ExpressionKind::Component(Box::new(Component {
+                point: reference,
+                axis,
+            })),
+        },
+        None => Expression {
+            kind: ExpressionKind::Reference(reference),
+            span,
+        },
+    }
+}
+
+/// A constant, a point of a body or its component, or a call.
 fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     if tokens.peek_word() == Some("if") {
         return choice(tokens, depth);
@@ -210,14 +227,10 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
             .help("there are no loops; a choice is written `if t < 2s { … } else { … }`");
         return Err(Box::new(finding));
     }
-    let reference = reference(tokens, "a formula")?;
+    let (reference, axis) = reference_or_component(tokens, "a formula")?;
     // A bracket on the next line starts something else: a semicolon is missing.
-    if !tokens.peek_group(Delimiter::Parenthesis) || tokens.at_line_start() {
-        let span = reference.span;
-        return Ok(Expression {
-            kind: ExpressionKind::Reference(reference),
-            span,
-        });
+    if axis.is_some() || !tokens.peek_group(Delimiter::Parenthesis) || tokens.at_line_start() {
+        return Ok(named_value(reference, axis));
     }
     if let Some(body) = &reference.body {
         let message = format!("`{}` is called like a method", reference.name.text);

@@ -15,6 +15,7 @@ mod body;
 mod brackets;
 mod curve;
 mod document;
+mod equation;
 mod expression;
 mod literal;
 mod motion;
@@ -43,7 +44,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 11] = [
+pub const KEYWORDS: [&str; 12] = [
     "const",
     "param",
     "input",
@@ -52,6 +53,7 @@ pub const KEYWORDS: [&str; 11] = [
     "body",
     "curve",
     "drive",
+    "equation",
     "output",
     "transmission",
     "motion",

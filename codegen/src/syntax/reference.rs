@@ -73,6 +73,31 @@ fn integer(name: Name) -> Outcome<Name> {
 
 /// `NAME` or `BODY.NAME`; `wanted` says what of.
 pub(super) fn reference(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Reference> {
+    let reference = one_or_two_names(tokens, wanted)?;
+    if reference.body.is_some() && tokens.peek_mark('.') {
+        return Err(tokens.unexpected("no second `.`", "a point is written `body.point`"));
+    }
+    Ok(reference)
+}
+
+/// `NAME`, `BODY.NAME`, or `BODY.NAME.COMPONENT` with its component.
+pub(super) fn reference_or_component(
+    tokens: &mut Tokens<'_>,
+    wanted: &str,
+) -> Outcome<(Reference, Option<Name>)> {
+    let reference = one_or_two_names(tokens, wanted)?;
+    if reference.body.is_none() || tokens.mark('.').is_none() {
+        return Ok((reference, None));
+    }
+    let axis = identifier(tokens, "`x` or `y`")?;
+    if tokens.peek_mark('.') {
+        let help = "a component of a point is written `point.x` or `body.point.x`";
+        return Err(tokens.unexpected("no third `.`", help));
+    }
+    Ok((reference, Some(axis)))
+}
+
+fn one_or_two_names(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Reference> {
     let mut ahead = *tokens;
     if let Some(number) = ahead.number()
         && let Some(text) = number.text.strip_suffix('.')
@@ -105,9 +130,6 @@ pub(super) fn reference(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Refere
 fn member_of(tokens: &mut Tokens<'_>, body: Name) -> Outcome<Reference> {
     let name = identifier(tokens, "the name of a point")?;
     let span = body.span.to(name.span);
-    if tokens.peek_mark('.') {
-        return Err(tokens.unexpected("no second `.`", "a point is written `body.point`"));
-    }
     Ok(Reference {
         body: Some(body),
         name,

@@ -8,6 +8,7 @@ use super::KEYWORDS;
 use super::body::body;
 use super::curve::curve;
 use super::document::{Constant, DrawnPoint, Drive, Joint, Name, Points, Statement};
+use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
 use super::motion::motion;
 use super::output::{output, transmission};
@@ -34,6 +35,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "body" => body(tokens, docs, first.span).map(Statement::Body),
         "curve" => curve(tokens, docs, first.span),
         "drive" => drive(tokens, docs, first.span),
+        "equation" => equation(tokens, docs, first.span),
         "output" => output(tokens, docs, first.span),
         "transmission" => transmission(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),

@@ -275,6 +275,7 @@ impl VectorForm {
             curve,
             value: operands.value,
             auxiliaries,
+            formula: operands.formula.clone(),
         }
     }
 

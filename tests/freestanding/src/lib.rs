@@ -13,7 +13,9 @@ mod ring;
 mod tables;
 
 use linkwright::nalgebra::{Const, SVector};
-use linkwright::{Equations, Real, Settings, advance, assemble};
+use linkwright::{
+    Equations, Frame, Real, Settings, advance, assemble, assemble_from_afar, branch_of, follow,
+};
 
 unsafe extern "C" {
     #[allow(non_snake_case, reason = "The name is what nm is searched for.")]
@@ -50,14 +52,34 @@ fn run<T: Real, const N: usize>(
     let estimate = SVector::from([estimate]);
     let frame = assemble(equations, &estimate, start, settings)
         .and_then(|frame| advance(equations, &frame, end, settings));
+    motion(frame.ok())
+}
+
+/// The same from a poor estimate, and then along the path on which this is.
+fn run_far<T: Real, const N: usize>(
+    equations: &impl Equations<T, Const<N>>,
+    estimate: [T; N],
+    start: T,
+    end: T,
+    settings: &Settings<T>,
+) -> Motion<T, N> {
+    let estimate = SVector::from([estimate]);
+    let frame = assemble_from_afar(equations, &estimate, None, start, settings).and_then(|frame| {
+        let branch = branch_of(equations, &frame.q, start, settings)?;
+        follow(equations, &frame, branch, end, settings)
+    });
+    motion(frame.ok())
+}
+
+fn motion<T: Real, const N: usize>(frame: Option<Frame<T, Const<N>>>) -> Motion<T, N> {
     match frame {
-        Ok(frame) => Motion {
+        Some(frame) => Motion {
             solved: true,
             q: frame.q.data.0[0],
             qd: frame.qd.data.0[0],
             qdd: frame.qdd.data.0[0],
         },
-        Err(_) => Motion {
+        None => Motion {
             solved: false,
             q: [T::ZERO; N],
             qd: [T::ZERO; N],
@@ -67,7 +89,7 @@ fn run<T: Real, const N: usize>(
 }
 
 macro_rules! export {
-    ($name:ident, $scalar:ty, $size:expr, $equations:expr) => {
+    ($run:ident, $name:ident, $scalar:ty, $size:expr, $equations:expr) => {
         /// Solves at two times from an estimate.
         #[unsafe(no_mangle)]
         pub extern "C" fn $name(
@@ -75,15 +97,17 @@ macro_rules! export {
             start: $scalar,
             end: $scalar,
         ) -> Motion<$scalar, { $size }> {
-            run(&$equations, *estimate, start, end, &Settings::default())
+            $run(&$equations, *estimate, start, end, &Settings::default())
         }
     };
 }
 
-export!(exam_f64, f64, 6, exam_equations::Exam);
-export!(exam_f32, f32, 6, exam_equations::Exam);
-export!(ring_f64, f64, ring::SIZE, ring::Ring);
-export!(ring_f32, f32, ring::SIZE, ring::Ring);
+export!(run, exam_f64, f64, 6, exam_equations::Exam);
+export!(run, exam_f32, f32, 6, exam_equations::Exam);
+export!(run, ring_f64, f64, ring::SIZE, ring::Ring);
+export!(run, ring_f32, f32, ring::SIZE, ring::Ring);
+export!(run_far, far_exam_f64, f64, 6, exam_equations::Exam);
+export!(run_far, far_exam_f32, f32, 6, exam_equations::Exam);
 
 /// An index that only the caller knows: a panic path that no optimizer removes.
 #[cfg(feature = "planted")]

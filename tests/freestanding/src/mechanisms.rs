@@ -47,3 +47,31 @@ pub extern "C" fn excavator_tool(start: f64, end: f64, point: &mut Motion) -> bo
     *point = frame.point_k();
     true
 }
+
+/// Reaches for a place with the excavator's tool at `start`, drives the arm by the wanted place at `end`, and gives the motion
+/// of a pin of each actuator; then the same from the lengths of the actuators. False where one of them fails.
+#[unsafe(no_mangle)]
+pub extern "C" fn excavator_motions(
+    start: f64,
+    end: f64,
+    wanted: &linkwright_mechanisms::excavator_motions::reach::Inputs,
+    lengths: &linkwright_mechanisms::excavator_motions::forward::Inputs,
+    points: &mut [Motion; 3],
+) -> bool {
+    use linkwright_mechanisms::excavator_motions::{forward, reach};
+    let Ok(mut arm) = reach::ExcavatorMotions::assemble(start, wanted) else {
+        return false;
+    };
+    let Ok(frame) = arm.advance(end, wanted) else {
+        return false;
+    };
+    [points[0], points[1]] = [frame.point_m(), frame.point_g()];
+    let Ok(mut arm) = forward::ExcavatorMotions::assemble(start, lengths) else {
+        return false;
+    };
+    let Ok(frame) = arm.advance(end, lengths) else {
+        return false;
+    };
+    points[2] = frame.point_k();
+    true
+}

@@ -14,6 +14,9 @@ fn shape(expression: &Expression) -> String {
             )
         }
         ExpressionKind::Reference(reference) => written(reference),
+        ExpressionKind::Component(component) => {
+            format!("{}.{}", written(&component.point), component.axis.text)
+        }
         ExpressionKind::Sum(terms) => {
             let terms: Vec<String> = terms
                 .iter()

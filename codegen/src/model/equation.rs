@@ -1,0 +1,116 @@
+//! `equation` statements → rows that the description writes out.
+//!
+//! Afterwards the equation is a joint like any other, whose marks are the bodies and points that it mentions. Deliberately
+//! unknown here: how a formula is read.
+
+use super::live::Live;
+use super::resolve::Resolver;
+use super::{Dimension, Joint, Role};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::expr::ExprId;
+use crate::joint::{Drawn, EQUATION, Formula, Resolved};
+use crate::syntax::Equation;
+
+impl Resolver<'_> {
+    pub(super) fn add_equation(&mut self, equation: &Equation) {
+        let name = equation.name.as_ref();
+        let duplicate = name.and_then(|name| self.equations.declare(name, ()));
+        self.diagnostics.extend(duplicate);
+        self.live = Some(Live::default());
+        // Both sides are looked at even after an error, so that all errors are reported at once.
+        let (left, right) = (self.value(&equation.left), self.value(&equation.right));
+        let live = self.live.take().unwrap_or_default();
+        let (Some((left, of_left)), Some((right, of_right))) = (left, right) else {
+            return;
+        };
+        if !of_left.fits(of_right) {
+            self.report_sides(equation, of_left, of_right);
+            return;
+        }
+        let residual = self.graph.subtract(left, right);
+        let Live { marks, arms } = self.mentioned_in(residual, live);
+        if marks.is_empty() {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    equation.span,
+                    "this equation mentions no coordinate",
+                )
+                .label("restricts nothing")
+                .help("an equation is about coordinates and points of bodies: `x(1)`, `phi(1)`, `K.x`"),
+            );
+            return;
+        }
+        let drawn = marks
+            .iter()
+            .map(|mark| Drawn {
+                frame: self.bodies[mark.frame.body.0].drawn,
+                position: self.drawn_mark(mark),
+            })
+            .collect();
+        let operands = Resolved {
+            marks,
+            drawn,
+            axis: None,
+            curve: None,
+            value: None,
+            auxiliaries: Vec::new(),
+            formula: Some(Formula {
+                residual,
+                arms,
+                quantity: of_left.joined(of_right).quantity(),
+            }),
+        };
+        let is_equation = |(joint, _): &&(Joint, _)| joint.kind.keyword() == EQUATION.keyword();
+        let number = self.joints.iter().filter(is_equation).count() + 1;
+        let (label, slug) = match name {
+            Some(name) => (format!("equation {}", name.text), name.text.clone()),
+            None => (format!("equation {number}"), format!("equation_{number}")),
+        };
+        // What depends on time or on an input moves the mechanism.
+        let role = match self.moving(residual) {
+            Some(_) => Role::Driver,
+            None => Role::Constraint,
+        };
+        let joint = Joint {
+            kind: EQUATION,
+            role,
+            label,
+            slug: self.unique(&slug),
+            docs: equation.docs.clone(),
+            operands,
+            span: equation.span,
+        };
+        self.joints.push((joint, None));
+    }
+
+    /// The marks of bodies that a residual still mentions, after what cancels, with their arms.
+    fn mentioned_in(&self, residual: ExprId, live: Live) -> Live {
+        let symbols = self.graph.symbols(residual);
+        let marks = live.marks.into_iter().zip(live.arms);
+        let (marks, arms) = marks
+            .filter(|(mark, arm)| {
+                let own = self.bodies[mark.frame.body.0].coordinates;
+                let mut own = own.iter().flatten().chain(arm.iter().flatten());
+                own.any(|symbol| symbols.contains(symbol))
+            })
+            .unzip();
+        Live { marks, arms }
+    }
+
+    fn report_sides(&mut self, equation: &Equation, left: Dimension, right: Dimension) {
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::WrongDimension,
+                equation.right.span,
+                format!("{} cannot be equal to {}", left.name(), right.name()),
+            )
+            .label(format!("this is {}", right.name()))
+            .also(
+                equation.left.span,
+                format!("this is {}", left.name()),
+            )
+            .help("give both sides the same kind of unit: the square of a length, for example, is equal to the square of a length"),
+        );
+    }
+}

@@ -1,0 +1,403 @@
+//! What may stand in an equation beside constants and t: coordinates, components of points, and distances that move.
+//!
+//! Every point becomes a mark, and its arm R s a pair of symbols that stand for it, so that the equation can be stated with
+//! the arms of the textbook as well as with those of the vector form. The sine and the cosine of a body's angle are the arm
+//! of a unit vector.
+
+use super::Dimension;
+use super::expression::Value;
+use super::resolve::Resolver;
+use crate::diagnostic::{Code, Diagnostic, Span, nearest};
+use crate::expr::SymbolId;
+use crate::joint::geometry::{BodyId, Mark, Vector, add, dot, subtract};
+use crate::syntax::{Expression, ExpressionKind, Name, Reference};
+
+/// What the equation that is being read mentions so far.
+#[derive(Debug, Default)]
+pub(super) struct Live {
+    /// Points of bodies that move, and their origins where coordinates are named.
+    pub marks: Vec<Mark>,
+    /// What stands for the arm of each mark; `None` where nothing mentions it.
+    pub arms: Vec<Option<[SymbolId; 2]>>,
+}
+
+/// What rates are called in other languages.
+const RATES: &[&str] = &[
+    "velocity",
+    "speed",
+    "acceleration",
+    "omega",
+    "alpha",
+    "rate",
+    "der",
+    "diff",
+    "ddt",
+    "dot",
+    "vx",
+    "vy",
+    "ax",
+    "ay",
+    "xd",
+    "yd",
+    "phid",
+    "xdot",
+    "ydot",
+    "phidot",
+];
+
+impl Resolver<'_> {
+    /// A call that has a meaning in equations alone, or another one there; `None` for any other call.
+    pub(super) fn live_call(
+        &mut self,
+        function: &Name,
+        arguments: &[Expression],
+        span: Span,
+    ) -> Option<Option<Value>> {
+        self.live.as_ref()?;
+        let name = function.text.as_str();
+        if RATES.contains(&name) {
+            self.report_rate(function);
+            return Some(None);
+        }
+        match (name, arguments) {
+            ("x" | "y" | "phi", [of]) => Some(self.coordinate(function, of)),
+            ("x" | "y" | "phi", _) => {
+                let given = arguments.len();
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        Code::WrongArgumentCount,
+                        span,
+                        format!("`{name}` takes 1 argument, not {given}"),
+                    )
+                    .label(format!("{given} given"))
+                    .help("write `x(1)`, `y(1)` or `phi(1)` with the name of one body"),
+                );
+                Some(None)
+            }
+            ("distance", [from, to]) => Some(self.live_distance(from, to)),
+            ("sin" | "cos", [angle]) => match &angle.kind {
+                ExpressionKind::Call {
+                    function: inner,
+                    arguments,
+                } if inner.text == "phi" && arguments.len() == 1 => {
+                    Some(self.direction(name, inner, &arguments[0]))
+                }
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// `x(1)`, `y(1.P)`, `phi(1)`.
+    fn coordinate(&mut self, axis: &Name, of: &Expression) -> Option<Value> {
+        let reference = self.written_place(axis, of)?;
+        if axis.text == "phi" {
+            let body = self.turning_body(&reference)?;
+            return Some((self.bodies[body.0].frame.angle, Dimension::Angle));
+        }
+        let is_body = reference.body.is_none() && self.body_ids.get(&reference.name.text).is_some();
+        let mark = if is_body {
+            self.moving_body(&reference.name)?;
+            self.origin_mark(&reference)?
+        } else {
+            self.live_point(&reference)?
+        };
+        let position = self.live_position(mark);
+        let component = usize::from(axis.text == "y");
+        Some((position[component], Dimension::LENGTH))
+    }
+
+    /// A body named alone, whose angle is mentioned.
+    fn turning_body(&mut self, reference: &Reference) -> Option<BodyId> {
+        if reference.body.is_some() {
+            // Says that a body is wanted.
+            self.origin_mark(reference)?;
+        }
+        let body = BodyId(self.moving_body(&reference.name)?);
+        let mark = self.origin_mark(reference)?;
+        self.mention_mark(mark);
+        Some(body)
+    }
+
+    /// `sin(phi(1))`, `cos(phi(1))`: the arm of a unit vector.
+    fn direction(&mut self, function: &str, phi: &Name, of: &Expression) -> Option<Value> {
+        let reference = self.written_place(phi, of)?;
+        let body = self.turning_body(&reference)?;
+        let along = [self.graph.one(), self.graph.zero()];
+        let mark = Mark::new(self.bodies[body.0].frame, along, &mut self.graph);
+        let [cosine, sine] = self.live_arm(mark);
+        let value = if function == "cos" { cosine } else { sine };
+        Some((value, Dimension::Number))
+    }
+
+    /// The length between two points as they move.
+    fn live_distance(&mut self, from: &Expression, to: &Expression) -> Option<Value> {
+        let name = Name {
+            text: "distance".to_string(),
+            span: from.span,
+        };
+        let ends = [from, to].map(|end| {
+            let reference = self.written_place(&name, end)?;
+            let mark = self.live_point(&reference)?;
+            Some(self.live_position(mark))
+        });
+        let [Some(from), Some(to)] = ends else {
+            return None;
+        };
+        let gap = subtract(to, from, &mut self.graph);
+        let square = dot(gap, gap, &mut self.graph);
+        Some((self.graph.sqrt(square), Dimension::LENGTH))
+    }
+
+    /// The body or point that an argument names; a body may be named by an integer.
+    fn written_place(&mut self, function: &Name, argument: &Expression) -> Option<Reference> {
+        match &argument.kind {
+            ExpressionKind::Reference(reference) => Some(reference.clone()),
+            ExpressionKind::Number { digits, unit: None }
+                if digits.bytes().all(|byte| byte.is_ascii_digit()) =>
+            {
+                Some(Reference {
+                    body: None,
+                    name: Name {
+                        text: digits.clone(),
+                        span: argument.span,
+                    },
+                    span: argument.span,
+                })
+            }
+            _ => {
+                let (wanted, example) = match function.text.as_str() {
+                    "phi" => ("a body", "`phi(1)`"),
+                    "distance" => ("points", "`distance(A, B)` or `distance(c1.A, c2.B)`"),
+                    _ => ("a body or a point", "`x(1)` or `x(1.P)`"),
+                };
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        Code::OutsideGrammar,
+                        argument.span,
+                        format!("`{}` takes {wanted}", function.text),
+                    )
+                    .label("not a name")
+                    .help(format!("write {example}")),
+                );
+                None
+            }
+        }
+    }
+
+    /// A name in an equation that is no constant: `K.x`, or an error.
+    pub(super) fn live_name(&mut self, reference: &Reference) -> Option<Value> {
+        let name = &reference.name;
+        if let Some(owner) = &reference.body {
+            let owner = Reference {
+                body: None,
+                name: owner.clone(),
+                span: owner.span,
+            };
+            if self.is_point(&owner.name.text) && !self.is_on_body(&owner.name, name) {
+                return self.component_of(&owner, name, reference.span);
+            }
+            let body = self.body(&owner.name)?;
+            if matches!(name.text.as_str(), "x" | "y") && !self.is_on_body(&owner.name, name) {
+                self.moving_body(&owner.name)?;
+                let mark = self.origin_mark(&owner)?;
+                return self.axis(mark, name);
+            }
+            // Says where the point is not on the body.
+            self.mark_on(body, name)?;
+        }
+        let message = |what: &str| format!("a {what} is not a number");
+        let finding = |what: &str| {
+            Diagnostic::error(Code::OutsideGrammar, reference.span, message(what))
+                .label(format!("this is a {what}"))
+        };
+        let text = &name.text;
+        let diagnostic = if reference.body.is_some() || self.is_point(text) {
+            let written = reference
+                .body
+                .as_ref()
+                .map_or(text.clone(), |body| format!("{}.{text}", body.text));
+            finding("point").help(format!(
+                "write one of its components: `{written}.x` or `{written}.y`"
+            ))
+        } else if self.body_ids.get(text).is_some() {
+            finding("body").help(format!(
+                "write one of its coordinates: `x({text})`, `y({text})` or `phi({text})`"
+            ))
+        } else {
+            self.unknown_in_equation(name)
+        };
+        self.diagnostics.push(diagnostic);
+        None
+    }
+
+    fn unknown_in_equation(&self, name: &Name) -> Diagnostic {
+        let message = format!("nothing is named `{}`", name.text);
+        let diagnostic =
+            Diagnostic::error(Code::UnknownName, name.span, message).label("not declared above");
+        let constants = self.constants.iter().map(|(name, _)| name.text.as_str());
+        let drawn = self.drawn.iter().map(|(name, _)| name.text.as_str());
+        let marks = self.bodies.iter().flat_map(|body| &body.marks);
+        let known = constants
+            .chain(drawn)
+            .chain(marks.map(|mark| mark.name.as_str()));
+        match nearest(&name.text, known) {
+            Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
+            None => diagnostic.help("declare a constant or a point of this name above this line"),
+        }
+    }
+
+    /// `K.x`, `1.P.y`: a component of the place where a point is.
+    pub(super) fn component_of(
+        &mut self,
+        point: &Reference,
+        axis: &Name,
+        span: Span,
+    ) -> Option<Value> {
+        if self.live.is_none() {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::OutsideGrammar,
+                    span,
+                    "where a point is may be said in an `equation` only",
+                )
+                .label("moves with the mechanism")
+                .help("measure the drawing with `distance(A, B)`, or write an `equation`"),
+            );
+            return None;
+        }
+        let mark = self.live_point(point)?;
+        self.axis(mark, axis)
+    }
+
+    fn axis(&mut self, mark: Mark, axis: &Name) -> Option<Value> {
+        let component = match axis.text.as_str() {
+            "x" => 0,
+            "y" => 1,
+            rate if RATES.contains(&rate) => {
+                self.report_rate(axis);
+                return None;
+            }
+            _ => {
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        Code::UnknownName,
+                        axis.span,
+                        format!("a point has no component `{}`", axis.text),
+                    )
+                    .label("not a component")
+                    .help("the components of a point are `x` and `y`"),
+                );
+                return None;
+            }
+        };
+        let position = self.live_position(mark);
+        Some((position[component], Dimension::LENGTH))
+    }
+
+    fn report_rate(&mut self, name: &Name) {
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::UnknownFunction,
+                name.span,
+                format!("`{}` is not available in an equation", name.text),
+            )
+            .label("an equation is about positions")
+            .help("rates follow from the equations by differentiation; where a rate is given, write what it adds up to: `phi(1) = 2*t`"),
+        );
+    }
+
+    fn is_point(&self, name: &str) -> bool {
+        let mut marks = self.bodies.iter().flat_map(|body| &body.marks);
+        self.drawn.get(name).is_some() || marks.any(|mark| mark.name == name)
+    }
+
+    /// Whether there is a body of this name that carries a point of that name.
+    fn is_on_body(&self, body: &Name, point: &Name) -> bool {
+        let marks = self
+            .body_ids
+            .get(&body.text)
+            .map(|body| &self.bodies[body.0].marks);
+        marks.is_some_and(|marks| marks.iter().any(|mark| mark.name == point.text))
+    }
+
+    /// The mark of a point in an equation. One that is named without a body is, where it is drawn, a point of the first body
+    /// that carries it, or of the ground; and otherwise the one point that bodies give this name.
+    fn live_point(&mut self, reference: &Reference) -> Option<Mark> {
+        let name = &reference.name;
+        if reference.body.is_some() {
+            return self.point_mark(reference);
+        }
+        if self.drawn.get(&name.text).is_some() {
+            let mut marks = self.bodies.iter().flat_map(|body| &body.marks);
+            return match marks.find(|mark| mark.name == name.text) {
+                Some(carried) => Some(carried.mark),
+                None => self.mark_on(BodyId::GROUND, name),
+            };
+        }
+        match self.carriers_of(&name.text).as_slice() {
+            [(_, only)] => Some(only.mark),
+            [] if self.body_ids.get(&name.text).is_some() => {
+                self.moving_body(name)?;
+                self.origin_mark(reference)
+            }
+            [] => {
+                let unknown = self.drawn.unknown(&name.text, name.span);
+                self.diagnostics.push(unknown);
+                None
+            }
+            [(first, one), (_, other), ..] => {
+                let body = &self.bodies[first.0].name;
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        Code::PointNotOnBody,
+                        name.span,
+                        format!("several bodies have a point `{}`", name.text),
+                    )
+                    .label("not one point")
+                    .also(one.span, "one of them")
+                    .also(other.span, "another")
+                    .help(format!("name the body too: `{body}.{}.x`", name.text)),
+                );
+                None
+            }
+        }
+    }
+
+    /// r + R s in terms of the symbols of the arm.
+    fn live_position(&mut self, mark: Mark) -> Vector {
+        let arm = self.live_arm(mark);
+        add(mark.frame.origin, arm, &mut self.graph)
+    }
+
+    /// The symbols that stand for the arm of a mark; the arm itself where it does not turn.
+    fn live_arm(&mut self, mark: Mark) -> Vector {
+        if mark.frame.body == BodyId::GROUND {
+            return mark.arm;
+        }
+        let at = self.mention_mark(mark);
+        if mark.local == [self.graph.zero(); 2] {
+            return mark.arm;
+        }
+        // No coordinate can have such a name: it begins with a digit.
+        let name = format!("{} arm {at}", self.joints.len());
+        let symbols = ["x", "y"].map(|axis| self.graph.symbol(&format!("{name} {axis}")));
+        if let Some(live) = &mut self.live {
+            live.arms[at] = Some(symbols);
+        }
+        symbols.map(|symbol| self.graph.variable(symbol))
+    }
+
+    /// Notes that the equation mentions a mark: its index.
+    fn mention_mark(&mut self, mark: Mark) -> usize {
+        let Some(live) = &mut self.live else {
+            return 0;
+        };
+        if let Some(known) = live.marks.iter().position(|known| *known == mark) {
+            return known;
+        }
+        live.marks.push(mark);
+        live.arms.push(None);
+        live.marks.len() - 1
+    }
+}

@@ -1,0 +1,40 @@
+//! *Tokens → an equation of the user's own:* `equation rope: A.x^2 + (K.y - 1)^2 = L^2;`.
+
+use super::document::{Equation, Name, Statement};
+use super::expression::expression;
+use super::reference::identifier;
+use super::statement::{equals, semicolon};
+use super::tokens::{Outcome, Tokens};
+use crate::diagnostic::Span;
+
+/// The statement after its first word.
+pub(super) fn equation(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+) -> Outcome<Statement> {
+    let name = name(tokens)?;
+    let left = expression(tokens)?;
+    equals(tokens)?;
+    let right = expression(tokens)?;
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Equation(Equation {
+        docs,
+        name,
+        left,
+        right,
+        span,
+    }))
+}
+
+/// `NAME:`, where it is written.
+fn name(tokens: &mut Tokens<'_>) -> Outcome<Option<Name>> {
+    let mut ahead = *tokens;
+    let is_named = (ahead.word().is_some() || ahead.number().is_some()) && ahead.peek_mark(':');
+    if !is_named {
+        return Ok(None);
+    }
+    let name = identifier(tokens, "the name of the equation")?;
+    tokens.mark(':');
+    Ok(Some(name))
+}

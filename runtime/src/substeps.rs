@@ -1,0 +1,117 @@
+//! A motion that may be too long for one step → the same motion in as many steps as it needs, within a budget.
+//!
+//! [`in_steps`] first tries the whole way. Where an attempt fails, it tries half the way from the last time that was
+//! reached; after two successes in a row it doubles the step again. So it halves the distance to a time beyond which there is
+//! no motion until the budget is used up, and the time that it reports is as exact as the budget allows: about two attempts
+//! per bit.
+//!
+//! The module does not know what moves. A single system of equations is followed by [`crate::follow`]; a mechanism of
+//! several blocks, which know their equations at one time only, is moved as a whole by the closure.
+
+use crate::failure::{Failure, FailureKind};
+use crate::math::Real;
+
+/// The part of the whole way below which a step is so short that what its attempt has met lies on the path.
+pub const REFINED: f64 = 1.0 / 256.0;
+
+/// A motion that could not be completed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Broken<T = f64> {
+    /// The last time that was reached.
+    pub reached: T,
+    /// Why the motion could not be completed. Its time is the earliest one that was tried in vain after `reached`, or
+    /// `reached` itself if the budget ended on a way that was free.
+    pub failure: Failure<T>,
+}
+
+/// Moves from the time `from` to the time `to` by as many steps as it takes, at most `budget` attempts of them; gives the
+/// number of attempts.
+///
+/// `attempt` moves to the time it is given from the last time for which it returned `Ok`, at first from `from`. Where it
+/// fails it must leave what it moves as it was.
+///
+/// # Errors
+/// What the attempt nearest to the last time reached has failed with, if shorter steps would not help:
+/// [`FailureKind::OutOfReach`], and where the step is at most [`REFINED`] times the whole way also
+/// [`FailureKind::Singular`], [`FailureKind::WrongBranch`] and [`FailureKind::NotFinite`]. All others are
+/// [`FailureKind::StepTooLarge`].
+///
+/// # Work
+/// At most `budget` attempts, and at least one.
+pub fn in_steps<T: Real>(
+    from: T,
+    to: T,
+    budget: u16,
+    mut attempt: impl FnMut(T) -> Result<(), Failure<T>>,
+) -> Result<u16, Broken<T>> {
+    let mut reached = from;
+    let mut step = to - from;
+    let mut succeeded = false;
+    let mut refused: Option<Failure<T>> = None;
+    let mut attempts = 0;
+    loop {
+        let rest = to - reached;
+        // Written so that a time that is no number is tried, and refused by the attempt.
+        let shorter = step.abs() < rest.abs();
+        let target = if shorter { reached + step } else { to };
+        attempts += 1;
+        match attempt(target) {
+            Ok(()) if !shorter => return Ok(attempts),
+            Ok(()) => {
+                reached = target;
+                // What was refused from farther away may have been passed.
+                refused =
+                    refused.filter(|failure| (failure.time - from).abs() > (target - from).abs());
+                if succeeded {
+                    step += step;
+                }
+                succeeded = true;
+            }
+            Err(failure) => {
+                refused = Some(failure);
+                step = T::HALF * (target - reached);
+                succeeded = false;
+            }
+        }
+        let next = reached + step;
+        let distinct = next != reached && next.is_finite();
+        if attempts >= budget || !distinct {
+            break;
+        }
+    }
+    let failure = match refused {
+        Some(failure) => {
+            let refined = (to - from).abs() * T::from_f64(REFINED);
+            // Written so that a way of no length, or of a length that is no number, counts as refined.
+            let coarse = step.abs() > refined;
+            Failure {
+                kind: lasting(failure.kind, coarse),
+                ..failure
+            }
+        }
+        // Nothing stands in the way but the budget.
+        None => Failure {
+            kind: FailureKind::StepTooLarge,
+            time: reached,
+            block: 0,
+            iterations: 0,
+            residual: T::ZERO,
+            row: 0,
+        },
+    };
+    Err(Broken { reached, failure })
+}
+
+/// The kind of a failure that no shorter step would have avoided. Where links do not reach there is no pose; but that an
+/// iteration from far away has met a singular Jacobian, or another branch, says nothing about the path.
+fn lasting<T: Real>(kind: FailureKind<T>, coarse: bool) -> FailureKind<T> {
+    match kind {
+        FailureKind::OutOfReach { .. } => kind,
+        FailureKind::Singular { .. } | FailureKind::WrongBranch | FailureKind::NotFinite
+            if !coarse =>
+        {
+            kind
+        }
+        _ => FailureKind::StepTooLarge,
+    }
+}

@@ -1,0 +1,125 @@
+//! Assembly of the described mechanisms from estimates that are off by up to half a radian and half a link.
+//!
+//! The estimate of every coordinate of the drawing is moved at random. The truth is the pose that the drawing itself leads to;
+//! angles count modulo whole turns.
+
+use std::f64::consts::TAU;
+
+use linkwright::nalgebra::SVector;
+use linkwright::{Failure, FailureKind, Frame, Settings, assemble, assemble_from_afar, branch_of};
+
+/// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
+struct Sequence(u64);
+
+impl Sequence {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        let bits = self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11;
+        bits as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+/// How many of the starts ended where.
+#[derive(Debug, Default, PartialEq)]
+struct Outcomes {
+    /// The drawing's pose.
+    drawn: u32,
+    /// Another pose with the same sign of the determinant.
+    same_branch: u32,
+    /// Called a failure.
+    refused: u32,
+}
+
+/// Whether two poses (x, y, φ of each body) differ by whole turns at most.
+fn coincide<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>) -> bool {
+    a.iter().zip(b.iter()).enumerate().all(|(place, (a, b))| {
+        let mut difference = a - b;
+        if place % 3 == 2 {
+            difference -= TAU * (difference / TAU).round();
+        }
+        difference.abs() <= 1e-9
+    })
+}
+
+macro_rules! outcomes {
+    ($module:ident, link $link:literal, $factor:literal times, $starts:literal starts) => {{
+        use linkwright_mechanisms::$module::{Coordinates, Textbook};
+        let settings = Settings::default();
+        let drawn = SVector::from(Coordinates::DRAWN.to_array());
+        let truth = assemble(&Textbook, &drawn, 0.0, &settings)
+            .expect("as drawn")
+            .q;
+        let branch = branch_of(&Textbook, &truth, 0.0, &settings).expect("regular");
+        let mut sequence = Sequence(99);
+        let mut outcomes = Outcomes::default();
+        for _ in 0..$starts {
+            let start = SVector::from_fn(|place, _| {
+                let reach = if place % 3 == 2 { 0.5 } else { 0.5 * $link };
+                drawn[place] + $factor * reach * sequence.next()
+            });
+            let found: Result<Frame<_, _>, Failure> =
+                assemble_from_afar(&Textbook, &start, Some(branch), 0.0, &settings);
+            match found {
+                Ok(frame) => {
+                    let ends = branch_of(&Textbook, &frame.q, 0.0, &settings);
+                    assert_eq!(ends, Ok(branch));
+                    if coincide(&frame.q, &truth) {
+                        outcomes.drawn += 1;
+                    } else {
+                        outcomes.same_branch += 1;
+                    }
+                }
+                Err(failure) => {
+                    assert_ne!(failure.kind, FailureKind::NotFinite);
+                    outcomes.refused += 1;
+                }
+            }
+        }
+        println!("{}: {outcomes:?}", stringify!($module));
+        outcomes
+    }};
+}
+
+fn all_drawn(starts: u32) -> Outcomes {
+    Outcomes {
+        drawn: starts,
+        ..Outcomes::default()
+    }
+}
+
+#[test]
+fn every_start_within_half_a_radian_and_half_a_link_leads_to_the_drawing() {
+    let all = all_drawn(500);
+    assert_eq!(outcomes!(two_body, link 1.7, 1.0 times, 500 starts), all);
+    assert_eq!(outcomes!(four_bar, link 0.08, 1.0 times, 500 starts), all);
+    assert_eq!(
+        outcomes!(slider_crank, link 0.1, 1.0 times, 500 starts),
+        all
+    );
+    let all = all_drawn(50);
+    assert_eq!(outcomes!(stephenson, link 1.0, 1.0 times, 50 starts), all);
+    assert_eq!(
+        outcomes!(platform_3rpr, link 0.5, 1.0 times, 50 starts),
+        all
+    );
+    assert_eq!(
+        outcomes!(excavator, link 0.4, 1.0 times, 20 starts),
+        all_drawn(20)
+    );
+}
+
+#[test]
+fn twice_as_far_most_lead_to_the_drawing_and_none_to_the_other_branch() {
+    for (outcomes, starts) in [
+        (outcomes!(four_bar, link 0.08, 2.0 times, 300 starts), 300),
+        (outcomes!(stephenson, link 1.0, 2.0 times, 100 starts), 100),
+        (outcomes!(platform_3rpr, link 0.5, 2.0 times, 50 starts), 50),
+    ] {
+        assert!(
+            10 * outcomes.drawn >= 9 * starts,
+            "{outcomes:?} of {starts}"
+        );
+    }
+}
