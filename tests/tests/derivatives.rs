@@ -21,18 +21,32 @@ const FIRST_STEP: f64 = 1.0 / 1024.0;
 /// The step of second differences: the same for c₆ h⁴ and ε/h².
 const SECOND_STEP: f64 = 1.0 / 256.0;
 
+/// Mechanisms whose fast laws or near poles leave no useful bound at some poses: their errors are judged in tests of their own,
+/// for the [laws of motion](../laws.rs) and the [rope](../equations.rs), and here only where they have one.
+const WIDE: [&str; 3] = ["laws", "pieces", "rope"];
+
 /// Largest error in units of its bound, and the largest bound itself.
 #[derive(Clone, Copy, Debug, Default)]
 struct Record {
     share: f64,
     bound: f64,
     error: f64,
+    /// How many entries were compared.
+    compared: usize,
+    /// How many had no bound, since a piece of their formula may change within the step.
+    unbounded: usize,
 }
 
 impl Record {
     /// Asserts that `found` is the derivative that the quotient approximates; `rounding` is the error of `found` itself.
     fn check(&mut self, found: f64, rounding: f64, quotient: Quotient, place: impl Fn() -> String) {
         let (bound, error) = (quotient.error + rounding, (found - quotient.value).abs());
+        // Infinity times zero is no number either.
+        if !bound.is_finite() {
+            self.unbounded += 1;
+            return;
+        }
+        self.compared += 1;
         assert!(
             error <= bound,
             "{}: {found} and {}, {error:e} above {bound:e}",
@@ -73,9 +87,17 @@ impl Roots {
     }
 }
 
-/// Every symbol with the slope 1, which is at least its slope along any coordinate and along t.
+/// Every symbol that moves with the slope 1, which is at least its slope along any coordinate and along t. Parameters are fixed, and
+/// the interpreter holds signals.
 fn ones(system: &System) -> Vec<f64> {
-    vec![1.0; system.mechanism.graph.symbol_count()]
+    let mut slopes = vec![1.0; system.mechanism.graph.symbol_count()];
+    for parameter in &system.mechanism.parameters {
+        slopes[parameter.symbol.index()] = 0.0;
+    }
+    for input in &system.mechanism.inputs {
+        slopes[input.symbols[0].index()] = 0.0;
+    }
+    slopes
 }
 
 /// Compares Φ_q and Φ_t with first differences of Φ.
@@ -175,6 +197,8 @@ fn merge(into: &mut Record, record: Record) {
     into.share = into.share.max(record.share);
     into.bound = into.bound.max(record.bound);
     into.error = into.error.max(record.error);
+    into.compared += record.compared;
+    into.unbounded += record.unbounded;
 }
 
 fn derivatives_agree(name: &str) {
@@ -206,9 +230,15 @@ fn derivatives_of_one_agree(name: &str, system: &System) {
         );
         // Bounds so wide that they hide an error would prove nothing.
         assert!(
-            slopes.bound < 1e-8 && curves.bound < 1e-5,
+            slopes.bound < 1e-8 && curves.bound < 1e-5 || WIDE.contains(&name),
             "{name}: {slopes:?}, {curves:?}"
         );
+        for record in [slopes, curves] {
+            assert!(
+                record.unbounded * 20 <= record.compared,
+                "{name}: {record:?}"
+            );
+        }
     }
 }
 
@@ -237,17 +267,11 @@ fn derivatives_of_all_others_agree_with_differences() {
     }
 }
 
-/// Each kind of joint and driver has one among them, most between two bodies that both move and turn; contacts with curves have
-/// [tests of their own](../curves.rs), since no majorant of their roots is known here, and so have the [rope](../equations.rs)
-/// and the [laws of motion](../laws.rs).
+/// Each kind of joint and driver has one among them, most between two bodies that both move and turn.
 #[test]
 fn derivatives_of_the_small_mechanisms_agree_with_differences() {
     for name in description::small() {
-        let system = description::system(&name);
-        let mut described = system.coordinates.iter().map(|it| it.describes);
-        if !["rope", "laws"].contains(&name.as_str()) && described.all(|it| it.body().is_some()) {
-            derivatives_agree(&name);
-        }
+        derivatives_agree(&name);
     }
 }
 
