@@ -2,7 +2,8 @@
 //!
 //! The measure of a step is its determinant divided by the lengths of its Jacobian's columns (Hadamard's ratio): the sine of
 //! the angle between two links, between a link and its slide, between two lines. It is dimensionless, at most 1 in size, and
-//! zero exactly where the step is singular. Its rate is known from the velocities, so that a smallest value between two frames
+//! zero exactly where the step is singular. One equation that is no closed form is measured by its slope beside the largest slope
+//! on the way. Its rate is known from the velocities, so that a smallest value between two frames
 //! is found where the rate changes its sign, by bisection to the last digit of t that the solver can tell apart, and not where
 //! values happen to have been sampled. Poses are those of the solved view, whose closed forms stay in the assembly mode of the
 //! drawing however close they come; where they do not reach there is no measure. The module does not know names.
@@ -54,6 +55,8 @@ struct Measured {
     /// `None` for a closed form, whose measure and rate are the results; the size of the Jacobian that is the result with
     /// its rates otherwise.
     size: Option<usize>,
+    /// Whether only its course says how large the measure can be.
+    relative: bool,
 }
 
 /// A measure with its rate.
@@ -76,8 +79,11 @@ impl<'a> Closeness<'a> {
         for (block, planned) in solved.plan.blocks.iter().enumerate() {
             for (step, planned) in planned.steps.iter().enumerate() {
                 let found = determinant(planned, form, graph);
+                // One equation for one unknown encloses no angle.
+                let single = found.normalized.is_none() && found.jacobian.len() <= 1;
                 let values: Vec<ExprId> = match found.normalized {
                     Some(value) => vec![value],
+                    None if single => found.value.into_iter().collect(),
                     None => found.jacobian.concat(),
                 };
                 let constant = values.iter().all(|&value| graph.is_fixed(value));
@@ -92,7 +98,8 @@ impl<'a> Closeness<'a> {
                     block,
                     step,
                     tape: Tape::new(graph, &[values, rates].concat()),
-                    size: found.normalized.is_none().then_some(found.jacobian.len()),
+                    size: (found.normalized.is_none() && !single).then_some(found.jacobian.len()),
+                    relative: single,
                 });
             }
         }
@@ -139,6 +146,12 @@ impl<'a> Closeness<'a> {
             let [value, rate] = it.samples[index];
             rate * value.signum()
         };
+        let unit = match self.steps[index].relative {
+            true => seen.iter().flatten().map(size).fold(0.0, f64::max),
+            false => 1.0,
+        };
+        // Nothing but zeros are a singular block all the way.
+        let unit = if unit > 0.0 { unit } else { 1.0 };
         let mut lowest: Vec<(Seen, bool)> = Vec::new();
         let present = || seen.iter().flatten();
         for end in [present().next(), present().last()].into_iter().flatten() {
@@ -170,7 +183,7 @@ impl<'a> Closeness<'a> {
         }
         let sizes = lowest.iter().map(|(it, _)| size(it));
         let smallest = sizes.min_by(f64::total_cmp)?;
-        lowest.retain(|(it, _)| size(it) <= smallest + SAME);
+        lowest.retain(|(it, _)| size(it) <= smallest + SAME * unit);
         lowest.sort_by(|a, b| a.0.values.t.total_cmp(&b.0.values.t));
         // An end that is a stationary value too counts once.
         lowest.dedup_by(|a, b| (a.0.values.t - b.0.values.t).abs() <= SAME);
@@ -178,7 +191,7 @@ impl<'a> Closeness<'a> {
         Some(Approach {
             block: self.steps[index].block,
             step: self.steps[index].step,
-            measure: smallest,
+            measure: smallest / unit,
             t: first.values.t,
             q: self.solved.pose(&first.values),
             times: lowest.len(),
