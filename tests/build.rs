@@ -1,7 +1,8 @@
 //! Generates the mechanisms that only tests need, the repository's in single precision, a list of the latter, and all of them
-//! once more with what their drivers transmit.
+//! once more with what their drivers transmit, and those with parameters with their sensitivities.
 
 mod registry;
+mod sensing;
 mod transmitting;
 
 use linkwright_codegen::{Options, Scalar};
@@ -13,5 +14,6 @@ fn main() {
     };
     linkwright_codegen::build_with("../mechanisms", &single);
     registry::write("../mechanisms");
+    sensing::write("descriptions");
     transmitting::write(&["descriptions", "../mechanisms"]);
 }

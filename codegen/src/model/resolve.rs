@@ -31,6 +31,8 @@ pub(super) struct Resolver<'a> {
     pub mentioned: HashSet<SymbolId>,
     /// Whether the mechanism has parameters or inputs anywhere, which takes some names in the generated code.
     pub has_given: bool,
+    /// Whether a sensitivity is asked for, which takes some more.
+    pub has_sensitivity: bool,
     pub drawn: Names<DrawnPoint>,
     /// Curves; nothing where the statement has an error.
     pub curves: Names<Option<DrawnCurve>>,
@@ -69,6 +71,9 @@ const TAKEN_TYPE_NAMES: &[&str] = &[
 /// The same in mechanisms with parameters or inputs.
 const TAKEN_BY_GIVEN: &[&str] = &["Parameters", "Inputs", "Geometry", "Signal"];
 
+/// The same in mechanisms with sensitivities.
+const TAKEN_BY_SENSITIVITY: &[&str] = &["Sensitivity", "PointSensitivity"];
+
 /// Resolves the mechanism that these statements of a document make, all of them or those of one motion.
 ///
 /// Names may only be used below their declaration. The coordinates are named `x1, y1, phi1` for the body `1` and
@@ -99,6 +104,9 @@ pub(super) fn resolve_statements(
             syntax::Statement::Parameter(_) | syntax::Statement::Input(_)
         )
     });
+    resolver.has_sensitivity = statements
+        .iter()
+        .any(|statement| matches!(statement, syntax::Statement::Sensitivity(_)));
     resolver.check_mechanism_name(&item.name);
     for statement in statements {
         match statement {
@@ -111,8 +119,10 @@ pub(super) fn resolve_statements(
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
             syntax::Statement::Equation(equation) => resolver.add_equation(equation),
-            // Points are known once all bodies are.
-            syntax::Statement::Output(_) | syntax::Statement::Transmission(_) => {}
+            // Points are known once all bodies are, and parameters may follow.
+            syntax::Statement::Output(_)
+            | syntax::Statement::Transmission(_)
+            | syntax::Statement::Sensitivity(_) => {}
             // Its statements come by themselves.
             syntax::Statement::Motion(_) => {}
         }
@@ -136,6 +146,7 @@ pub(super) fn resolve_statements(
         .flat_map(|output| resolver.requests(output, &points))
         .collect();
     let transmissions = resolver.transmissions(statements, &points);
+    let sensitivities = resolver.sensitivities(statements, &points);
     resolver.note_used();
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
@@ -161,6 +172,7 @@ pub(super) fn resolve_statements(
         points,
         requests,
         transmissions,
+        sensitivities,
         characteristic_length,
     }
 }
@@ -209,6 +221,7 @@ impl<'a> Resolver<'a> {
             inputs: Vec::new(),
             mentioned: HashSet::new(),
             has_given: false,
+            has_sensitivity: false,
             drawn: Names::new("point"),
             curves: Names::new("curve"),
             choices: Vec::new(),
@@ -246,6 +259,7 @@ impl Resolver<'_> {
             format!("`{}` gives no name for a type", name.text)
         } else if TAKEN_TYPE_NAMES.contains(&type_name.as_str())
             || (self.has_given && TAKEN_BY_GIVEN.contains(&type_name.as_str()))
+            || (self.has_sensitivity && TAKEN_BY_SENSITIVITY.contains(&type_name.as_str()))
         {
             format!(
                 "`{}` would become the type `{type_name}`, which every generated module has already",
