@@ -83,3 +83,43 @@ pub mod jansen {
 pub mod peaucellier {
     linkwright::include_mechanism!(peaucellier);
 }
+
+/// The quick return of a shaping machine.
+pub mod quick_return {
+    linkwright::include_mechanism!(quick_return);
+}
+
+/// A Scotch yoke, whose motion is exactly harmonic.
+pub mod scotch_yoke {
+    linkwright::include_mechanism!(scotch_yoke);
+}
+
+/// A double wishbone suspension, moved at the wheel.
+pub mod double_wishbone {
+    linkwright::include_mechanism!(double_wishbone);
+}
+
+/// A pantograph, traced by its two coordinates.
+pub mod pantograph {
+    linkwright::include_mechanism!(pantograph);
+}
+
+/// A planetary gear with its ring held.
+pub mod planetary_gear {
+    linkwright::include_mechanism!(planetary_gear);
+}
+
+/// Rack and pinion steering.
+pub mod rack_steering {
+    linkwright::include_mechanism!(rack_steering);
+}
+
+/// A disc cam with a roller follower.
+pub mod disc_cam {
+    linkwright::include_mechanism!(disc_cam);
+}
+
+/// A cam designed from the motion of its follower.
+pub mod cam_dwell {
+    linkwright::include_mechanism!(cam_dwell);
+}

@@ -24,8 +24,8 @@ use crate::watch::EndsOn;
 
 /// Assembles the mechanism at time `t` from an `estimate` (n) of its pose that may be poor, on the given branch if any.
 ///
-/// This takes about ten times as long as [`assemble`], which is enough for estimates within a few hundredths of a radian
-/// and of a link.
+/// As a rule this evaluates the equations little more often than [`assemble`], but every step of the least squares also
+/// multiplies two matrices. Near the pose [`assemble`] is enough.
 ///
 /// # Errors
 /// Every [`FailureKind`]. [`FailureKind::WrongBranch`] says that only poses of the other branch were found; any other kind is

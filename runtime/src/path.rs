@@ -34,7 +34,11 @@ use crate::watch::OnBranch;
 pub const LARGEST_MISS: f64 = 1.0 / 32.0;
 
 /// How far the two estimates of the time that is left may differ, as a part of it, where an end is called a fold.
-const AGREEMENT: f64 = 0.25;
+const AGREEMENT: f64 = 1.0 / 16.0;
+
+/// The part of the determinant at the start that must be left at most, where an end is called a fold: the way to it has then
+/// become 16 times shorter.
+const SHRUNK: f64 = 0.25;
 
 /// The branch of the pose `q` (n) at time `t`: the sign of the determinant of Φ_q.
 ///
@@ -74,7 +78,7 @@ where
 ///
 /// # Work
 /// With S for [`Settings::substeps`] and N for [`Settings::iterations`] at most S (N + 2) evaluations of the residual,
-/// S (N + 5) + 2 of the Jacobian, S of Φ_t and S of γ.
+/// S (N + 5) + 3 of the Jacobian, S of Φ_t and S of γ.
 ///
 /// # Panics
 /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
@@ -104,7 +108,10 @@ where
     match moved {
         Ok(_) => Ok(current),
         Err(broken) => Err(match before {
-            Some(before) => end_of_path(equations, &before, &current, t, broken.failure, settings),
+            Some(before) => {
+                let frames = [frame, &before, &current];
+                end_of_path(equations, frames, t, broken.failure, settings)
+            }
             None => broken.failure,
         }),
     }
@@ -141,12 +148,12 @@ fn no_verdict<T: Real>(kind: FailureKind<T>, time: T) -> Failure<T> {
     }
 }
 
-/// Names the end of a path: the fold that the last two frames foresee, or what has been tried in vain.
+/// Names the end of a path, of which the first and the last two frames are given: the fold that these foresee, or what has
+/// been tried in vain.
 #[cold]
 fn end_of_path<T: Real, D: Dim, E: Equations<T, D>>(
     equations: &E,
-    before: &Frame<T, D>,
-    last: &Frame<T, D>,
+    [first, before, last]: [&Frame<T, D>; 3],
     t: T,
     failure: Failure<T>,
     settings: &Settings<T>,
@@ -156,11 +163,13 @@ where
 {
     let scales = Scales::of(equations);
     let (left, column) = time_to_fold(&scales, last);
-    let factorizations = factorize(equations, &last.q, last.t, settings)
-        .and_then(|last| Ok((last, factorize(equations, &before.q, before.t, settings)?)));
-    let Ok((at_last, at_before)) = factorizations else {
+    let factorize = |frame: &Frame<T, D>| factorize(equations, &frame.q, frame.t, settings);
+    let (Ok(at_first), Ok(at_before), Ok(at_last)) =
+        (factorize(first), factorize(before), factorize(last))
+    else {
         return failure;
     };
+    let shrunk = (at_last.determinant() / at_first.determinant()).abs() <= T::from_f64(SHRUNK);
     // (det at last / det before)²: with a fold the part of the time to it that the last step has left.
     let ratio = at_last.determinant() / at_before.determinant();
     let part = ratio * ratio;
@@ -169,7 +178,7 @@ where
     // The fold must lie on the way, and near: not far beyond what has been refused, or beyond the last step.
     let on_way = left * (t - last.t) > T::ZERO && left.abs() <= (t - last.t).abs();
     let gap = (failure.time - last.t).abs().max((last.t - before.t).abs());
-    if !(agree && on_way && left.abs() <= gap + gap) {
+    if !(shrunk && agree && on_way && left.abs() <= gap + gap) {
         return failure;
     }
     Failure {

@@ -179,10 +179,23 @@ def at(text):
 
 
 class Mechanism:
-    """Names of bodies, unknowns as drawn, equations F(unknowns, t) of degree two at most, and poses."""
+    """Names of bodies, unknowns as drawn, equations F(unknowns, t) of degree two at most, and poses.
 
-    def __init__(self, bodies, start, equations, poses):
+    `contacts` names coordinates after those of the bodies: the angles at which curves are touched.
+    """
+
+    def __init__(self, bodies, start, equations, poses, contacts=()):
         self.bodies, self.start, self.equations, self.poses = bodies, start, equations, poses
+        self.contacts = contacts
+
+    def coordinates(self):
+        axes = ("x", "y", "phi")
+        return [f"{axis}{body}" for body in self.bodies for axis in axes] + [name.replace("_", "", 1) for name in self.contacts]
+
+    def angles(self):
+        """The places of the coordinates that are angles."""
+        poses = 3 * len(self.bodies)
+        return list(range(2, poses, 3)) + list(range(poses, poses + len(self.contacts)))
 
 
 def with_pins(bodies, drawn, unknown, place, equations, poses):
@@ -489,6 +502,145 @@ def peaucellier():
     )
 
 
+def quick_return():
+    crank, lever, link, height = (exact(v) for v in ("0.1", "0.45", "0.3", "0.22"))
+    pivot = Point(0, exact("-0.2"))
+
+    def ends(t):
+        tip = Point(crank, 0).turned(cos(3 * t), sin(3 * t))
+        arm = tip - pivot
+        angle = atan2(arm.y, arm.x)
+        return angle, pivot + Point(lever, 0).turned(cos(angle), sin(angle))
+
+    def equations(values, t):
+        return [apart(ends(t)[1], Point(values[0], height), Jet(link))]
+
+    def poses(values, t):
+        (angle, b), d = ends(t), Point(values[0], height)
+        rod = d - b
+        return [Jet(0), Jet(0), 3 * t, pivot.x, pivot.y, angle, b.x, b.y, atan2(rod.y, rod.x), d.x, d.y, Jet(0)]
+
+    return Mechanism(["crank", "lever", "link", "ram"], [exact("0.48")], equations, poses)
+
+
+def explicit(bodies, poses, contacts=()):
+    """A mechanism whose pose is a formula in t; the solver gets an unknown that is zero."""
+    return Mechanism(bodies, [mpf(0)], lambda values, t: [values[0]], lambda values, t: poses(t), contacts)
+
+
+def scotch_yoke():
+    radius = exact("0.05")
+    return explicit(["crank", "yoke"], lambda t: [Jet(0), Jet(0), 3 * t, radius * cos(3 * t), Jet(0), Jet(0)])
+
+
+def double_wishbone():
+    drawn = points("A 0.35 0.18, B 0.7 0.16, C 0.4 0.43, D 0.68 0.42, W 0.76 0.3")
+
+    def equations(p, t):
+        rigid = [apart(p[a], p[b], (drawn[a], drawn[b])) for a, b in ("AB", "CD", "BD")]
+        travel = exact("0.3") + exact("0.06") * sin(2 * t)
+        return rigid + [carried(drawn, p, "B", "D", "W").y - travel]
+
+    def poses(p):
+        q = []
+        for a, b in ("AB", "CD", "BD"):
+            q += pose(drawn[a], drawn[b] - drawn[a], p[a], p[b] - p[a], drawn[a])
+        return q
+
+    return with_pins(["lower", "upper", "upright"], drawn, ["B", "D"], lambda now, t: None, equations, poses)
+
+
+def pantograph():
+    def place(now, t):
+        now["P"] = Point(exact("0.25") + exact("0.06") * sin(2 * t), exact("0.1") + exact("0.04") * sin(4 * t))
+        now["A"] = now["D"].scaled(exact("2.5"))
+
+    return linkage(
+        "long O D, far A B, near D P, short B P",
+        "O 0 0, D 0.07 0.19, B 0.355 0.38",
+        ["D", "B"],
+        place,
+        "OD 0.2, DP 0.2, AB 0.2, BP 0.3",
+    )
+
+
+def planetary_gear():
+    sun, planet, ring = 20, 15, 50
+
+    def poses(t):
+        # Willis: (w_sun - w_carrier) z_sun = -(w_ring - w_carrier) z_ring, with the ring at rest.
+        carrier = 7 * t * mpf(sun) / (sun + ring)
+        spin = carrier - (7 * t - carrier) * (mpf(sun) / planet)
+        arm = exact("0.035")
+        return [Jet(0), Jet(0), 7 * t, Jet(0), Jet(0), carrier, arm * cos(carrier), arm * sin(carrier), spin]
+
+    return explicit(["sun", "carrier", "planet"], poses)
+
+
+def rack_steering():
+    drawn = points("L -0.65 0, R 0.65 0, S -0.62 -0.15, T 0.62 -0.15, U -0.3 -0.12, V 0.3 -0.12")
+    centre = Point(exact("0.1"), exact("-0.112"))
+
+    def angle(t):
+        return 6 * sin(t)
+
+    def shift(t):
+        return exact("0.008") * angle(t)
+
+    def place(now, t):
+        for name in "UV":
+            now[name] = drawn[name] + Point(shift(t), 0)
+
+    def equations(p, t):
+        return [apart(p[a], p[b], (drawn[a], drawn[b])) for a, b in ("LS", "RT", "SU", "TV")]
+
+    def poses(p):
+        q = []
+        for a, b in ("LS", "RT"):
+            q += pose(drawn[a], drawn[b] - drawn[a], p[a], p[b] - p[a], drawn[a])
+        return q
+
+    sides = with_pins(["left", "right"], drawn, ["S", "T"], place, equations, poses)
+    return Mechanism(
+        ["pinion", "rack", "left", "right"],
+        sides.start,
+        sides.equations,
+        lambda values, t: [centre.x, centre.y, angle(t), shift(t), Jet(exact("-0.12")), Jet(0)] + sides.poses(values, t),
+    )
+
+
+def disc_cam():
+    e, disc, roller = (exact(v) / 1000 for v in ("10", "30", "8"))
+
+    def poses(t):
+        angle = mp.pi / 2 + 3 * t
+        height = e * sin(angle) + sqrt((disc + roller) ** 2 - (e * cos(angle)) * (e * cos(angle)))
+        centre = Point(e * cos(angle), e * sin(angle))
+        normal = Point(0, height) - centre
+        return [Jet(0), Jet(0), angle, Jet(0), height, Jet(0), atan2(normal.y, normal.x) - angle]
+
+    return explicit(["cam", "follower"], poses, ["s_wheel"])
+
+
+def cam_dwell():
+    low, high = exact("0.04"), exact("0.06")
+
+    def height(angle):
+        """The law at a jet, on the piece that holds its value."""
+        turns = mp.floor(angle.c[0] / (2 * mp.pi))
+        x = (angle - 2 * mp.pi * turns) * (mpf(180) / mp.pi)
+        for start, end, h0, h1 in [(90, 180, low, high), (240, 360, high, low)]:
+            if start <= x.c[0] < end:
+                s = (x - start) * (mpf(1) / (end - start))
+                return h0 + (h1 - h0) * (s - sin(2 * mp.pi * s) * (1 / (2 * mp.pi)))
+        return Jet(high if 180 <= x.c[0] < 240 else low)
+
+    def poses(t):
+        return [Jet(0), Jet(0), -3 * t, height(3 * t), Jet(0), Jet(0), 3 * t]
+
+    return explicit(["cam", "follower"], poses, ["s_tip"])
+
+
 # The file of a mechanism, without its extension.
 TABLES = {
     "exam": two_body,
@@ -503,6 +655,14 @@ TABLES = {
     "stephenson": stephenson,
     "jansen": jansen,
     "peaucellier": peaucellier,
+    "quick_return": quick_return,
+    "scotch_yoke": scotch_yoke,
+    "double_wishbone": double_wishbone,
+    "pantograph": pantograph,
+    "planetary_gear": planetary_gear,
+    "rack_steering": rack_steering,
+    "disc_cam": disc_cam,
+    "cam_dwell": cam_dwell,
 }
 
 
@@ -538,7 +698,7 @@ def motion(mechanism):
         time = mpf(step) / STEPS_PER_SECOND
         values = solve(mechanism, values, time)
         q = mechanism.poses(values, Jet(time, 1))
-        for index in range(2, len(q), 3):
+        for index in mechanism.angles():
             if last is not None:
                 turns = mp.nint((last[index].c[0] - q[index].c[0]) / (2 * mp.pi))
                 q[index] = q[index] + 2 * mp.pi * turns
@@ -550,10 +710,9 @@ def motion(mechanism):
     return rows
 
 
-def header(bodies):
+def header(mechanism):
     levels = ("q", "qd", "qdd")
-    coordinates = ("x", "y", "phi")
-    return ["t"] + [f"{level}_{axis}{body}" for level in levels for body in bodies for axis in coordinates]
+    return ["t"] + [f"{level}_{name}" for level in levels for name in mechanism.coordinates()]
 
 
 def text(value):
@@ -577,7 +736,7 @@ def main(arguments):
             if largest > mpf(10) ** -23:
                 sys.exit(1)
         else:
-            lines = [",".join(header(mechanism.bodies))]
+            lines = [",".join(header(mechanism))]
             lines += [",".join([mp.nstr(row[0], 3)] + [text(value) for value in row[1:]]) for row in rows]
             file.write_text("\n".join(lines) + "\n")
             print(f"{name}: {len(rows)} rows")

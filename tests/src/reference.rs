@@ -18,6 +18,14 @@ pub const REFERENCES: &[(&str, &str)] = &[
     ("scissor", "scissor.csv"),
     ("jansen", "jansen.csv"),
     ("peaucellier", "peaucellier.csv"),
+    ("quick_return", "quick_return.csv"),
+    ("scotch_yoke", "scotch_yoke.csv"),
+    ("double_wishbone", "double_wishbone.csv"),
+    ("pantograph", "pantograph.csv"),
+    ("planetary_gear", "planetary_gear.csv"),
+    ("rack_steering", "rack_steering.csv"),
+    ("disc_cam", "disc_cam.csv"),
+    ("cam_dwell", "cam_dwell.csv"),
 ];
 
 /// The file of a mechanism's reference.
@@ -38,8 +46,9 @@ pub fn reference(mechanism: &str) -> Table {
     Table::read(file(mechanism))
 }
 
-/// What the errors of each column after t are measured in: the largest absolute value in the column, or, in a column of zeros,
-/// the largest among the columns of the same level (q, q̇ or q̈).
+/// What the errors of each column after t are measured in: the largest absolute value in the column; for an angle at least 1 rad,
+/// since it is found from a direction, whose components are of the order of one; and in a column of zeros the largest among the
+/// columns of the same level (q, q̇ or q̈).
 pub fn yardsticks(table: &Table) -> Vec<f64> {
     let magnitudes: Vec<f64> = (1..table.names.len())
         .map(|column| table.magnitude(column))
@@ -49,6 +58,9 @@ pub fn yardsticks(table: &Table) -> Vec<f64> {
         .iter()
         .enumerate()
         .map(|(index, magnitude)| {
+            if index < level_length && index % 3 == 2 {
+                return magnitude.max(1.0);
+            }
             if *magnitude > 0.0 {
                 return *magnitude;
             }

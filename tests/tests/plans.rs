@@ -20,16 +20,24 @@ fn steps(name: &str) -> Vec<String> {
 #[test]
 fn every_mechanism_is_solved_as_a_person_would() {
     let two_rotations = "two rotations";
-    let plans: [(&str, Vec<&str>); 12] = [
+    let plans: [(&str, Vec<&str>); 20] = [
         ("arm", vec![two_rotations; 4]),
+        ("cam_dwell", vec!["Newton of size 1"]),
+        ("disc_cam", vec!["Newton of size 1"]),
+        ("double_wishbone", vec!["Newton of size 3"]),
         ("excavator", vec![two_rotations; 4]),
         ("excavator_pins", vec![two_rotations; 4]),
         ("four_bar", vec![two_rotations]),
         ("inverted_slider_crank", vec!["rotation and slide"]),
         ("jansen", vec![two_rotations; 3]),
+        ("pantograph", vec![two_rotations; 2]),
         ("peaucellier", vec![two_rotations; 3]),
+        ("planetary_gear", vec![]),
         ("platform_3rpr", vec!["Newton of size 4"]),
+        ("quick_return", vec!["rotation and slide", "one angle"]),
+        ("rack_steering", vec![two_rotations; 2]),
         ("scissor", vec![two_rotations; 6]),
+        ("scotch_yoke", vec![]),
         ("slider_crank", vec!["one angle"]),
         ("stephenson", vec!["Newton of size 4"]),
         ("two_body", vec!["one angle"]),

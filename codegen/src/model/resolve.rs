@@ -9,7 +9,7 @@ use super::names::Names;
 use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{BodyId, Frame, Mark, Vector};
+use crate::joint::geometry::{BodyId, Frame, Mark, Vector, subtract};
 use crate::syntax;
 
 /// A point of the drawing.
@@ -423,8 +423,13 @@ impl Resolver<'_> {
             self.drawn_point(&direction.from),
             self.drawn_point(&direction.to),
         );
-        let [along_x, along_y] = self.unit_direction(from?, to?, direction.span)?;
-        Some(self.graph.atan2(along_y, along_x))
+        let (from, to) = (from?, to?);
+        let mut along = self.unit_direction(from, to, direction.span)?;
+        if !along.iter().all(|&part| self.graph.is_constant(part)) {
+            // Of parameters the gap itself is the shorter expression, and has the same angle.
+            along = subtract(to, from, &mut self.graph);
+        }
+        Some(self.graph.atan2(along[1], along[0]))
     }
 
     fn member(&mut self, member: &syntax::Member, frame: Frame, drawn: Frame) -> Option<NamedMark> {
