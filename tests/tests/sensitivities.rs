@@ -145,7 +145,9 @@ fn sensitivities_are_the_limits_of_differences() {
             for (place, instant) in exact.iter().enumerate() {
                 let extrapolated = [0, 1].map(|level| {
                     let pairs = fine[place][level].iter().zip(&coarse[place][level]);
-                    pairs.map(|(fine, coarse)| (4.0 * fine - coarse) / 3.0).collect()
+                    pairs
+                        .map(|(fine, coarse)| (4.0 * fine - coarse) / 3.0)
+                        .collect()
                 });
                 for level in 0..2 {
                     let own = &instant.sensitivities[parameter];
@@ -160,7 +162,11 @@ fn sensitivities_are_the_limits_of_differences() {
             for level in 0..2 {
                 let error = largest[level] / scale[level].max(scale[0]);
                 println!("{} by {name}, level {level}: {error:.1e}", mechanism.name);
-                assert!(error < 1e-9, "{name} of {}, {level}: {error:e}", mechanism.name);
+                assert!(
+                    error < 1e-9,
+                    "{name} of {}, {level}: {error:e}",
+                    mechanism.name
+                );
             }
         }
     }
@@ -177,8 +183,8 @@ fn what_differences_leave_is_their_truncation() {
         let errors = [0.04, 0.02, 0.01].map(|step| {
             let differences = mechanism.differences(parameter, step * nominal[parameter]);
             let pairs = differences.iter().zip(&exact);
-            let errors = pairs
-                .map(|(found, instant)| apart(found, &instant.sensitivities[parameter], 1).0);
+            let errors =
+                pairs.map(|(found, instant)| apart(found, &instant.sensitivities[parameter], 1).0);
             errors.fold(0.0, f64::max)
         });
         // What is linear in a parameter has no truncation.
@@ -187,7 +193,11 @@ fn what_differences_leave_is_their_truncation() {
         }
         for pair in errors.windows(2) {
             let ratio = pair[0] / pair[1];
-            assert!((3.9..4.3).contains(&ratio), "{} {ratio}", mechanism.parameters[parameter]);
+            assert!(
+                (3.9..4.3).contains(&ratio),
+                "{} {ratio}",
+                mechanism.parameters[parameter]
+            );
         }
     }
 }
@@ -201,8 +211,8 @@ fn the_textbook_view_depends_on_parameters_alike() {
         let count = system.coordinates.len();
         let mut largest = 0.0_f64;
         for instant in (mechanism.sample)(&(mechanism.nominal)(), &times()) {
-            let [q, qd] = [0, 1]
-                .map(|level| DVector::from_column_slice(&instant.values[level][..count]));
+            let [q, qd] =
+                [0, 1].map(|level| DVector::from_column_slice(&instant.values[level][..count]));
             let frame = linkwright::Frame {
                 t: instant.t,
                 q,
@@ -232,7 +242,10 @@ fn the_textbook_view_depends_on_parameters_alike() {
                 }
             }
         }
-        println!("{}: the views differ by at most {largest:.1e}", mechanism.name);
+        println!(
+            "{}: the views differ by at most {largest:.1e}",
+            mechanism.name
+        );
     }
 }
 
@@ -260,7 +273,8 @@ fn a_four_bar_depends_on_its_lengths_as_its_closure_says() {
         // Each quotient is −cos(angle)/(length sin(φ4 − φ3)) up to its sign; its rate follows.
         let quotient = |sign: f64, angle: f64, rate: f64, length: f64| {
             let value = sign * angle.cos() / (length * sine);
-            let slope = -sign * angle.sin() * rate / (length * sine) - value * turning * cosine / sine;
+            let slope =
+                -sign * angle.sin() * rate / (length * sine) - value * turning * cosine / sine;
             [value, slope]
         };
         let expected = [
@@ -287,7 +301,10 @@ fn a_four_bar_depends_on_its_lengths_as_its_closure_says() {
                     let found = instant.sensitivities[parameter][level][place];
                     let error = (found - expected).abs() / expected.abs().max(10.0);
                     let name = mechanism.parameters[parameter];
-                    assert!(error < 1e-12, "{name}, {place}, {level}: {found} {expected}");
+                    assert!(
+                        error < 1e-12,
+                        "{name}, {place}, {level}: {found} {expected}"
+                    );
                 }
             }
         }
@@ -303,11 +320,17 @@ mod sensed_outputs {
 fn what_is_asked_for_is_differentiated_alone() {
     let whole = named("sensed_four_bar");
     let mut mechanism = sensed_outputs::SensedOutputs::assemble(0.0).expect("as drawn");
-    for (t, instant) in times().into_iter().zip((whole.sample)(&(whole.nominal)(), &times())) {
+    for (t, instant) in times()
+        .into_iter()
+        .zip((whole.sample)(&(whole.nominal)(), &times()))
+    {
         let frame = mechanism.advance(t).expect("the crank swings");
         let length = &instant.sensitivities[1];
         let near = |found: f64, expected: f64| {
-            assert!((found - expected).abs() < 1e-12 * expected.abs().max(1.0), "{found} {expected}");
+            assert!(
+                (found - expected).abs() < 1e-12 * expected.abs().max(1.0),
+                "{found} {expected}"
+            );
         };
         near(frame.phi_rocker_sensitivity_l2(), length[0][8]);
         near(frame.phi_rocker_rate_sensitivity_l2(), length[1][8]);
@@ -333,12 +356,27 @@ fn a_singular_pose_is_a_failure_and_never_infinite() {
         let t = fold - 10.0_f64.powi(-exponent);
         let frame = mechanism.advance(t).expect("not yet in line");
         let sensitivity = frame.sensitivity_l();
-        assert!(sensitivity.position.to_array().iter().all(|it| it.is_finite()));
-        assert!(sensitivity.velocity.to_array().iter().all(|it| it.is_finite()));
+        assert!(
+            sensitivity
+                .position
+                .to_array()
+                .iter()
+                .all(|it| it.is_finite())
+        );
+        assert!(
+            sensitivity
+                .velocity
+                .to_array()
+                .iter()
+                .all(|it| it.is_finite())
+        );
         assert!(sensitivity.position.phi2.abs() > 0.1 * 10.0_f64.powi(exponent).sqrt());
     }
     let before = mechanism.frame().sensitivity_l();
     let failure = mechanism.advance(fold).expect_err("in line");
-    assert!(matches!(failure.kind, FailureKind::Singular { .. }), "{failure}");
+    assert!(
+        matches!(failure.kind, FailureKind::Singular { .. }),
+        "{failure}"
+    );
     assert_eq!(mechanism.frame().sensitivity_l(), before);
 }

@@ -210,10 +210,7 @@ impl Page<'_> {
             let lines = self.column(&direction.column);
             text.push_str(&match lines.is_empty() {
                 true => format!("\n{symbol}_p = 0, p the parameter {name}\n"),
-                false => format!(
-                    "\n{symbol}_p, p the parameter {name}\n{}",
-                    aligned(&lines)
-                ),
+                false => format!("\n{symbol}_p, p the parameter {name}\n{}", aligned(&lines)),
             });
         }
         text

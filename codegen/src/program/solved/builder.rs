@@ -280,8 +280,9 @@ impl Builder<'_> {
             1 => String::new(),
             number => format!("_{number}"),
         };
-        let mut vector =
-            |name| ["x", "y"].map(|axis| self.system.intermediate(&format!("{name}{number}_{axis}")));
+        let mut vector = |name| {
+            ["x", "y"].map(|axis| self.system.intermediate(&format!("{name}{number}_{axis}")))
+        };
         let (stretch, pull) = (vector("stretch"), vector("pull"));
         self.turn_rule(w, turning, stretch);
         let stretch_variables = stretch.map(|symbol| self.graph().variable(symbol));

@@ -22,7 +22,7 @@ mod two_rotations;
 
 pub use lower::lower;
 pub use outputs::Output;
-pub use sensitivities::{Found, Sensitivity, SensitiveQuantity};
+pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};
 pub use transmissions::Transmission;
 
 use std::collections::{HashMap, HashSet};

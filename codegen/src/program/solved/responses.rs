@@ -8,8 +8,8 @@ use std::collections::{HashMap, HashSet};
 
 use super::builder::{Builder, Stretch};
 use super::{Action, Level, NewtonBlock};
-use crate::joint::geometry::Vector;
 use crate::expr::{ExprId, Node, SymbolId};
+use crate::joint::geometry::Vector;
 use crate::system::{Direction, SymbolRole, System};
 
 /// How everything found so far responds to each direction.
@@ -315,7 +315,10 @@ impl Builder<'_> {
         let graph = self.graph();
         let turning = graph.variable(turning);
         let [back, forward] = [graph.multiply(turning, y), graph.multiply(turning, x)];
-        let rates = [graph.subtract(values[0], back), graph.add(values[1], forward)];
+        let rates = [
+            graph.subtract(values[0], back),
+            graph.add(values[1], forward),
+        ];
         for (value, rate) in [x, y].into_iter().zip(rates) {
             if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(value) {
                 self.system.vector_form.set_rate(symbol, rate);

@@ -186,7 +186,10 @@ fn kept(
     system: &mut System,
 ) -> Found {
     let graph = &system.mechanism.graph;
-    if let Some(value) = graph.constant_value(value).filter(|_| graph.is_constant(value)) {
+    if let Some(value) = graph
+        .constant_value(value)
+        .filter(|_| graph.is_constant(value))
+    {
         return Found::Constant(value);
     }
     match *graph.node(value) {

@@ -54,13 +54,14 @@ pub(in crate::emit::rust) fn sensitivities(system: &System, solved: &SolvedProgr
             .coordinates
             .as_ref()
             .map(|coordinates| of_coordinates(sensitivity, coordinates, system));
-        let quantities = sensitivity
-            .quantities
-            .iter()
-            .map(|quantity| match quantity.components.len() {
-                2 => of_point(sensitivity, quantity, system),
-                _ => of_coordinate(sensitivity, quantity, system),
-            });
+        let quantities =
+            sensitivity
+                .quantities
+                .iter()
+                .map(|quantity| match quantity.components.len() {
+                    2 => of_point(sensitivity, quantity, system),
+                    _ => of_coordinate(sensitivity, quantity, system),
+                });
         quote!(#whole #(#quantities)*)
     });
     quote!(#(#each)*)
