@@ -27,6 +27,11 @@ pub fn values(graph: &Graph, order: &[ExprId], symbols: &[f64]) -> Vec<f64> {
             Node::Atan2(y, x) => of(y).atan2(of(x)),
             Node::Exp(exponent) => of(exponent).exp(),
             Node::Ln(argument) => of(argument).ln(),
+            Node::Spline {
+                spline,
+                order,
+                argument,
+            } => graph.spline_of(*spline).at(of(argument))[usize::from(*order)],
             Node::Floor(argument) => of(argument).floor(),
             Node::Choose {
                 condition,

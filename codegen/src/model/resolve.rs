@@ -6,7 +6,7 @@ use super::curve::{self, DrawnCurve};
 use super::expression::{BUILT_IN, Value, listed};
 use super::live::Live;
 use super::names::Names;
-use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter};
+use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter, Table};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{BodyId, Frame, Mark, Vector, subtract};
@@ -33,6 +33,9 @@ pub(super) struct Resolver<'a> {
     pub has_given: bool,
     /// Whether a sensitivity is asked for, which takes some more.
     pub has_sensitivity: bool,
+    /// Tables: places in the list below; nothing where the statement has an error.
+    pub table_names: Names<Option<usize>>,
+    pub tables: Vec<Table>,
     pub drawn: Names<DrawnPoint>,
     /// Curves; nothing where the statement has an error.
     pub curves: Names<Option<DrawnCurve>>,
@@ -113,6 +116,7 @@ pub(super) fn resolve_statements(
             syntax::Statement::Constant(constant) => resolver.add_constant(constant),
             syntax::Statement::Parameter(parameter) => resolver.add_parameter(parameter),
             syntax::Statement::Input(input) => resolver.add_input(input),
+            syntax::Statement::Table(table) => resolver.add_table(table),
             syntax::Statement::Points(points) => resolver.add_points(points),
             syntax::Statement::Body(body) => resolver.add_body(body),
             syntax::Statement::Curve(curve) => resolver.add_curve(curve),
@@ -163,6 +167,7 @@ pub(super) fn resolve_statements(
         time,
         parameters: resolver.parameters,
         inputs: resolver.inputs,
+        tables: resolver.tables,
         bodies: resolver.bodies,
         joints: resolver
             .joints
@@ -222,6 +227,8 @@ impl<'a> Resolver<'a> {
             mentioned: HashSet::new(),
             has_given: false,
             has_sensitivity: false,
+            table_names: Names::new("table"),
+            tables: Vec::new(),
             drawn: Names::new("point"),
             curves: Names::new("curve"),
             choices: Vec::new(),
