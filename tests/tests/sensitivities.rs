@@ -179,9 +179,9 @@ fn what_differences_leave_is_their_truncation() {
     let mechanism = named("sensed_four_bar");
     let nominal = (mechanism.nominal)();
     let exact = (mechanism.sample)(&nominal, &times());
-    for parameter in 0..nominal.len() {
+    for (parameter, value) in nominal.iter().enumerate() {
         let errors = [0.04, 0.02, 0.01].map(|step| {
-            let differences = mechanism.differences(parameter, step * nominal[parameter]);
+            let differences = mechanism.differences(parameter, step * value);
             let pairs = differences.iter().zip(&exact);
             let errors =
                 pairs.map(|(found, instant)| apart(found, &instant.sensitivities[parameter], 1).0);
