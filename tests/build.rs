@@ -1,7 +1,9 @@
 //! Generates the mechanisms that only tests need, the repository's and one with tables in single precision, a list of the
-//! repository's, and all of them once more with what their drivers transmit.
+//! repository's, and all of them once more with what their drivers transmit, and those with parameters with their
+//! sensitivities.
 
 mod registry;
+mod sensing;
 mod transmitting;
 
 use std::path::Path;
@@ -24,5 +26,6 @@ fn main() {
         fs::write(target, tables.code).expect("the module is written");
     }
     registry::write("../mechanisms");
+    sensing::write("descriptions");
     transmitting::write(&["descriptions", "../mechanisms"]);
 }

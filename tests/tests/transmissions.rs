@@ -165,6 +165,7 @@ impl Transmitting {
         let tape = Tape::new(graph, &rates);
         let at = |&t: &f64| {
             let mut symbols = vec![0.0; graph.symbol_count()];
+            graph.fill_nominal(&mut symbols);
             symbols[time.index()] = t;
             let mut results = vec![0.0; rates.len()];
             tape.evaluate(&symbols, &mut Vec::new(), &mut results);

@@ -35,6 +35,13 @@ pub struct Interpreter {
     /// ∂Φ/∂δ of every direction, one after another: n results each.
     columns: Tape,
     directions: usize,
+    // Drivers come first among them.
+    driven: usize,
+    /// (Φ_q q̇ + Φ_t)_p of all parameters whose sensitivities are asked for, column by column.
+    rate_columns: Tape,
+    /// The entries of (Φ_q q̇ + Φ_t)_q that are not zero, and their rows and columns.
+    rate_jacobian: Tape,
+    rate_places: Vec<(usize, usize)>,
     transmissions: Vec<Requested>,
     /// Three results per contact: the velocity of the follower along and across the normal, and the square of the sliding speed.
     pressures: Tape,
@@ -102,6 +109,18 @@ impl Interpreter {
             .iter()
             .flat_map(|direction| direction.column.iter().copied())
             .collect();
+        let rate_columns: Vec<ExprId> = system
+            .directions
+            .iter()
+            .flat_map(|direction| direction.rate_column.iter().copied())
+            .collect();
+        let rate_rows = system.rate_jacobian.iter().enumerate();
+        let (rate_places, rate_entries): (Vec<(usize, usize)>, Vec<ExprId>) = rate_rows
+            .flat_map(|(row, entries)| {
+                let entries = entries.iter();
+                entries.map(move |entry| ((row, entry.coordinate), entry.value))
+            })
+            .unzip();
         let pressures: Vec<ExprId> = system
             .pressures
             .iter()
@@ -125,6 +144,10 @@ impl Interpreter {
                 .collect(),
             columns: Tape::new(graph, &columns),
             directions: system.directions.len(),
+            driven: system.driven().count(),
+            rate_columns: Tape::new(graph, &rate_columns),
+            rate_jacobian: Tape::new(graph, &rate_entries),
+            rate_places,
             transmissions: system.mechanism.transmissions.clone(),
             // A drawing that is not constant has been rejected before; NaN would be reported as not finite.
             estimate: DVector::from_iterator(
@@ -211,7 +234,8 @@ impl Interpreter {
             .collect()
     }
 
-    /// ∂q/∂δ (n × directions) at a pose that is solved: Φ_q ∂q/∂δ = −∂Φ/∂δ for each of [`System::directions`].
+    /// ∂q/∂δ (n × directions) at a pose that is solved: Φ_q ∂q/∂δ = −∂Φ/∂δ for each of [`System::directions`], first the drivers,
+    /// then the parameters.
     ///
     /// # Errors
     /// Where Φ_q is singular.
@@ -229,8 +253,41 @@ impl Interpreter {
         Ok(responses)
     }
 
+    /// ∂q̇/∂p (n × parameters whose sensitivities are asked for) at a frame that is solved:
+    /// Φ_q ∂q̇/∂p = −((Φ_q q̇ + Φ_t)_q ∂q/∂p + (Φ_q q̇ + Φ_t)_p). `responses` is what [`Interpreter::responses`] says of its pose.
+    ///
+    /// # Errors
+    /// Where Φ_q is singular.
+    pub fn sensitivity_rates(
+        &self,
+        frame: &Frame<f64, Dyn>,
+        responses: &DMatrix<f64>,
+    ) -> Result<DMatrix<f64>, Failure> {
+        let Frame { t, q, qd, .. } = frame;
+        let factorization = kinematics::factorize(self, q, *t, &Settings::default())?;
+        let parameters = self.directions - self.driven;
+        let mut columns = DVector::zeros(self.dimension * parameters);
+        self.evaluate(&self.rate_columns, q, Some(qd), *t, &mut columns);
+        let mut entries = DVector::zeros(self.rate_places.len());
+        self.evaluate(&self.rate_jacobian, q, Some(qd), *t, &mut entries);
+        let mut rate_jacobian = DMatrix::zeros(self.dimension, self.dimension);
+        for (place, entry) in self.rate_places.iter().zip(&entries) {
+            rate_jacobian[*place] = *entry;
+        }
+        let mut rates = DMatrix::zeros(self.dimension, parameters);
+        let parts = columns.as_slice().chunks_exact(self.dimension.max(1));
+        for (parameter, column) in parts.enumerate() {
+            let response = responses.column(self.driven + parameter);
+            let moved = &rate_jacobian * response;
+            let mut right_hand_side = -(moved + DVector::from_column_slice(column));
+            factorization.solve(&mut right_hand_side);
+            rates.set_column(parameter, &right_hand_side);
+        }
+        Ok(rates)
+    }
+
     /// What the drivers transmit, in the order of the mechanism's transmissions: a row for each component (x and y of a
-    /// point), a column for each direction. `responses` is what [`Interpreter::responses`] says of the same pose.
+    /// point), a column for each driver. `responses` is what [`Interpreter::responses`] says of the same pose.
     pub fn transmissions(
         &self,
         q: &DVector<f64>,
@@ -240,6 +297,7 @@ impl Interpreter {
         // The velocity of a point is linear in q̇, so responses in place of q̇ give the columns.
         let along: Vec<Vec<Motion<f64>>> = responses
             .column_iter()
+            .take(self.driven)
             .map(|response| {
                 let (qd, qdd) = (response.into_owned(), DVector::zeros(self.dimension));
                 self.points(&Frame {
@@ -251,11 +309,12 @@ impl Interpreter {
             })
             .collect();
         let matrix = |quantity: &Requested| match *quantity {
-            Requested::Point(place) => DMatrix::from_fn(2, self.directions, |row, column| {
+            Requested::Point(place) => DMatrix::from_fn(2, self.driven, |row, column| {
                 along[column][place].velocity[row]
             }),
             Requested::Coordinate { body, axis } => {
-                responses.rows(3 * (body - 1) + axis, 1).into_owned()
+                let row = responses.rows(3 * (body - 1) + axis, 1);
+                row.columns(0, self.driven).into_owned()
             }
         };
         self.transmissions.iter().map(matrix).collect()

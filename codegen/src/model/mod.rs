@@ -23,6 +23,7 @@ mod points;
 mod request;
 mod resolve;
 mod search;
+mod sensitivity;
 mod setting;
 mod slug;
 mod synonyms;
@@ -72,6 +73,9 @@ pub struct Mechanism {
     pub requests: Vec<Request>,
     /// What the drivers move and how fast: the quantities of `transmission` statements, each once.
     pub transmissions: Vec<Requested>,
+    /// Along which parameters the motion is differentiated: indices into the parameters, each once, as `sensitivity` statements
+    /// name them.
+    pub sensitivities: Vec<usize>,
     /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }

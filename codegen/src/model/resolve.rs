@@ -31,6 +31,8 @@ pub(super) struct Resolver<'a> {
     pub mentioned: HashSet<SymbolId>,
     /// Whether the mechanism has parameters or inputs anywhere, which takes some names in the generated code.
     pub has_given: bool,
+    /// Whether a sensitivity is asked for, which takes some more.
+    pub has_sensitivity: bool,
     /// Tables: places in the list below; nothing where the statement has an error.
     pub table_names: Names<Option<usize>>,
     pub tables: Vec<Table>,
@@ -74,6 +76,9 @@ const TAKEN_TYPE_NAMES: &[&str] = &[
 /// The same in mechanisms with parameters or inputs.
 const TAKEN_BY_GIVEN: &[&str] = &["Parameters", "Inputs", "Geometry", "Signal"];
 
+/// The same in mechanisms with sensitivities.
+const TAKEN_BY_SENSITIVITY: &[&str] = &["Sensitivity", "PointSensitivity"];
+
 /// Resolves the mechanism that these statements of a document make, all of them or those of one motion.
 ///
 /// Names may only be used below their declaration. The coordinates are named `x1, y1, phi1` for the body `1` and
@@ -105,6 +110,9 @@ pub(super) fn resolve_statements(
             syntax::Statement::Parameter(_) | syntax::Statement::Input(_)
         )
     });
+    resolver.has_sensitivity = statements
+        .iter()
+        .any(|statement| matches!(statement, syntax::Statement::Sensitivity(_)));
     resolver.check_mechanism_name(&item.name);
     for statement in statements {
         match statement {
@@ -118,8 +126,10 @@ pub(super) fn resolve_statements(
             syntax::Statement::Joint(joint) => resolver.add_joint(joint),
             syntax::Statement::Drive(drive) => resolver.add_driver(drive),
             syntax::Statement::Equation(equation) => resolver.add_equation(equation),
-            // Points are known once all bodies are.
-            syntax::Statement::Output(_) | syntax::Statement::Transmission(_) => {}
+            // Points are known once all bodies are, and parameters may follow.
+            syntax::Statement::Output(_)
+            | syntax::Statement::Transmission(_)
+            | syntax::Statement::Sensitivity(_) => {}
             // Its statements come by themselves.
             syntax::Statement::Motion(_) => {}
         }
@@ -143,6 +153,7 @@ pub(super) fn resolve_statements(
         .flat_map(|output| resolver.requests(output, &points))
         .collect();
     let transmissions = resolver.transmissions(statements, &points);
+    let sensitivities = resolver.sensitivities(statements, &points);
     resolver.note_used();
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
@@ -169,6 +180,7 @@ pub(super) fn resolve_statements(
         points,
         requests,
         transmissions,
+        sensitivities,
         characteristic_length,
     }
 }
@@ -217,6 +229,7 @@ impl<'a> Resolver<'a> {
             inputs: Vec::new(),
             mentioned: HashSet::new(),
             has_given: false,
+            has_sensitivity: false,
             table_names: Names::new("table"),
             tables: Vec::new(),
             drawn: Names::new("point"),
@@ -257,6 +270,7 @@ impl Resolver<'_> {
             format!("`{}` gives no name for a type", name.text)
         } else if TAKEN_TYPE_NAMES.contains(&type_name.as_str())
             || (self.has_given && TAKEN_BY_GIVEN.contains(&type_name.as_str()))
+            || (self.has_sensitivity && TAKEN_BY_SENSITIVITY.contains(&type_name.as_str()))
         {
             format!(
                 "`{}` would become the type `{type_name}`, which every generated module has already",

@@ -70,7 +70,7 @@ impl Resolver<'_> {
     }
 
     /// What functions of a quantity are named after: `k` of the point `K`, `phi_c1` of the angle of the body `c1`.
-    fn generated_name(&self, quantity: Requested, points: &[Point]) -> String {
+    pub(super) fn generated_name(&self, quantity: Requested, points: &[Point]) -> String {
         match quantity {
             Requested::Point(place) => points[place].name.to_lowercase(),
             Requested::Coordinate { body, axis } => self.bodies[body]

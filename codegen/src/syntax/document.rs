@@ -65,6 +65,8 @@ pub enum Statement {
     Output(Output),
     /// `transmission K, phi(1);`
     Transmission(Transmission),
+    /// `sensitivity L2, L3;`
+    Sensitivity(Sensitivity),
     /// `motion NAME { statements }`
     Motion(Motion),
 }
@@ -97,6 +99,7 @@ impl Statement {
             Statement::Curve(statement) => statement.span,
             Statement::Output(statement) => statement.span,
             Statement::Transmission(statement) => statement.span,
+            Statement::Sensitivity(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }
     }
@@ -483,6 +486,17 @@ pub struct Transmission {
     pub docs: Vec<String>,
     /// What is moved; at least one.
     pub items: Vec<OutputItem>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `sensitivity L2, L3;`: the parameters along which the motion is differentiated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensitivity {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// The parameters; at least one.
+    pub names: Vec<Name>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }

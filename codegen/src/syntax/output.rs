@@ -1,8 +1,8 @@
-//! *Tokens → what a mechanism is asked for:* `output K;`, `output velocity K, phi(c1);`, `transmission K;`.
+//! *Tokens → what a mechanism is asked for:* `output K;`, `output velocity K, phi(c1);`, `transmission K;`, `sensitivity L;`.
 
 use proc_macro2::Delimiter;
 
-use super::document::{Output, OutputItem, Statement, Transmission};
+use super::document::{Output, OutputItem, Sensitivity, Statement, Transmission};
 use super::reference::{identifier, operands, reference};
 use super::statement::semicolon_after_operands;
 use super::tokens::{Outcome, Tokens};
@@ -49,6 +49,23 @@ pub(super) fn transmission(
     let items = items(tokens)?;
     let span = start.to(semicolon_after_operands(tokens, start)?);
     Ok(Statement::Transmission(Transmission { docs, items, span }))
+}
+
+/// The statement after its first word.
+pub(super) fn sensitivity(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+) -> Outcome<Statement> {
+    let mut names = vec![identifier(tokens, "the name of a parameter")?];
+    while tokens.mark(',').is_some() {
+        if tokens.peek_mark(';') {
+            break;
+        }
+        names.push(identifier(tokens, "the name of a parameter")?);
+    }
+    let span = start.to(semicolon_after_operands(tokens, start)?);
+    Ok(Statement::Sensitivity(Sensitivity { docs, names, span }))
 }
 
 /// One or more quantities; a comma may follow the last one.

@@ -1,6 +1,6 @@
 //! The rows of every joint, and their derivatives.
 
-use super::direction::directions;
+use super::direction::{directions, rate_jacobian};
 use super::pressure::pressures;
 use super::row_name::RowNames;
 use super::{Coordinate, Described, Entry, Output, Row, SymbolRole, System, VectorForm};
@@ -71,7 +71,8 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             }
         })
         .collect();
-    let directions = directions(&mut mechanism, &rows);
+    let directions = directions(&mut mechanism, &rows, &coordinates);
+    let rate_jacobian = rate_jacobian(&mut mechanism, &rows, &coordinates);
     let pressures = pressures(&mut mechanism, &coordinates);
     let vector_form = VectorForm::new(&mut mechanism, &coordinates);
     let mut roles = roles(&mechanism, &coordinates);
@@ -82,6 +83,7 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         rows,
         outputs,
         directions,
+        rate_jacobian,
         pressures,
         vector_form,
         roles,

@@ -1,38 +1,122 @@
-//! What the pose can be moved along besides time: the value of each driver.
+//! What the pose can be moved along besides time: the value of each driver, and parameters.
 //!
 //! A driver says quantity = f(t). With f(t) + δ in its place the pose depends on δ too, and Φ_q ∂q/∂δ = −∂Φ/∂δ at δ = 0 says how
 //! (implicit function theorem; Haug 1989, section 3.6, has the same with t in place of δ). Afterwards every direction has its
-//! symbol δ and its column ∂Φ/∂δ. The textbook's rows themselves do not mention δ.
+//! symbol δ and its column ∂Φ/∂δ. The textbook's rows themselves do not mention δ. A parameter p is a symbol of the rows already, and
+//! moves the rates too: (Φ_q q̇ + Φ_t) = 0 has its own column.
 
-use super::{Row, System};
+use super::{Coordinate, Entry, Row, System};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::{Quantity, Resolved};
-use crate::model::{Mechanism, Role};
+use crate::model::{Mechanism, Role, field_name};
 
 /// A direction in which the pose can be moved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Direction {
     /// What is moved.
     pub cause: Cause,
-    /// What is added to the driver's value.
+    /// What is added to the driver's value, or the parameter itself.
     pub symbol: SymbolId,
-    /// What it is called in generated code: `drive_phi_crank`.
+    /// What it is called in generated code: `drive_phi_crank`, `l2`.
     pub name: String,
-    /// What the driven quantity is measured in.
-    pub quantity: Quantity,
-    /// ∂Φ/∂δ at δ = 0: one expression a row.
+    /// ∂Φ/∂δ at δ = 0, or ∂Φ/∂p: one expression a row.
     pub column: Vec<ExprId>,
+    /// (Φ_q q̇ + Φ_t)_p with the rates held: one expression a row; of parameters alone.
+    pub rate_column: Vec<ExprId>,
 }
 
 /// What moves the pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// The value of a driver: an index into the mechanism's joints.
-    Driver(usize),
+    /// The value of a driver.
+    Driver {
+        /// An index into the mechanism's joints.
+        joint: usize,
+        /// What the driven quantity is measured in.
+        quantity: Quantity,
+    },
+    /// A parameter: an index into the mechanism's parameters.
+    Parameter(usize),
 }
 
-/// The directions that the mechanism's statements ask for: those of all drivers in written order, where there is a transmission.
-pub(super) fn directions(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<Direction> {
+/// The directions that the mechanism's statements ask for: those of all drivers in written order, where there is a transmission,
+/// then those of the parameters of its sensitivities.
+pub(super) fn directions(
+    mechanism: &mut Mechanism,
+    rows: &[Row],
+    coordinates: &[Coordinate],
+) -> Vec<Direction> {
+    let mut directions = drivers(mechanism, rows);
+    directions.extend(parameters(mechanism, rows, coordinates));
+    directions
+}
+
+/// Φ_q q̇ + Φ_t of a row.
+fn rate(row: &Row, mechanism: &mut Mechanism, coordinates: &[Coordinate]) -> ExprId {
+    let graph = &mut mechanism.graph;
+    let mut terms = vec![row.time_derivative];
+    for entry in &row.jacobian {
+        let rate = graph.variable(coordinates[entry.coordinate].rate);
+        terms.push(graph.multiply(entry.value, rate));
+    }
+    graph.sum(&terms)
+}
+
+/// (Φ_q q̇ + Φ_t)_q row by row, entries that are not identically zero; nothing where no sensitivity is asked for.
+pub(super) fn rate_jacobian(
+    mechanism: &mut Mechanism,
+    rows: &[Row],
+    coordinates: &[Coordinate],
+) -> Vec<Vec<Entry>> {
+    if mechanism.sensitivities.is_empty() {
+        return Vec::new();
+    }
+    let mut entries = Vec::with_capacity(rows.len());
+    for row in rows {
+        let rate = rate(row, mechanism, coordinates);
+        let graph = &mut mechanism.graph;
+        let slope = |(coordinate, own): (usize, &Coordinate)| Entry {
+            coordinate,
+            value: graph.derivative(rate, own.position),
+        };
+        let mut slopes: Vec<Entry> = coordinates.iter().enumerate().map(slope).collect();
+        let zero = mechanism.graph.zero();
+        slopes.retain(|entry| entry.value != zero);
+        entries.push(slopes);
+    }
+    entries
+}
+
+/// The directions of the parameters of all sensitivities.
+fn parameters(
+    mechanism: &mut Mechanism,
+    rows: &[Row],
+    coordinates: &[Coordinate],
+) -> Vec<Direction> {
+    let mut directions = Vec::new();
+    for parameter in mechanism.sensitivities.clone() {
+        let own = &mechanism.parameters[parameter];
+        let (symbol, name) = (own.symbol, field_name(&own.name));
+        let mut column = Vec::with_capacity(rows.len());
+        let mut rate_column = Vec::with_capacity(rows.len());
+        for row in rows {
+            let rate = rate(row, mechanism, coordinates);
+            column.push(mechanism.graph.derivative(row.residual, symbol));
+            rate_column.push(mechanism.graph.derivative(rate, symbol));
+        }
+        directions.push(Direction {
+            cause: Cause::Parameter(parameter),
+            symbol,
+            name,
+            column,
+            rate_column,
+        });
+    }
+    directions
+}
+
+/// The directions of all drivers, where there is a transmission.
+fn drivers(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<Direction> {
     if mechanism.transmissions.is_empty() {
         return Vec::new();
     }
@@ -68,17 +152,36 @@ pub(super) fn directions(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<Directi
             });
         }
         directions.push(Direction {
-            cause: Cause::Driver(index),
+            cause: Cause::Driver {
+                joint: index,
+                quantity,
+            },
             symbol,
             name: joint.slug.clone(),
-            quantity,
             column,
+            rate_column: Vec::new(),
         });
     }
     directions
 }
 
+impl Direction {
+    /// Whether it moves a parameter.
+    pub fn is_parameter(&self) -> bool {
+        matches!(self.cause, Cause::Parameter(_))
+    }
+}
+
 impl System {
+    /// The joints and quantities of the drivers among the directions, with the place of each.
+    pub fn driven(&self) -> impl Iterator<Item = (usize, usize, Quantity)> {
+        let directions = self.directions.iter().enumerate();
+        directions.filter_map(|(place, direction)| match direction.cause {
+            Cause::Driver { joint, quantity } => Some((place, joint, quantity)),
+            Cause::Parameter(_) => None,
+        })
+    }
+
     /// Adds δ to the value of every driver that the pose is to be moved along, in the vector form.
     pub fn shift_drivers(&mut self) {
         let System {
@@ -88,8 +191,9 @@ impl System {
             ..
         } = self;
         for direction in directions.iter() {
-            let Cause::Driver(joint) = direction.cause;
-            vector_form.shift_driver(joint, direction.symbol, mechanism);
+            if let Cause::Driver { joint, .. } = direction.cause {
+                vector_form.shift_driver(joint, direction.symbol, mechanism);
+            }
         }
     }
 }

@@ -24,6 +24,7 @@ pub use written_order::WrittenOrder;
 
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
+use crate::joint::geometry::Vector;
 use crate::model::Mechanism;
 
 /// The equations of a mechanism.
@@ -39,6 +40,8 @@ pub struct System {
     pub outputs: Vec<Output>,
     /// What the pose is moved along besides time, where a statement asks for it.
     pub directions: Vec<Direction>,
+    /// (Φ_q q̇ + Φ_t)_q row by row, where a sensitivity is asked for.
+    pub rate_jacobian: Vec<Vec<Entry>>,
     /// The pressure angles of cams and their followers.
     pub pressures: Vec<Pressure>,
     /// The same constraints in vector form.
@@ -170,6 +173,24 @@ impl System {
         self.roles
             .resize(symbol.index() + 1, SymbolRole::Intermediate);
         symbol
+    }
+
+    /// The arm R(φ) s of a local vector in the orientation of the unknown `angle`, and what its symbols are.
+    pub fn arm(&mut self, angle: usize, local: Vector, name: &str) -> Vector {
+        let graph = &mut self.mechanism.graph;
+        let arm = self.vector_form.arm(angle, local, name, graph);
+        let arms = self.vector_form.arms.iter().enumerate();
+        let own = |found: &Arm| found.angle == angle && found.local == local;
+        if let Some((place, found)) = arms.rev().find(|(_, found)| own(found)) {
+            for symbol in found.symbols {
+                if self.roles.len() <= symbol.index() {
+                    self.roles
+                        .resize(symbol.index() + 1, SymbolRole::Intermediate);
+                }
+                self.roles[symbol.index()] = SymbolRole::Arm(place);
+            }
+        }
+        arm
     }
 
     /// The name of an unknown: a coordinate, or an auxiliary unknown of the vector form.

@@ -2,7 +2,7 @@
 
 use super::formula::{Printer, escaped};
 use crate::expr::ExprId;
-use crate::system::{Row, SymbolRole, System};
+use crate::system::{Cause, Row, SymbolRole, System};
 
 /// More coordinates than these make a matrix that fits no page; its entries are then listed.
 const LARGEST_MATRIX: usize = 9;
@@ -22,27 +22,17 @@ pub fn inspect(system: &System) -> String {
     text.push_str(&jacobian(system, &coordinates));
     text.push_str(&rows(system, "\\Phi_{t}", |row| row.time_derivative, ""));
     text.push_str(&rows(system, "\\gamma", |row| row.gamma, ""));
-    text.push_str(&directions(system));
+    text.push_str(&driven(system));
+    text.push_str(&parameters(system));
     text
 }
 
 /// ∂Φ/∂s for the value s of each driver, where something is transmitted: the rows that are not zero.
-fn directions(system: &System) -> String {
-    let zero = system.mechanism.graph.zero();
-    let mut lines = Vec::new();
-    for direction in &system.directions {
-        for (index, (row, &entry)) in system.rows.iter().zip(&direction.column).enumerate() {
-            if entry == zero {
-                continue;
-            }
-            let formula = Printer::new(system, &row.bodies).expression(entry);
-            let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
-            lines.push(format!(
-                "  (\\Phi_{{s}})_{{{}}} &= {formula} && \\text{{{joint}}}",
-                index + 1
-            ));
-        }
-    }
+fn driven(system: &System) -> String {
+    let lines: Vec<String> = system
+        .driven()
+        .flat_map(|(place, ..)| column(&system.directions[place].column, "s", system))
+        .collect();
     if lines.is_empty() {
         return String::new();
     }
@@ -50,6 +40,43 @@ fn directions(system: &System) -> String {
         "The value of each driver is $s$; all other rows of $\\Phi_{{s}}$ are zero.\n\\begin{{align*}}\n{}\n\\end{{align*}}\n",
         lines.join(" \\\\\n")
     )
+}
+
+/// ∂Φ/∂p for each parameter p whose sensitivity is asked for: the rows that are not zero.
+fn parameters(system: &System) -> String {
+    let mut text = String::new();
+    for direction in &system.directions {
+        let Cause::Parameter(place) = direction.cause else {
+            continue;
+        };
+        let name = escaped(&system.mechanism.parameters[place].name);
+        let lines = column(&direction.column, "p", system);
+        text.push_str(&match lines.is_empty() {
+            true => format!("For the parameter {name}, $\\Phi_{{p}}$ is zero.\n"),
+            false => format!(
+                "For the parameter $p$ = {name}; all other rows of $\\Phi_{{p}}$ are zero.\n\\begin{{align*}}\n{}\n\\end{{align*}}\n",
+                lines.join(" \\\\\n")
+            ),
+        });
+    }
+    text
+}
+
+/// The rows of a column that are not zero, as aligned equations.
+fn column(column: &[ExprId], index_name: &str, system: &System) -> Vec<String> {
+    let zero = system.mechanism.graph.zero();
+    let entries = system.rows.iter().zip(column).enumerate();
+    entries
+        .filter(|(_, (_, entry))| **entry != zero)
+        .map(|(index, (row, &entry))| {
+            let formula = Printer::new(system, &row.bodies).expression(entry);
+            let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
+            format!(
+                "  (\\Phi_{{{index_name}}})_{{{}}} &= {formula} && \\text{{{joint}}}",
+                index + 1
+            )
+        })
+        .collect()
 }
 
 /// One aligned equation a row, with the joint as its tag. Where the equations do not end in ` = 0`, a remark stands for the rows

@@ -151,19 +151,22 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     let pressure_angles = system.pressures.iter().zip(&program.pressures);
     let pressure_angles = pressure_angles
         .map(|(pressure, straight)| pressure_angle(system, program, pressure, straight));
-    let (shared, drawn, transmissions, transmitted) = match &program.solved {
+    let (shared, drawn, transmissions, sensitivities, structures, responded) = match &program.solved
+    {
         Some(solved) => (
             solved::frame_fields(system, solved),
             solved::frame_values(system, solved),
             solved::transmissions(system, solved),
-            solved::transmitted(system, solved),
+            solved::sensitivities(system, solved),
+            solved::structures(solved),
+            solved::responded(system, solved),
         ),
         None => Default::default(),
     };
-    let also = if transmitted.is_empty() {
+    let also = if responded.is_empty() {
         TokenStream::new()
     } else {
-        quote!(&& all_finite(&[#(#transmitted),*]))
+        quote!(&& all_finite(&[#(#responded),*]))
     };
     let keeps_parameters = kept_in_frame(program);
     let parameters = only(
@@ -199,6 +202,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
         impl Frame {
             #(#methods)*
             #transmissions
+            #sensitivities
             #(#pressure_angles)*
             #private
         }
@@ -223,6 +227,8 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
 
         #allow
         #implementation
+
+        #structures
     }
 }
 

@@ -4,11 +4,13 @@ mod block;
 mod frame;
 mod names;
 mod newton;
+mod sensitivity;
 mod solver;
 mod transmission;
 
 pub(super) use block::blocks;
 pub(super) use frame::{branches, frame_fields, frame_values, output_frame};
 pub(super) use newton::newton_blocks;
+pub(super) use sensitivity::{sensitivities, structures};
 pub(super) use solver::mechanism;
-pub(super) use transmission::{transmissions, transmitted};
+pub(super) use transmission::{responded, transmissions};

@@ -5,7 +5,7 @@ use super::formula::Printer;
 use super::table::{aligned, shown_width};
 use crate::expr::ExprId;
 use crate::model::{Dimension, Role};
-use crate::system::{Output, Row, System};
+use crate::system::{Cause, Output, Row, System};
 
 /// The widest matrix that is printed as one; wider ones are listed entry by entry.
 const WIDEST_MATRIX: usize = 110;
@@ -25,7 +25,8 @@ pub fn inspect(system: &System, notation: Notation) -> String {
     text.push_str(&page.jacobian(headings[1]));
     text.push_str(&page.rows(headings[2], |row| row.time_derivative, false));
     text.push_str(&page.rows(headings[3], |row| row.gamma, false));
-    text.push_str(&page.directions());
+    text.push_str(&page.driven());
+    text.push_str(&page.parameters());
     text.push_str(&page.points());
     text
 }
@@ -194,17 +195,10 @@ impl Page<'_> {
     }
 
     /// ∂Φ/∂s for the value s of each driver, where something is transmitted: the rows that are not zero.
-    fn directions(&self) -> String {
-        let zero = self.system.mechanism.graph.zero();
-        let mut lines: Vec<Vec<String>> = Vec::new();
-        for direction in &self.system.directions {
-            let entries = self.system.rows.iter().zip(&direction.column).enumerate();
-            for (index, (row, &entry)) in entries.filter(|(_, (_, entry))| **entry != zero) {
-                let mut line = self.label(index, None);
-                line.push(Printer::new(self.system, &row.bodies, self.notation).expression(entry));
-                lines.push(line);
-            }
-        }
+    fn driven(&self) -> String {
+        let driven = self.system.driven();
+        let columns = driven.map(|(place, ..)| &self.system.directions[place].column);
+        let lines: Vec<_> = columns.flat_map(|column| self.column(column)).collect();
         if lines.is_empty() {
             return String::new();
         }
@@ -213,6 +207,41 @@ impl Page<'_> {
             Notation::Unicode => "Φ_s, s the value of the driver",
         };
         format!("\n{heading}\n{}", aligned(&lines))
+    }
+
+    /// ∂Φ/∂p for each parameter p whose sensitivity is asked for: the rows that are not zero.
+    fn parameters(&self) -> String {
+        let mut text = String::new();
+        for direction in &self.system.directions {
+            let Cause::Parameter(place) = direction.cause else {
+                continue;
+            };
+            let name = &self.system.mechanism.parameters[place].name;
+            let symbol = match self.notation {
+                Notation::Ascii => "Phi",
+                Notation::Unicode => "Φ",
+            };
+            let lines = self.column(&direction.column);
+            text.push_str(&match lines.is_empty() {
+                true => format!("\n{symbol}_p = 0, p the parameter {name}\n"),
+                false => format!("\n{symbol}_p, p the parameter {name}\n{}", aligned(&lines)),
+            });
+        }
+        text
+    }
+
+    /// The rows of a column that are not zero.
+    fn column(&self, column: &[ExprId]) -> Vec<Vec<String>> {
+        let zero = self.system.mechanism.graph.zero();
+        let entries = self.system.rows.iter().zip(column).enumerate();
+        entries
+            .filter(|(_, (_, entry))| **entry != zero)
+            .map(|(index, (row, &entry))| {
+                let mut line = self.label(index, None);
+                line.push(Printer::new(self.system, &row.bodies, self.notation).expression(entry));
+                line
+            })
+            .collect()
     }
 
     fn points(&self) -> String {

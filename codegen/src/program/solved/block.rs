@@ -93,6 +93,7 @@ pub(super) fn lower_block(
         drawn,
         defined: Vec::new(),
         responses,
+        stretched: 0,
     };
     let mut pending = Vec::new();
     let mut newton = None;
@@ -208,8 +209,8 @@ pub(super) fn lower_block(
         if level != Level::Velocity {
             builder.actions.push(Action::Section(level));
         }
-        if let (Level::Response(direction), Some(newton)) = (level, &newton) {
-            builder.newton_response(newton, direction);
+        if let Some(newton) = &newton {
+            builder.newton_response(newton, level);
         }
         for motion in &motions {
             builder.rates(motion, level);

@@ -17,6 +17,8 @@ pub(super) struct Builder<'a> {
     pub defined: Vec<SymbolId>,
     /// What has been found along the directions.
     pub responses: &'a mut Responses,
+    /// How many links of the block change their length.
+    pub stretched: usize,
 }
 
 /// The cosine and the sine of an angle that was found.
@@ -90,10 +92,14 @@ impl Builder<'_> {
             .rate(expr, &mut self.system.mechanism.graph)
     }
 
-    /// The first or the second rate of an expression, or its derivative along a direction.
+    /// The first or the second rate of an expression, or its derivative along a direction, or the rate of that.
     pub(super) fn rate_at(&mut self, expr: ExprId, level: Level) -> ExprId {
         if let Level::Response(direction) = level {
             return self.along(expr, direction);
+        }
+        if let Level::ResponseRate(direction) = level {
+            let response = self.along(expr, direction);
+            return self.rate(response);
         }
         let first = self.rate(expr);
         if level == Level::Velocity {
@@ -108,7 +114,7 @@ impl Builder<'_> {
         let whole = self.rate_at(expr, level);
         match level {
             // What has not been found is held.
-            Level::Response(_) => whole,
+            Level::Response(_) | Level::ResponseRate(_) => whole,
             _ => {
                 let target = self.target(unknown, level);
                 self.without(whole, &[target])
@@ -120,6 +126,7 @@ impl Builder<'_> {
     pub(super) fn find(&mut self, unknown: usize, level: Level, value: ExprId) {
         match level {
             Level::Response(direction) => self.respond(unknown, direction, value),
+            Level::ResponseRate(direction) => self.respond_rate(unknown, direction, value),
             _ => {
                 let target = self.target(unknown, level);
                 self.assign(target, value);
@@ -243,6 +250,7 @@ impl Builder<'_> {
                 self.assign(symbols[0], value[0]);
                 self.assign(symbols[1], value[1]);
             }
+            self.responses.change_arm(place, self.system);
         }
         arm
     }
@@ -266,13 +274,22 @@ impl Builder<'_> {
         let turning = self.graph().variable(turning);
         let first = p.map(|part| self.rate(part));
         let second = first.map(|part| self.rate(part));
-        let stretch = ["x", "y"].map(|axis| self.system.intermediate(&format!("stretch_{axis}")));
-        let pull = ["x", "y"].map(|axis| self.system.intermediate(&format!("pull_{axis}")));
+        // All of a block are needed at once, so their names must be told apart.
+        self.stretched += 1;
+        let number = match self.stretched {
+            1 => String::new(),
+            number => format!("_{number}"),
+        };
+        let mut vector = |name| {
+            ["x", "y"].map(|axis| self.system.intermediate(&format!("{name}{number}_{axis}")))
+        };
+        let (stretch, pull) = (vector("stretch"), vector("pull"));
         self.turn_rule(w, turning, stretch);
         let stretch_variables = stretch.map(|symbol| self.graph().variable(symbol));
         self.turn_rule(stretch_variables, turning, pull);
         self.turn_response(angle, w);
         Some(Stretch {
+            angle,
             p,
             w,
             direction,
@@ -340,6 +357,8 @@ impl Builder<'_> {
 /// The parts of a turned vector's motion that come from its own change: R ṗ and R p̈.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch {
+    /// The unknown that turns it.
+    pub angle: usize,
     /// The vector in the orientation that turns.
     pub p: Vector,
     /// The turned vector.

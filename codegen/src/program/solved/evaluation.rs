@@ -20,9 +20,9 @@ pub(super) fn evaluated(actions: &[Action], newton: Option<&super::NewtonBlock>)
     expressions
 }
 
-/// The operations of each level in all blocks, the last ones those of all responses to drivers.
-pub(super) fn operations(blocks: &[BlockProgram], system: &System) -> [Operations; 4] {
-    let mut levels = [Operations::default(); 4];
+/// The operations of each level in all blocks, the last two those of all responses to drivers and to parameters.
+pub(super) fn operations(blocks: &[BlockProgram], system: &System) -> [Operations; 5] {
+    let mut levels = [Operations::default(); 5];
     for block in blocks {
         let mut level = 0;
         let time = block
@@ -36,7 +36,9 @@ pub(super) fn operations(blocks: &[BlockProgram], system: &System) -> [Operation
                     Level::Position => 0,
                     Level::Velocity => 1,
                     Level::Acceleration => 2,
-                    Level::Response(_) => 3,
+                    Level::Response(direction) | Level::ResponseRate(direction) => {
+                        3 + usize::from(system.directions[*direction].is_parameter())
+                    }
                 };
             }
             levels[level] += operations_of(action, system, block.named());

@@ -8,6 +8,7 @@ use super::fields::fields;
 use super::liveness::prune;
 use super::outputs::outputs;
 use super::responses::Responses;
+use super::sensitivities::{Sensitivity, sensitivities};
 use super::sharing::share;
 use super::transmissions::{Transmission, transmissions};
 use super::{Action, BlockProgram, Output, Report, SolvedProgram};
@@ -52,22 +53,26 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     let wanted = outputs(system, constants);
     let (transmissions, transmitting) = transmissions(system, &mut responses, constants).unzip();
     let transmissions = transmissions.unwrap_or_default();
+    let (sensitivities, sensing) = sensitivities(system, &mut responses, constants).unzip();
+    let sensitivities = sensitivities.unwrap_or_default();
+    let responding: Vec<BlockProgram> = transmitting.into_iter().chain(sensing).collect();
     let system = &*system;
     let mut report = Report::default();
     let mut all = blocks.clone();
     // What the points take is counted on both sides.
     all.extend(wanted.iter().map(|(_, last)| last.clone()));
-    all.extend(transmitting.iter().cloned());
-    let transmitted: HashSet<SymbolId> = transmissions
+    all.extend(responding.iter().cloned());
+    let mut responded: HashSet<SymbolId> = transmissions
         .iter()
         .flat_map(Transmission::fields)
         .collect();
+    responded.extend(sensitivities.iter().flat_map(Sensitivity::fields));
     let mut asked_for: HashSet<SymbolId> = wanted
         .iter()
         .flat_map(|(outputs, _)| outputs)
         .flat_map(Output::fields)
         .collect();
-    asked_for.extend(&transmitted);
+    asked_for.extend(&responded);
     prune(
         &mut all,
         &|symbol| is_coordinate(symbol, system) || asked_for.contains(&symbol),
@@ -85,7 +90,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     }
     let all_levels = operations(&all, system);
     report.all_operations.copy_from_slice(&all_levels[..3]);
-    for last in wanted.iter().map(|(_, last)| last).chain(&transmitting) {
+    for last in wanted.iter().map(|(_, last)| last).chain(&responding) {
         note_constants(
             &last
                 .actions
@@ -100,11 +105,11 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     let (outputs, asked) = match wanted {
         None => {
             blocks = all;
-            (None, transmitted)
+            (None, responded)
         }
         Some((outputs, last)) => {
             blocks.push(last);
-            blocks.extend(transmitting);
+            blocks.extend(responding);
             let asked = asked_for;
             prune(&mut blocks, &|symbol| asked.contains(&symbol), system);
             for block in &mut blocks {
@@ -124,6 +129,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     let levels = operations(&blocks, system);
     report.operations.copy_from_slice(&levels[..3]);
     report.transmission = (!transmissions.is_empty()).then_some(levels[3]);
+    report.sensitivity = (!sensitivities.is_empty()).then_some(levels[4]);
     let angles = |blocks: &[BlockProgram]| -> HashSet<usize> {
         let actions = blocks.iter().flat_map(|block| &block.actions);
         actions
@@ -180,6 +186,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         branches,
         outputs,
         transmissions,
+        sensitivities,
         report,
         field_set,
         branch_places,

@@ -14,6 +14,7 @@ mod newton;
 mod one_angle;
 mod outputs;
 mod responses;
+mod sensitivities;
 mod sharing;
 mod slides;
 mod transmissions;
@@ -22,6 +23,7 @@ mod whole;
 
 pub use lower::lower;
 pub use outputs::Output;
+pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};
 pub use transmissions::Transmission;
 pub use whole::{WholeBlock, whole};
 
@@ -44,6 +46,8 @@ pub struct SolvedProgram {
     pub outputs: Option<Vec<Output>>,
     /// What the drivers transmit, in written order.
     pub transmissions: Vec<Transmission>,
+    /// How the motion depends on parameters, in written order.
+    pub sensitivities: Vec<Sensitivity>,
     /// What was kept and left out.
     pub report: Report,
     // The same fields and branches by symbol; only looked up.
@@ -80,6 +84,8 @@ pub struct Report {
     pub all_operations: [Operations; 3],
     /// What the transmissions take beside the pose; `None` where there are none.
     pub transmission: Option<Operations>,
+    /// What the sensitivities take beside pose and rates; `None` where there are none.
+    pub sensitivity: Option<Operations>,
 }
 
 /// The function of one block.
@@ -122,6 +128,8 @@ pub enum Level {
     Acceleration,
     /// Derivatives of the pose along a direction: an index into the system's directions.
     Response(usize),
+    /// The rates of these derivatives, which are the derivatives of the rates; of parameters alone.
+    ResponseRate(usize),
 }
 
 /// One statement.

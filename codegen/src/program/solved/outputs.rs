@@ -101,7 +101,7 @@ pub(super) fn outputs(
 }
 
 /// Each quantity once, up to the highest level that is asked for, in order of the first mention.
-fn highest_levels(requests: &[Request]) -> Vec<Request> {
+pub(super) fn highest_levels(requests: &[Request]) -> Vec<Request> {
     let mut highest: Vec<Request> = Vec::new();
     for request in requests {
         match highest

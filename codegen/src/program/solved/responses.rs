@@ -9,7 +9,8 @@ use std::collections::{HashMap, HashSet};
 use super::builder::{Builder, Stretch};
 use super::{Action, Level, NewtonBlock};
 use crate::expr::{ExprId, Node, SymbolId};
-use crate::system::{SymbolRole, System};
+use crate::joint::geometry::Vector;
+use crate::system::{Direction, SymbolRole, System};
 
 /// How everything found so far responds to each direction.
 #[derive(Clone, Debug)]
@@ -21,6 +22,8 @@ pub(super) struct Responses {
     fixed: HashMap<SymbolId, ExprId>,
     /// The names of all values that a frame could hold; only looked up.
     taken: HashSet<String>,
+    /// The symbols of derivatives of unknowns and their rates; only looked up.
+    found: HashSet<SymbolId>,
 }
 
 /// The responses to one direction.
@@ -28,8 +31,13 @@ pub(super) struct Responses {
 struct Along {
     symbol: SymbolId,
     name: String,
+    is_parameter: bool,
     /// By unknown; none while it has not been found.
     values: Vec<Option<ExprId>>,
+    /// The rates of these values by unknown, where the direction is a parameter.
+    rates: Vec<Option<ExprId>>,
+    /// What changes an arm beside its angle, by its place: the arm R ∂s/∂p.
+    arms: HashMap<usize, Vector>,
     /// What changes a turned vector beside its angle.
     stretches: HashMap<SymbolId, ExprId>,
 }
@@ -44,27 +52,51 @@ struct Turned {
 
 impl Responses {
     /// Nothing has been found yet.
-    pub(super) fn new(system: &System) -> Responses {
+    pub(super) fn new(system: &mut System) -> Responses {
         let unknowns = system.vector_form.unknowns.len();
-        let along = |direction: &crate::system::Direction| Along {
+        let along = |direction: &Direction| Along {
             symbol: direction.symbol,
             name: direction.name.clone(),
+            is_parameter: direction.is_parameter(),
             values: vec![None; unknowns],
+            rates: vec![None; unknowns],
+            arms: HashMap::new(),
             stretches: HashMap::new(),
         };
         let directions: Vec<Along> = system.directions.iter().map(along).collect();
-        let mut taken = HashSet::new();
-        if !directions.is_empty() {
-            let form = &system.vector_form;
-            taken.extend(form.unknowns.iter().map(|unknown| unknown.name.clone()));
-            let arms = form.arms.iter().flat_map(|arm| arm.symbols);
-            taken.extend(arms.map(|symbol| system.local_name(symbol).to_string()));
-        }
-        Responses {
+        let mut responses = Responses {
             directions,
             turned: HashMap::new(),
             fixed: HashMap::new(),
-            taken,
+            taken: HashSet::new(),
+            found: HashSet::new(),
+        };
+        for place in 0..system.vector_form.arms.len() {
+            responses.change_arm(place, system);
+        }
+        if !responses.directions.is_empty() {
+            let form = &system.vector_form;
+            let unknowns = form.unknowns.iter().map(|unknown| unknown.name.clone());
+            responses.taken.extend(unknowns);
+            let arms = form.arms.iter().flat_map(|arm| arm.symbols);
+            let names = arms.map(|symbol| system.local_name(symbol).to_string());
+            responses.taken.extend(names);
+        }
+        responses
+    }
+
+    /// Makes the arms R ∂s/∂p of an arm R s, which are defined as it is.
+    pub(super) fn change_arm(&mut self, place: usize, system: &mut System) {
+        for along in self.directions.iter_mut().filter(|it| it.is_parameter) {
+            let arm = &system.vector_form.arms[place];
+            let (angle, local, name) = (arm.angle, arm.local, &arm.name);
+            let name = format!("{name}_by_{}", along.name);
+            let graph = &mut system.mechanism.graph;
+            let change = local.map(|part| graph.derivative(part, along.symbol));
+            if change != [graph.zero(); 2] {
+                let changed = system.arm(angle, change, &name);
+                along.arms.insert(place, changed);
+            }
         }
     }
 
@@ -99,10 +131,13 @@ impl Responses {
                 } else {
                     x
                 };
-                graph.multiply(turning, across)
+                let turned = graph.multiply(turning, across);
+                let component = usize::from(symbol != arm.symbols[0]);
+                let changed = along.arms.get(&place).map_or(zero, |it| it[component]);
+                graph.add(turned, changed)
             }
-            SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. } => zero,
             _ if symbol == along.symbol => graph.one(),
+            SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. } => zero,
             _ if self.directions.iter().any(|other| other.symbol == symbol) => zero,
             _ => {
                 if let Some(&value) = self.fixed.get(&symbol) {
@@ -123,6 +158,22 @@ impl Responses {
     pub(super) fn of_unknown(&self, unknown: usize, direction: usize, system: &System) -> ExprId {
         let value = self.directions[direction].values[unknown];
         value.unwrap_or(system.mechanism.graph.zero())
+    }
+
+    /// The rate of this response.
+    pub(super) fn rate_of_unknown(
+        &self,
+        unknown: usize,
+        direction: usize,
+        system: &System,
+    ) -> ExprId {
+        let rate = self.directions[direction].rates[unknown];
+        rate.unwrap_or(system.mechanism.graph.zero())
+    }
+
+    /// Whether a symbol stands for the derivative of an unknown or its rate.
+    pub(super) fn is_response(&self, symbol: SymbolId) -> bool {
+        self.found.contains(&symbol)
     }
 
     /// A name that nothing else has: `phi_c1_by_drive_length_n_m`.
@@ -156,10 +207,51 @@ impl Builder<'_> {
         self.responses.directions[direction].values[unknown] = Some(value);
     }
 
+    /// States the rate of such a response; that of a constant is zero whatever `value` looks like.
+    pub(super) fn respond_rate(&mut self, unknown: usize, direction: usize, value: ExprId) {
+        let graph = &self.system.mechanism.graph;
+        if self.response(unknown, direction).is_none() || value == graph.zero() {
+            return;
+        }
+        let target = self.response_rate_symbol(unknown, direction);
+        self.assign(target, value);
+        self.found_rate(unknown, direction, target);
+    }
+
+    /// The symbol of a response that is no constant.
+    fn response(&self, unknown: usize, direction: usize) -> Option<SymbolId> {
+        let value = self.responses.directions[direction].values[unknown]?;
+        match *self.system.mechanism.graph.node(value) {
+            Node::Symbol(symbol) => Some(symbol),
+            _ => None,
+        }
+    }
+
+    fn found_rate(&mut self, unknown: usize, direction: usize, target: SymbolId) {
+        let rate = self.graph().variable(target);
+        if let Some(symbol) = self.response(unknown, direction) {
+            self.system.vector_form.set_rate(symbol, rate);
+        }
+        self.responses.directions[direction].rates[unknown] = Some(rate);
+    }
+
     fn response_symbol(&mut self, unknown: usize, direction: usize) -> SymbolId {
         let name = self.system.unknown_name(unknown).to_string();
         let name = self.responses.name(&name, direction);
-        self.system.intermediate(&name)
+        let symbol = self.system.intermediate(&name);
+        self.responses.found.insert(symbol);
+        // What has not been found is held.
+        let zero = self.graph().zero();
+        self.system.vector_form.set_rate(symbol, zero);
+        symbol
+    }
+
+    fn response_rate_symbol(&mut self, unknown: usize, direction: usize) -> SymbolId {
+        let name = format!("{}_rate", self.system.unknown_name(unknown));
+        let name = self.responses.name(&name, direction);
+        let symbol = self.system.intermediate(&name);
+        self.responses.found.insert(symbol);
+        symbol
     }
 
     /// States what a local value is that depends on parameters alone.
@@ -190,7 +282,9 @@ impl Builder<'_> {
             return;
         }
         let turned = self.turn(stretch.direction, change);
-        let values = self.vector("stretch", turned);
+        // What changes the vector with time may be needed beside it, so the names must be told apart.
+        let name = self.responses.name("stretch", direction);
+        let values = self.vector(&name, turned);
         for (component, value) in stretch.w.into_iter().zip(values) {
             if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(component) {
                 self.responses.directions[direction]
@@ -200,26 +294,69 @@ impl Builder<'_> {
         }
     }
 
-    /// The responses of the tears: one solve with the Jacobian that Newton-Raphson ended with, factorized at the first of them.
-    pub(super) fn newton_response(&mut self, newton: &NewtonBlock, direction: usize) {
+    /// How the same moves with time: the rate of R ∂p/∂δ is φ̇ Ω R ∂p/∂δ + R d(∂p/∂δ)/dt.
+    pub(super) fn stretch_response_rate(&mut self, stretch: &Stretch, direction: usize) {
+        let found = stretch.w.map(|component| {
+            let Node::Symbol(symbol) = *self.system.mechanism.graph.node(component) else {
+                return None;
+            };
+            let stretches = &self.responses.directions[direction].stretches;
+            stretches.get(&symbol).copied()
+        });
+        let [Some(x), Some(y)] = found else {
+            return;
+        };
+        let change = stretch.p.map(|part| self.along(part, direction));
+        let change = change.map(|part| self.rate(part));
+        let turned = self.turn(stretch.direction, change);
+        let name = self.responses.name("stretch_rate", direction);
+        let values = self.vector(&name, turned);
+        let turning = self.rates_of(stretch.angle).0;
+        let graph = self.graph();
+        let turning = graph.variable(turning);
+        let [back, forward] = [graph.multiply(turning, y), graph.multiply(turning, x)];
+        let rates = [
+            graph.subtract(values[0], back),
+            graph.add(values[1], forward),
+        ];
+        for (value, rate) in [x, y].into_iter().zip(rates) {
+            if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(value) {
+                self.system.vector_form.set_rate(symbol, rate);
+            }
+        }
+    }
+
+    /// The responses of the tears, or their rates: one solve with the Jacobian that Newton-Raphson ended with, factorized at the first of them.
+    pub(super) fn newton_response(&mut self, newton: &NewtonBlock, level: Level) {
+        let (direction, is_rate) = match level {
+            Level::Response(direction) => (direction, false),
+            Level::ResponseRate(direction) => (direction, true),
+            _ => return,
+        };
         let zero = self.graph().zero();
         let mut right_hand_side = Vec::with_capacity(newton.residuals.len());
         for &residual in &newton.residuals {
-            let slope = self.along(residual, direction);
+            let slope = self.rate_at(residual, level);
             right_hand_side.push(self.graph().negate(slope));
         }
         if right_hand_side.iter().all(|&value| value == zero) {
             for &unknown in &newton.unknowns {
-                self.respond(unknown, direction, zero);
+                self.find(unknown, level, zero);
             }
             return;
         }
         let mut targets = Vec::with_capacity(newton.unknowns.len());
         for &unknown in &newton.unknowns {
-            let target = self.response_symbol(unknown, direction);
-            targets.push(Some(target));
-            let value = self.graph().variable(target);
-            self.responses.directions[direction].values[unknown] = Some(value);
+            if is_rate {
+                let target = self.response_rate_symbol(unknown, direction);
+                targets.push(Some(target));
+                self.found_rate(unknown, direction, target);
+            } else {
+                let target = self.response_symbol(unknown, direction);
+                targets.push(Some(target));
+                let value = self.graph().variable(target);
+                self.responses.directions[direction].values[unknown] = Some(value);
+            }
         }
         if !self.actions.contains(&Action::Factorize) {
             self.actions.push(Action::Factorize);
@@ -239,6 +376,7 @@ impl Builder<'_> {
             .responses
             .directions
             .iter()
+            .filter(|along| !along.is_parameter)
             .map(|along| along.symbol)
             .collect();
         let mut actions = std::mem::take(&mut self.actions);
@@ -265,7 +403,11 @@ impl Builder<'_> {
 
     /// The levels of a block after its pose, in their order.
     pub(super) fn levels(&self) -> Vec<Level> {
-        let responses = (0..self.responses.directions.len()).map(Level::Response);
+        let directions = self.responses.directions.iter().enumerate();
+        let responses = directions.flat_map(|(place, along)| {
+            let rate = along.is_parameter.then_some(Level::ResponseRate(place));
+            [Some(Level::Response(place)), rate].into_iter().flatten()
+        });
         [Level::Velocity, Level::Acceleration]
             .into_iter()
             .chain(responses)

@@ -197,6 +197,8 @@ impl Builder<'_> {
         } else {
             self.link(angle, p, start_value, "start")
         };
+        // What changes these links beside the angle turns with it.
+        self.arms(angle, direction);
         let position = self.position(slide);
         let chain = [0, 1].map(|axis| {
             let graph = self.graph();

@@ -44,7 +44,8 @@ pub(super) fn transmissions(
         .map(|quantity| described(*quantity, system))
         .collect();
     let mut actions = Vec::new();
-    for direction in 0..system.directions.len() {
+    let driven: Vec<usize> = system.driven().map(|(place, ..)| place).collect();
+    for direction in driven {
         actions.push(Action::Section(Level::Response(direction)));
         for (quantity, transmission) in requested.iter().zip(&mut found) {
             let (components, values) = match *quantity {
@@ -83,7 +84,7 @@ pub(super) fn transmissions(
     Some((found, block))
 }
 
-fn described(quantity: Requested, system: &System) -> Transmission {
+pub(super) fn described(quantity: Requested, system: &System) -> Transmission {
     let (name, what, rows) = match quantity {
         Requested::Point(place) => {
             let name = &system.mechanism.points[place].name;

@@ -224,6 +224,10 @@ impl Builder<'_> {
                     self.stretch_response(stretch, direction);
                     continue;
                 }
+                Level::ResponseRate(direction) => {
+                    self.stretch_response_rate(stretch, direction);
+                    continue;
+                }
                 Level::Velocity => (stretch.stretch, stretch.first),
                 _ => (stretch.pull, stretch.second),
             };
@@ -235,6 +239,10 @@ impl Builder<'_> {
             Level::Response(direction) => {
                 let response = closing.whole.map(|part| self.along(part, direction));
                 ("drift", response)
+            }
+            Level::ResponseRate(_) => {
+                let response = closing.whole.map(|part| self.rate_at(part, level));
+                ("drift_rate", response)
             }
             Level::Velocity => ("drift", closing.levels[0]),
             _ => ("drift_rate", closing.levels[1]),

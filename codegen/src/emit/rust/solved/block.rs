@@ -215,10 +215,17 @@ pub(super) fn statement(
         Action::Section(Level::Velocity) => comment("Velocity."),
         Action::Section(Level::Acceleration) => comment("Acceleration."),
         Action::Section(Level::Response(direction)) => {
-            let Cause::Driver(joint) = names.system.directions[*direction].cause;
-            let label = &names.system.mechanism.joints[joint].label;
-            comment(&format!("Response to {label}."))
+            let mechanism = &names.system.mechanism;
+            comment(&match names.system.directions[*direction].cause {
+                Cause::Driver { joint, .. } => {
+                    format!("Response to {}.", mechanism.joints[joint].label)
+                }
+                Cause::Parameter(place) => {
+                    format!("Sensitivity to {}.", mechanism.parameters[place].name)
+                }
+            })
         }
+        Action::Section(Level::ResponseRate(_)) => comment("Rate of this sensitivity."),
         Action::Comment(text) => comment(text),
         Action::Let { target, value } => assignment(*target, writer.expression(*value, &[]), names),
         Action::Share(statement) => writer.statement(statement),

@@ -4,7 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::names::plain_name;
-use super::transmission::{transmissions, transmitted};
+use super::sensitivity::{sensitivities, structures};
+use super::transmission::{responded, transmissions};
 use crate::emit::rust::coordinates::derives;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::identifier;
@@ -99,13 +100,15 @@ pub(in crate::emit::rust) fn output_frame(
         let name = plain_name(symbol, system);
         quote!(self.#name)
     });
-    let checked = checked.chain(transmitted(system, solved));
+    let checked = checked.chain(responded(system, solved));
     let transmissions = transmissions(system, solved);
+    let (sensitivities, structures) = (sensitivities(system, solved), structures(solved));
     let implementation = quote! {
         impl Frame {
             #(#methods)*
 
             #transmissions
+            #sensitivities
 
             /// The drawing at rest, which the solution starts from.
             const DRAWN: Self = Self { t: 0.0, #drawn };
@@ -134,6 +137,8 @@ pub(in crate::emit::rust) fn output_frame(
 
         #allow
         #implementation
+
+        #structures
     }
 }
 

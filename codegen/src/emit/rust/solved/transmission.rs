@@ -8,19 +8,19 @@ use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::identifier;
 use crate::emit::rust::literal::count;
 use crate::joint::Quantity;
-use crate::program::solved::{SolvedProgram, Transmission};
-use crate::system::{Cause, System};
+use crate::program::solved::{Sensitivity, SolvedProgram, Transmission};
+use crate::system::System;
 
 /// The functions of all transmissions, and the list of the drivers; nothing where there are none.
 pub(in crate::emit::rust) fn transmissions(system: &System, solved: &SolvedProgram) -> TokenStream {
     if solved.transmissions.is_empty() {
         return TokenStream::new();
     }
-    let labels = system.directions.iter().map(|direction| {
-        let Cause::Driver(joint) = direction.cause;
-        system.mechanism.joints[joint].label.as_str()
-    });
-    let number = count(system.directions.len());
+    let joints = &system.mechanism.joints;
+    let labels = system
+        .driven()
+        .map(|(_, joint, _)| joints[joint].label.as_str());
+    let number = count(system.driven().count());
     let functions = solved
         .transmissions
         .iter()
@@ -33,13 +33,15 @@ pub(in crate::emit::rust) fn transmissions(system: &System, solved: &SolvedProgr
     }
 }
 
-/// The values that must be numbers, with a comma before each.
-pub(in crate::emit::rust) fn transmitted(
+/// The values of transmissions and sensitivities, which must be numbers.
+pub(in crate::emit::rust) fn responded(
     system: &System,
     solved: &SolvedProgram,
 ) -> Vec<TokenStream> {
-    let fields = solved.transmissions.iter().flat_map(Transmission::fields);
-    fields
+    let transmitted = solved.transmissions.iter().flat_map(Transmission::fields);
+    let sensitivities = solved.sensitivities.iter().flat_map(Sensitivity::fields);
+    transmitted
+        .chain(sensitivities)
         .map(|symbol| {
             let name = plain_name(symbol, system);
             quote!(self.#name)
@@ -77,9 +79,8 @@ fn functions(transmission: &Transmission, system: &System) -> TokenStream {
         Quantity::Power(0) => "1".to_string(),
         Quantity::Power(exponent) => format!("m^{exponent}"),
     };
-    let drivers = system.directions.iter().map(|direction| {
-        let Cause::Driver(joint) = direction.cause;
-        let unit = format!("{}/{}", unit(rows[0]), unit(direction.quantity));
+    let drivers = system.driven().map(|(_, joint, quantity)| {
+        let unit = format!("{}/{}", unit(rows[0]), unit(quantity));
         format!("`{}` ({unit})", system.mechanism.joints[joint].label)
     });
     let listed: Vec<String> = drivers

@@ -1,0 +1,89 @@
+//! *Descriptions with parameters* → *the same with the sensitivity to each of them*, for build scripts.
+//!
+//! So every kind of joint whose description can be changed at run time is differentiated without being named anywhere.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::model::type_name;
+
+/// Every description with parameters that is not limited by `output`, as `sensing_NAME`, and `sensing.rs` with a list of samples.
+pub fn write(folder: &str) {
+    let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
+    let descriptions = output.join("sensing");
+    fs::create_dir_all(&descriptions).expect("a folder of its own");
+    let (mut modules, mut list) = (String::new(), String::new());
+    for path in files(folder) {
+        let text = fs::read_to_string(&path).expect("a description");
+        let source = Source::new(path.display().to_string(), text.clone());
+        // A description with errors is reported where it is built for itself.
+        let Ok(read) = linkwright_codegen::read(&source) else {
+            continue;
+        };
+        let Some(system) = read.only() else {
+            continue;
+        };
+        let mechanism = &system.mechanism;
+        let limited = !mechanism.requests.is_empty() || !mechanism.sensitivities.is_empty();
+        // Signals would have to be supplied.
+        if limited || mechanism.parameters.is_empty() || !mechanism.inputs.is_empty() {
+            continue;
+        }
+        let name = &mechanism.name;
+        let parameters: Vec<&str> = mechanism
+            .parameters
+            .iter()
+            .map(|it| it.name.as_str())
+            .collect();
+        let points: Vec<&str> = mechanism.points.iter().map(|it| it.name.as_str()).collect();
+        let renamed = text.replacen(
+            &format!("mechanism {name}"),
+            &format!("mechanism sensing_{name}"),
+            1,
+        );
+        let end = renamed.rfind('}').expect("a mechanism ends in a brace");
+        let statement = format!("\n    sensitivity {};\n", parameters.join(", "));
+        let text = format!("{}{statement}{}", &renamed[..end], &renamed[end..]);
+        fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
+        modules.push_str(&module(name, &parameters, &points));
+        list.push_str(&format!(
+            "    Sensing {{ name: \"{name}\", parameters: &{parameters:?}, nominal: {name}::nominal, sample: {name}::sample }},\n"
+        ));
+    }
+    linkwright_codegen::build(&descriptions);
+    let text = format!("{modules}\npub const ALL: &[Sensing] = &[\n{list}];\n");
+    fs::write(output.join("sensing.rs"), text).expect("a new file");
+}
+
+/// A module with a function that samples a mechanism with given parameters.
+fn module(name: &str, parameters: &[&str], points: &[&str]) -> String {
+    let fields: Vec<String> = parameters.iter().map(|it| it.to_lowercase()).collect();
+    let points: Vec<String> = points.iter().map(|it| it.to_lowercase()).collect();
+    let motions: Vec<String> = points.iter().map(|it| format!("point_{it}")).collect();
+    let each = |parameter: &String| {
+        let points = points
+            .iter()
+            .map(|point| format!("point_{point}_sensitivity_{parameter}"));
+        let points: Vec<String> = points.collect();
+        format!("(sensitivity_{parameter}, [{}])", points.join(", "))
+    };
+    let sensitivities: Vec<String> = fields.iter().map(each).collect();
+    format!(
+        "pub mod {name} {{\n    linkwright::include_mechanism!(sensing_{name});\n    sensed!({}, [{}], [{}], [{}]);\n}}\n",
+        type_name(&format!("sensing_{name}")),
+        fields.join(", "),
+        motions.join(", "),
+        sensitivities.join(", ")
+    )
+}
+
+fn files(folder: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(Path::new(folder)).expect("a folder");
+    let mut files: Vec<PathBuf> = entries
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .filter(|path| path.extension().is_some_and(|it| it == "mech"))
+        .collect();
+    files.sort();
+    files
+}

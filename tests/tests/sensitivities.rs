@@ -1,0 +1,382 @@
+//! How the motion depends on parameters: against differences, closed forms and the textbook view, and where it has no answer.
+
+use std::path::Path;
+
+use linkwright::FailureKind;
+use linkwright::nalgebra::DVector;
+use linkwright_cli::interpreter::Interpreter;
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::system::System;
+
+/// The derivatives along one parameter: position and velocity of all coordinates, then of all points.
+pub type Derivatives = [Vec<f64>; 2];
+
+/// One frame of a mechanism.
+pub struct Instant {
+    t: f64,
+    /// Position and velocity of all coordinates, then of all points.
+    values: [Vec<f64>; 2],
+    acceleration: Vec<f64>,
+    /// By parameter.
+    sensitivities: Vec<Derivatives>,
+}
+
+/// A mechanism with the sensitivity to each of its parameters.
+pub struct Sensing {
+    name: &'static str,
+    parameters: &'static [&'static str],
+    nominal: fn() -> Vec<f64>,
+    /// The frames at these times with these parameters.
+    sample: fn(&[f64], &[f64]) -> Vec<Instant>,
+}
+
+macro_rules! sensed {
+    ($mechanism:ident, [$($field:ident),+], [$($point:ident),*],
+     [$(($sensitivity:ident, [$($point_sensitivity:ident),*])),+]) => {
+        pub fn nominal() -> Vec<f64> {
+            let nominal = Parameters::default();
+            vec![$(nominal.$field),+]
+        }
+
+        pub fn sample(parameters: &[f64], times: &[f64]) -> Vec<crate::Instant> {
+            let mut values = parameters.iter().copied();
+            let parameters = Parameters { $($field: values.next().expect("a value for each")),+ };
+            let mut mechanism =
+                $mechanism::assemble_for(&parameters, times[0]).expect("the drawing assembles");
+            let each = |&t: &f64| {
+                let frame = mechanism.advance(t).expect("the motion can be followed");
+                let mut position = frame.q.to_array().to_vec();
+                let mut velocity = frame.qd.to_array().to_vec();
+                $(
+                    position.extend(frame.$point().position);
+                    velocity.extend(frame.$point().velocity);
+                )*
+                let mut sensitivities = Vec::new();
+                $({
+                    let Sensitivity { position, velocity } = frame.$sensitivity();
+                    let mut derivatives =
+                        [position, velocity].map(|it| it.to_array().to_vec());
+                    $({
+                        let PointSensitivity { position, velocity } = frame.$point_sensitivity();
+                        derivatives[0].extend(position);
+                        derivatives[1].extend(velocity);
+                    })*
+                    sensitivities.push(derivatives);
+                })+
+                crate::Instant {
+                    t,
+                    values: [position, velocity],
+                    acceleration: frame.qdd.to_array().to_vec(),
+                    sensitivities,
+                }
+            };
+            times.iter().map(each).collect()
+        }
+    };
+}
+
+mod generated {
+    use super::Sensing;
+    include!(concat!(env!("OUT_DIR"), "/sensing.rs"));
+}
+use generated::ALL;
+
+const TIMES: usize = 40;
+
+fn times() -> Vec<f64> {
+    (0..=TIMES).map(|step| step as f64 / 25.0).collect()
+}
+
+fn named(name: &str) -> &'static Sensing {
+    ALL.iter().find(|it| it.name == name).expect("it is listed")
+}
+
+impl Sensing {
+    fn system(&self) -> System {
+        let folder = Path::new(env!("OUT_DIR")).join("sensing");
+        let path = folder.join(format!("{}.mech", self.name));
+        let text = std::fs::read_to_string(&path).expect("a description");
+        let read = linkwright_codegen::read(&Source::new(self.name, text)).expect("no errors");
+        read.only().expect("one motion")
+    }
+
+    /// Central differences of all values along a parameter.
+    fn differences(&self, parameter: usize, step: f64) -> Vec<Derivatives> {
+        let sampled = |shift: f64| {
+            let mut parameters = (self.nominal)();
+            parameters[parameter] += shift;
+            (self.sample)(&parameters, &times())
+        };
+        let (above, below) = (sampled(step), sampled(-step));
+        let pairs = above.iter().zip(&below);
+        pairs
+            .map(|(above, below)| {
+                [0, 1].map(|level| {
+                    let pairs = above.values[level].iter().zip(&below.values[level]);
+                    pairs.map(|(a, b)| (a - b) / (2.0 * step)).collect()
+                })
+            })
+            .collect()
+    }
+}
+
+/// The largest difference of two lists of derivatives, and the largest of the second.
+fn apart(one: &Derivatives, other: &Derivatives, level: usize) -> (f64, f64) {
+    assert_eq!(one[level].len(), other[level].len());
+    let pairs = one[level].iter().zip(&other[level]);
+    pairs.fold((0.0, 0.0), |(error, scale): (f64, f64), (one, other)| {
+        (error.max((one - other).abs()), scale.max(other.abs()))
+    })
+}
+
+/// Richardson's extrapolation of two central differences leaves an error of the fourth order in the step.
+#[test]
+fn sensitivities_are_the_limits_of_differences() {
+    let mut compared = 0;
+    for mechanism in ALL {
+        let nominal = (mechanism.nominal)();
+        let exact = (mechanism.sample)(&nominal, &times());
+        for (parameter, name) in mechanism.parameters.iter().enumerate() {
+            let step = 2e-3 * nominal[parameter].abs();
+            let coarse = mechanism.differences(parameter, step);
+            let fine = mechanism.differences(parameter, step / 2.0);
+            let mut largest = [0.0_f64; 2];
+            let mut scale = [0.0_f64; 2];
+            for (place, instant) in exact.iter().enumerate() {
+                let extrapolated = [0, 1].map(|level| {
+                    let pairs = fine[place][level].iter().zip(&coarse[place][level]);
+                    pairs
+                        .map(|(fine, coarse)| (4.0 * fine - coarse) / 3.0)
+                        .collect()
+                });
+                for level in 0..2 {
+                    let own = &instant.sensitivities[parameter];
+                    let (error, size) = apart(&extrapolated, own, level);
+                    largest[level] = largest[level].max(error);
+                    scale[level] = scale[level].max(size);
+                }
+                compared += 1;
+            }
+            // Nothing of these mechanisms is independent of any parameter.
+            assert!(scale[0] > 0.0, "{name} of {}", mechanism.name);
+            for level in 0..2 {
+                let error = largest[level] / scale[level].max(scale[0]);
+                println!("{} by {name}, level {level}: {error:.1e}", mechanism.name);
+                assert!(
+                    error < 1e-9,
+                    "{name} of {}, {level}: {error:e}",
+                    mechanism.name
+                );
+            }
+        }
+    }
+    assert!(compared > 1000);
+}
+
+/// Halving the step of a central difference quarters what is left: the rest is truncation, not an error of the derivative.
+#[test]
+fn what_differences_leave_is_their_truncation() {
+    let mechanism = named("sensed_four_bar");
+    let nominal = (mechanism.nominal)();
+    let exact = (mechanism.sample)(&nominal, &times());
+    for (parameter, value) in nominal.iter().enumerate() {
+        let errors = [0.04, 0.02, 0.01].map(|step| {
+            let differences = mechanism.differences(parameter, step * value);
+            let pairs = differences.iter().zip(&exact);
+            let errors =
+                pairs.map(|(found, instant)| apart(found, &instant.sensitivities[parameter], 1).0);
+            errors.fold(0.0, f64::max)
+        });
+        // What is linear in a parameter has no truncation.
+        if errors[0] < 1e-12 {
+            continue;
+        }
+        for pair in errors.windows(2) {
+            let ratio = pair[0] / pair[1];
+            assert!(
+                (3.9..4.3).contains(&ratio),
+                "{} {ratio}",
+                mechanism.parameters[parameter]
+            );
+        }
+    }
+}
+
+/// Φ_q ∂q/∂p = −Φ_p and the same of the rates, as dense systems at the frame that generated code found.
+#[test]
+fn the_textbook_view_depends_on_parameters_alike() {
+    for mechanism in ALL {
+        let system = mechanism.system();
+        let interpreter = Interpreter::new(&system);
+        let count = system.coordinates.len();
+        let mut largest = 0.0_f64;
+        for instant in (mechanism.sample)(&(mechanism.nominal)(), &times()) {
+            let [q, qd] =
+                [0, 1].map(|level| DVector::from_column_slice(&instant.values[level][..count]));
+            let frame = linkwright::Frame {
+                t: instant.t,
+                q,
+                qd,
+                qdd: DVector::from_column_slice(&instant.acceleration),
+            };
+            let position = interpreter
+                .responses(&frame.q, frame.t)
+                .expect("a regular pose");
+            let velocity = interpreter
+                .sensitivity_rates(&frame, &position)
+                .expect("a regular pose");
+            for (parameter, own) in instant.sensitivities.iter().enumerate() {
+                for (level, dense) in [&position, &velocity].into_iter().enumerate() {
+                    let own = DVector::from_column_slice(&own[level][..count]);
+                    let dense = dense.column(parameter);
+                    // Some move nothing but a point.
+                    let scale = dense.amax().max(position.column(parameter).amax());
+                    let error = (own - dense).amax() / if scale > 0.0 { scale } else { 1.0 };
+                    assert!(
+                        error < 1e-11,
+                        "{} of {}, {level}: {error:e}",
+                        mechanism.parameters[parameter],
+                        mechanism.name
+                    );
+                    largest = largest.max(error);
+                }
+            }
+        }
+        println!(
+            "{}: the views differ by at most {largest:.1e}",
+            mechanism.name
+        );
+    }
+}
+
+/// The closure of the four-bar, L2 e(φ2) + L3 e(φ3) − L4 e(φ4) = (G, 0), differentiated by hand. With e⊥ = Ω e, along a length
+/// L3 (Norton 2012, *Design of Machinery*, sections 4.5 and 6.7, has the same loop with t in place of L3):
+/// e3 + L3 φ3' e3⊥ = L4 φ4' e4⊥, whose products with e4 and e3 give
+/// L3 φ3' sin(φ4 − φ3) = −cos(φ4 − φ3) and L4 φ4' sin(φ4 − φ3) = −1;
+/// along L4 in the same way L3 φ3' sin(φ4 − φ3) = 1 and L4 φ4' sin(φ4 − φ3) = cos(φ4 − φ3); along L2
+/// L3 φ3' sin(φ4 − φ3) = −cos(φ4 − φ2) and L4 φ4' sin(φ4 − φ3) = −cos(φ3 − φ2); along G, whose sign is the other one,
+/// L3 φ3' sin(φ4 − φ3) = cos φ4 and L4 φ4' sin(φ4 − φ3) = cos φ3. Their rates follow by the quotient rule.
+#[test]
+fn a_four_bar_depends_on_its_lengths_as_its_closure_says() {
+    let mechanism = named("sensed_four_bar");
+    let nominal = (mechanism.nominal)();
+    let &[ground, crank, coupler, rocker, ..] = nominal.as_slice() else {
+        panic!("it has lengths");
+    };
+    assert_eq!([ground, crank, coupler, rocker], [0.1, 0.04, 0.12, 0.08]);
+    for instant in (mechanism.sample)(&nominal, &times()) {
+        let [q, qd] = &instant.values;
+        let (two, three, four) = (q[2], q[5], q[8]);
+        let (two_rate, three_rate, four_rate) = (qd[2], qd[5], qd[8]);
+        let (sine, cosine) = (four - three).sin_cos();
+        let turning = four_rate - three_rate;
+        // Each quotient is −cos(angle)/(length sin(φ4 − φ3)) up to its sign; its rate follows.
+        let quotient = |sign: f64, angle: f64, rate: f64, length: f64| {
+            let value = sign * angle.cos() / (length * sine);
+            let slope =
+                -sign * angle.sin() * rate / (length * sine) - value * turning * cosine / sine;
+            [value, slope]
+        };
+        let expected = [
+            [
+                quotient(1.0, four, four_rate, coupler),
+                quotient(1.0, three, three_rate, rocker),
+            ],
+            [
+                quotient(-1.0, four - two, four_rate - two_rate, coupler),
+                quotient(-1.0, three - two, three_rate - two_rate, rocker),
+            ],
+            [
+                quotient(-1.0, four - three, turning, coupler),
+                quotient(-1.0, 0.0, 0.0, rocker),
+            ],
+            [
+                quotient(1.0, 0.0, 0.0, coupler),
+                quotient(1.0, four - three, turning, rocker),
+            ],
+        ];
+        for (parameter, angles) in expected.iter().enumerate() {
+            for (angle, place) in angles.iter().zip([5, 8]) {
+                for (level, expected) in angle.iter().enumerate() {
+                    let found = instant.sensitivities[parameter][level][place];
+                    let error = (found - expected).abs() / expected.abs().max(10.0);
+                    let name = mechanism.parameters[parameter];
+                    assert!(
+                        error < 1e-12,
+                        "{name}, {place}, {level}: {found} {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+mod sensed_outputs {
+    linkwright::include_mechanism!(sensed_outputs);
+}
+
+/// Only what `output` names is differentiated, and it is what the mechanism that is asked for everything says.
+#[test]
+fn what_is_asked_for_is_differentiated_alone() {
+    let whole = named("sensed_four_bar");
+    let mut mechanism = sensed_outputs::SensedOutputs::assemble(0.0).expect("as drawn");
+    for (t, instant) in times()
+        .into_iter()
+        .zip((whole.sample)(&(whole.nominal)(), &times()))
+    {
+        let frame = mechanism.advance(t).expect("the crank swings");
+        let length = &instant.sensitivities[1];
+        let near = |found: f64, expected: f64| {
+            assert!(
+                (found - expected).abs() < 1e-12 * expected.abs().max(1.0),
+                "{found} {expected}"
+            );
+        };
+        near(frame.phi_rocker_sensitivity_l2(), length[0][8]);
+        near(frame.phi_rocker_rate_sensitivity_l2(), length[1][8]);
+        // Nine coordinates and the points A, D, B, C, P come before.
+        let place = 9 + 2 * 4;
+        let point = frame.point_p_position_sensitivity_l2();
+        near(point[0], length[0][place]);
+        near(point[1], length[0][place + 1]);
+    }
+}
+
+mod sensed_folding {
+    linkwright::include_mechanism!(sensed_folding);
+}
+
+/// Where crank and rod come in line the derivative grows without limit; what is returned is finite, or a failure.
+#[test]
+fn a_singular_pose_is_a_failure_and_never_infinite() {
+    use sensed_folding::SensedFolding;
+    let mut mechanism = SensedFolding::assemble(0.0).expect("as drawn");
+    let fold = std::f64::consts::FRAC_PI_2;
+    for exponent in 1..=6 {
+        let t = fold - 10.0_f64.powi(-exponent);
+        let frame = mechanism.advance(t).expect("not yet in line");
+        let sensitivity = frame.sensitivity_l();
+        assert!(
+            sensitivity
+                .position
+                .to_array()
+                .iter()
+                .all(|it| it.is_finite())
+        );
+        assert!(
+            sensitivity
+                .velocity
+                .to_array()
+                .iter()
+                .all(|it| it.is_finite())
+        );
+        assert!(sensitivity.position.phi2.abs() > 0.1 * 10.0_f64.powi(exponent).sqrt());
+    }
+    let before = mechanism.frame().sensitivity_l();
+    let failure = mechanism.advance(fold).expect_err("in line");
+    assert!(
+        matches!(failure.kind, FailureKind::Singular { .. }),
+        "{failure}"
+    );
+    assert_eq!(mechanism.frame().sensitivity_l(), before);
+}
