@@ -247,3 +247,42 @@ fn text_pictures_and_exit_codes_follow_the_options() {
     let help = folder.run("check --help").exits_with(0).stdout;
     assert!(help.contains("--deny-warnings"), "{help}");
 }
+
+/// The column of a block is |sin φ2| in the exam, and |sin(φ_rocker − φ_coupler)| in the four-bar.
+#[test]
+fn solve_monitors_how_close_each_block_is() {
+    let folder = Folder::new("monitor_exam", EXAM);
+    let ran = folder
+        .run("solve a.mech --monitor --csv - --to 1 --step 0.1")
+        .exits_with(0);
+    let mut lines = ran
+        .stdout
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().expect("a header");
+    let place = |name: &str| {
+        let found = header.iter().position(|it| *it == name);
+        found.unwrap_or_else(|| panic!("no {name} in {header:?}"))
+    };
+    let mut count = 0;
+    for line in lines {
+        let read = |name: &str| line[place(name)].parse::<f64>().expect("a number");
+        let (found, wanted) = (read("closeness_phi2"), read("phi2").sin().abs());
+        assert!(
+            (found - wanted).abs() < 1e-14,
+            "{found} instead of {wanted}"
+        );
+        count += 1;
+    }
+    assert_eq!(count, 11);
+    assert!(
+        ran.stderr.contains("closeness_phi2 = 0.2") && ran.stderr.contains("at t = 0.8 s"),
+        "{}",
+        ran.stderr
+    );
+    let plain = folder
+        .run("solve a.mech --csv - --to 1 --step 0.1")
+        .exits_with(0);
+    assert!(!plain.stdout.contains("closeness"));
+    folder.run("solve a.mech --monitor --json").exits_with(2);
+}
