@@ -227,7 +227,29 @@ fn text_pictures_and_exit_codes_follow_the_options() {
     }
     assert_eq!(ran.stderr, "");
     let picture = folder.read("pictures/assemblies.svg");
-    assert!(picture.contains("<svg"), "{picture}");
+    // The crank of length 1 and the rod of length √3 are drawn to scale.
+    let links: Vec<f64> = picture
+        .split("points=\"")
+        .skip(1)
+        .map(|rest| {
+            let mut pairs = rest.split(['"', ' ']).filter_map(|pair| {
+                let (x, y) = pair.split_once(',')?;
+                Some((x.parse::<f64>().ok()?, y.parse::<f64>().ok()?))
+            });
+            let (a, b) = (
+                pairs.next().expect("a point"),
+                pairs.next().expect("a point"),
+            );
+            (a.0 - b.0).hypot(a.1 - b.1)
+        })
+        .collect();
+    assert_eq!(links.len(), 4, "{picture}");
+    // Q is the middle of the rod, its second point; pixels are whole.
+    assert!(
+        (links[1] / links[0] - 0.75_f64.sqrt()).abs() < 0.03,
+        "{links:?}"
+    );
+    assert!((links[2] / links[0] - 1.0).abs() < 0.03, "{links:?}");
     folder.run("check a.mech --deny-warnings").exits_with(0);
     // A rod that comes within half a degree of the x axis, between two frames.
     let near = Folder::new(
