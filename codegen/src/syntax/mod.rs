@@ -43,7 +43,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 11] = [
+pub const KEYWORDS: [&str; 12] = [
     "const",
     "param",
     "input",
@@ -52,6 +52,7 @@ pub const KEYWORDS: [&str; 11] = [
     "curve",
     "drive",
     "equation",
+    "redundant",
     "output",
     "transmission",
     "motion",
