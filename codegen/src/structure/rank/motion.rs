@@ -1,8 +1,10 @@
 //! The null space of Φ_q → what a person would see moving.
 //!
 //! Each free motion leaves as much at rest as can be: its coordinates are a smallest dependent set of columns. Angles are looked at
-//! last, so that a motion turns one body against the others wherever it can. A motion about a point is told by the instantaneous
+//! last, and later bodies before earlier ones, so that a motion turns one body against the others wherever it can. A motion about a point is told by the instantaneous
 //! centre of rotation; its name counts only where it is the centre in every pose.
+
+use std::cmp::Reverse;
 
 use super::balanced;
 use super::functions::{Functions, Pose};
@@ -86,7 +88,7 @@ fn null_vectors(system: &System, functions: &Functions<'_>, pose: &Pose) -> Vec<
     order.sort_by_key(|&at| {
         let own = &system.coordinates[at];
         let is_angle = own.quantity == Quantity::Angle;
-        (own.describes.body().is_none(), is_angle, at)
+        (own.describes.body().is_none(), is_angle, Reverse(at))
     });
     let mut basis = Basis::default();
     let mut found = Vec::new();
