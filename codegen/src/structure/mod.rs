@@ -5,6 +5,7 @@
 //! which unknown.
 
 mod components;
+mod determinant;
 mod diagnose;
 mod elimination;
 mod following;
@@ -18,6 +19,7 @@ mod recognition;
 mod repetition;
 
 pub use components::components;
+pub use determinant::{Determinant, LARGEST_WRITTEN_OUT, determinant};
 pub use elimination::Definition;
 pub use freedom::Freedom;
 pub use incidence::Incidence;
