@@ -57,6 +57,7 @@ pub const KEYWORDS: [&str; 13] = [
     "curve",
     "drive",
     "equation",
+    "redundant",
     "output",
     "transmission",
     "sensitivity",
