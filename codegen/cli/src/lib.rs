@@ -31,6 +31,9 @@
 //! ```
 
 pub mod arguments;
+pub mod assemblies;
+pub mod check;
+pub mod closeness;
 pub mod command;
 pub mod concerned;
 pub mod condition;
@@ -46,4 +49,5 @@ pub mod residuals;
 pub mod schedule;
 pub mod singularity;
 pub mod solution;
+pub mod solved_interpreter;
 pub mod trajectory;
