@@ -139,6 +139,13 @@ fn a_long_choice_is_written_once() {
                     .map(|(at, _)| line[at..].find("})").map_or(line.len(), |end| end + 2));
                 assert!(longest.max().unwrap_or(0) <= 77, "{name}: {line}");
             }
+            let words = page.split(|it: char| !it.is_alphanumeric() && it != '_');
+            for word in words.filter(|it| it.starts_with("piece_")) {
+                assert!(
+                    defined.iter().any(|it| it == word),
+                    "{word} is not defined\n{page}"
+                );
+            }
             let mut once = defined.clone();
             once.sort();
             once.dedup();

@@ -38,6 +38,8 @@ struct State {
     numbers: usize,
     /// What a choice is the derivative of, and by what.
     slopes: BTreeMap<ExprId, (ExprId, SymbolId)>,
+    /// Whether no more names are given.
+    is_settled: bool,
     /// The numbers of whole periods that stand in definitions, with what replaces each.
     turns: Vec<(ExprId, ExprId)>,
 }
@@ -83,10 +85,25 @@ impl NamedParts {
         parts
     }
 
+    /// The names that are defined on the page already, and no others: every other choice stays in place.
+    pub(super) fn settled(&self) -> NamedParts {
+        let mut state = self.state.borrow().clone();
+        for undefined in state.named.split_off(state.defined) {
+            state.names.remove(&undefined);
+        }
+        state.is_settled = true;
+        NamedParts {
+            state: RefCell::new(state),
+        }
+    }
+
     /// The name of a choice, if it is to be written by one.
     pub(super) fn name(&self, system: &System, choice: ExprId) -> Option<String> {
         if let Some(known) = self.state.borrow().names.get(&choice) {
             return known.clone();
+        }
+        if self.state.borrow().is_settled {
+            return None;
         }
         let origin = self.state.borrow().slopes.get(&choice).copied();
         let of = origin.and_then(|(whole, by)| Some((self.name(system, whole)?, whole, by)));

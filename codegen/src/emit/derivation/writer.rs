@@ -19,7 +19,8 @@ pub(super) struct Writer<'a> {
     /// Unknowns that are constant, with their values.
     pub(super) constants: Vec<(SymbolId, ExprId)>,
     items: Vec<Item>,
-    parts: NamedParts,
+    /// The names of long choices.
+    pub(super) parts: NamedParts,
 }
 
 impl<'a> Writer<'a> {
