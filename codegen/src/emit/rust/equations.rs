@@ -15,7 +15,7 @@ use crate::expr::ExprId;
 use crate::program::{Inputs, Program, Straight, Textbook};
 use crate::system::{Row, System};
 
-/// The four functions of the textbook view.
+/// The four functions of the textbook view, and what is monitored besides.
 pub(super) fn equations(system: &System, program: &Program, textbook: &Textbook) -> TokenStream {
     let phi = vector(
         system,
@@ -42,7 +42,9 @@ pub(super) fn equations(system: &System, program: &Program, textbook: &Textbook)
         |row| row.gamma,
     );
     let phi_q = matrix(system, program, &textbook.jacobian);
-    quote! { #phi #phi_q #phi_t #gamma }
+    let monitored = textbook.monitored.as_ref();
+    let monitored = monitored.map(|straight| monitored_rows(system, program, straight));
+    quote! { #phi #phi_q #phi_t #gamma #monitored }
 }
 
 /// The parameters of a function; one that is not read begins with an underscore.
@@ -140,6 +142,38 @@ fn vector(
             #(#statements)*
             #(#bindings)*
             SVector::from([#(#entries),*])
+        }
+    };
+    let allow = lints::unused_item(&function);
+    quote!(#text #allow #function)
+}
+
+/// The residuals of the rows that are not solved.
+fn monitored_rows(system: &System, program: &Program, straight: &Straight) -> TokenStream {
+    let names = TextbookNames { system, straight };
+    let writer = Writer {
+        system,
+        constants: &program.constants,
+        names: &names,
+    };
+    let (statements, results) = (writer.statements(straight), writer.results(straight));
+    let size = count(system.monitored.len());
+    let mut lines = vec![
+        "The residuals of the redundant equations, in m or rad: they follow from those that are solved, so they are zero but for rounding wherever Φ is."
+            .to_string(),
+        String::new(),
+    ];
+    for (index, row) in system.monitored.iter().enumerate() {
+        let formula = text::formula(system, &row.bodies, Notation::Ascii, row.residual);
+        let joint = &system.mechanism.joints[row.joint];
+        lines.push(format!("- {index}, {}: `{formula}`", joint.label));
+    }
+    let text = docs(lines);
+    let parameters = parameters(straight.inputs, false, Given::of(system));
+    let function = quote! {
+        pub fn monitored(#parameters) -> [f64; #size] {
+            #(#statements)*
+            [#(#results),*]
         }
     };
     let allow = lints::unused_item(&function);

@@ -33,6 +33,7 @@ pub fn inspect(system: &System, notation: Notation) -> String {
     text.push_str(&page.rows(headings[2], |row| row.time_derivative, false));
     text.push_str(&page.rows(headings[3], |row| row.gamma, false));
     text.push_str(&page.directions());
+    text.push_str(&page.monitored());
     text.push_str(&page.points());
     let definitions = parts.definitions(&mut system);
     if definitions.is_empty() {
@@ -122,6 +123,27 @@ impl Page<'_> {
             plural(freedom, "degree of freedom", "degrees of freedom"),
             wrapped("q = (", &names, ")"),
         ) + &given(self.system)
+    }
+
+    /// The rows that are not solved.
+    fn monitored(&self) -> String {
+        if self.system.monitored.is_empty() {
+            return String::new();
+        }
+        let lines: Vec<Vec<String>> = self
+            .system
+            .monitored
+            .iter()
+            .map(|row| {
+                let printer = Printer::new(self.system, &row.bodies, self.notation);
+                let joint = &self.system.mechanism.joints[row.joint];
+                vec![joint.label.clone(), printer.expression(row.residual)]
+            })
+            .collect();
+        format!(
+            "\nredundant: follows from the rest, monitored\n{}",
+            aligned(&lines)
+        )
     }
 
     /// Row number and joint, the joint only at its first row that is shown: `previous` is the one shown before.
