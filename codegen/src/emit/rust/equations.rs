@@ -9,8 +9,8 @@ use super::given::Given;
 use super::layout::comment;
 use super::lints;
 use super::literal::count;
-use crate::emit::Notation;
-use crate::emit::text;
+use crate::emit::named_parts::NamedParts;
+use crate::emit::{Notation, text};
 use crate::expr::ExprId;
 use crate::program::{Inputs, Program, Straight, Textbook};
 use crate::system::{Row, System};
@@ -64,16 +64,20 @@ fn parameters(inputs: Inputs, with_rates: bool, given: Given) -> TokenStream {
     }
 }
 
-/// A list of the rows with their joints and formulas; rows that are zero are not listed.
-fn row_list(system: &System, of: &dyn Fn(&Row) -> ExprId) -> Vec<String> {
+/// A list of the rows with their joints and formulas; rows that are zero are not listed. Long choices have the names that the
+/// function gives them.
+fn row_list(system: &System, straight: &Straight, of: &dyn Fn(&Row) -> ExprId) -> Vec<String> {
     let zero = system.mechanism.graph.zero();
+    let parts = NamedParts::of_function(system, straight);
     system
         .rows
         .iter()
         .enumerate()
         .filter(|(_, row)| of(row) != zero)
         .map(|(index, row)| {
-            let formula = text::formula(system, &row.bodies, Notation::Ascii, of(row));
+            let formula = text::Printer::new(system, &row.bodies, Notation::Ascii)
+                .naming(&parts)
+                .expression(of(row));
             let joint = &system.mechanism.joints[row.joint];
             let first = index == 0 || system.rows[index - 1].joint != row.joint;
             let remark = if first {
@@ -108,7 +112,7 @@ fn vector(
     let (statements, results) = (writer.statements(straight), writer.results(straight));
     let size = count(system.rows.len());
     let mut lines = vec![meaning.to_string(), String::new()];
-    lines.extend(row_list(system, &of));
+    lines.extend(row_list(system, straight, &of));
     let text = docs(lines);
     let function = identifier(name);
     let parameters = parameters(straight.inputs, name == "gamma", Given::of(system));

@@ -1,8 +1,9 @@
 //! A system → the page that shows its equations.
 
+use super::super::named_parts::NamedParts;
 use super::super::notation::Notation;
 use super::formula::Printer;
-use super::table::{aligned, shown_width};
+use super::table::{aligned, in_lines, shown_width};
 use crate::expr::ExprId;
 use crate::model::{Dimension, Role};
 use crate::system::{Cause, Output, Row, System};
@@ -15,7 +16,13 @@ const WIDEST_LIST: usize = 100;
 
 /// Φ, Φ_q, Φ_t and γ of a system row by row, and the motion of its points.
 pub fn inspect(system: &System, notation: Notation) -> String {
-    let page = Page { system, notation };
+    let mut system = system.clone();
+    let parts = NamedParts::of_rows(&mut system);
+    let page = Page {
+        system: &system,
+        notation,
+        parts: &parts,
+    };
     let headings = match notation {
         Notation::Ascii => ["Phi(q, t) = 0", "Phi_q", "Phi_t", "gamma"],
         Notation::Unicode => ["Φ(q, t) = 0", "Φ_q", "Φ_t", "γ"],
@@ -29,7 +36,17 @@ pub fn inspect(system: &System, notation: Notation) -> String {
     text.push_str(&page.parameters());
     text.push_str(&page.monitored());
     text.push_str(&page.points());
-    text
+    let definitions = parts.definitions(&mut system);
+    if definitions.is_empty() {
+        return text;
+    }
+    let printer = Printer::new(&system, &[], notation);
+    let lines = definitions.iter().flat_map(|definition| {
+        let name = printer.expression(definition.name);
+        in_lines(&name, &printer.expression(definition.value))
+    });
+    let lines: Vec<Vec<String>> = lines.map(|line| vec![line]).collect();
+    format!("{text}\nwhere\n{}", aligned(&lines))
 }
 
 /// The parameters and inputs with their defaults, a line each; nothing where there are none.
@@ -67,9 +84,14 @@ pub(crate) fn given(system: &System) -> String {
 struct Page<'a> {
     system: &'a System,
     notation: Notation,
+    parts: &'a NamedParts,
 }
 
 impl Page<'_> {
+    fn printer<'b>(&'b self, bodies: &'b [usize]) -> Printer<'b> {
+        Printer::new(self.system, bodies, self.notation).naming(self.parts)
+    }
+
     fn summary(&self) -> String {
         let mechanism = &self.system.mechanism;
         let drivers = self
@@ -81,7 +103,7 @@ impl Page<'_> {
         let coordinates = self.system.coordinates.len();
         let constraints = self.system.rows.len() - drivers;
         let freedom = coordinates as i64 - constraints as i64;
-        let printer = Printer::new(self.system, &[], self.notation);
+        let printer = self.printer(&[]);
         let names: Vec<String> = self
             .system
             .coordinates
@@ -150,7 +172,7 @@ impl Page<'_> {
                 continue;
             }
             let mut line = self.label(index, previous);
-            line.push(Printer::new(self.system, &row.bodies, self.notation).expression(of(row)));
+            line.push(self.printer(&row.bodies).expression(of(row)));
             lines.push(line);
             previous = Some(index);
         }
@@ -168,14 +190,14 @@ impl Page<'_> {
             .rows
             .iter()
             .map(|row| {
-                let printer = Printer::new(self.system, &row.bodies, self.notation);
+                let printer = self.printer(&row.bodies);
                 row.jacobian
                     .iter()
                     .map(|entry| (entry.coordinate, printer.expression(entry.value)))
                     .collect()
             })
             .collect();
-        let names = Printer::new(self.system, &[], self.notation);
+        let names = self.printer(&[]);
         let name = |coordinate| names.symbol(crate::system::SymbolRole::Position(coordinate));
         let columns = self.system.coordinates.len();
         let mut matrix: Vec<Vec<String>> = Vec::with_capacity(entries.len() + 1);
@@ -270,7 +292,7 @@ impl Page<'_> {
         if self.system.outputs.is_empty() {
             return String::new();
         }
-        let printer = Printer::new(self.system, &[], self.notation);
+        let printer = self.printer(&[]);
         let pair = |pair: [ExprId; 2]| {
             format!(
                 "({}, {})",
