@@ -31,6 +31,7 @@
 //! ```
 
 pub mod arguments;
+pub mod branches;
 pub mod command;
 pub mod concerned;
 pub mod condition;

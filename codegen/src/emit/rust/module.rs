@@ -78,11 +78,12 @@ fn identifiers(code: TokenStream) -> HashSet<String> {
 fn solver(system: &System, program: &Program) -> TokenStream {
     match &program.solved {
         Some(blocks) => {
-            let branches = solved::branches(blocks);
+            let branches = solved::branches(system, blocks);
             let newton = solved::newton_blocks(system, program, blocks);
             let functions = solved::blocks(system, program, blocks);
             let mechanism = solved::mechanism(system, program, blocks);
-            quote!(#branches #newton #functions #mechanism)
+            let explained = solved::explained(blocks);
+            quote!(#branches #explained #newton #functions #mechanism)
         }
         None => mechanism(system, program),
     }
@@ -153,7 +154,8 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
     let has_branches = program
         .solved
         .iter()
-        .any(|solved| !solved.branches.is_empty());
+        .any(|solved| !solved.branches.is_empty())
+        || has_newton;
     let branch = if has_branches {
         quote!(Branch,)
     } else {
@@ -192,11 +194,15 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
         TokenStream::new()
     };
     let signal = only(given.inputs, quote!(Signal,));
+    let start = only(has_newton, quote!(Start,));
+    let block = only(has_newton, quote!(block,));
+    let explained = only(program.solved.is_some(), quote!(BlockName, Explained,));
+    let in_steps = only(program.solved.is_some(), quote!(in_steps,));
     quote! {
         #closed
         #math
         #matrices
-        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #signal #step #kinematics};
+        use ::linkwright::{#branch #explained #equations Failure, #kind #motion Settings, #signal #start #step #block #in_steps #kinematics};
     }
 }
 

@@ -16,6 +16,7 @@ mod outputs;
 mod responses;
 mod sharing;
 mod slides;
+mod spoken;
 mod transmissions;
 mod two_rotations;
 
@@ -87,6 +88,10 @@ pub struct BlockProgram {
     pub name: String,
     /// One line of documentation.
     pub title: String,
+    /// What a person calls it: `loop F-N-M`.
+    pub spoken: String,
+    /// What a person says of its parts where it is singular: `c2 and c8 are in line`.
+    pub singular: String,
     /// The joints whose equations it uses.
     pub joints: Vec<usize>,
     /// Functions of time alone, computed first.

@@ -22,6 +22,8 @@ use crate::system::{Cause, System, Unknown};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Needs {
     pub last: bool,
+    /// Where the block goes on from, and its mode, which its assembly finds.
+    pub start: bool,
     pub branches: bool,
     pub settings: bool,
     pub parameters: bool,
@@ -43,7 +45,9 @@ impl Needs {
             match action {
                 Action::Angle { .. } => needs.last = true,
                 Action::Newton => {
-                    (needs.last, needs.settings, needs.fails, needs.time) = (true, true, true, true)
+                    (needs.last, needs.settings, needs.fails, needs.time) =
+                        (true, true, true, true);
+                    (needs.start, needs.branches) = (true, true);
                 }
                 Action::Reach { .. } | Action::Nonzero { .. } => {
                     (needs.fails, needs.time) = (true, true)
@@ -77,6 +81,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
+        let start = only(self.start, quote!(start,));
         let branches = if self.branches {
             quote!(branches,)
         } else {
@@ -94,7 +99,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
-        quote!(at, #last #branches #settings #parameters #inputs #time)
+        quote!(at, #last #start #branches #settings #parameters #inputs #time)
     }
 
     fn parameters(self) -> TokenStream {
@@ -103,10 +108,11 @@ impl Needs {
         } else {
             TokenStream::new()
         };
-        let branches = if self.branches {
-            quote!(branches: &Branches,)
-        } else {
-            TokenStream::new()
+        let start = only(self.start, quote!(start: Start,));
+        let branches = match (self.branches, self.start) {
+            (_, true) => quote!(branches: &mut Branches,),
+            (true, false) => quote!(branches: &Branches,),
+            (false, false) => TokenStream::new(),
         };
         let settings = if self.settings {
             quote!(settings: &Settings,)
@@ -120,7 +126,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
-        quote!(at: &mut Frame, #last #branches #settings #parameters #inputs #time)
+        quote!(at: &mut Frame, #last #start #branches #settings #parameters #inputs #time)
     }
 }
 
@@ -332,6 +338,7 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
     let places: Vec<_> = (0..q.len()).map(count).collect();
     let equations = equations(block, newton, names);
+    let mode = identifier(&block.name);
     quote! {
         let tears = kinematics::Frame {
             t: last.t,
@@ -339,7 +346,7 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
             qd: SVector::from([#(#last_qd),*]),
             qdd: SVector::from([#(#last_qdd),*]),
         };
-        let tears = kinematics::advance(&#equations, &tears, t, settings)
+        let tears = block::solve(&#equations, &tears, start, &mut branches.#mode, t, settings)
             .map_err(|failure| failure.in_block(#number))?;
         #(#q = tears.q[#places];)*
         #(#qd = tears.qd[#places];)*
