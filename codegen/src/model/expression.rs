@@ -16,7 +16,7 @@ use crate::syntax::{Expression, ExpressionKind, Name, Operation, Reference, Sign
 pub(super) type Value = (ExprId, Dimension);
 
 /// The functions of the language, for help lines.
-const FUNCTIONS: &[&str] = &[
+pub(super) const FUNCTIONS: &[&str] = &[
     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "distance",
 ];
 
@@ -178,6 +178,8 @@ impl Resolver<'_> {
             no_number("point").help(
                 "points can be measured: `distance(A, B)` is the length between them in the drawing",
             )
+        } else if self.table_names.get(name).is_some() {
+            no_number("table").help(format!("write `{name}(x)` for its value at x"))
         } else if self.body_ids.get(name).is_some() {
             no_number("body").help("name a constant, or measure points of the drawing: `distance(A, B)`")
         } else {
@@ -287,8 +289,15 @@ impl Resolver<'_> {
         if LAWS.contains(&name) {
             return self.law(function, arguments, span);
         }
+        if self.table_names.get(name).is_some() {
+            return self.look_up(function, arguments, span);
+        }
         if !FUNCTIONS.contains(&name) {
-            let words = FUNCTIONS.iter().chain(LAWS).copied();
+            let tables = self
+                .table_names
+                .iter()
+                .map(|(table, _)| table.text.as_str());
+            let words = FUNCTIONS.iter().chain(LAWS).copied().chain(tables);
             let help = match meant(name, synonyms::FUNCTIONS, words, false) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!(

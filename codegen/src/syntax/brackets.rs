@@ -8,8 +8,8 @@ use super::scan::{Fill, Kind, Lexeme, Scan};
 use super::{DEEPEST, KEYWORDS};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// Words that continue the head of a body on a new line.
-const CONTINUATIONS: [&str; 4] = ["at", "facing", "turned", "along"];
+/// Words that continue the head of a body, or a table, on a new line.
+const CONTINUATIONS: [&str; 5] = ["at", "facing", "turned", "along", "clamped"];
 
 /// Offsets at which a line starts a statement, ascending.
 pub(super) struct StatementStarts(Vec<usize>);

@@ -45,6 +45,8 @@ pub enum Statement {
     Parameter(Constant),
     /// `input NAME = EXPRESSION;`: a signal that is supplied at run time, with its value at assembly.
     Input(Constant),
+    /// `table NAME = [(X, Y), (X, Y)];`
+    Table(Table),
     /// `point A = (X, Y), B = (X, Y);`
     Points(Points),
     /// `body NAME at (X, Y, ANGLE) { members }`
@@ -84,6 +86,7 @@ impl Statement {
             Statement::Constant(statement)
             | Statement::Parameter(statement)
             | Statement::Input(statement) => statement.span,
+            Statement::Table(statement) => statement.span,
             Statement::Points(statement) => statement.span,
             Statement::Body(statement) => statement.span,
             Statement::Joint(statement) => statement.span,
@@ -120,6 +123,34 @@ pub struct Constant {
     /// Its value.
     pub value: Expression,
     /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `table NAME = [(X, Y), (X, Y)] ENDS;`: a function that goes through these points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Name,
+    /// The points in written order.
+    pub points: Vec<Pair>,
+    /// From the opening to the closing bracket.
+    pub list: Span,
+    /// How it ends, where that is written.
+    pub ends: Option<Ends>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `periodic`, `clamped(SLOPE, SLOPE)`: how a table ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ends {
+    /// The word; whether it has a meaning is not checked here.
+    pub word: Name,
+    /// What stands in the parentheses.
+    pub slopes: Vec<Expression>,
+    /// Both.
     pub span: Span,
 }
 

@@ -25,6 +25,7 @@ mod reference;
 mod repair;
 mod scan;
 mod statement;
+mod table;
 #[cfg(test)]
 mod tests;
 mod tokens;
@@ -43,10 +44,11 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 11] = [
+pub const KEYWORDS: [&str; 12] = [
     "const",
     "param",
     "input",
+    "table",
     "point",
     "body",
     "curve",

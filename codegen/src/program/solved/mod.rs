@@ -202,6 +202,7 @@ impl Action {
             Action::Let { value, .. } => vec![*value],
             Action::Share(Statement::Value { expr, .. }) => vec![*expr],
             Action::Share(Statement::SineCosine { angle, .. }) => vec![*angle],
+            Action::Share(Statement::Lookup { argument, .. }) => vec![*argument],
             Action::SineCosine { angle, .. } => vec![*angle],
             Action::Angle { sine, cosine, .. } => vec![*sine, *cosine],
             Action::Reach {
