@@ -16,6 +16,10 @@ mod single {
     linkwright::include_mechanism!(tables_single);
 }
 
+mod of_file {
+    linkwright::include_mechanism!(table_of_file);
+}
+
 fn close(found: f64, expected: f64, bound: f64, what: &str) {
     assert!(
         (found - expected).abs() <= bound,
@@ -367,4 +371,22 @@ fn a_table_drives_through_its_points() {
         "the shaft",
     );
     assert_eq!([frame.qd.phi_shaft, frame.qdd.phi_shaft], [2.0, 0.0]);
+}
+
+#[test]
+fn a_table_of_a_file_is_the_same_as_the_one_that_lists_its_points() {
+    let mut moved = of_file::TableOfFile::assemble(0.0).expect("the drawing assembles");
+    let mut travelled = 0.0_f64;
+    for step in -300..=300 {
+        let t = f64::from(step) / 20.0;
+        let frame = moved.advance(t).expect("the motion can be followed");
+        let [q, qd, qdd] = [frame.q, frame.qd, frame.qdd];
+        assert_eq!(
+            [q.x_first, qd.x_first, qdd.x_first],
+            [q.x_second, qd.x_second, qdd.x_second],
+            "at {t}"
+        );
+        travelled = travelled.max(q.x_first);
+    }
+    assert!(travelled > 0.03, "{travelled}");
 }

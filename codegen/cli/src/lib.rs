@@ -31,7 +31,10 @@
 //! ```
 
 pub mod arguments;
+pub mod assemblies;
 pub mod branches;
+pub mod check;
+pub mod closeness;
 pub mod command;
 pub mod concerned;
 pub mod condition;
@@ -47,4 +50,5 @@ pub mod residuals;
 pub mod schedule;
 pub mod singularity;
 pub mod solution;
+pub mod solved_interpreter;
 pub mod trajectory;

@@ -120,7 +120,14 @@ impl Resolver<'_> {
         let Some(suffix) = suffix else {
             return Some((number, Dimension::Number));
         };
-        let Some((factor, dimension)) = unit(&suffix.text, &mut self.graph) else {
+        let (factor, dimension) = self.unit(suffix)?;
+        Some((self.graph.multiply(number, factor), dimension))
+    }
+
+    /// What a unit multiplies by, and what it measures.
+    pub(super) fn unit(&mut self, suffix: &Name) -> Option<Value> {
+        let found = unit(&suffix.text, &mut self.graph);
+        if found.is_none() {
             let help = match meant(&suffix.text, synonyms::UNITS, UNITS.iter().copied(), true) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("the units are {}", listed(UNITS)),
@@ -134,9 +141,8 @@ impl Resolver<'_> {
                 .label("not a unit of this language")
                 .help(help),
             );
-            return None;
-        };
-        Some((self.graph.multiply(number, factor), dimension))
+        }
+        found
     }
 
     fn named_value(&mut self, reference: &Reference) -> Option<Value> {

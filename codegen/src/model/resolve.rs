@@ -7,7 +7,7 @@ use super::expression::{BUILT_IN, Value, listed};
 use super::live::Live;
 use super::names::Names;
 use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter, Table};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::diagnostic::{Attachment, Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{BodyId, Frame, Mark, Vector, subtract};
 use crate::syntax;
@@ -51,6 +51,8 @@ pub(super) struct Resolver<'a> {
     pub bodies: Vec<Body>,
     /// Each with the direction it was written along, by which drivers find it.
     pub joints: Vec<(Joint, Option<syntax::Direction>)>,
+    /// The files that the description names.
+    pub attachments: &'a [Attachment],
     pub diagnostics: &'a mut Diagnostics,
 }
 
@@ -96,6 +98,7 @@ pub(super) fn resolve_statements(
     }
     let time = graph.symbol("t");
     let mut resolver = Resolver::new(graph, time, diagnostics);
+    resolver.attachments = &document.attachments;
     resolver.has_given = statements.iter().any(|statement| {
         matches!(
             statement,
@@ -234,6 +237,7 @@ impl<'a> Resolver<'a> {
                 marks: Vec::new(),
             }],
             joints: Vec::new(),
+            attachments: &[],
             diagnostics,
         };
         let ground = syntax::Name {

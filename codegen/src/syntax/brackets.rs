@@ -79,7 +79,7 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
                         .is_some_and(|next| word(text, next) != Some("mechanism"));
                 balance.close(bracket, lexeme.start, more_follows);
             }
-            Kind::Word | Kind::Number | Kind::Mark(_) => {}
+            Kind::Word | Kind::Number | Kind::Text | Kind::Mark(_) => {}
         }
     }
     balance.end(text);
@@ -350,6 +350,6 @@ fn continues_after(kind: Kind) -> bool {
     match kind {
         Kind::Open(bracket) => bracket != b'{',
         Kind::Mark(mark) => mark != b';',
-        Kind::Word | Kind::Number | Kind::Close(_) => false,
+        Kind::Word | Kind::Number | Kind::Text | Kind::Close(_) => false,
     }
 }

@@ -3,13 +3,15 @@
 //! Chains of `+ -` and of `* /` are one node each, so a sum of a thousand terms is flat; the depth of a tree is bounded by
 //! [`DEEPEST`](super::DEEPEST), so it can be walked by recursion. The tree does not know joint kinds, quantities, functions or units.
 
-use crate::diagnostic::Span;
+use crate::diagnostic::{Attachment, Span};
 
 /// A file: its inner documentation and its mechanism.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Document {
     /// The `//!` lines at the top of the file, without the slashes.
     pub docs: Vec<String>,
+    /// The files that it names, as far as they could be read.
+    pub attachments: Vec<Attachment>,
     /// The one mechanism of the file.
     pub mechanism: MechanismItem,
 }
@@ -126,21 +128,35 @@ pub struct Constant {
     pub span: Span,
 }
 
-/// `table NAME = [(X, Y), (X, Y)] ENDS;`: a function that goes through these points.
+/// `table NAME = [(X, Y), (X, Y)] ENDS;` or `table NAME = "FILE" in (UNIT, UNIT) ENDS;`: a function that goes through these points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// The `///` lines above it.
     pub docs: Vec<String>,
     /// Its name.
     pub name: Name,
-    /// The points in written order.
-    pub points: Vec<Pair>,
-    /// From the opening to the closing bracket.
-    pub list: Span,
+    /// Its points.
+    pub points: TablePoints,
+    /// Where these are written.
+    pub place: Span,
     /// How it ends, where that is written.
     pub ends: Option<Ends>,
     /// The whole statement with its semicolon.
     pub span: Span,
+}
+
+/// Where the points of a table are.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TablePoints {
+    /// `[(X, Y), (X, Y)]`: here, in written order.
+    Listed(Vec<Pair>),
+    /// `"FILE" in (UNIT, UNIT)`: in a file.
+    InFile {
+        /// The path between the quotes.
+        path: Name,
+        /// The units of both columns, where they are written; whether such units exist is not checked here.
+        units: Option<[Name; 2]>,
+    },
 }
 
 /// `periodic`, `clamped(SLOPE, SLOPE)`: how a table ends.

@@ -1,6 +1,7 @@
 //! The command from the outside: exit codes, output and files.
 
 mod branch;
+mod check;
 mod folder;
 mod generate_and_inspect;
 mod motions;

@@ -3,6 +3,7 @@
 //! A table is a function of any argument, twice continuously differentiable through its points. Its pieces are computed here,
 //! once; so its points are numbers: neither t nor a parameter moves them. Deliberately unknown here: what depends on it.
 
+mod csv;
 mod pieces;
 
 use self::pieces::{Ends, spline};
@@ -11,19 +12,29 @@ use super::expression::{FUNCTIONS, Value};
 use super::law::LAWS;
 use super::resolve::Resolver;
 use super::{Table, field_name};
-use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::syntax::{self, Expression, Name};
+use crate::diagnostic::{Attachment, Code, Diagnostic, Span};
+use crate::expr::{ExprId, Number};
+use crate::syntax::{self, Expression, Name, Pair, TablePoints, is_relative};
 
 /// How a table may end, for help lines.
 const ENDS: &str =
     "a table ends in `;` or `natural;`, in `clamped(SLOPE, SLOPE);`, or in `periodic;`";
 
-/// A number of a table, where it is written, and what it measures.
+/// A number that is written in the description, and what it measures.
 type Entry<'a> = (&'a Expression, f64, Dimension);
+
+/// A point of a table.
+struct Point {
+    values: [f64; 2],
+    /// Where both are written; of a file, where it is named.
+    spans: [Span; 2],
+    /// Of a file, its line.
+    line: Option<usize>,
+}
 
 /// The points of a table with what both columns measure.
 struct Columns {
-    points: Vec<[f64; 2]>,
+    points: Vec<Point>,
     dimensions: [Dimension; 2],
 }
 
@@ -83,7 +94,7 @@ impl Resolver<'_> {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::WrongForm,
-                    written.list,
+                    written.place,
                     format!("{kind} has at least {least} points, not {given}"),
                 )
                 .label(format!("{given} given"))
@@ -91,12 +102,13 @@ impl Resolver<'_> {
             );
             return None;
         }
+        let points: Vec<[f64; 2]> = points.iter().map(|point| point.values).collect();
         let spline = spline(&written.name.text, &points, ends);
         if !spline.pieces.iter().flatten().all(|part| part.is_finite()) {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::NotFinite,
-                    written.list,
+                    written.place,
                     "the slopes of this table are too large",
                 )
                 .label("beyond 1.8e308")
@@ -117,9 +129,29 @@ impl Resolver<'_> {
 
     /// The points: numbers, each column of one dimension, the first one increasing.
     fn columns(&mut self, written: &syntax::Table) -> Option<Columns> {
+        let columns = match &written.points {
+            TablePoints::Listed(pairs) => self.listed(pairs),
+            TablePoints::InFile { path, units } => self.in_file(path, units.as_ref()),
+        }?;
+        let mut sound = true;
+        for pair in columns.points.windows(2) {
+            sound &= self.increases_to(&pair[0], &pair[1]);
+        }
+        let is_periodic = written
+            .ends
+            .as_ref()
+            .is_some_and(|ends| ends.word.text == "periodic");
+        if let (true, [first, .., last]) = (is_periodic && sound, &columns.points[..]) {
+            sound = self.returns(first, last);
+        }
+        sound.then_some(columns)
+    }
+
+    /// The points that the description lists.
+    fn listed(&mut self, pairs: &[Pair]) -> Option<Columns> {
         let mut rows: Vec<[Entry<'_>; 2]> = Vec::new();
         let mut sound = true;
-        for pair in &written.points {
+        for pair in pairs {
             let [x, y] = [&pair.x, &pair.y].map(|part| self.entry(part));
             let (Some(x), Some(y)) = (x, y) else {
                 sound = false;
@@ -130,22 +162,6 @@ impl Resolver<'_> {
                     sound &= self.fits_like(own.0, own.2, (first.0, first.2));
                 }
             }
-            if let Some(last) = rows.last()
-                && x.1 <= last[0].1
-            {
-                let before = last[0].0.span;
-                self.diagnostics.push(
-                    Diagnostic::error(
-                        Code::NotIncreasing,
-                        x.0.span,
-                        "the places of a table increase",
-                    )
-                    .label("not larger than the place before")
-                    .also(before, "the place before")
-                    .help("order the points by their first value, and give each place once"),
-                );
-                sound = false;
-            }
             rows.push([x, y]);
         }
         let joined = |column: usize| {
@@ -153,15 +169,112 @@ impl Resolver<'_> {
             dimensions.reduce(Dimension::joined)
         };
         let dimensions = [joined(0), joined(1)].map(|found| found.unwrap_or(Dimension::Number));
-        let points = rows.iter().map(|row| row.map(|entry| entry.1)).collect();
-        let is_periodic = written
-            .ends
-            .as_ref()
-            .is_some_and(|ends| ends.word.text == "periodic");
-        if let (true, Some(first), Some(last)) = (is_periodic, rows.first(), rows.last()) {
-            sound = sound && self.returns(first[1], last[1]);
-        }
+        let points = rows.iter().map(|row| Point {
+            values: row.map(|entry| entry.1),
+            spans: row.map(|entry| entry.0.span),
+            line: None,
+        });
+        let points = points.collect();
         sound.then_some(Columns { points, dimensions })
+    }
+
+    /// The points of a file, each column in its unit.
+    fn in_file(&mut self, path: &Name, units: Option<&[Name; 2]>) -> Option<Columns> {
+        let one = (self.graph.one(), Dimension::Number);
+        let units = match units {
+            Some(units) => {
+                let found = [0, 1].map(|column| match units[column].text.as_str() {
+                    "1" => Some(one),
+                    _ => self.unit(&units[column]),
+                });
+                let [x, y] = found;
+                [x?, y?]
+            }
+            None => [one, one],
+        };
+        let attachments = self.attachments;
+        let text = match file_of(attachments, path) {
+            Ok(text) => text,
+            Err((message, help)) => {
+                self.report_file(path, message, help);
+                return None;
+            }
+        };
+        let rows = match csv::rows(text) {
+            Ok(rows) => rows,
+            Err(faults) => {
+                for fault in faults {
+                    let message =
+                        format!("line {} of `{}`: {}", fault.line, path.text, fault.message);
+                    self.report_file(path, message, fault.help);
+                }
+                return None;
+            }
+        };
+        let mut points = Vec::new();
+        for row in rows {
+            let [x, y] = [0, 1].map(|column| self.cell(row.cells[column], units[column].0));
+            let (Some(x), Some(y)) = (x, y) else {
+                let message = format!(
+                    "line {} of `{}` holds a number that is too large",
+                    row.line, path.text
+                );
+                self.report_file(path, message, "is its unit or its exponent wrong?");
+                return None;
+            };
+            points.push(Point {
+                values: [x, y],
+                spans: [path.span; 2],
+                line: Some(row.line),
+            });
+        }
+        Some(Columns {
+            points,
+            dimensions: units.map(|unit| unit.1),
+        })
+    }
+
+    /// The number in a cell, in SI units, rounded once: the same that a listed point would have.
+    fn cell(&mut self, cell: &str, unit: ExprId) -> Option<f64> {
+        let unsigned = cell.strip_prefix(['-', '+']).unwrap_or(cell);
+        let number = match unsigned.starts_with('.') {
+            true => Number::parse(&format!("0{unsigned}")),
+            false => Number::parse(unsigned),
+        };
+        let number = self.graph.number(number?);
+        let value = self.graph.multiply(number, unit);
+        let value = self.graph.constant_value(value)?;
+        let signed = if cell.starts_with('-') { -value } else { value };
+        signed.is_finite().then_some(signed)
+    }
+
+    fn report_file(&mut self, path: &Name, message: String, help: &str) {
+        self.diagnostics.push(
+            Diagnostic::error(Code::UnreadableTable, path.span, message)
+                .label("the points of this table")
+                .help(help),
+        );
+    }
+
+    /// Whether a point stands behind another one; an error where not.
+    fn increases_to(&mut self, before: &Point, point: &Point) -> bool {
+        if point.values[0] > before.values[0] {
+            return true;
+        }
+        let message = match point.line {
+            Some(line) => format!("the places of a table increase, but not in line {line}"),
+            None => "the places of a table increase".to_string(),
+        };
+        let finding = Diagnostic::error(Code::NotIncreasing, point.spans[0], message)
+            .help("order the points by their first value, and give each place once");
+        let finding = match point.line {
+            Some(_) => finding.label("the points of this table"),
+            None => finding
+                .label("not larger than the place before")
+                .also(before.spans[0], "the place before"),
+        };
+        self.diagnostics.push(finding);
+        false
     }
 
     /// A number that nothing changes.
@@ -185,21 +298,26 @@ impl Resolver<'_> {
         None
     }
 
-    /// Reports a periodic table that does not end at the value at which it begins.
-    fn returns(&mut self, first: Entry<'_>, last: Entry<'_>) -> bool {
-        if first.1 == last.1 {
+    /// Whether a periodic table ends at the value at which it begins; an error where not.
+    fn returns(&mut self, first: &Point, last: &Point) -> bool {
+        if first.values[1] == last.values[1] {
             return true;
         }
-        self.diagnostics.push(
-            Diagnostic::error(
-                Code::PiecesApart,
-                last.0.span,
-                "a periodic table ends at the value at which it begins",
-            )
-            .label("not the value of the first point")
-            .also(first.0.span, "it begins here")
-            .help("give the first and the last point the same value, or leave out `periodic`"),
-        );
+        let finding = Diagnostic::error(
+            Code::PiecesApart,
+            last.spans[1],
+            "a periodic table ends at the value at which it begins",
+        )
+        .help("give the first and the last point the same value, or leave out `periodic`");
+        let finding = match (first.line, last.line) {
+            (Some(first), Some(last)) => finding.label(format!(
+                "the values in lines {first} and {last} of the file differ"
+            )),
+            _ => finding
+                .label("not the value of the first point")
+                .also(first.spans[1], "it begins here"),
+        };
+        self.diagnostics.push(finding);
         false
     }
 
@@ -315,5 +433,33 @@ impl Resolver<'_> {
             return None;
         }
         Some((self.graph.spline(spline, 0, argument), value))
+    }
+}
+
+/// The text of the file that a table names, or what is wrong with it and what to do.
+fn file_of<'a>(
+    attachments: &'a [Attachment],
+    path: &Name,
+) -> Result<&'a str, (String, &'static str)> {
+    let name = &path.text;
+    if !is_relative(name) {
+        let message = format!("`{name}` is no path relative to the description");
+        return Err((
+            message,
+            "name a file beside the description: `table lift = \"lift.csv\";`",
+        ));
+    }
+    match attachments.iter().find(|file| file.path == *name) {
+        Some(Attachment { text: Ok(text), .. }) => Ok(text),
+        Some(Attachment {
+            text: Err(cause), ..
+        }) => Err((
+            format!("cannot read `{name}`: {cause}"),
+            "paths are relative to the folder of the description",
+        )),
+        None => Err((
+            format!("`{name}` was not given together with the description"),
+            "whoever reads a description attaches the files that it names",
+        )),
     }
 }

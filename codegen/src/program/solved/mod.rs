@@ -19,10 +19,12 @@ mod slides;
 mod spoken;
 mod transmissions;
 mod two_rotations;
+mod whole;
 
 pub use lower::lower;
 pub use outputs::Output;
 pub use transmissions::Transmission;
+pub use whole::{WholeBlock, whole};
 
 use std::collections::{HashMap, HashSet};
 
