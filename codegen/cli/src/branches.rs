@@ -129,7 +129,7 @@ fn read(program: &SolvedProgram, wishes: &[String]) -> Result<Vec<(String, Wish)
             "negative" => Wish::Sign(Branch::Negative),
             "other" => Wish::Other,
             _ => {
-                let guess = nearest(mode, modes.into_iter())
+                let guess = nearest(mode, modes)
                     .map_or(String::new(), |guess| format!("; did you mean `{guess}`?"));
                 return Err(format!(
                     "no assembly mode is named `{mode}`{guess}\n  the modes are: {}",

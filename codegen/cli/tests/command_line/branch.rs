@@ -84,7 +84,7 @@ fn wrong_names_of_loops_and_modes_are_corrected() {
 
 #[test]
 fn a_rod_that_no_longer_reaches_ends_the_motion_at_its_time() {
-    let folder = Folder::new("branch_end", &EXAM.replace("= pi/6;", "= pi/6 + t;"));
+    let folder = Folder::new("branch_end", EXAM.replace("= pi/6;", "= pi/6 + t;"));
     let ran = folder.run("solve a.mech --to 3 --csv -");
     let error = ran.exits_with(1).stderr;
     // φ1 = π/2 at t = π/3 = 1.0471975511966.
