@@ -136,13 +136,14 @@ fn no_budget_is_one_attempt_and_no_number_is_tried_once() {
 #[test]
 fn the_end_of_reach_is_found_to_rounding_and_nothing_beyond_is_tried_twice() {
     // What is missing grows like a cosine from its zero at `end`; from the other side the links may have reached before.
-    for (end, from, to) in <[(f64, f64, f64); 5]>::from([
+    let ways: [(f64, f64, f64); 5] = [
         (0.7, 0.0, 1.0),
         (0.1, 0.0, 1.5),
         (0.999, 0.0, 1.0),
         (-3.0, 2.0, -3.5),
         (1e-6, 0.0, 1.0),
-    ]) {
+    ];
+    for (end, from, to) in ways {
         let direction = (to - from).signum();
         let mut tried = Vec::new();
         let outcome = in_steps(from, to, 32, |t| {

@@ -173,6 +173,11 @@ pub(in crate::emit::rust) fn blocks(
         let (name, parameters) = (identifier(&block.name), needs.parameters());
         let title = docs([block.title.as_str()]);
         let check = if checks_itself(system) { own_check(index, block, &names) } else { TokenStream::new() };
+        // All that a block can be given is one more than a linter takes.
+        let many = only(
+            needs.start && needs.parameters && needs.inputs,
+            quote!(#[allow(clippy::too_many_arguments)]),
+        );
         let body = if needs.fails {
             quote!(#inline fn #name(#parameters) -> Result<(), Failure> { #(#time)* #(#actions)* #check Ok(()) })
         } else {
@@ -180,7 +185,7 @@ pub(in crate::emit::rust) fn blocks(
         };
         let capitals = if has_capitals { lints::capitals(&body) } else { TokenStream::new() };
         let approximate = lints::approximate(&body);
-        quote!(#title #capitals #approximate #body)
+        quote!(#title #capitals #approximate #many #body)
     });
     quote!(#(#functions)*)
 }

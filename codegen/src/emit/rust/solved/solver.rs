@@ -66,6 +66,10 @@ pub(in crate::emit::rust) fn mechanism(
     };
     // Blocks that need Newton-Raphson are assembled from an estimate, but go on from a frame, and find their modes.
     let newton = all.start;
+    let many = only(
+        newton && !system.mechanism.parameters.is_empty() && !system.mechanism.inputs.is_empty(),
+        quote!(#[allow(clippy::too_many_arguments)]),
+    );
     let branches_found = only(newton, quote!(let mut branches = branches;));
     let start_declared = only(newton, quote!(start: Start,));
     let estimate_passed = only(newton, quote!(Start::Estimate,));
@@ -169,6 +173,7 @@ pub(in crate::emit::rust) fn mechanism(
     let derives = derives(system.coordinates.len());
     quote! {
         /// Solves all blocks at time `t` (s), one after another.
+        #many
         fn solve(
             at: &mut Frame,
             #last: &Frame,
