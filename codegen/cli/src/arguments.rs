@@ -85,6 +85,10 @@ pub struct Solve {
     /// Print one JSON object instead of the summary; files are then written only on request
     #[arg(long)]
     pub json: bool,
+    /// Add columns to the frames that say how close each block is to a singular pose, from 0, singular, to 1, and the smallest
+    /// value to the summary; `linkwright check` locates it between frames
+    #[arg(long, conflicts_with = "json")]
+    pub monitor: bool,
 }
 
 const SOLVE_EXAMPLES: &str = "\

@@ -123,6 +123,32 @@ impl<'a> Closeness<'a> {
 
     /// The closest approach of every step over these times, ascending, refined between them.
     pub fn approaches(&self, times: &[f64]) -> Vec<Approach> {
+        let seen = self.seen(times);
+        let steps = (0..self.steps.len()).filter_map(|index| self.approach(index, &seen));
+        steps.collect()
+    }
+
+    /// The size of the measure of each step at these times, ascending, in the order of [`Closeness::measured`]; `None` where
+    /// the links do not reach in the assembly modes of the drawing.
+    pub fn measures(&self, times: &[f64]) -> Vec<Option<Vec<f64>>> {
+        let seen = self.seen(times);
+        let units: Vec<f64> = (0..self.steps.len())
+            .map(|index| self.unit(index, &seen))
+            .collect();
+        let sizes = |it: Seen| {
+            let pairs = it.samples.iter().zip(&units);
+            pairs.map(|(sample, unit)| sample[0].abs() / unit).collect()
+        };
+        seen.into_iter().map(|it| it.map(sizes)).collect()
+    }
+
+    /// Block and step of everything that is measured.
+    pub fn measured(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.steps.iter().map(|it| (it.block, it.step))
+    }
+
+    /// The poses at these times, each from the one before.
+    fn seen(&self, times: &[f64]) -> Vec<Option<Seen>> {
         let Some(&start) = times.first() else {
             return Vec::new();
         };
@@ -135,8 +161,20 @@ impl<'a> Closeness<'a> {
             }
             seen.push(reached);
         }
-        let steps = (0..self.steps.len()).filter_map(|index| self.approach(index, &seen));
-        steps.collect()
+        seen
+    }
+
+    /// What the measure of a step is compared with.
+    fn unit(&self, index: usize, seen: &[Option<Seen>]) -> f64 {
+        if !self.steps[index].relative {
+            return 1.0;
+        }
+        let sizes = seen.iter().flatten().map(|it| it.samples[index][0].abs());
+        match sizes.fold(0.0, f64::max) {
+            // Nothing but zeros are a block that is singular all the way.
+            0.0 => 1.0,
+            largest => largest,
+        }
     }
 
     fn approach(&self, index: usize, seen: &[Option<Seen>]) -> Option<Approach> {
@@ -146,12 +184,7 @@ impl<'a> Closeness<'a> {
             let [value, rate] = it.samples[index];
             rate * value.signum()
         };
-        let unit = match self.steps[index].relative {
-            true => seen.iter().flatten().map(size).fold(0.0, f64::max),
-            false => 1.0,
-        };
-        // Nothing but zeros are a singular block all the way.
-        let unit = if unit > 0.0 { unit } else { 1.0 };
+        let unit = self.unit(index, seen);
         let mut lowest: Vec<(Seen, bool)> = Vec::new();
         let present = || seen.iter().flatten();
         for end in [present().next(), present().last()].into_iter().flatten() {

@@ -42,6 +42,7 @@ pub mod counted;
 pub mod diagnosis;
 pub mod file;
 pub mod interpreter;
+pub mod monitor;
 pub mod number;
 pub mod pressure;
 pub mod progress;

@@ -5,15 +5,16 @@
 //! coordinates are known at a pose. Afterwards every unknown of the vector form has its position and rate; accelerations are
 //! left to the textbook view. The module does not know how modes are chosen, nor what a determinant means.
 
-use std::cell::RefCell;
+mod newton;
 
 use linkwright::closed_form::{angle_near, spans};
-use linkwright::{Equations, Settings, assemble};
 use linkwright_codegen::expr::{ExprId, SymbolId, Tape};
-use linkwright_codegen::program::solved::{Action, Branch, Level, NewtonBlock, whole};
+use linkwright_codegen::program::solved::{Action, Branch, Level, whole};
 use linkwright_codegen::structure::{self, SolvedPlan};
 use linkwright_codegen::system::System;
-use nalgebra::{DMatrix, DVector, Dyn};
+use nalgebra::DVector;
+
+use newton::Newton;
 
 /// The solved view of a mechanism with nothing left out, in SI units: m, rad, s.
 #[derive(Clone, Debug)]
@@ -46,20 +47,6 @@ enum Operation {
     /// The same for the squares of both.
     Nonzero(Tape),
     Newton,
-}
-
-/// The equations of a block without a closed form.
-#[derive(Clone, Debug)]
-struct Newton {
-    positions: Vec<SymbolId>,
-    rates: Vec<SymbolId>,
-    scales: Vec<f64>,
-    /// Residuals are lengths, but for angles that a gear or a driver ties.
-    row_scale: f64,
-    geometry: Vec<Operation>,
-    residuals: Tape,
-    jacobian: Tape,
-    time_derivative: Tape,
 }
 
 /// The values of all symbols: what has been computed so far.
@@ -98,7 +85,7 @@ impl SolvedInterpreter {
             let actions = block.program.actions.iter().take_while(before);
             Block {
                 operations: operations(actions, &system),
-                newton: block.program.newton.map(|it| newton(&it, &system)),
+                newton: block.program.newton.map(|it| Newton::new(&it, &system)),
                 branches: block.branches,
             }
         });
@@ -244,28 +231,6 @@ fn operations<'a>(actions: impl Iterator<Item = &'a Action>, system: &System) ->
         .collect()
 }
 
-fn newton(block: &NewtonBlock, system: &System) -> Newton {
-    let graph = &system.mechanism.graph;
-    let unknowns: Vec<_> = block
-        .unknowns
-        .iter()
-        .map(|&unknown| &system.vector_form.unknowns[unknown])
-        .collect();
-    Newton {
-        positions: unknowns.iter().map(|it| it.position).collect(),
-        rates: unknowns.iter().map(|it| it.rate).collect(),
-        scales: unknowns
-            .iter()
-            .map(|it| system.scale(it.quantity))
-            .collect(),
-        row_scale: system.mechanism.characteristic_length,
-        geometry: operations(block.geometry.iter(), system),
-        residuals: Tape::new(graph, &block.residuals),
-        jacobian: Tape::new(graph, &block.jacobian),
-        time_derivative: Tape::new(graph, &block.time_derivative),
-    }
-}
-
 /// Runs one operation; whether it could be.
 fn run(operation: &Operation, symbols: &mut [f64], workspace: &mut Vec<f64>) -> bool {
     let mut pair = [0.0; 2];
@@ -295,78 +260,5 @@ fn run(operation: &Operation, symbols: &mut [f64], workspace: &mut Vec<f64>) -> 
             spans(pair[0] * pair[0], pair[1] * pair[1])
         }
         Operation::Newton => false,
-    }
-}
-
-impl Newton {
-    /// Finds the tears and their rates from their last values.
-    fn solve(&self, values: &mut Values) -> bool {
-        let start = self.positions.iter().map(|it| values.symbols[it.index()]);
-        let start = DVector::from_iterator(self.positions.len(), start);
-        let equations = At {
-            newton: self,
-            symbols: RefCell::new(values.symbols.clone()),
-        };
-        let Ok(frame) = assemble(&equations, &start, values.t, &Settings::default()) else {
-            return false;
-        };
-        for (place, (position, rate)) in self.positions.iter().zip(&self.rates).enumerate() {
-            values.symbols[position.index()] = frame.q[place];
-            values.symbols[rate.index()] = frame.qd[place];
-        }
-        true
-    }
-}
-
-/// The equations of a Newton block after the blocks before it.
-struct At<'a> {
-    newton: &'a Newton,
-    symbols: RefCell<Vec<f64>>,
-}
-
-impl At<'_> {
-    fn evaluate(&self, tape: &Tape, tears: &DVector<f64>, results: &mut [f64]) {
-        let symbols = &mut *self.symbols.borrow_mut();
-        let mut workspace = Vec::new();
-        for (symbol, value) in self.newton.positions.iter().zip(tears.iter()) {
-            symbols[symbol.index()] = *value;
-        }
-        for operation in &self.newton.geometry {
-            run(operation, symbols, &mut workspace);
-        }
-        tape.evaluate(symbols, &mut workspace, results);
-    }
-}
-
-impl Equations<f64, Dyn> for At<'_> {
-    fn dimension(&self) -> Dyn {
-        Dyn(self.newton.positions.len())
-    }
-
-    fn residual(&self, q: &DVector<f64>, _: f64, phi: &mut DVector<f64>) {
-        self.evaluate(&self.newton.residuals, q, phi.as_mut_slice());
-    }
-
-    fn jacobian(&self, q: &DVector<f64>, _: f64, phi_q: &mut DMatrix<f64>) {
-        let mut rows = vec![0.0; q.len() * q.len()];
-        self.evaluate(&self.newton.jacobian, q, &mut rows);
-        phi_q.copy_from(&DMatrix::from_row_slice(q.len(), q.len(), &rows));
-    }
-
-    fn time_derivative(&self, q: &DVector<f64>, _: f64, phi_t: &mut DVector<f64>) {
-        self.evaluate(&self.newton.time_derivative, q, phi_t.as_mut_slice());
-    }
-
-    /// Accelerations are left to the textbook view.
-    fn gamma(&self, _: &DVector<f64>, _: &DVector<f64>, _: f64, gamma: &mut DVector<f64>) {
-        gamma.fill(0.0);
-    }
-
-    fn row_scale(&self, _: usize) -> f64 {
-        self.newton.row_scale
-    }
-
-    fn coordinate_scale(&self, column: usize) -> f64 {
-        self.newton.scales[column]
     }
 }

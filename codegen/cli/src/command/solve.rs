@@ -58,6 +58,10 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     let solution = Solution::new(system, points, &schedule, chosen_pose, |count| {
         progress.reached(count)
     });
+    let solution = match arguments.monitor {
+        true => solution.monitored(),
+        false => solution,
+    };
     let elapsed = progress.finish();
 
     let chosen = !arguments.points.is_empty();

@@ -95,8 +95,9 @@ fn picture(text: &mut String, shapes: &[Shape], assemblies: &[Assembly]) -> Resu
         })
     };
     let (x, y) = (range(|it| it.0), range(|it| it.1));
-    let half = (0.55 * (x.1 - x.0).max(y.1 - y.0)).max(f64::MIN_POSITIVE);
-    let around = |(low, high): (f64, f64)| {
+    // A tenth more than the widest, and as much again for the title of a tall one.
+    let half = (0.6 * (x.1 - x.0).max(y.1 - y.0)).max(f64::MIN_POSITIVE);
+    let around = |(low, high): (f64, f64), half: f64| {
         let middle = 0.5 * (low + high);
         middle - half..middle + half
     };
@@ -112,10 +113,12 @@ fn picture(text: &mut String, shapes: &[Shape], assemblies: &[Assembly]) -> Resu
             .map(|positive| if *positive { '+' } else { '−' })
             .collect();
         let drawn = if assembly.drawn { " as drawn" } else { "" };
-        let mut chart = ChartBuilder::on(panel)
-            .caption(format!("{signs}{drawn}"), ("sans-serif", 16))
-            .margin(8)
-            .build_cartesian_2d(around(x), around(y))?;
+        // The title takes from the height: lengths must look the same in x and y.
+        let panel = panel.titled(&format!("{signs}{drawn}"), ("sans-serif", 16))?;
+        let (width, height) = panel.dim_in_pixel();
+        let tall = half * f64::from(height) / f64::from(width);
+        let mut chart =
+            ChartBuilder::on(&panel).build_cartesian_2d(around(x, half), around(y, tall))?;
         for (body, color) in shape.iter().zip(COLORS.iter().cycle()) {
             chart.draw_series(LineSeries::new(body.iter().copied(), color.stroke_width(2)))?;
             let pins = body.iter().map(|&pin| Circle::new(pin, 3, color.filled()));

@@ -227,7 +227,29 @@ fn text_pictures_and_exit_codes_follow_the_options() {
     }
     assert_eq!(ran.stderr, "");
     let picture = folder.read("pictures/assemblies.svg");
-    assert!(picture.contains("<svg"), "{picture}");
+    // The crank of length 1 and the rod of length √3 are drawn to scale.
+    let links: Vec<f64> = picture
+        .split("points=\"")
+        .skip(1)
+        .map(|rest| {
+            let mut pairs = rest.split(['"', ' ']).filter_map(|pair| {
+                let (x, y) = pair.split_once(',')?;
+                Some((x.parse::<f64>().ok()?, y.parse::<f64>().ok()?))
+            });
+            let (a, b) = (
+                pairs.next().expect("a point"),
+                pairs.next().expect("a point"),
+            );
+            (a.0 - b.0).hypot(a.1 - b.1)
+        })
+        .collect();
+    assert_eq!(links.len(), 4, "{picture}");
+    // Q is the middle of the rod, its second point; pixels are whole.
+    assert!(
+        (links[1] / links[0] - 0.75_f64.sqrt()).abs() < 0.03,
+        "{links:?}"
+    );
+    assert!((links[2] / links[0] - 1.0).abs() < 0.03, "{links:?}");
     folder.run("check a.mech --deny-warnings").exits_with(0);
     // A rod that comes within half a degree of the x axis, between two frames.
     let near = Folder::new(
@@ -246,4 +268,43 @@ fn text_pictures_and_exit_codes_follow_the_options() {
     folder.run("check a.mech --to -1").exits_with(2);
     let help = folder.run("check --help").exits_with(0).stdout;
     assert!(help.contains("--deny-warnings"), "{help}");
+}
+
+/// The column of a block is |sin φ2| in the exam, and |sin(φ_rocker − φ_coupler)| in the four-bar.
+#[test]
+fn solve_monitors_how_close_each_block_is() {
+    let folder = Folder::new("monitor_exam", EXAM);
+    let ran = folder
+        .run("solve a.mech --monitor --csv - --to 1 --step 0.1")
+        .exits_with(0);
+    let mut lines = ran
+        .stdout
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().expect("a header");
+    let place = |name: &str| {
+        let found = header.iter().position(|it| *it == name);
+        found.unwrap_or_else(|| panic!("no {name} in {header:?}"))
+    };
+    let mut count = 0;
+    for line in lines {
+        let read = |name: &str| line[place(name)].parse::<f64>().expect("a number");
+        let (found, wanted) = (read("closeness_phi2"), read("phi2").sin().abs());
+        assert!(
+            (found - wanted).abs() < 1e-14,
+            "{found} instead of {wanted}"
+        );
+        count += 1;
+    }
+    assert_eq!(count, 11);
+    assert!(
+        ran.stderr.contains("closeness_phi2 = 0.2") && ran.stderr.contains("at t = 0.8 s"),
+        "{}",
+        ran.stderr
+    );
+    let plain = folder
+        .run("solve a.mech --csv - --to 1 --step 0.1")
+        .exits_with(0);
+    assert!(!plain.stdout.contains("closeness"));
+    folder.run("solve a.mech --monitor --json").exits_with(2);
 }
