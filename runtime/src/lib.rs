@@ -72,10 +72,12 @@
 
 pub mod angle;
 pub mod assembly;
+pub mod block;
 pub mod closed_form;
 pub mod contact;
 pub mod damped;
 pub mod equations;
+pub mod explained;
 pub mod failure;
 pub mod kinematics;
 pub mod least_squares;
@@ -97,8 +99,10 @@ mod watch;
 pub use nalgebra;
 
 pub use assembly::assemble_from_afar;
+pub use block::Start;
 pub use closed_form::Branch;
 pub use equations::Equations;
+pub use explained::{BlockName, Explained};
 pub use failure::{Failure, FailureKind};
 pub use kinematics::{Frame, advance, assemble};
 pub use linear::Factorization;

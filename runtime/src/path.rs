@@ -95,13 +95,8 @@ where
     let mut current = frame.clone();
     // The frame before, from which the end of the path is extrapolated.
     let mut before = None;
-    let scales = Scales::of(equations);
     let moved = in_steps(frame.t, t, settings.substeps, |target| {
-        let watch = OnBranch::new(branch);
-        let next = advance_watched(equations, &current, target, settings, watch)?;
-        if !fits(&scales, &current, &next) {
-            return Err(no_verdict(FailureKind::StepTooLarge, target));
-        }
+        let next = step(equations, &current, branch, target, settings)?;
         before = Some(core::mem::replace(&mut current, next));
         Ok(())
     });
@@ -115,6 +110,35 @@ where
             None => broken.failure,
         }),
     }
+}
+
+/// Moves the mechanism from `frame` to time `t` in one step, if it is sure to stay on the path and on its branch.
+///
+/// # Errors
+/// Every [`FailureKind`]; [`FailureKind::WrongBranch`] and [`FailureKind::StepTooLarge`] say that the frame found, if any,
+/// may belong to another path.
+///
+/// # Work
+/// That of [`advance`](crate::advance), and the comparison of the two frames.
+///
+/// # Panics
+/// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
+pub fn step<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    frame: &Frame<T, D>,
+    branch: Branch,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Frame<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let watch = OnBranch::new(branch);
+    let next = advance_watched(equations, frame, t, settings, watch)?;
+    if !fits(&Scales::of(equations), frame, &next) {
+        return Err(no_verdict(FailureKind::StepTooLarge, t));
+    }
+    Ok(next)
 }
 
 /// Whether two frames can belong to one path: every coordinate moves as the rates and accelerations at both ends say.

@@ -37,4 +37,58 @@ impl<T: Real> Signal<T> {
             acceleration: zero,
         }
     }
+
+    /// What the signal is at the fraction `part` of the time `h` (s) that it takes from this value to `last`, if it goes the
+    /// smoothest way: by the polynomial of the fifth degree that has value, rate and acceleration of both ends.
+    #[must_use]
+    pub fn towards(&self, last: &Self, h: T, part: T) -> Self {
+        let number = T::from_f64;
+        // With s the fraction, the value is a + b s + c s² + d s³ + e s⁴ + f s⁵.
+        let (a, b, c) = (
+            self.value,
+            self.rate * h,
+            T::HALF * self.acceleration * h * h,
+        );
+        let value = last.value - a - b - c;
+        let rate = last.rate * h - b - c - c;
+        let acceleration = last.acceleration * h * h - c - c;
+        let d = number(10.0) * value - number(4.0) * rate + T::HALF * acceleration;
+        let e = number(7.0) * rate - number(15.0) * value - acceleration;
+        let f = number(6.0) * value - number(3.0) * rate + T::HALF * acceleration;
+        let s = part;
+        let velocity = b + s
+            * (number(2.0) * c
+                + s * (number(3.0) * d + s * (number(4.0) * e + s * number(5.0) * f)));
+        let change =
+            number(2.0) * c + s * (number(6.0) * d + s * (number(12.0) * e + s * number(20.0) * f));
+        Self {
+            value: a + s * (b + s * (c + s * (d + s * (e + s * f)))),
+            rate: velocity / h,
+            acceleration: change / (h * h),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_polynomial_of_the_fifth_degree_is_its_own_smoothest_way() {
+        let at = |t: f64| {
+            Signal::new(
+                1.0 - t + 2.0 * t.powi(3) - 0.5 * t.powi(4) + 0.25 * t.powi(5),
+                -1.0 + 6.0 * t.powi(2) - 2.0 * t.powi(3) + 1.25 * t.powi(4),
+                12.0 * t - 6.0 * t.powi(2) + 5.0 * t.powi(3),
+            )
+        };
+        let (first, last) = (at(0.5), at(1.75));
+        for place in 0..=8_u8 {
+            let part = f64::from(place) / 8.0;
+            let (found, exact) = (first.towards(&last, 1.25, part), at(0.5 + 1.25 * part));
+            assert!((found.value - exact.value).abs() < 1e-13);
+            assert!((found.rate - exact.rate).abs() < 1e-12);
+            assert!((found.acceleration - exact.acceleration).abs() < 1e-11);
+        }
+    }
 }

@@ -3,7 +3,8 @@
 //! [`in_steps`] first tries the whole way. Where an attempt fails, it tries half the way from the last time that was
 //! reached; after two successes in a row it doubles the step again. So it halves the distance to a time beyond which there is
 //! no motion until the budget is used up, and the time that it reports is as exact as the budget allows: about two attempts
-//! per bit.
+//! per bit. Where links do not reach, what is missing grows smoothly with time: two attempts foresee the time at which it is
+//! zero, and a few more find it to rounding.
 //!
 //! The module does not know what moves. A single system of equations is followed by [`crate::follow`]; a mechanism of
 //! several blocks, which know their equations at one time only, is moved as a whole by the closure.
@@ -32,7 +33,7 @@ pub struct Broken<T = f64> {
 ///
 /// # Errors
 /// What the attempt nearest to the last time reached has failed with, if shorter steps would not help:
-/// [`FailureKind::OutOfReach`], and where the step is at most [`REFINED`] times the whole way also
+/// [`FailureKind::OutOfReach`], by what is missing at `to` if the same block does not reach there either, and where the step is at most [`REFINED`] times the whole way also
 /// [`FailureKind::Singular`], [`FailureKind::WrongBranch`] and [`FailureKind::NotFinite`]. All others are
 /// [`FailureKind::StepTooLarge`].
 ///
@@ -48,6 +49,9 @@ pub fn in_steps<T: Real>(
     let mut step = to - from;
     let mut succeeded = false;
     let mut refused: Option<Failure<T>> = None;
+    // Whether the last attempt was aimed at a time that two others have foreseen.
+    let mut aimed = false;
+    let mut whole: Option<Failure<T>> = None;
     let mut attempts = 0;
     loop {
         let rest = to - reached;
@@ -60,21 +64,42 @@ pub fn in_steps<T: Real>(
             Ok(()) => {
                 reached = target;
                 // What was refused from farther away may have been passed.
-                refused =
-                    refused.filter(|failure| (failure.time - from).abs() > (target - from).abs());
-                if succeeded {
-                    step += step;
+                refused = refused.filter(|failure| {
+                    if from < to {
+                        target < failure.time
+                    } else {
+                        failure.time < target
+                    }
+                });
+                match refused {
+                    // From nearer the links reach no farther.
+                    Some(failure) if missing(&failure).is_some() => {
+                        step = T::HALF * (failure.time - reached);
+                    }
+                    _ if succeeded => step += step,
+                    _ => {}
                 }
-                succeeded = true;
+                (succeeded, aimed) = (true, false);
             }
             Err(failure) => {
+                let aim = refused.and_then(|farther| end_of_reach(reached, &failure, &farther));
+                // Links that reach by less than rounding are in line.
+                let in_line = aimed && matches!(failure.kind, FailureKind::Singular { .. });
+                aimed = aim.is_some() || in_line;
+                if attempts == 1 {
+                    whole = Some(failure);
+                }
                 refused = Some(failure);
-                step = T::HALF * (target - reached);
+                step = aim.map_or(T::HALF * (target - reached), |aim| aim - reached);
                 succeeded = false;
+                if in_line {
+                    break;
+                }
             }
         }
         let next = reached + step;
-        let distinct = next != reached && next.is_finite();
+        let repeated = refused.is_some_and(|failure| failure.time == next) && aimed;
+        let distinct = next != reached && next.is_finite() && !repeated;
         if attempts >= budget || !distinct {
             break;
         }
@@ -83,9 +108,14 @@ pub fn in_steps<T: Real>(
         Some(failure) => {
             let refined = (to - from).abs() * T::from_f64(REFINED);
             // Written so that a way of no length, or of a length that is no number, counts as refined.
-            let coarse = step.abs() > refined;
+            let coarse = step.abs() > refined && !aimed;
+            // How much is missing at the end says more than that nothing is where the reach ends.
+            let ends =
+                missing(&failure).is_some() || matches!(failure.kind, FailureKind::Singular { .. });
+            let missing = whole
+                .filter(|whole| ends && missing(whole).is_some() && whole.block == failure.block);
             Failure {
-                kind: lasting(failure.kind, coarse),
+                kind: missing.map_or(lasting(failure.kind, coarse), |whole| whole.kind),
                 ..failure
             }
         }
@@ -100,6 +130,27 @@ pub fn in_steps<T: Real>(
         },
     };
     Err(Broken { reached, failure })
+}
+
+/// By how much links do not reach, if that is the failure.
+fn missing<T: Real>(failure: &Failure<T>) -> Option<T> {
+    match failure.kind {
+        FailureKind::OutOfReach { by } => Some(by),
+        _ => None,
+    }
+}
+
+/// The part of the way to the foreseen end of reach that the next attempt leaves, so that it as a rule lies on the same side.
+const LEFT: f64 = 1.0 / 16.0;
+
+/// A time shortly beyond that at which links cease to reach, from two times at which they do not, by the rule of the secant.
+/// None where what is missing does not fall towards `reached`.
+fn end_of_reach<T: Real>(reached: T, nearer: &Failure<T>, farther: &Failure<T>) -> Option<T> {
+    let (near, far) = (missing(nearer)?, missing(farther)?);
+    let way = near * (farther.time - nearer.time) / (far - near);
+    let aim = nearer.time - way * (T::ONE - T::from_f64(LEFT));
+    let between = (aim - reached) * (nearer.time - aim) >= T::ZERO;
+    (near < far && between && aim != reached).then_some(aim)
 }
 
 /// The kind of a failure that no shorter step would have avoided. Where links do not reach there is no pose; but that an

@@ -57,7 +57,6 @@ fn a_long_way_is_halved_and_then_walked() {
 fn a_barrier_is_found_to_two_attempts_per_bit() {
     for kind in [
         FailureKind::WrongBranch,
-        FailureKind::OutOfReach { by: 0.25 },
         FailureKind::Singular {
             pivot_ratio: 1e-15,
             column: 3,
@@ -132,4 +131,53 @@ fn no_budget_is_one_attempt_and_no_number_is_tried_once() {
         assert_eq!((attempts, broken.reached), (1, 0.0));
         assert_eq!(broken.failure.kind, FailureKind::NotFinite);
     }
+}
+
+#[test]
+fn the_end_of_reach_is_found_to_rounding_and_nothing_beyond_is_tried_twice() {
+    // What is missing grows like a cosine from its zero at `end`; from the other side the links may have reached before.
+    let ways: [(f64, f64, f64); 5] = [
+        (0.7, 0.0, 1.0),
+        (0.1, 0.0, 1.5),
+        (0.999, 0.0, 1.0),
+        (-3.0, 2.0, -3.5),
+        (1e-6, 0.0, 1.0),
+    ];
+    for (end, from, to) in ways {
+        let direction = (to - from).signum();
+        let mut tried = Vec::new();
+        let outcome = in_steps(from, to, 32, |t| {
+            tried.push(t);
+            let by = (direction * (t - end)).sin() * 0.5 + (t - end).powi(2);
+            if direction * (t - end) <= 0.0 {
+                return Ok(());
+            }
+            Err(failure(FailureKind::OutOfReach { by }, t))
+        });
+        let failure = outcome.expect_err("the links end").failure;
+        assert!(matches!(failure.kind, FailureKind::OutOfReach { .. }));
+        let beyond = direction * (failure.time - end);
+        assert!((0.0..1e-14).contains(&beyond), "{beyond:e} {tried:?}");
+    }
+}
+
+#[test]
+fn links_in_line_at_the_end_of_reach_say_what_is_missing_beyond() {
+    let outcome = in_steps(0.0, 1.0, 32, |t: f64| {
+        let by = t - 0.4;
+        match by {
+            ..=-1e-15 => Ok(()),
+            ..1e-13 => Err(failure(
+                FailureKind::Singular {
+                    pivot_ratio: 0.0,
+                    column: 0,
+                },
+                t,
+            )),
+            _ => Err(failure(FailureKind::OutOfReach { by }, t)),
+        }
+    });
+    let failure = outcome.expect_err("the links end").failure;
+    assert_eq!(failure.kind, FailureKind::OutOfReach { by: 0.6 });
+    assert!((failure.time - 0.4).abs() < 1e-13);
 }

@@ -197,7 +197,8 @@ fn a_rod_that_does_not_reach_says_by_how_much() {
             panic!("{failure}")
         };
         assert!((by + t.cos()).abs() < 1e-15 * 4.0, "{failure}");
-        assert_eq!((failure.time, failure.block), (t, 1));
+        assert!((failure.time - quarter).abs() < 1e-9, "{failure}");
+        assert_eq!(failure.block, 1);
         assert_eq!(*mechanism.frame(), before, "the last frame is intact");
     }
     // Where crank and rod are in line the rates are infinite, whatever the last digit of the angle says.

@@ -70,6 +70,9 @@ pub struct Solve {
     /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub set: Vec<String>,
+    /// The assembly mode of a loop: `positive` or `negative`, or `other` than drawn; may be repeated. A wrong name lists the loops
+    #[arg(long, value_name = "LOOP=MODE")]
+    pub branch: Vec<String>,
     /// Only these points, separated by commas [default: all, with tables of six]
     #[arg(long, value_name = "A,K", value_delimiter = ',')]
     pub points: Vec<String>,
@@ -94,6 +97,7 @@ Examples:
   linkwright solve mechanisms/excavator.mech --at 2.5 --points K    one instant of one point
   linkwright solve mechanisms/two_body.mech --csv - > motion.csv
   linkwright solve lift.mech --set L2=360mm --set 'lift=0.5 + 0.1*sin(2*t)'
+  linkwright solve mechanisms/two_body.mech --branch phi2=other     the mirror image of what is drawn
   linkwright solve mechanisms/two_body.mech --json | jq '.frames[-1].points.Q'
 
 This solves the textbook view: all equations together as one dense system, by Newton-Raphson, also those for which

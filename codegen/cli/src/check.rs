@@ -52,7 +52,7 @@ impl Check {
     /// Checks `system`, which must have passed `linkwright_codegen::check`, over a schedule whose times are all wanted.
     pub fn new(system: System, schedule: &Schedule, reached: impl FnMut(usize)) -> Check {
         let solved = SolvedInterpreter::new(&system);
-        let solution = Solution::new(system, Vec::new(), schedule, reached);
+        let solution = Solution::new(system, Vec::new(), schedule, None, reached);
         let coordinates = solution.system.coordinates.len() as i64;
         let kinematic_freedom = coordinates - solution.equation_count(Role::Constraint) as i64;
         let net_freedom = kinematic_freedom - solution.equation_count(Role::Driver) as i64;

@@ -148,6 +148,8 @@ fn reason(system: &System, interpreter: &Interpreter, stop: &Stop) -> String {
         FailureKind::Diverged => "Newton-Raphson runs away",
         FailureKind::Cycling => "Newton-Raphson repeats itself",
         FailureKind::Stalled => "Newton-Raphson stalls",
+        FailureKind::WrongBranch => "Newton-Raphson finds only another assembly mode",
+        FailureKind::StepTooLarge => "the step is too large for the motion to be followed",
         // Later versions of the runtime may know more kinds of failure; each has these figures.
         _ => "Newton-Raphson does not converge",
     };

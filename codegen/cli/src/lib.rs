@@ -32,6 +32,7 @@
 
 pub mod arguments;
 pub mod assemblies;
+pub mod branches;
 pub mod check;
 pub mod closeness;
 pub mod command;

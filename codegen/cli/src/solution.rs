@@ -8,7 +8,7 @@ use linkwright::{Frame, Motion, Settings};
 use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::model::Role;
 use linkwright_codegen::system::System;
-use nalgebra::Dyn;
+use nalgebra::{DVector, Dyn};
 
 use crate::condition::{Condition, dimensionless, jacobian};
 use crate::diagnosis;
@@ -47,15 +47,17 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// Solves `system`, which must have passed `linkwright_codegen::check`; `reached` hears how many times were visited.
+    /// Solves `system`, which must have passed `linkwright_codegen::check`, from the `estimate` (n) of its first pose, or else
+    /// from the drawing; `reached` hears how many times were visited.
     pub fn new(
         system: System,
         points: Vec<usize>,
         schedule: &Schedule,
+        estimate: Option<DVector<f64>>,
         reached: impl FnMut(usize),
     ) -> Solution {
         let interpreter = Interpreter::new(&system);
-        let estimate = interpreter.estimate();
+        let estimate = estimate.as_ref().unwrap_or(interpreter.estimate());
         let settings = Settings::default();
         let trajectory = follow(&interpreter, estimate, schedule, &settings, reached);
         let (q, t) = match &trajectory.start {

@@ -8,6 +8,7 @@ use linkwright_codegen::model::set;
 use super::description::{determined, source};
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Solve;
+use crate::branches;
 use crate::file::replace;
 use crate::number::counted;
 use crate::progress::{PATIENCE, Progress};
@@ -46,8 +47,17 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
             counted(system.coordinates.len(), "coordinate")
         )));
     }
+    let chosen_pose = match arguments.branch.as_slice() {
+        [] => None,
+        wishes => Some(
+            branches::assembled(&system, schedule.start.t, wishes)
+                .map_err(|text| Problem(format!("error: {text}")))?,
+        ),
+    };
     let mut progress = Progress::new(schedule.visits());
-    let solution = Solution::new(system, points, &schedule, |count| progress.reached(count));
+    let solution = Solution::new(system, points, &schedule, chosen_pose, |count| {
+        progress.reached(count)
+    });
     let solution = match arguments.monitor {
         true => solution.monitored(),
         false => solution,

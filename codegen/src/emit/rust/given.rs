@@ -144,8 +144,8 @@ pub(super) fn kept_in_frame(program: &Program) -> bool {
         .any(|straight| straight.inputs.parameters)
 }
 
-/// `parameters` and `set_parameters` of the type that a user holds.
-pub(super) fn access(system: &System) -> TokenStream {
+/// `parameters` and `set_parameters` of the type that a user holds; `noted` is what else a change does.
+pub(super) fn access(system: &System, noted: &TokenStream) -> TokenStream {
     only(
         Given::of(system).parameters,
         quote! {
@@ -157,6 +157,7 @@ pub(super) fn access(system: &System) -> TokenStream {
             /// Changes the parameters. The last frame stays as it was solved; the next one is solved with these.
             pub fn set_parameters(&mut self, parameters: &Parameters) {
                 self.parameters = *parameters;
+                #noted
             }
         },
     )
@@ -187,7 +188,7 @@ pub(super) fn read(symbol: SymbolId, system: &System) -> Option<TokenStream> {
 pub(super) fn structures(system: &System, program: &Program) -> TokenStream {
     let given = Given::of(system);
     let parameters = only(given.parameters, parameters(system));
-    let inputs = only(given.inputs, inputs(system));
+    let inputs = only(given.inputs, inputs(system, program.solved.is_some()));
     let drawn = drawn(system, program);
     quote!(#parameters #inputs #drawn)
 }
@@ -237,7 +238,7 @@ fn parameters(system: &System) -> TokenStream {
     }
 }
 
-fn inputs(system: &System) -> TokenStream {
+fn inputs(system: &System, has_steps: bool) -> TokenStream {
     let own = &system.mechanism.inputs;
     let names: Vec<_> = own
         .iter()
@@ -258,6 +259,15 @@ fn inputs(system: &System) -> TokenStream {
         .iter()
         .map(|input| float(value_of(input.initial, system)));
     let approximate = lints::approximate(&values.clone().collect());
+    let towards = only(
+        has_steps,
+        quote! {
+            /// The signals at a fraction of the time `h` (s) from these to `last`, on the smoothest way.
+            fn towards(&self, last: &Self, h: f64, part: f64) -> Self {
+                Self { #(#names: self.#names.towards(&last.#names, h, part)),* }
+            }
+        },
+    );
     quote! {
         /// The signals that move the mechanism, each with its value, rate and acceleration at one time.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -277,6 +287,8 @@ fn inputs(system: &System) -> TokenStream {
                     .iter()
                     .all(|signal| all_finite(&[signal.value, signal.rate, signal.acceleration]))
             }
+
+            #towards
         }
 
         impl Default for Inputs {

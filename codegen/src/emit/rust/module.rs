@@ -83,11 +83,12 @@ fn identifiers(code: TokenStream) -> HashSet<String> {
 fn solver(system: &System, program: &Program) -> TokenStream {
     match &program.solved {
         Some(blocks) => {
-            let branches = solved::branches(blocks);
+            let branches = solved::branches(system, blocks);
             let newton = solved::newton_blocks(system, program, blocks);
             let functions = solved::blocks(system, program, blocks);
             let mechanism = solved::mechanism(system, program, blocks);
-            quote!(#branches #newton #functions #mechanism)
+            let explained = solved::explained(blocks);
+            quote!(#branches #explained #newton #functions #mechanism)
         }
         None => mechanism(system, program),
     }
@@ -160,7 +161,8 @@ fn imports(system: &System, program: &Program, has_newton: bool, has_tables: boo
     let has_branches = program
         .solved
         .iter()
-        .any(|solved| !solved.branches.is_empty());
+        .any(|solved| !solved.branches.is_empty())
+        || has_newton;
     let branch = if has_branches {
         quote!(Branch,)
     } else {
@@ -199,12 +201,16 @@ fn imports(system: &System, program: &Program, has_newton: bool, has_tables: boo
         TokenStream::new()
     };
     let signal = only(given.inputs, quote!(Signal,));
+    let start = only(has_newton, quote!(Start,));
+    let block = only(has_newton, quote!(block,));
+    let explained = only(program.solved.is_some(), quote!(BlockName, Explained,));
+    let in_steps = only(program.solved.is_some(), quote!(in_steps,));
     let table = only(has_tables, quote!(Table,));
     quote! {
         #closed
         #math
         #matrices
-        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #signal #step #table #kinematics};
+        use ::linkwright::{#branch #explained #equations Failure, #kind #motion Settings, #signal #start #step #table #block #in_steps #kinematics};
     }
 }
 

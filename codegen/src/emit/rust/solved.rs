@@ -1,6 +1,7 @@
 //! The solved view: one function per block, and the type that runs them.
 
 mod block;
+mod explained;
 mod frame;
 mod names;
 mod newton;
@@ -9,6 +10,7 @@ mod solver;
 mod transmission;
 
 pub(super) use block::blocks;
+pub(super) use explained::explained;
 pub(super) use frame::{branches, frame_fields, frame_values, output_frame};
 pub(super) use newton::newton_blocks;
 pub(super) use sensitivity::{sensitivities, structures};

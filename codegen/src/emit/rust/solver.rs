@@ -142,7 +142,11 @@ pub(super) fn mechanism(system: &System, program: &Program) -> TokenStream {
     } else {
         Default::default()
     };
-    let (drawn, check, access) = (drawn_pose(program), finite_check(system), access(system));
+    let (drawn, check, access) = (
+        drawn_pose(program),
+        finite_check(system),
+        access(system, &TokenStream::new()),
+    );
     let start = quote! {
         #check
         let estimate = SVector::from(estimate.to_array());

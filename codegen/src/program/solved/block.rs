@@ -4,6 +4,7 @@ use super::builder::Builder;
 use super::evaluation::{evaluated, functions_of_time, note_constants};
 use super::responses::Responses;
 use super::sharing::calls_functions;
+use super::spoken::{singular, spoken};
 use super::{Action, BlockProgram, Level};
 use crate::expr::ExprId;
 use crate::program::constants::Constants;
@@ -245,6 +246,8 @@ pub(super) fn lower_block(
     BlockProgram {
         name: block_name(block, system, &joints),
         title: format!("{}: {}.", capitalized(&how), labels.join(", ")),
+        spoken: spoken(block, system),
+        singular: singular(block, system),
         joints: block.joints.clone(),
         time,
         shared: None,

@@ -17,6 +17,7 @@ mod responses;
 mod sensitivities;
 mod sharing;
 mod slides;
+mod spoken;
 mod transmissions;
 mod two_rotations;
 mod whole;
@@ -95,6 +96,10 @@ pub struct BlockProgram {
     pub name: String,
     /// One line of documentation.
     pub title: String,
+    /// What a person calls it: `loop F-N-M`.
+    pub spoken: String,
+    /// What a person says of its parts where it is singular: `c2 and c8 are in line`.
+    pub singular: String,
     /// The joints whose equations it uses.
     pub joints: Vec<usize>,
     /// Functions of time alone, computed first.

@@ -90,6 +90,8 @@ pub(super) fn outputs(
     let block = BlockProgram {
         name: "outputs".to_string(),
         title: "What is asked for.".to_string(),
+        spoken: "what the outputs ask for".to_string(),
+        singular: String::new(),
         joints: Vec::new(),
         time: Straight::new(Vec::new(), system, constants),
         shared: None,

@@ -153,6 +153,8 @@ pub(super) fn sensitivities(
     let block = BlockProgram {
         name: "sensitivity".to_string(),
         title: "How what is asked for depends on parameters.".to_string(),
+        spoken: "the sensitivities".to_string(),
+        singular: String::new(),
         joints: Vec::new(),
         time: Straight::new(Vec::new(), system, constants),
         actions,

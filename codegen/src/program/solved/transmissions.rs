@@ -74,6 +74,8 @@ pub(super) fn transmissions(
     let block = BlockProgram {
         name: "transmission".to_string(),
         title: "What the drivers transmit.".to_string(),
+        spoken: "the transmissions".to_string(),
+        singular: String::new(),
         joints: Vec::new(),
         time: Straight::new(Vec::new(), system, constants),
         actions,

@@ -22,6 +22,8 @@ use crate::system::{Cause, System, Unknown};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Needs {
     pub last: bool,
+    /// Where the block goes on from, and its mode, which its assembly finds.
+    pub start: bool,
     pub branches: bool,
     pub settings: bool,
     pub parameters: bool,
@@ -43,7 +45,9 @@ impl Needs {
             match action {
                 Action::Angle { .. } => needs.last = true,
                 Action::Newton => {
-                    (needs.last, needs.settings, needs.fails, needs.time) = (true, true, true, true)
+                    (needs.last, needs.settings, needs.fails, needs.time) =
+                        (true, true, true, true);
+                    (needs.start, needs.branches) = (true, true);
                 }
                 Action::Reach { .. } | Action::Nonzero { .. } => {
                     (needs.fails, needs.time) = (true, true)
@@ -77,6 +81,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
+        let start = only(self.start, quote!(start,));
         let branches = if self.branches {
             quote!(branches,)
         } else {
@@ -94,7 +99,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
-        quote!(at, #last #branches #settings #parameters #inputs #time)
+        quote!(at, #last #start #branches #settings #parameters #inputs #time)
     }
 
     fn parameters(self) -> TokenStream {
@@ -103,10 +108,11 @@ impl Needs {
         } else {
             TokenStream::new()
         };
-        let branches = if self.branches {
-            quote!(branches: &Branches,)
-        } else {
-            TokenStream::new()
+        let start = only(self.start, quote!(start: Start,));
+        let branches = match (self.branches, self.start) {
+            (_, true) => quote!(branches: &mut Branches,),
+            (true, false) => quote!(branches: &Branches,),
+            (false, false) => TokenStream::new(),
         };
         let settings = if self.settings {
             quote!(settings: &Settings,)
@@ -120,7 +126,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
-        quote!(at: &mut Frame, #last #branches #settings #parameters #inputs #time)
+        quote!(at: &mut Frame, #last #start #branches #settings #parameters #inputs #time)
     }
 }
 
@@ -167,6 +173,11 @@ pub(in crate::emit::rust) fn blocks(
         let (name, parameters) = (identifier(&block.name), needs.parameters());
         let title = docs([block.title.as_str()]);
         let check = if checks_itself(system) { own_check(index, block, &names) } else { TokenStream::new() };
+        // All that a block can be given is one more than a linter takes.
+        let many = only(
+            needs.start && needs.parameters && needs.inputs,
+            quote!(#[allow(clippy::too_many_arguments)]),
+        );
         let body = if needs.fails {
             quote!(#inline fn #name(#parameters) -> Result<(), Failure> { #(#time)* #(#actions)* #check Ok(()) })
         } else {
@@ -174,7 +185,7 @@ pub(in crate::emit::rust) fn blocks(
         };
         let capitals = if has_capitals { lints::capitals(&body) } else { TokenStream::new() };
         let approximate = lints::approximate(&body);
-        quote!(#title #capitals #approximate #body)
+        quote!(#title #capitals #approximate #many #body)
     });
     quote!(#(#functions)*)
 }
@@ -339,6 +350,7 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
     let places: Vec<_> = (0..q.len()).map(count).collect();
     let equations = equations(block, newton, names);
+    let mode = identifier(&block.name);
     quote! {
         let tears = kinematics::Frame {
             t: last.t,
@@ -346,7 +358,7 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
             qd: SVector::from([#(#last_qd),*]),
             qdd: SVector::from([#(#last_qdd),*]),
         };
-        let tears = kinematics::advance(&#equations, &tears, t, settings)
+        let tears = block::solve(&#equations, &tears, start, &mut branches.#mode, t, settings)
             .map_err(|failure| failure.in_block(#number))?;
         #(#q = tears.q[#places];)*
         #(#qd = tears.qd[#places];)*

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::names::plain_name;
+use super::newton::listed;
 use super::sensitivity::{sensitivities, structures};
 use super::transmission::{responded, transmissions};
 use crate::emit::rust::coordinates::derives;
@@ -43,39 +44,54 @@ pub(in crate::emit::rust) fn frame_values(system: &System, solved: &SolvedProgra
 }
 
 /// `struct Branches` with the drawing's choice.
-pub(in crate::emit::rust) fn branches(solved: &SolvedProgram) -> TokenStream {
-    let names: Vec<_> = solved
-        .branches
-        .iter()
-        .map(|branch| identifier(&branch.name))
-        .collect();
-    let texts = solved
-        .branches
-        .iter()
-        .map(|branch| docs([sentence(&branch.meaning)]));
-    let drawn = solved.branches.iter().map(|branch| {
-        if branch.positive {
+pub(in crate::emit::rust) fn branches(system: &System, solved: &SolvedProgram) -> TokenStream {
+    let closed = solved.branches.iter().map(|branch| {
+        let drawn = if branch.positive {
             quote!(Branch::Positive)
         } else {
             quote!(Branch::Negative)
-        }
+        };
+        let text = docs([sentence(&branch.meaning)]);
+        (text, identifier(&branch.name), quote!(Branch), drawn)
     });
+    let iterated = solved.blocks.iter().filter_map(|block| {
+        let newton = block.newton.as_ref()?;
+        let text = docs([format!(
+            "The sign of the determinant of `{}`, which finds {}. `None` lets the estimate decide.",
+            block.name,
+            listed(newton, system)
+        )]);
+        let name = identifier(&block.name);
+        Some((text, name, quote!(Option<Branch>), quote!(None)))
+    });
+    let has_newton = solved.blocks.iter().any(|block| block.newton.is_some());
+    let (mut fields, mut names, mut values) = (Vec::new(), Vec::new(), Vec::new());
+    for (text, name, kind, drawn) in closed.chain(iterated) {
+        fields.push(quote!(#text pub #name: #kind,));
+        names.push(name);
+        values.push(drawn);
+    }
     let structure = quote! {
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub struct Branches {
-            #(#texts pub #names: Branch,)*
+            #(#fields)*
         }
     };
     let capitals = lints::capitals(&structure);
+    let text = docs(if has_newton {
+        ["The assembly mode of every loop."]
+    } else {
+        ["The assembly mode of every loop that is solved in closed form."]
+    });
     quote! {
-        /// The assembly mode of every loop that is solved in closed form.
+        #text
         #capitals
         #structure
 
         #[allow(dead_code)]
         impl Branches {
             /// The modes of the drawing.
-            pub const DRAWN: Self = Self { #(#names: #drawn),* };
+            pub const DRAWN: Self = Self { #(#names: #values),* };
         }
     }
 }

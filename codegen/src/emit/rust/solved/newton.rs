@@ -254,7 +254,8 @@ fn equations(
     }
 }
 
-fn listed(newton: &NewtonBlock, system: &System) -> String {
+/// The unknowns that it finds: `` `phi2`, `l1` ``.
+pub(super) fn listed(newton: &NewtonBlock, system: &System) -> String {
     let names: Vec<String> = newton
         .unknowns
         .iter()

@@ -39,6 +39,7 @@ pub(in crate::emit::rust) fn mechanism(
             all.last |= needs.last;
             all.branches |= needs.branches;
             all.settings |= needs.settings;
+            all.start |= needs.start;
             let (function, arguments) = (identifier(&block.name), needs.arguments());
             let try_it = if needs.fails {
                 quote!(?)
@@ -63,7 +64,57 @@ pub(in crate::emit::rust) fn mechanism(
     } else {
         quote!(_settings)
     };
+    // Blocks that need Newton-Raphson are assembled from an estimate, but go on from a frame, and find their modes.
+    let newton = all.start;
+    let many = only(
+        newton && !system.mechanism.parameters.is_empty() && !system.mechanism.inputs.is_empty(),
+        quote!(#[allow(clippy::too_many_arguments)]),
+    );
+    let branches_found = only(newton, quote!(let mut branches = branches;));
+    let start_declared = only(newton, quote!(start: Start,));
+    let estimate_passed = only(newton, quote!(Start::Estimate,));
+    let exclusive = only(newton, quote!(mut));
     let given = Given::of(system);
+    // Other parameters make the last frame an estimate.
+    let keeps_start = newton && given.parameters;
+    let start_field = only(
+        keeps_start,
+        quote! {
+            /// What the last frame is for the next one.
+            start: Start,
+        },
+    );
+    let start_kept = only(keeps_start, quote!(start: Start::LastFrame,));
+    let start_noted = only(keeps_start, quote!(self.start = Start::Estimate;));
+    let start_done = only(keeps_start, quote!(self.start = Start::LastFrame;));
+    let start_read = only(keeps_start, quote!(start,));
+    let start_copied = only(keeps_start, quote!(let mut start = *start;));
+    let start_left = only(keeps_start, quote!(start = Start::LastFrame;));
+    let (start_own, start_passed) = match (newton, keeps_start) {
+        (false, _) => Default::default(),
+        (true, false) => (quote!(Start::LastFrame,), quote!(Start::LastFrame,)),
+        (true, true) => (quote!(self.start,), quote!(start,)),
+    };
+    let inputs_field = only(given.inputs, quote!(inputs: Inputs,));
+    let inputs_kept = only(given.inputs, quote!(inputs: *inputs,));
+    let inputs_done = only(given.inputs, quote!(self.inputs = *inputs;));
+    let inputs_read = only(given.inputs, quote!(inputs: before,));
+    let inputs_between = only(
+        given.inputs,
+        quote! {
+            let inputs = &if target == t { *inputs } else { before.towards(inputs, t - last.t, (target - last.t) / (t - last.t)) };
+        },
+    );
+    let parameters_read = only(given.parameters, quote!(parameters,));
+    let inputs_text = if given.inputs {
+        docs([
+            "",
+            "On the way the inputs go from their last values to the new ones by the polynomial of the fifth degree that has values,",
+            "rates and accelerations of both ends.",
+        ])
+    } else {
+        TokenStream::new()
+    };
     let (with, passed) = (given.parameters_declared(), given.parameters_passed());
     let (inputs, inputs_passed) = (given.inputs_declared(), given.inputs_passed());
     let (field, kept) = (
@@ -73,7 +124,11 @@ pub(in crate::emit::rust) fn mechanism(
     let signals = only(given.inputs, quote!(inputs: &Inputs,));
     let signals_passed = only(given.inputs, quote!(inputs,));
     let in_frame = only(kept_in_frame(program), quote!(at.parameters = *parameters;));
-    let (equations, check, access) = (given.copied(), finite_check(system), access(system));
+    let (equations, check, access) = (
+        given.copied(),
+        finite_check(system),
+        access(system, &start_noted),
+    );
     let drawn = drawn_pose(program);
     let nominal = only(
         given.parameters,
@@ -118,10 +173,12 @@ pub(in crate::emit::rust) fn mechanism(
     let derives = derives(system.coordinates.len());
     quote! {
         /// Solves all blocks at time `t` (s), one after another.
+        #many
         fn solve(
             at: &mut Frame,
             #last: &Frame,
-            #branches: &Branches,
+            #start_declared
+            #branches: &#exclusive Branches,
             #settings: &Settings,
             #with
             #signals
@@ -142,6 +199,8 @@ pub(in crate::emit::rust) fn mechanism(
             second_is_last: bool,
             branches: Branches,
             #field
+            #inputs_field
+            #start_field
             settings: Settings,
         }
 
@@ -177,7 +236,7 @@ pub(in crate::emit::rust) fn mechanism(
             }
 
             /// Assembles the mechanism at time `t` (s) in these modes, with angles near those of `estimate`. Where a block needs
-            /// Newton-Raphson, it starts from there.
+            /// Newton-Raphson, it starts from there, and the estimate may be poor.
             ///
             /// # Errors
             /// A [`Failure`] where it cannot be assembled so.
@@ -191,21 +250,54 @@ pub(in crate::emit::rust) fn mechanism(
             ) -> Result<Self, Failure> {
                 let last = #estimated;
                 let mut at = last;
-                solve(&mut at, &last, &branches, &settings, #passed #signals_passed t)?;
-                Ok(Self { frames: [at, last], second_is_last: false, branches, #kept settings })
+                #branches_found
+                solve(&mut at, &last, #estimate_passed &#exclusive branches, &settings, #passed #signals_passed t)?;
+                Ok(Self { frames: [at, last], second_is_last: false, branches, #kept #inputs_kept #start_kept settings })
             }
 
             /// Moves the mechanism to time `t` (s), starting from the last frame, which a failure leaves as it is.
             ///
+            /// Where that is not possible in one step, it goes in at most [`Settings::substeps`] attempts, all blocks in each.
+            /// A loop with a closed form is assembled at `t` in its mode, also where it would come apart on the way there.
+            #inputs_text
+            ///
             /// # Errors
-            /// A [`Failure`] where the equations cannot be solved from there.
+            /// A [`Failure`] where the equations cannot be solved from there. Its time is where the motion ends, or how far it could
+            /// be followed; see `linkwright::in_steps`.
             pub fn advance(&mut self, t: f64 #inputs) -> Result<&Frame, Failure> {
                 #own_parameters
                 let [first, second] = &mut self.frames;
                 let (last, at) = if self.second_is_last { (&*second, first) } else { (&*first, second) };
-                solve(at, last, &self.branches, &self.settings, #passed #signals_passed t)?;
+                if let Err(failure) = solve(at, last, #start_own &#exclusive self.branches, &self.settings, #passed #signals_passed t) {
+                    self.advance_in_steps(failure, t #inputs_passed)?;
+                }
+                #inputs_done
+                #start_done
                 self.second_is_last = !self.second_is_last;
                 Ok(self.frame())
+            }
+
+            /// Moves the mechanism to time `t` (s) in several steps, because one has ended with `failure`, or finds the time at
+            /// which this is no longer possible. The new frame takes the place of the older one.
+            #[cold]
+            fn advance_in_steps(&mut self, failure: Failure, t: f64 #inputs) -> Result<(), Failure> {
+                let Self { frames: [first, second], second_is_last, branches, #parameters_read #inputs_read #start_read settings } = self;
+                if settings.substeps <= 1 {
+                    return Err(failure);
+                }
+                let (last, at) = if *second_is_last { (&*second, first) } else { (&*first, second) };
+                let mut reached = *last;
+                #start_copied
+                in_steps(last.t, t, settings.substeps, |target| {
+                    #inputs_between
+                    solve(at, &reached, #start_passed branches, settings, #passed #signals_passed target)?;
+                    #start_left
+                    core::mem::swap(at, &mut reached);
+                    Ok(())
+                })
+                .map_err(|broken| broken.failure)?;
+                *at = reached;
+                Ok(())
             }
 
             /// The last solved instant.

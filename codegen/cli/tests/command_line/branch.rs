@@ -1,0 +1,106 @@
+//! `linkwright solve --branch` from the outside.
+
+use crate::folder::Folder;
+
+/// The exam's mechanism: a rod of length √3 from the crank's pin to a line.
+const EXAM: &str = "mechanism exam {
+    body 1 at (0, 0, 30deg) { P: (1, 0) }
+    body 2 at (1.7, 2, 1) { P: (-sqrt(3), 0), Q: (-sqrt(3)/2, 0) }
+    absolute_x(1) = 0;
+    absolute_y(1) = 0;
+    revolute P(1, 2);
+    absolute_x(2) = sqrt(3);
+    drive phi(1) = pi/6;
+}
+";
+
+const PLATFORM: &str = include_str!("../../../../mechanisms/platform_3rpr.mech");
+
+/// The numbers of the only row that is written.
+fn row(folder: &Folder, options: &str) -> Vec<f64> {
+    let ran = folder.run(&format!("solve a.mech --at 0 --csv - {options}"));
+    let printed = ran.exits_with(0).stdout;
+    let row = printed.lines().last().expect("a row");
+    let numbers = row.split(',').map(|value| value.parse().expect("a number"));
+    numbers.collect()
+}
+
+fn coincide(one: &[f64], other: &[f64]) -> bool {
+    one.len() == other.len()
+        && one
+            .iter()
+            .zip(other)
+            .all(|(one, other)| (one - other).abs() < 1e-9)
+}
+
+#[test]
+fn the_rod_hangs_below_on_the_other_branch() {
+    let folder = Folder::new("branch", EXAM);
+    let above = row(&folder, "--points Q");
+    let below = row(&folder, "--points Q --branch phi2=other");
+    // φ2 = ±π/3, and the middle of the rod is half of its sine from the pin, which is at the height 1/2.
+    let root = 3.0_f64.sqrt();
+    assert!((above[19] - 0.75 * root).abs() < 1e-14 && (above[20] - 1.25).abs() < 1e-14);
+    assert!((below[19] - 0.75 * root).abs() < 1e-14 && (below[20] + 0.25).abs() < 1e-14);
+    let signs = ["positive", "negative"]
+        .map(|sign| row(&folder, &format!("--points Q --branch phi2={sign}")));
+    assert!(signs.iter().any(|row| coincide(row, &above)));
+    assert!(signs.iter().any(|row| coincide(row, &below)));
+}
+
+#[test]
+fn a_loop_without_a_closed_form_has_branches_too() {
+    let folder = Folder::new("branch_newton", PLATFORM);
+    let drawn = row(&folder, "");
+    let mut found = 0;
+    for sign in ["positive", "negative"] {
+        found += i32::from(coincide(
+            &row(&folder, &format!("--branch loop_p_row_q_r={sign}")),
+            &drawn,
+        ));
+    }
+    assert_eq!(found, 1, "one of the signs is that of the drawing");
+    let other = row(&folder, "--branch loop_p_row_q_r=other");
+    assert!(!coincide(&other, &drawn));
+}
+
+#[test]
+fn wrong_names_of_loops_and_modes_are_corrected() {
+    let folder = Folder::new("branch_names", EXAM);
+    for (wish, said) in [
+        ("phi_2=other", "did you mean `phi2`?"),
+        ("z=other", "the loops with several modes are: phi2"),
+        ("phi2=postive", "did you mean `positive`?"),
+        ("phi2=up", "the modes are: positive, negative, other"),
+        ("phi2", "is not of the form LOOP=positive"),
+    ] {
+        let ran = folder.run(&format!("solve a.mech --at 0 --branch {wish}"));
+        let error = ran.exits_with(2).stderr;
+        assert!(error.contains(said), "{wish}: {error}");
+    }
+    let ran = folder.run("solve a.mech --at 0 --branch phi2=other --branch phi2=positive");
+    assert!(ran.exits_with(2).stderr.contains("is chosen twice"));
+}
+
+#[test]
+fn a_rod_that_no_longer_reaches_ends_the_motion_at_its_time() {
+    let folder = Folder::new("branch_end", EXAM.replace("= pi/6;", "= pi/6 + t;"));
+    let ran = folder.run("solve a.mech --to 3 --csv -");
+    let error = ran.exits_with(1).stderr;
+    // φ1 = π/2 at t = π/3 = 1.0471975511966.
+    let end = error.split("beyond t = ").nth(1).expect("a time");
+    let end: f64 = end
+        .split(' ')
+        .next()
+        .expect("a number")
+        .parse()
+        .expect("a number");
+    assert!(
+        (end - std::f64::consts::FRAC_PI_3).abs() <= 1.5e-9,
+        "{error}"
+    );
+    assert!(
+        error.contains("revolute P(1, 2)") && error.contains("bodies that can move: 2"),
+        "{error}"
+    );
+}

@@ -1,0 +1,77 @@
+//! The equations of one block, its last frame and its assembly mode → its next frame.
+//!
+//! A block without a closed form knows its equations at one time only, because the blocks before it have just been solved for
+//! that time. So it makes one step, and refuses it where the frame it finds may belong to another assembly mode. The mechanism
+//! as a whole then goes in shorter steps ([`crate::in_steps`]).
+//!
+//! The module does not know the other blocks.
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{DefaultAllocator, Dim};
+
+use crate::assembly::assemble_from_afar;
+use crate::closed_form::Branch;
+use crate::equations::Equations;
+use crate::failure::Failure;
+use crate::kinematics::Frame;
+use crate::math::Real;
+use crate::path::{branch_of, step};
+use crate::settings::Settings;
+
+/// What the frame is from which a block is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// An estimate of the pose, which may be poor.
+    Estimate,
+    /// The last frame of a motion, which goes on from there.
+    LastFrame,
+}
+
+/// Solves a block at time `t`.
+///
+/// From an estimate it is assembled in the mode `branch`, or near the estimate where that is `None`; afterwards `branch` is its
+/// mode. From the last frame it moves on in this mode.
+///
+/// # Errors
+/// Those of [`assemble_from_afar`], or those of [`step`].
+///
+/// # Work
+/// That of the same; where the mode was `None` also one Jacobian.
+///
+/// # Panics
+/// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
+#[inline]
+pub fn solve<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    last: &Frame<T, D>,
+    start: Start,
+    branch: &mut Option<Branch>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Frame<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    match (start, *branch) {
+        (Start::LastFrame, Some(branch)) => step(equations, last, branch, t, settings),
+        _ => assemble(equations, last, branch, t, settings),
+    }
+}
+
+#[cold]
+fn assemble<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    estimate: &Frame<T, D>,
+    branch: &mut Option<Branch>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Frame<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let frame = assemble_from_afar(equations, &estimate.q, *branch, t, settings)?;
+    if branch.is_none() {
+        *branch = Some(branch_of(equations, &frame.q, t, settings)?);
+    }
+    Ok(frame)
+}

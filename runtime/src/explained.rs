@@ -1,0 +1,139 @@
+//! A failure and the names of a mechanism's blocks → a sentence for a person.
+//!
+//! A [`Failure`] holds no names. A generated module knows them, and its function `describe` puts them together with a failure
+//! where somebody wants to read it. Neither needs an allocator.
+//!
+//! The module does not know how blocks are named.
+
+use core::fmt;
+
+use crate::failure::{Failure, FailureKind};
+use crate::math::Real;
+
+/// What a block of a mechanism is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BlockName {
+    /// The block: `loop F-N-M`.
+    pub name: &'static str,
+    /// What can be said of its parts where it is singular or at the end of its reach: `c2 and c8 are in line`.
+    pub singular: &'static str,
+}
+
+/// A failure in a mechanism's own terms; its `Display` is one sentence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Explained<T = f64> {
+    /// What happened.
+    pub failure: Failure<T>,
+    /// The names of all blocks, in solve order.
+    pub blocks: &'static [BlockName],
+}
+
+impl<T: Real> fmt::Display for Explained<T> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Failure {
+            kind,
+            time,
+            iterations,
+            residual,
+            ..
+        } = self.failure;
+        let block = self.blocks.get(usize::from(self.failure.block));
+        if let Some(block) = block {
+            write!(formatter, "{}: ", block.name)?;
+        }
+        let singular = block.map_or("its Jacobian is singular", |block| block.singular);
+        match kind {
+            FailureKind::Singular { pivot_ratio, .. } => {
+                write!(formatter, "{singular} (pivot ratio {pivot_ratio:.1e})")?;
+            }
+            FailureKind::OutOfReach { by } => {
+                write!(
+                    formatter,
+                    "out of reach by {by:.1e} m: {singular} where its reach ends"
+                )?;
+            }
+            _ => {
+                let what = match kind {
+                    FailureKind::Diverged => "Newton-Raphson runs away",
+                    FailureKind::Cycling => "Newton-Raphson repeats itself",
+                    FailureKind::Stalled => "Newton-Raphson stalls",
+                    FailureKind::WrongBranch => "only another assembly mode is found",
+                    FailureKind::StepTooLarge => {
+                        "the step is too large for the motion to be followed"
+                    }
+                    FailureKind::NotFinite => "a number is not finite",
+                    _ => "Newton-Raphson does not converge",
+                };
+                formatter.write_str(what)?;
+            }
+        }
+        if iterations > 0 {
+            write!(
+                formatter,
+                ", after {iterations} iterations with a scaled residual of {residual:.1e}"
+            )?;
+        }
+        write!(formatter, ", at t = {time} s")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use std::string::ToString;
+
+    use super::*;
+
+    const BLOCKS: [BlockName; 2] = [
+        BlockName {
+            name: "explicit",
+            singular: "",
+        },
+        BlockName {
+            name: "loop F-N-M",
+            singular: "c2 and c8 are in line",
+        },
+    ];
+
+    fn text(kind: FailureKind, block: u16, iterations: u16) -> std::string::String {
+        let failure = Failure {
+            kind,
+            time: 0.5,
+            block,
+            iterations,
+            residual: 2e-3,
+            row: 0,
+        };
+        let blocks = &BLOCKS;
+        Explained { failure, blocks }.to_string()
+    }
+
+    #[test]
+    fn a_failure_is_one_sentence_about_its_block() {
+        let singular = FailureKind::Singular {
+            pivot_ratio: 0.0,
+            column: 0,
+        };
+        assert_eq!(
+            text(singular, 1, 0),
+            "loop F-N-M: c2 and c8 are in line (pivot ratio 0.0e0), at t = 0.5 s"
+        );
+        assert_eq!(
+            text(FailureKind::OutOfReach { by: 0.25 }, 1, 0),
+            "loop F-N-M: out of reach by 2.5e-1 m: c2 and c8 are in line where its reach ends, at t = 0.5 s"
+        );
+        assert_eq!(
+            text(FailureKind::WrongBranch, 1, 4),
+            "loop F-N-M: only another assembly mode is found, after 4 iterations with a scaled residual of 2.0e-3, at t = 0.5 s"
+        );
+        assert_eq!(
+            text(FailureKind::NotFinite, 0, 0),
+            "explicit: a number is not finite, at t = 0.5 s"
+        );
+        // A block that the names do not know is left out.
+        assert_eq!(
+            text(singular, 9, 0),
+            "its Jacobian is singular (pivot ratio 0.0e0), at t = 0.5 s"
+        );
+    }
+}
