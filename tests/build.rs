@@ -1,11 +1,15 @@
-//! Generates the mechanisms that only tests need, the repository's and those of the study of stability in single precision, a
-//! list of the repository's, and all of them once more with what their drivers transmit.
+//! Generates the mechanisms that only tests need, the repository's, one with tables and those of the study of stability in
+//! single precision, a list of the repository's, and all of them once more with what their drivers transmit.
 
 mod registry;
 mod single_study;
 mod transmitting;
 
-use linkwright_codegen::{Options, Scalar};
+use std::path::Path;
+use std::{env, fs};
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::{Options, Scalar, generate_with};
 
 fn main() {
     linkwright_codegen::build("descriptions");
@@ -14,6 +18,13 @@ fn main() {
     };
     linkwright_codegen::build_with("../mechanisms", &single);
     linkwright_codegen::build_with(single_study::write("descriptions"), &single);
+    let tables = fs::read_to_string("descriptions/tables.mech").expect("the description");
+    // One with errors is reported where it is built for itself.
+    if let Ok(tables) = generate_with(&Source::new("tables.mech", tables), &single) {
+        let output = env::var_os("OUT_DIR").expect("cargo sets it");
+        let target = Path::new(&output).join("linkwright/tables_single.rs");
+        fs::write(target, tables.code).expect("the module is written");
+    }
     registry::write("../mechanisms");
     transmitting::write(&["descriptions", "../mechanisms"]);
 }

@@ -29,7 +29,9 @@ pub fn write(folder: &str) {
 /// `name: Type { "K" => point_k, … }`
 fn line(path: &Path) -> Option<String> {
     let text = fs::read_to_string(path).ok()?;
-    let read = linkwright_codegen::read(&Source::new("description", text)).ok()?;
+    let source = Source::new("description", text);
+    let source = linkwright_codegen::attach_files(source, path.parent()?);
+    let read = linkwright_codegen::read(&source).ok()?;
     let mechanism = &read.only()?.mechanism;
     let given = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
     if given || mechanism.motion.is_some() || !mechanism.requests.is_empty() {

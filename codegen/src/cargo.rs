@@ -3,11 +3,12 @@
 //! The only module that touches files, the environment and the standard output. Errors become `cargo::error` lines, so a
 //! mistake in a description reads like a compiler error; it never panics on bad input.
 
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 use crate::diagnostic::Source;
-use crate::{Options, generate_with};
+use crate::{Options, generate_with, syntax};
 
 /// Generates the module of every `.mech` file in `folder` (relative to the package) for `linkwright::include_mechanism!`.
 ///
@@ -92,6 +93,11 @@ fn generate_file(file: &Path, options: &Options) -> Option<(String, String)> {
             return None;
         }
     };
+    let folder = file.parent().unwrap_or(Path::new(""));
+    for path in syntax::named_files(&source.text) {
+        println!("cargo::rerun-if-changed={}", folder.join(path).display());
+    }
+    let source = attach_files(source, folder);
     match generate_with(&source, options) {
         Ok(generated) => {
             for line in generated.warnings.render(&source).lines() {
@@ -104,6 +110,25 @@ fn generate_file(file: &Path, options: &Options) -> Option<(String, String)> {
             None
         }
     }
+}
+
+/// A description with the files that it names, read from its folder.
+pub fn attach_files(source: Source, folder: &Path) -> Source {
+    let paths = syntax::named_files(&source.text);
+    paths.into_iter().fold(source, |source, path| {
+        let mut bytes = Vec::new();
+        // One byte more than allowed is enough to know that there are too many.
+        let read = fs::File::open(folder.join(&path)).and_then(|file| {
+            file.take(Source::LARGEST as u64 + 1)
+                .read_to_end(&mut bytes)
+        });
+        let bytes = read.map(|_| bytes).map_err(|error| match error.kind() {
+            // The words of the operating system differ.
+            io::ErrorKind::NotFound => "there is no such file".to_string(),
+            _ => error.to_string(),
+        });
+        source.with_attachment(path, bytes)
+    })
 }
 
 /// One directive per line: cargo drops what follows a line break.

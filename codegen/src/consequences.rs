@@ -28,6 +28,11 @@ fn may_follow(diagnostic: &Diagnostic, source: &Source, unread_words: &[&str]) -
         Code::UnknownName | Code::PointNotOnBody => {
             text_of(diagnostic.primary.span, source).is_none_or(|word| unread_words.contains(&word))
         }
+        // A table whose statement was not read.
+        Code::UnknownFunction => text_of(diagnostic.primary.span, source).is_none_or(|name| {
+            let mut pairs = unread_words.windows(2);
+            pairs.any(|pair| pair == ["table", name])
+        }),
         // The only form that depends on other statements is a length driver, which asks for a translational joint.
         Code::WrongForm => unread_words.contains(&"along"),
         // The body that is asked for may be among the unread statements.

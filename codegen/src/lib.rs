@@ -32,7 +32,7 @@ pub mod structure;
 pub mod syntax;
 pub mod system;
 
-pub use cargo::{build, build_with};
+pub use cargo::{attach_files, build, build_with};
 pub use emit::rust::Scalar;
 
 use diagnostic::{Diagnostics, Source};

@@ -90,6 +90,7 @@ pub mod scale;
 pub mod settings;
 pub mod signal;
 pub mod substeps;
+pub mod table;
 mod vector;
 mod watch;
 
@@ -109,6 +110,7 @@ pub use scale::Scales;
 pub use settings::Settings;
 pub use signal::Signal;
 pub use substeps::{Broken, in_steps};
+pub use table::Table;
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
 #[macro_export]

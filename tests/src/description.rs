@@ -51,7 +51,8 @@ pub fn source(name: &str) -> Source {
     };
     let text =
         fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    Source::new(format!("{name}.mech"), text)
+    let folder = path.parent().expect("a folder");
+    linkwright_codegen::attach_files(Source::new(format!("{name}.mech"), text), folder)
 }
 
 /// The equations of every motion of a described mechanism, which determine it.

@@ -3,62 +3,101 @@
 //!
 //! A sine or cosine of an angle that is itself computed carries the magnitude of the angle, as it moves by as much.
 
-use linkwright_codegen::expr::{ExprId, Graph, Node};
+use linkwright_codegen::expr::{ExprId, Factor, Graph, Node};
+
+/// The value of each node in `order` (operands first), by the node's index; NaN for other nodes.
+pub fn values(graph: &Graph, order: &[ExprId], symbols: &[f64]) -> Vec<f64> {
+    let mut value = vec![f64::NAN; graph.node_count()];
+    for &id in order {
+        let of = |operand: &ExprId| value[operand.index()];
+        value[id.index()] = match graph.node(id) {
+            Node::Number(number) => number.to_f64(),
+            Node::Pi => std::f64::consts::PI,
+            Node::Symbol(symbol) => symbols[symbol.index()],
+            Node::Sum(terms) => terms
+                .iter()
+                .map(|term| term.coefficient.to_f64() * of(&term.expr))
+                .sum(),
+            Node::Product(factors) => factors
+                .iter()
+                .map(|factor| of(&factor.base).powf(factor.exponent.to_f64()))
+                .product(),
+            Node::Sin(angle) => of(angle).sin(),
+            Node::Cos(angle) => of(angle).cos(),
+            Node::Atan2(y, x) => of(y).atan2(of(x)),
+            Node::Exp(exponent) => of(exponent).exp(),
+            Node::Ln(argument) => of(argument).ln(),
+            Node::Spline {
+                spline,
+                order,
+                argument,
+            } => graph.spline_of(*spline).at(of(argument))[usize::from(*order)],
+            Node::Floor(argument) => of(argument).floor(),
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } => of(if of(condition) < 0.0 {
+                below
+            } else {
+                otherwise
+            }),
+        };
+    }
+    value
+}
 
 /// The magnitude of each node that the roots need, by the node's index; NaN for other nodes.
 ///
 /// # Panics
-/// Where a power is not a positive whole one of an expression with symbols, or an elementary function other than sine and
-/// cosine of what moves occurs: no mechanism of the repository needs them.
+/// Where an elementary function other than sine, cosine and powers of what moves occurs: no mechanism that is tested with
+/// magnitudes has one.
 pub fn magnitudes(graph: &Graph, order: &[ExprId], symbols: &[f64]) -> Vec<f64> {
     let mut magnitude = vec![f64::NAN; graph.node_count()];
-    let mut value = vec![f64::NAN; graph.node_count()];
+    let value = values(graph, order, symbols);
     for &id in order {
         let index = id.index();
-        (value[index], magnitude[index]) = match graph.node(id) {
-            Node::Number(number) => (number.to_f64(), number.to_f64().abs()),
-            Node::Pi => (std::f64::consts::PI, std::f64::consts::PI),
-            Node::Symbol(symbol) => (symbols[symbol.index()], symbols[symbol.index()].abs()),
-            Node::Sum(terms) => terms.iter().fold((0.0, 0.0), |(sum, size), term| {
-                let coefficient = term.coefficient.to_f64();
-                let at = term.expr.index();
-                (
-                    sum + coefficient * value[at],
-                    size + coefficient.abs() * magnitude[at],
-                )
-            }),
-            Node::Product(factors) => factors.iter().fold((1.0, 1.0), |(product, size), factor| {
-                let at = factor.base.index();
-                let exponent = factor.exponent.to_f64();
-                if let Some(constant) = graph.constant_value(factor.base) {
-                    let power = constant.powf(exponent);
-                    return (product * power, size * power.abs());
-                }
-                let whole = whole_exponent(exponent);
-                (
-                    product * value[at].powi(whole),
-                    size * magnitude[at].powi(whole),
-                )
-            }),
+        magnitude[index] = match graph.node(id) {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => value[index].abs(),
+            Node::Sum(terms) => terms
+                .iter()
+                .map(|term| term.coefficient.to_f64().abs() * magnitude[term.expr.index()])
+                .sum(),
+            Node::Product(factors) => factors
+                .iter()
+                .map(|factor| of_power(graph, factor, &value, &magnitude))
+                .product(),
             Node::Sin(angle) => of_angle(graph, *angle, &value, &magnitude, f64::sin, f64::cos),
             Node::Cos(angle) => of_angle(graph, *angle, &value, &magnitude, f64::cos, f64::sin),
-            Node::Atan2(y, x) if graph.is_constant(id) => {
-                let angle = value[y.index()].atan2(value[x.index()]);
-                (angle, angle.abs())
-            }
+            Node::Atan2(..) if graph.is_fixed(id) => value[index].abs(),
+            // Whole numbers are exact, unless the argument is so near to one that its rounding decides.
+            Node::Floor(_) => value[index].abs(),
             Node::Choose {
                 condition,
                 below,
                 otherwise,
             } => {
                 let is_below = value[condition.index()] < 0.0;
-                let chosen = if is_below { below } else { otherwise }.index();
-                (value[chosen], magnitude[chosen])
+                magnitude[if is_below { below } else { otherwise }.index()]
             }
             other => panic!("no magnitude of {other:?}"),
         };
     }
     magnitude
+}
+
+/// |bᵖ|, and what it moves by when the base moves by its magnitude.
+fn of_power(graph: &Graph, factor: &Factor, value: &[f64], magnitude: &[f64]) -> f64 {
+    let at = factor.base.index();
+    let (base, exponent) = (value[at], factor.exponent.to_f64());
+    if graph.is_fixed(factor.base) {
+        return base.powf(exponent).abs();
+    }
+    if let Some(whole) = whole_exponent(exponent) {
+        return magnitude[at].powi(whole);
+    }
+    let power = base.powf(exponent).abs();
+    power * (1.0 + exponent.abs() * magnitude[at] / base.abs())
 }
 
 /// The nodes that the roots need, operands first.
@@ -77,13 +116,9 @@ pub fn needed(graph: &Graph, roots: &[ExprId]) -> Vec<ExprId> {
     order
 }
 
-/// The exponent of an expression with symbols.
-pub(crate) fn whole_exponent(exponent: f64) -> i32 {
-    assert!(
-        exponent >= 1.0 && exponent.fract() == 0.0,
-        "the exponent {exponent} is not covered"
-    );
-    exponent as i32
+/// A positive whole exponent.
+pub(crate) fn whole_exponent(exponent: f64) -> Option<i32> {
+    (exponent >= 1.0 && exponent.fract() == 0.0).then_some(exponent as i32)
 }
 
 fn of_angle(
@@ -93,7 +128,7 @@ fn of_angle(
     magnitude: &[f64],
     function: fn(f64) -> f64,
     slope: fn(f64) -> f64,
-) -> (f64, f64) {
+) -> f64 {
     let at = value[angle.index()];
     let computed = !matches!(graph.node(angle), Node::Symbol(_));
     let carried = if computed {
@@ -101,5 +136,5 @@ fn of_angle(
     } else {
         0.0
     };
-    (function(at), function(at).abs() + carried)
+    function(at).abs() + carried
 }

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 
 use linkwright_codegen::expr::{ExprId, Factor, Graph, Node};
 
-use crate::magnitude::whole_exponent;
+use crate::magnitude::{values, whole_exponent};
 
 const ULP: f64 = f64::EPSILON;
 
@@ -50,6 +50,7 @@ pub fn majorants<const N: usize>(
         error: f64::NAN,
     };
     let mut all = vec![unset; graph.node_count()];
+    let value = values(graph, order, line.values);
     for &id in order {
         all[id.index()] = match graph.node(id) {
             Node::Number(number) => constant(number.to_f64().abs()),
@@ -86,7 +87,7 @@ pub fn majorants<const N: usize>(
                     error: 0.0,
                 };
                 for factor in factors {
-                    product = power(graph, factor, &all)
+                    product = power(graph, factor, &all, &value, line.reach)
                         .into_iter()
                         .fold(product, multiply);
                 }
@@ -94,24 +95,36 @@ pub fn majorants<const N: usize>(
             }
             Node::Sin(angle) | Node::Cos(angle) => rotation(all[angle.index()]),
             // The angle of a direction in the drawing: it turns by what its end moves, over its distance.
-            Node::Atan2(y, x) if graph.is_constant(id) => {
-                let value = |id: ExprId| graph.constant_value(id).unwrap_or(f64::NAN);
+            Node::Atan2(y, x) if graph.is_fixed(id) => {
                 let moved = all[y.index()].error + all[x.index()].error;
-                let mut angle = constant(value(id).abs());
-                angle.error +=
-                    ULP * angle.coefficients[0] + 2.0 * moved / value(*y).hypot(value(*x));
+                let mut angle = constant(value[id.index()].abs());
+                angle.error += ULP * angle.coefficients[0]
+                    + 2.0 * moved / value[y.index()].hypot(value[x.index()]);
                 angle
             }
-            // Both arms are bounded, whichever holds; a kink between them is not.
             Node::Choose {
-                below, otherwise, ..
+                condition,
+                below,
+                otherwise,
             } => {
                 let (mut larger, other) = (all[below.index()], all[otherwise.index()]);
                 for (bound, other) in larger.coefficients.iter_mut().zip(other.coefficients) {
                     *bound = bound.max(other);
                 }
                 larger.error = larger.error.max(other.error);
-                larger
+                changed(
+                    larger,
+                    &all[condition.index()],
+                    value[condition.index()],
+                    line.reach,
+                )
+            }
+            // A step is where the argument is whole.
+            Node::Floor(argument) => {
+                let (argument, at) = (&all[argument.index()], value[argument.index()]);
+                let mut floor = constant(at.floor().abs() + 1.0);
+                floor.error = 0.0;
+                changed(floor, argument, (at - at.round()).abs(), line.reach)
             }
             other => panic!("no majorant of {other:?}"),
         };
@@ -129,19 +142,83 @@ fn constant<const N: usize>(size: f64) -> Majorant<N> {
     }
 }
 
+/// The same where the line cannot pass a change of the pieces, at which `margin` would be zero. Where it can, nothing is bounded
+/// but the value: pieces join in two derivatives at most.
+fn changed<const N: usize>(
+    mut piece: Majorant<N>,
+    deciding: &Majorant<N>,
+    margin: f64,
+    reach: f64,
+) -> Majorant<N> {
+    let slope = deciding.coefficients.get(1).copied().unwrap_or(0.0);
+    if margin.abs() <= reach * slope + deciding.error {
+        piece.coefficients[1..].fill(f64::INFINITY);
+        piece.error = f64::INFINITY;
+    }
+    piece
+}
+
 /// A power as factors to multiply.
-fn power<const N: usize>(graph: &Graph, factor: &Factor, all: &[Majorant<N>]) -> Vec<Majorant<N>> {
+fn power<const N: usize>(
+    graph: &Graph,
+    factor: &Factor,
+    all: &[Majorant<N>],
+    value: &[f64],
+    reach: f64,
+) -> Vec<Majorant<N>> {
     let base = all[factor.base.index()];
     let exponent = factor.exponent.to_f64();
-    let Some(value) = graph.constant_value(factor.base) else {
-        return vec![base; whole_exponent(exponent) as usize];
+    let value = value[factor.base.index()];
+    if graph.is_fixed(factor.base) {
+        // |bᵖ - (b + e)ᵖ| ≤ |p| e max|b|ᵖ⁻¹, the maximum at the near or the far end.
+        let far = |size: f64| size.abs().powf(exponent - 1.0);
+        let slope = far(value.abs() - base.error).max(far(value.abs() + base.error));
+        let mut result = constant(value.abs().powf(exponent));
+        result.error = exponent.abs() * slope * base.error + 2.0 * ULP * result.coefficients[0];
+        return vec![result];
+    }
+    if let Some(whole) = whole_exponent(exponent) {
+        return vec![base; whole as usize];
+    }
+    vec![broken_power(base, value, exponent, reach)]
+}
+
+/// bᵖ from b (bᵖ)' = p b' bᵖ, on whose coefficients the smallest |b| of the line gives a bound; infinite where b may vanish.
+fn broken_power<const N: usize>(
+    base: Majorant<N>,
+    value: f64,
+    exponent: f64,
+    reach: f64,
+) -> Majorant<N> {
+    let slope = base.coefficients.get(1).copied().unwrap_or(0.0);
+    let smallest = value.abs() - reach * slope - base.error;
+    let mut coefficients = [f64::INFINITY; N];
+    if smallest <= 0.0 {
+        return Majorant {
+            coefficients,
+            error: f64::INFINITY,
+        };
+    }
+    let largest = |exponent: f64| {
+        smallest
+            .powf(exponent)
+            .max(base.coefficients[0].powf(exponent))
     };
-    // |bᵖ - (b + e)ᵖ| ≤ |p| e max|b|ᵖ⁻¹, the maximum at the near or the far end.
-    let far = |size: f64| size.abs().powf(exponent - 1.0);
-    let slope = far(value.abs() - base.error).max(far(value.abs() + base.error));
-    let mut result = constant(value.abs().powf(exponent));
-    result.error = exponent.abs() * slope * base.error + 2.0 * ULP * result.coefficients[0];
-    vec![result]
+    coefficients[0] = largest(exponent);
+    for k in 1..N {
+        let sum: f64 = (1..=k)
+            .map(|j| {
+                let weight = exponent.abs() * j as f64 + (k - j) as f64;
+                weight * base.coefficients[j] * coefficients[k - j]
+            })
+            .sum();
+        coefficients[k] = sum / (k as f64 * smallest);
+    }
+    let error = exponent.abs() * largest(exponent - 1.0) * base.error + 4.0 * ULP * coefficients[0];
+    Majorant {
+        coefficients,
+        error,
+    }
 }
 
 fn multiply<const N: usize>(left: Majorant<N>, right: Majorant<N>) -> Majorant<N> {

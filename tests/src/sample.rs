@@ -37,7 +37,7 @@ impl Sample {
         }
     }
 
-    /// The value of every symbol by its index: q, q̇, t, and zero for accelerations.
+    /// The value of every symbol by its index: q, q̇, t, the defaults of parameters and signals, and zero for accelerations.
     pub fn symbols(&self, system: &System) -> Vec<f64> {
         let mut symbols = vec![0.0; system.mechanism.graph.symbol_count()];
         for ((coordinate, q), qd) in system.coordinates.iter().zip(&self.q).zip(&self.qd) {
@@ -45,6 +45,11 @@ impl Sample {
             symbols[coordinate.rate.index()] = *qd;
         }
         symbols[system.mechanism.time.index()] = self.t;
+        system.mechanism.graph.fill_nominal(&mut symbols);
+        for input in &system.mechanism.inputs {
+            let initial = system.mechanism.graph.constant_value(input.initial);
+            symbols[input.symbols[0].index()] = initial.expect("a constant");
+        }
         symbols
     }
 }

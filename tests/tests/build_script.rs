@@ -115,3 +115,36 @@ fn mistakes_in_a_description_are_errors_with_their_place() {
         String::from_utf8_lossy(&mended.stderr)
     );
 }
+
+/// Cargo runs the build script again when the file of a table changes, because the generator has told it which file that is.
+#[test]
+fn a_table_that_changes_is_read_again() {
+    let written = fs::read_to_string(good()).expect("the description");
+    let drive = written.lines().find(|line| line.contains("drive phi(1)"));
+    let drive = drive.expect("a driver");
+    let tabled = written.replace(
+        drive,
+        "    table way = \"way.csv\" in (s, rad);\n    drive phi(1) = way(t);",
+    );
+    let description = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("tabled.mech");
+    fs::write(&description, tabled).expect("the description is writable");
+    let package = copy("user-table", &description);
+    let points = package.join("descriptions/way.csv");
+    let build = |content: &str| {
+        fs::write(&points, content).expect("the table is writable");
+        let output = cargo(&package, "build");
+        (
+            output.status.success(),
+            String::from_utf8_lossy(&output.stderr).into_owned(),
+        )
+    };
+    let (built, printed) = build("time, angle\n0, 0\n1, 2\n2, 6\n");
+    assert!(built, "{printed}");
+    let (built, printed) = build("time, angle\n0, 0\n1, wrong\n2, 6\n");
+    assert!(
+        !built && printed.contains("way.csv") && printed.contains("wrong"),
+        "{printed}"
+    );
+    let (built, printed) = build("time, angle\n0, 0\n1, 3\n2, 6\n");
+    assert!(built, "{printed}");
+}

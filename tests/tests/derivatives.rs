@@ -15,11 +15,18 @@ use nalgebra::DVector;
 
 const SAMPLES: usize = 1000;
 
+/// Of each mechanism that only tests have.
+const FEWER_SAMPLES: usize = 200;
+
 /// The step of first differences: truncation c₅ h⁴ and rounding ε/h are about equal.
 const FIRST_STEP: f64 = 1.0 / 1024.0;
 
 /// The step of second differences: the same for c₆ h⁴ and ε/h².
 const SECOND_STEP: f64 = 1.0 / 256.0;
+
+/// Mechanisms whose fast laws or near poles leave no useful bound at some poses: their errors are judged in tests of their own,
+/// for the [laws of motion](../laws.rs) and the [rope](../equations.rs), and here only where they have one.
+const WIDE: [&str; 3] = ["laws", "pieces", "rope"];
 
 /// Largest error in units of its bound, and the largest bound itself.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,12 +34,22 @@ struct Record {
     share: f64,
     bound: f64,
     error: f64,
+    /// How many entries were compared.
+    compared: usize,
+    /// How many had no bound, since a piece of their formula may change within the step.
+    unbounded: usize,
 }
 
 impl Record {
     /// Asserts that `found` is the derivative that the quotient approximates; `rounding` is the error of `found` itself.
     fn check(&mut self, found: f64, rounding: f64, quotient: Quotient, place: impl Fn() -> String) {
         let (bound, error) = (quotient.error + rounding, (found - quotient.value).abs());
+        // Infinity times zero is no number either.
+        if !bound.is_finite() {
+            self.unbounded += 1;
+            return;
+        }
+        self.compared += 1;
         assert!(
             error <= bound,
             "{}: {found} and {}, {error:e} above {bound:e}",
@@ -73,9 +90,17 @@ impl Roots {
     }
 }
 
-/// Every symbol with the slope 1, which is at least its slope along any coordinate and along t.
+/// Every symbol that moves with the slope 1, which is at least its slope along any coordinate and along t. Parameters are fixed, and
+/// the interpreter holds signals.
 fn ones(system: &System) -> Vec<f64> {
-    vec![1.0; system.mechanism.graph.symbol_count()]
+    let mut slopes = vec![1.0; system.mechanism.graph.symbol_count()];
+    for parameter in &system.mechanism.parameters {
+        slopes[parameter.symbol.index()] = 0.0;
+    }
+    for input in &system.mechanism.inputs {
+        slopes[input.symbols[0].index()] = 0.0;
+    }
+    slopes
 }
 
 /// Compares Φ_q and Φ_t with first differences of Φ.
@@ -175,15 +200,17 @@ fn merge(into: &mut Record, record: Record) {
     into.share = into.share.max(record.share);
     into.bound = into.bound.max(record.bound);
     into.error = into.error.max(record.error);
+    into.compared += record.compared;
+    into.unbounded += record.unbounded;
 }
 
-fn derivatives_agree(name: &str) {
+fn derivatives_agree(name: &str, samples: usize) {
     for system in description::motions(name) {
-        derivatives_of_one_agree(name, &system);
+        derivatives_of_one_agree(name, &system, samples);
     }
 }
 
-fn derivatives_of_one_agree(name: &str, system: &System) {
+fn derivatives_of_one_agree(name: &str, system: &System, samples: usize) {
     let roots = Roots::of(system);
     let mut solvers: Vec<Box<dyn Solver>> = vec![Box::new(Interpreted::of(system))];
     solvers.extend(
@@ -195,7 +222,7 @@ fn derivatives_of_one_agree(name: &str, system: &System) {
     for solver in solvers {
         let mut random = Random::new(2);
         let (mut slopes, mut curves) = (Record::default(), Record::default());
-        for _ in 0..SAMPLES {
+        for _ in 0..samples {
             let sample = Sample::random(system, &mut random);
             merge(&mut slopes, check_first(system, &roots, &*solver, &sample));
             merge(&mut curves, check_second(system, &roots, &*solver, &sample));
@@ -206,25 +233,31 @@ fn derivatives_of_one_agree(name: &str, system: &System) {
         );
         // Bounds so wide that they hide an error would prove nothing.
         assert!(
-            slopes.bound < 1e-8 && curves.bound < 1e-5,
+            slopes.bound < 1e-8 && curves.bound < 1e-5 || WIDE.contains(&name),
             "{name}: {slopes:?}, {curves:?}"
         );
+        for record in [slopes, curves] {
+            assert!(
+                record.unbounded * 20 <= record.compared,
+                "{name}: {record:?}"
+            );
+        }
     }
 }
 
 #[test]
 fn derivatives_of_the_exam_agree_with_differences() {
-    derivatives_agree("two_body");
+    derivatives_agree("two_body", SAMPLES);
 }
 
 #[test]
 fn derivatives_of_the_excavator_agree_with_differences() {
-    derivatives_agree("excavator");
+    derivatives_agree("excavator", SAMPLES);
 }
 
 #[test]
 fn derivatives_of_the_arm_agree_with_differences() {
-    derivatives_agree("arm");
+    derivatives_agree("arm", SAMPLES);
 }
 
 /// Those that have no test of their own above, so that a new description is tested from its first day.
@@ -232,21 +265,18 @@ fn derivatives_of_the_arm_agree_with_differences() {
 fn derivatives_of_all_others_agree_with_differences() {
     for name in description::names() {
         if !["two_body", "excavator", "arm"].contains(&name.as_str()) {
-            derivatives_agree(&name);
+            derivatives_agree(&name, SAMPLES);
         }
     }
 }
 
-/// Each kind of joint and driver has one among them, most between two bodies that both move and turn; contacts with curves have
-/// [tests of their own](../curves.rs), since no majorant of their roots is known here, and so have the [rope](../equations.rs)
-/// and the [laws of motion](../laws.rs).
+/// Each kind of joint and driver has one among them, most between two bodies that both move and turn. Those with tables
+/// have [tests of their own](../tables.rs), since no majorant of a spline is known here.
 #[test]
 fn derivatives_of_the_small_mechanisms_agree_with_differences() {
     for name in description::small() {
-        let system = description::system(&name);
-        let mut described = system.coordinates.iter().map(|it| it.describes);
-        if !["rope", "laws"].contains(&name.as_str()) && described.all(|it| it.body().is_some()) {
-            derivatives_agree(&name);
+        if description::system(&name).mechanism.tables.is_empty() {
+            derivatives_agree(&name, FEWER_SAMPLES);
         }
     }
 }

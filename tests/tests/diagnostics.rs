@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use linkwright_codegen::diagnostic::{Code, Diagnostics, Source};
-use linkwright_codegen::generate;
+use linkwright_codegen::{attach_files, generate};
 use linkwright_tests::files;
 
 /// The findings of a description that must have errors.
@@ -22,7 +22,8 @@ fn source(path: &Path) -> Source {
         .file_name()
         .and_then(|name| name.to_str())
         .expect("a file name in UTF-8");
-    Source::new(name, text)
+    let folder = path.parent().expect("a folder");
+    attach_files(Source::new(name, text), folder)
 }
 
 fn snapshot(name: &str, rendered: &str) {

@@ -20,9 +20,11 @@ Examples:
   linkwright solve mechanisms/two_body.mech --to 1 --step 0.1 --points Q
   linkwright inspect mechanisms/two_body.mech --format unicode
   linkwright plan mechanisms/excavator.mech
+  linkwright check mechanisms/two_body.mech
   linkwright generate mechanisms/two_body.mech -o two_body.rs
 
-Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` found a difference), 2 bad input.";
+Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` found a difference,
+or `check --deny-warnings` something to look at), 2 bad input.";
 
 /// The commands.
 #[derive(Subcommand, Debug)]
@@ -35,6 +37,8 @@ pub enum Command {
     Inspect(Inspect),
     /// Derive the solution block by block, in words and formulas
     Plan(Plan),
+    /// List the assemblies and say where the mechanism comes closest to singular
+    Check(Check),
 }
 
 /// Solves the motion of a mechanism without a compile step.
@@ -78,6 +82,10 @@ pub struct Solve {
     /// Print one JSON object instead of the summary; files are then written only on request
     #[arg(long)]
     pub json: bool,
+    /// Add columns to the frames that say how close each block is to a singular pose, from 0, singular, to 1, and the smallest
+    /// value to the summary; `linkwright check` locates it between frames
+    #[arg(long, conflicts_with = "json")]
+    pub monitor: bool,
 }
 
 const SOLVE_EXAMPLES: &str = "\
@@ -93,6 +101,49 @@ This solves the textbook view: all equations together as one dense system, by Ne
 
 Exit codes: 0 solved, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.
 Frames before the end of a motion that ends early are printed and written all the same.";
+
+/// Says what can go wrong: degrees of freedom, the determinant of each block and what the pose is like where it is zero, every
+/// assembly that the closed forms allow at the start, and where over a range of time each block comes closest to singular.
+///
+/// How close is the determinant of the block divided by the lengths of its columns: the sine of the angle between two links, or
+/// between a link and its slide. The smallest value is located between the frames too, to the last digits of t.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  linkwright check mechanisms/two_body.mech
+  linkwright check mechanisms/excavator.mech --to 20 --plot pictures    assemblies.svg shows all assemblies
+  linkwright check mechanisms/four_bar.mech --json | jq '.blocks[].closest'
+
+Exit codes: 0 checked, 1 the mechanism cannot be assembled or its motion ends early, with `--deny-warnings` also where there
+are warnings, 2 bad input.")]
+pub struct Check {
+    /// The description, a `.mech` file
+    pub file: PathBuf,
+    /// Which motion, where the mechanism has several
+    #[arg(long, value_name = "NAME")]
+    pub motion: Option<String>,
+    /// When the motion starts, in s; the assemblies are those of this time
+    #[arg(long, value_name = "T0", default_value = "0", value_parser = finite, allow_hyphen_values = true)]
+    pub from: f64,
+    /// When the motion ends, in s
+    #[arg(long, value_name = "T1", default_value = "5", value_parser = finite, allow_hyphen_values = true)]
+    pub to: f64,
+    /// The time between frames, in s; what lies between them is located, as long as it does not come and go within one step
+    #[arg(long, value_name = "H", default_value = "0.01", value_parser = positive, allow_hyphen_values = true)]
+    pub step: f64,
+    /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
+    /// The folder for a picture of all assemblies, `assemblies.svg`
+    #[arg(long, value_name = "DIR")]
+    pub plot: Option<PathBuf>,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+    /// Exit with 1 where there are warnings
+    #[arg(long)]
+    pub deny_warnings: bool,
+}
 
 /// Writes the mechanism as a Rust module that needs only the crate `linkwright`.
 #[derive(Args, Debug)]

@@ -31,6 +31,9 @@
 //! ```
 
 pub mod arguments;
+pub mod assemblies;
+pub mod check;
+pub mod closeness;
 pub mod command;
 pub mod concerned;
 pub mod condition;
@@ -38,6 +41,7 @@ pub mod counted;
 pub mod diagnosis;
 pub mod file;
 pub mod interpreter;
+pub mod monitor;
 pub mod number;
 pub mod pressure;
 pub mod progress;
@@ -46,4 +50,5 @@ pub mod residuals;
 pub mod schedule;
 pub mod singularity;
 pub mod solution;
+pub mod solved_interpreter;
 pub mod trajectory;

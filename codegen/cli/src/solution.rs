@@ -13,6 +13,7 @@ use nalgebra::Dyn;
 use crate::condition::{Condition, dimensionless, jacobian};
 use crate::diagnosis;
 use crate::interpreter::Interpreter;
+use crate::monitor::Monitor;
 use crate::pressure::{self, LargestPressureAngle};
 use crate::residuals::Residuals;
 use crate::schedule::Schedule;
@@ -37,6 +38,8 @@ pub struct Solution {
     pub residuals: Residuals,
     /// The largest pressure angle of every contact.
     pub pressure_angles: Vec<LargestPressureAngle>,
+    /// How close each block is to singular at each frame, where it is asked for.
+    pub monitor: Option<Monitor>,
     /// One sentence for each thing to look at.
     pub warnings: Vec<String>,
     /// Why the motion ends early, if it does.
@@ -70,11 +73,20 @@ impl Solution {
                 .stop
                 .as_ref()
                 .map(|stop| diagnosis::end(&system, &interpreter, &trajectory, stop)),
+            monitor: None,
             trajectory,
             points,
             interpreter,
             system,
         }
+    }
+
+    /// The same with a measure of each block at each frame.
+    #[must_use]
+    pub fn monitored(mut self) -> Solution {
+        let times: Vec<f64> = self.frames().iter().map(|frame| frame.t).collect();
+        self.monitor = Some(Monitor::over(&self.system, &times));
+        self
     }
 
     /// The name of the mechanism.

@@ -84,6 +84,8 @@ codes! {
     NotIncreasing = "K27";
     /// Pieces of a motion that do not join.
     PiecesApart = "K28";
+    /// A table whose file cannot be read.
+    UnreadableTable = "K29";
     /// A statement with the wrong operands, a missing or a superfluous `along`, or a missing or superfluous value.
     WrongForm = "K30";
     /// A mechanism without bodies.

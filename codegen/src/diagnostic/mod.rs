@@ -16,7 +16,7 @@ mod suggestion;
 pub use code::Code;
 pub use merge::merged;
 pub use sink::Diagnostics;
-pub use source::{Position, Source, Span};
+pub use source::{Attachment, Position, Source, Span};
 pub use suggestion::nearest;
 
 /// How serious a finding is.

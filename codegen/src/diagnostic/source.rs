@@ -49,6 +49,15 @@ pub struct Position {
     pub column: usize,
 }
 
+/// A file that a description names, as far as it could be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Attachment {
+    /// The path as the description writes it.
+    pub path: String,
+    /// Its text, or why there is none.
+    pub text: Result<String, String>,
+}
+
 /// The text of a description and the name it is reported under.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
@@ -56,6 +65,8 @@ pub struct Source {
     pub name: String,
     /// The whole text.
     pub text: String,
+    /// The files that the text names.
+    pub attachments: Vec<Attachment>,
 }
 
 impl Source {
@@ -67,7 +78,25 @@ impl Source {
         Self {
             name: name.into(),
             text: text.into(),
+            attachments: Vec::new(),
         }
+    }
+
+    /// The same with the bytes of a file that the text names, or with the reason why there are none.
+    pub fn with_attachment(
+        mut self,
+        path: impl Into<String>,
+        bytes: Result<Vec<u8>, String>,
+    ) -> Source {
+        let text = bytes.and_then(|bytes| {
+            if bytes.len() > Source::LARGEST {
+                return Err(format!("it is larger than {} MiB", Source::LARGEST >> 20));
+            }
+            String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_string())
+        });
+        let path = path.into();
+        self.attachments.push(Attachment { path, text });
+        self
     }
 
     /// A source from the bytes of a file.

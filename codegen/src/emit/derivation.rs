@@ -15,6 +15,7 @@ mod one_angle;
 mod origin;
 mod outline;
 mod script;
+mod singular;
 mod slides;
 mod text_page;
 mod triangle;
@@ -23,6 +24,8 @@ mod two_rotations;
 mod vector;
 mod words;
 mod writer;
+
+pub use singular::SingularPose;
 
 use super::Notation;
 use crate::structure::SolvedPlan;
@@ -44,4 +47,9 @@ pub fn latex(system: &System, plan: &SolvedPlan) -> String {
 pub fn outline(system: &System, plan: &SolvedPlan, notation: Notation) -> String {
     let lines = Writer::new(system, plan, Script::Text(notation)).outline();
     text_page::outline(&lines)
+}
+
+/// Where each step of the plan is singular, in solve order.
+pub fn singular_poses(system: &System, plan: &SolvedPlan, notation: Notation) -> Vec<SingularPose> {
+    Writer::new(system, plan, Script::Text(notation)).singular_poses()
 }

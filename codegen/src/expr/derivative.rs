@@ -72,6 +72,15 @@ impl Graph {
                 let otherwise = self.derivative(otherwise, symbol);
                 self.choose(condition, below, otherwise)
             }
+            Node::Spline {
+                spline,
+                order,
+                argument,
+            } => {
+                let (spline, order, argument) = (*spline, *order, *argument);
+                let outer = self.spline(spline, order + 1, argument);
+                self.chain(outer, argument, symbol)
+            }
         };
         self.derivatives.insert((expr, symbol), result);
         result

@@ -8,9 +8,11 @@ use super::hashing::{BuildExprHasher, ExprHasher};
 use super::node::{ExprId, Node, SymbolId};
 use super::number::Number;
 use super::rational::Rational;
+use super::spline::Spline;
 use super::symbols::SymbolSets;
 use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
+use std::sync::Arc;
 
 const VACANT: u32 = u32::MAX;
 const ZERO: ExprId = ExprId(0);
@@ -30,6 +32,8 @@ pub struct Graph {
     symbols_by_name: HashMap<String, SymbolId>,
     /// By symbol, as far as any has one.
     pub(super) nominal_values: Vec<Option<f64>>,
+    /// Each once.
+    pub(super) splines: Vec<Arc<Spline>>,
 }
 
 impl Default for Graph {
@@ -50,6 +54,7 @@ impl Graph {
             symbol_names: Vec::new(),
             symbols_by_name: HashMap::new(),
             nominal_values: Vec::new(),
+            splines: Vec::new(),
         };
         let zero = graph.intern(Node::Number(Number::ZERO));
         let one = graph.intern(Node::Number(Number::ONE));
@@ -74,6 +79,7 @@ impl Graph {
                 below,
                 otherwise,
             } => vec![*condition, *below, *otherwise],
+            Node::Spline { argument, .. } => vec![*argument],
         }
     }
 

@@ -5,6 +5,7 @@
 
 use super::number::Number;
 use super::rational::Rational;
+use super::spline::SplineId;
 
 /// An expression of one [`Graph`](super::Graph). Operands always have smaller ids than what is built from them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -82,5 +83,14 @@ pub enum Node {
         below: ExprId,
         /// The value elsewhere.
         otherwise: ExprId,
+    },
+    /// A spline, or one of its derivatives, at an argument that holds a symbol.
+    Spline {
+        /// Which one.
+        spline: SplineId,
+        /// Which derivative, from 0 to 3.
+        order: u8,
+        /// Where.
+        argument: ExprId,
     },
 }

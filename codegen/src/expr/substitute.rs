@@ -106,6 +106,15 @@ impl Graph {
                     parts.map(|part| self.replace(part, substitution));
                 self.choose(condition, below, otherwise)
             }
+            Node::Spline {
+                spline,
+                order,
+                argument,
+            } => {
+                let (spline, order, argument) = (*spline, *order, *argument);
+                let argument = self.replace(argument, substitution);
+                self.spline(spline, order, argument)
+            }
         };
         substitution.done.insert(expr, result);
         result

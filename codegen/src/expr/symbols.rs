@@ -34,7 +34,10 @@ impl SymbolSets {
             | Node::Cos(operand)
             | Node::Exp(operand)
             | Node::Ln(operand)
-            | Node::Floor(operand) => self.set_of_node[operand.index()],
+            | Node::Floor(operand)
+            | Node::Spline {
+                argument: operand, ..
+            } => self.set_of_node[operand.index()],
             Node::Atan2(y, x) => self.union([*y, *x].into_iter()),
             Node::Choose {
                 condition,

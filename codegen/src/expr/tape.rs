@@ -8,7 +8,9 @@ use super::hashing::BuildExprHasher;
 use super::node::{ExprId, Factor, Node};
 use super::number::float_power;
 use super::rational::Rational;
+use super::spline::Spline;
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
 /// A linear list of instructions that evaluates expressions.
 #[derive(Clone, Debug)]
@@ -19,6 +21,8 @@ pub struct Tape {
     addends: Vec<Addend>,
     /// The factors of all products, one after the other.
     powers: Vec<Power>,
+    /// The splines of the graph, by id.
+    splines: Vec<Arc<Spline>>,
     roots: Vec<u32>,
     symbol_count: usize,
 }
@@ -46,6 +50,11 @@ enum Instruction {
         below: u32,
         otherwise: u32,
     },
+    Spline {
+        spline: u32,
+        order: u8,
+        argument: u32,
+    },
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -72,6 +81,7 @@ impl Tape {
             instructions: Vec::with_capacity(order.len()),
             addends: Vec::new(),
             powers: Vec::new(),
+            splines: graph.splines.clone(),
             roots: roots.iter().map(|root| slots[root]).collect(),
             symbol_count: 0,
         };
@@ -113,6 +123,15 @@ impl Tape {
                     condition: slots[condition],
                     below: slots[below],
                     otherwise: slots[otherwise],
+                },
+                Node::Spline {
+                    spline,
+                    order,
+                    argument,
+                } => Instruction::Spline {
+                    spline: spline.0,
+                    order: *order,
+                    argument: slots[argument],
                 },
             };
             tape.instructions.push(instruction);
@@ -196,6 +215,11 @@ impl Tape {
                     let is_below = slots[condition as usize] < 0.0;
                     slots[if is_below { below } else { otherwise } as usize]
                 }
+                Instruction::Spline {
+                    spline,
+                    order,
+                    argument,
+                } => self.splines[spline as usize].at(slots[argument as usize])[order as usize],
             };
             slots.push(value);
         }

@@ -106,7 +106,8 @@ impl Graph {
     }
 
     /// The (y, x) of an angle of a vector that is known not to be zero: both parts constant, or one a number, or the length
-    /// a number (as in an arcsine). For others y/√(x² + y²) would lose the value at the origin.
+    /// a number (as in an arcsine), or both made of parameters, whose defaults give a direction. For others y/√(x² + y²)
+    /// would lose the value at the origin.
     fn constant_direction(&mut self, angle: ExprId) -> Option<(ExprId, ExprId)> {
         let Node::Atan2(y, x) = *self.node(angle) else {
             return None;
@@ -118,6 +119,10 @@ impl Graph {
             return Some((y, x));
         }
         let square = self.square_of_length(y, x);
+        if self.is_fixed(angle) {
+            let nominal = self.constant_value(square);
+            return nominal.is_some_and(|value| value > 0.0).then_some((y, x));
+        }
         self.as_number(square)
             .is_some_and(|value| !value.is_zero())
             .then_some((y, x))

@@ -16,7 +16,7 @@ use crate::syntax::{Expression, ExpressionKind, Name, Operation, Reference, Sign
 pub(super) type Value = (ExprId, Dimension);
 
 /// The functions of the language, for help lines.
-const FUNCTIONS: &[&str] = &[
+pub(super) const FUNCTIONS: &[&str] = &[
     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "distance",
 ];
 
@@ -120,7 +120,14 @@ impl Resolver<'_> {
         let Some(suffix) = suffix else {
             return Some((number, Dimension::Number));
         };
-        let Some((factor, dimension)) = unit(&suffix.text, &mut self.graph) else {
+        let (factor, dimension) = self.unit(suffix)?;
+        Some((self.graph.multiply(number, factor), dimension))
+    }
+
+    /// What a unit multiplies by, and what it measures.
+    pub(super) fn unit(&mut self, suffix: &Name) -> Option<Value> {
+        let found = unit(&suffix.text, &mut self.graph);
+        if found.is_none() {
             let help = match meant(&suffix.text, synonyms::UNITS, UNITS.iter().copied(), true) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("the units are {}", listed(UNITS)),
@@ -134,9 +141,8 @@ impl Resolver<'_> {
                 .label("not a unit of this language")
                 .help(help),
             );
-            return None;
-        };
-        Some((self.graph.multiply(number, factor), dimension))
+        }
+        found
     }
 
     fn named_value(&mut self, reference: &Reference) -> Option<Value> {
@@ -178,6 +184,8 @@ impl Resolver<'_> {
             no_number("point").help(
                 "points can be measured: `distance(A, B)` is the length between them in the drawing",
             )
+        } else if self.table_names.get(name).is_some() {
+            no_number("table").help(format!("write `{name}(x)` for its value at x"))
         } else if self.body_ids.get(name).is_some() {
             no_number("body").help("name a constant, or measure points of the drawing: `distance(A, B)`")
         } else {
@@ -287,8 +295,15 @@ impl Resolver<'_> {
         if LAWS.contains(&name) {
             return self.law(function, arguments, span);
         }
+        if self.table_names.get(name).is_some() {
+            return self.look_up(function, arguments, span);
+        }
         if !FUNCTIONS.contains(&name) {
-            let words = FUNCTIONS.iter().chain(LAWS).copied();
+            let tables = self
+                .table_names
+                .iter()
+                .map(|(table, _)| table.text.as_str());
+            let words = FUNCTIONS.iter().chain(LAWS).copied().chain(tables);
             let help = match meant(name, synonyms::FUNCTIONS, words, false) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!(

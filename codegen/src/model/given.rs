@@ -202,31 +202,35 @@ impl Resolver<'_> {
     }
 }
 
-/// Warnings of the parameters and inputs that no motion uses.
+/// Warnings of the parameters, inputs and tables that no motion uses.
 pub(super) fn unused(mechanisms: &[Mechanism]) -> Vec<Diagnostic> {
-    let declared = |mechanism: &Mechanism| -> Vec<(Sort, String, Span, bool)> {
+    let declared = |mechanism: &Mechanism| -> Vec<(&'static str, String, Span, bool)> {
         let parameters = mechanism
             .parameters
             .iter()
-            .map(|own| (Sort::Parameter, own.name.clone(), own.span, own.used));
+            .map(|own| (Sort::Parameter.noun(), own.name.clone(), own.span, own.used));
         let inputs = mechanism
             .inputs
             .iter()
-            .map(|own| (Sort::Input, own.name.clone(), own.span, own.used));
-        parameters.chain(inputs).collect()
+            .map(|own| (Sort::Input.noun(), own.name.clone(), own.span, own.used));
+        let tables = mechanism
+            .tables
+            .iter()
+            .map(|own| ("table", own.name.clone(), own.span, own.used));
+        parameters.chain(inputs).chain(tables).collect()
     };
-    let mut found: Vec<(Sort, String, Span, bool)> = Vec::new();
-    for (sort, name, span, used) in mechanisms.iter().flat_map(declared) {
+    let mut found: Vec<(&'static str, String, Span, bool)> = Vec::new();
+    for (noun, name, span, used) in mechanisms.iter().flat_map(declared) {
         match found.iter_mut().find(|earlier| earlier.2 == span) {
             Some(earlier) => earlier.3 |= used,
-            None => found.push((sort, name, span, used)),
+            None => found.push((noun, name, span, used)),
         }
     }
     found
         .into_iter()
         .filter(|(.., used)| !used)
-        .map(|(sort, name, span, _)| {
-            let message = format!("the {} `{name}` is not used", sort.noun());
+        .map(|(noun, name, span, _)| {
+            let message = format!("the {noun} `{name}` is not used");
             Diagnostic::warning(Code::UnusedName, span, message)
                 .help("use it in a statement below, or remove it")
         })

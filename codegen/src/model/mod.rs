@@ -26,6 +26,7 @@ mod search;
 mod setting;
 mod slug;
 mod synonyms;
+mod table;
 mod transmission;
 
 pub use dimension::Dimension;
@@ -36,7 +37,7 @@ pub use setting::set;
 pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
-use crate::expr::{ExprId, Graph, SymbolId};
+use crate::expr::{ExprId, Graph, SplineId, SymbolId};
 use crate::joint::geometry::{Frame, Mark, Vector};
 use crate::joint::{Kind, Resolved};
 
@@ -59,6 +60,8 @@ pub struct Mechanism {
     pub parameters: Vec<Parameter>,
     /// The signals that are supplied at run time, in written order.
     pub inputs: Vec<Input>,
+    /// The tables, in written order.
+    pub tables: Vec<Table>,
     /// The bodies; the first is the ground.
     pub bodies: Vec<Body>,
     /// Joints and drivers in written order.
@@ -108,6 +111,25 @@ pub struct Input {
     pub signal: [ExprId; 3],
     /// What its value measures.
     pub dimension: Dimension,
+    /// Whether a statement mentions it.
+    pub used: bool,
+    /// Where its name stands.
+    pub span: Span,
+}
+
+/// A function through points.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// Its name as written.
+    pub name: String,
+    /// Its documentation lines.
+    pub docs: Vec<String>,
+    /// Its pieces, in the graph.
+    pub spline: SplineId,
+    /// What its argument measures.
+    pub argument: Dimension,
+    /// What its value measures.
+    pub value: Dimension,
     /// Whether a statement mentions it.
     pub used: bool,
     /// Where its name stands.

@@ -6,10 +6,10 @@ use super::curve::{self, DrawnCurve};
 use super::expression::{BUILT_IN, Value, listed};
 use super::live::Live;
 use super::names::Names;
-use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter};
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter, Table};
+use crate::diagnostic::{Attachment, Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{BodyId, Frame, Mark, Vector};
+use crate::joint::geometry::{BodyId, Frame, Mark, Vector, subtract};
 use crate::syntax;
 
 /// A point of the drawing.
@@ -31,6 +31,9 @@ pub(super) struct Resolver<'a> {
     pub mentioned: HashSet<SymbolId>,
     /// Whether the mechanism has parameters or inputs anywhere, which takes some names in the generated code.
     pub has_given: bool,
+    /// Tables: places in the list below; nothing where the statement has an error.
+    pub table_names: Names<Option<usize>>,
+    pub tables: Vec<Table>,
     pub drawn: Names<DrawnPoint>,
     /// Curves; nothing where the statement has an error.
     pub curves: Names<Option<DrawnCurve>>,
@@ -48,6 +51,8 @@ pub(super) struct Resolver<'a> {
     pub bodies: Vec<Body>,
     /// Each with the direction it was written along, by which drivers find it.
     pub joints: Vec<(Joint, Option<syntax::Direction>)>,
+    /// The files that the description names.
+    pub attachments: &'a [Attachment],
     pub diagnostics: &'a mut Diagnostics,
 }
 
@@ -93,6 +98,7 @@ pub(super) fn resolve_statements(
     }
     let time = graph.symbol("t");
     let mut resolver = Resolver::new(graph, time, diagnostics);
+    resolver.attachments = &document.attachments;
     resolver.has_given = statements.iter().any(|statement| {
         matches!(
             statement,
@@ -105,6 +111,7 @@ pub(super) fn resolve_statements(
             syntax::Statement::Constant(constant) => resolver.add_constant(constant),
             syntax::Statement::Parameter(parameter) => resolver.add_parameter(parameter),
             syntax::Statement::Input(input) => resolver.add_input(input),
+            syntax::Statement::Table(table) => resolver.add_table(table),
             syntax::Statement::Points(points) => resolver.add_points(points),
             syntax::Statement::Body(body) => resolver.add_body(body),
             syntax::Statement::Curve(curve) => resolver.add_curve(curve),
@@ -152,6 +159,7 @@ pub(super) fn resolve_statements(
         time,
         parameters: resolver.parameters,
         inputs: resolver.inputs,
+        tables: resolver.tables,
         bodies: resolver.bodies,
         joints: resolver
             .joints
@@ -209,6 +217,8 @@ impl<'a> Resolver<'a> {
             inputs: Vec::new(),
             mentioned: HashSet::new(),
             has_given: false,
+            table_names: Names::new("table"),
+            tables: Vec::new(),
             drawn: Names::new("point"),
             curves: Names::new("curve"),
             choices: Vec::new(),
@@ -227,6 +237,7 @@ impl<'a> Resolver<'a> {
                 marks: Vec::new(),
             }],
             joints: Vec::new(),
+            attachments: &[],
             diagnostics,
         };
         let ground = syntax::Name {
@@ -409,8 +420,13 @@ impl Resolver<'_> {
             self.drawn_point(&direction.from),
             self.drawn_point(&direction.to),
         );
-        let [along_x, along_y] = self.unit_direction(from?, to?, direction.span)?;
-        Some(self.graph.atan2(along_y, along_x))
+        let (from, to) = (from?, to?);
+        let mut along = self.unit_direction(from, to, direction.span)?;
+        if !along.iter().all(|&part| self.graph.is_constant(part)) {
+            // Of parameters the gap itself is the shorter expression, and has the same angle.
+            along = subtract(to, from, &mut self.graph);
+        }
+        Some(self.graph.atan2(along[1], along[0]))
     }
 
     fn member(&mut self, member: &syntax::Member, frame: Frame, drawn: Frame) -> Option<NamedMark> {

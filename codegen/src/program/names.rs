@@ -10,7 +10,7 @@ use crate::system::{SymbolRole, System};
 pub(super) struct Names {
     taken: HashSet<String>,
     /// The last number given to each base name.
-    numbers: HashMap<&'static str, usize>,
+    numbers: HashMap<String, usize>,
 }
 
 impl Names {
@@ -35,8 +35,21 @@ impl Names {
         self.numbered(base)
     }
 
-    fn numbered(&mut self, base: &'static str) -> String {
-        let number = self.numbers.entry(base).or_insert(0);
+    /// `lift_1`, `lift_1_slope`, `lift_1_second`, `lift_1_third`: a table and its derivatives at one place.
+    pub(super) fn spline(&mut self, table: &str) -> [String; 4] {
+        let base = table.to_lowercase();
+        loop {
+            let value = self.numbered(&base);
+            let names = ["", "_slope", "_second", "_third"].map(|order| format!("{value}{order}"));
+            if names[1..].iter().all(|name| !self.taken.contains(name)) {
+                self.taken.extend(names[1..].iter().cloned());
+                return names;
+            }
+        }
+    }
+
+    fn numbered(&mut self, base: &str) -> String {
+        let number = self.numbers.entry(base.to_string()).or_insert(0);
         loop {
             *number += 1;
             let name = format!("{base}_{number}");

@@ -26,6 +26,8 @@ pub struct Operations {
     pub choices: usize,
     /// Whole parts of numbers.
     pub whole_parts: usize,
+    /// Places found in tables.
+    pub lookups: usize,
 }
 
 impl AddAssign for Operations {
@@ -39,6 +41,7 @@ impl AddAssign for Operations {
         self.exponentials += other.exponentials;
         self.choices += other.choices;
         self.whole_parts += other.whole_parts;
+        self.lookups += other.lookups;
     }
 }
 
@@ -55,6 +58,7 @@ impl std::fmt::Display for Operations {
             (self.exponentials, "exponential", "exponentials"),
             (self.choices, "choice", "choices"),
             (self.whole_parts, "whole part", "whole parts"),
+            (self.lookups, "table lookup", "table lookups"),
         ];
         let parts: Vec<String> = counts
             .into_iter()
@@ -73,7 +77,7 @@ impl Operations {
     pub fn total(&self) -> usize {
         let arithmetic = self.additions + self.multiplications + self.divisions + self.square_roots;
         let functions = self.sines + self.arctangents + self.exponentials + self.whole_parts;
-        arithmetic + functions + self.choices
+        arithmetic + functions + self.choices + self.lookups
     }
 
     /// Whether one of them is a function of the runtime's elementary functions.
@@ -129,6 +133,7 @@ impl Operations {
             Node::Exp(_) | Node::Ln(_) => operations.exponentials = 1,
             Node::Floor(_) => operations.whole_parts = 1,
             Node::Choose { .. } => operations.choices = 1,
+            Node::Spline { .. } => operations.lookups = 1,
             Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Sum(_) | Node::Product(_) => {}
         }
         operations
@@ -149,6 +154,7 @@ pub(super) fn is_function(node: &Node) -> bool {
             | Node::Ln(_)
             | Node::Floor(_)
             | Node::Choose { .. }
+            | Node::Spline { .. }
     )
 }
 

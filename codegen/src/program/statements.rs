@@ -6,7 +6,7 @@ use super::addends::{Addend, Compared, addends, bases, compared};
 use super::constants::Constants;
 use super::names::Names;
 use super::operations::{Operations, is_function, is_symbol, written_operands};
-use crate::expr::{ExprId, Graph, Node};
+use crate::expr::{ExprId, Graph, Node, SplineId};
 use crate::system::{SymbolRole, System, WrittenOrder};
 
 /// Straight-line code for one function.
@@ -60,6 +60,15 @@ pub enum Statement {
         /// What it is.
         expr: ExprId,
     },
+    /// Two or more of a table's value and its derivatives at one place, together.
+    Lookup {
+        /// The names, by the order of the derivative; none for what is not needed.
+        names: [Option<String>; 4],
+        /// The table.
+        spline: SplineId,
+        /// The place.
+        argument: ExprId,
+    },
 }
 
 impl Statement {
@@ -68,6 +77,7 @@ impl Statement {
         match self {
             Statement::SineCosine { sine, cosine, .. } => vec![sine, cosine],
             Statement::Value { name, .. } => vec![name],
+            Statement::Lookup { names, .. } => names.iter().flatten().collect(),
         }
     }
 }
@@ -79,6 +89,7 @@ impl Straight {
         for statement in &self.statements {
             match statement {
                 Statement::SineCosine { .. } => operations.sines += 2,
+                Statement::Lookup { .. } => operations.lookups += 1,
                 Statement::Value { expr, .. } => {
                     operations += Operations::of_function(graph.node(*expr));
                     operations.choices += self.further_pieces(*expr, graph).len();
@@ -137,6 +148,21 @@ impl Straight {
                 }
             }
             Statement::Value { expr, .. } => needed.contains(expr).then(|| statement.clone()),
+            Statement::Lookup {
+                names,
+                spline,
+                argument,
+            } => {
+                let find = |order: u8| {
+                    let wanted = Node::Spline {
+                        spline: *spline,
+                        order,
+                        argument: *argument,
+                    };
+                    needed.iter().copied().find(|&it| *graph.node(it) == wanted)
+                };
+                lookup(names, [0, 1, 2, 3].map(find), *spline, *argument)
+            }
         };
         let statements = self.statements.iter().filter_map(of_need).collect();
         Straight {
@@ -278,6 +304,20 @@ impl Straight {
             self.statements.push(Statement::Value { name, expr });
             return;
         }
+        if let Node::Spline {
+            spline, argument, ..
+        } = *node
+        {
+            let orders = usage.splines.get(&(spline, argument)).copied();
+            let orders = orders.unwrap_or_default();
+            let names = names.spline(&graph.spline_of(spline).name);
+            for (name, order) in names.iter().zip(orders) {
+                self.names.extend(order.map(|order| (order, name.clone())));
+            }
+            self.statements
+                .extend(lookup(&names.map(Some), orders, spline, argument));
+            return;
+        }
         self.operations.choices += self.further_pieces(expr, graph).len();
         let name = names.value(node);
         self.names.insert(expr, name.clone());
@@ -294,6 +334,7 @@ impl Straight {
         for statement in &self.statements {
             match statement {
                 Statement::SineCosine { angle, .. } => stack.push(*angle),
+                Statement::Lookup { argument, .. } => stack.push(*argument),
                 Statement::Value { expr, .. } => match graph.node(*expr) {
                     Node::Choose { .. } => {
                         choices.push(*expr);
@@ -359,6 +400,33 @@ impl Inputs {
 /// The sine and the cosine node of an angle, as far as both occur.
 type Pair = (Option<ExprId>, Option<ExprId>);
 
+/// A table's value and its derivatives at one place, as far as they occur.
+type Orders = [Option<ExprId>; 4];
+
+/// The statement for those of the orders that are needed; nothing where none is.
+fn lookup(
+    names: &[Option<String>; 4],
+    orders: Orders,
+    spline: SplineId,
+    argument: ExprId,
+) -> Option<Statement> {
+    let mut needed = names.clone();
+    for (name, order) in needed.iter_mut().zip(orders) {
+        *name = name.take().filter(|_| order.is_some());
+    }
+    let both = needed.iter().zip(orders);
+    let mut found = both.filter_map(|(name, order)| name.clone().zip(order));
+    match (found.next(), found.next()) {
+        (None, _) => None,
+        (Some((name, expr)), None) => Some(Statement::Value { name, expr }),
+        _ => Some(Statement::Lookup {
+            names: needed,
+            spline,
+            argument,
+        }),
+    }
+}
+
 /// What the results use, and how often.
 struct Usage {
     /// Every expression that is not constant, operands first.
@@ -367,6 +435,7 @@ struct Usage {
     /// How often a choice is an arm of another one.
     as_arm: HashMap<ExprId, usize>,
     sine_cosine: HashMap<ExprId, Pair>,
+    splines: HashMap<(SplineId, ExprId), Orders>,
 }
 
 impl Usage {
@@ -376,6 +445,7 @@ impl Usage {
             uses: HashMap::new(),
             as_arm: HashMap::new(),
             sine_cosine: HashMap::new(),
+            splines: HashMap::new(),
         };
         for (result, _) in results {
             usage.visit(*result, 1, graph, known);
@@ -384,6 +454,14 @@ impl Usage {
             match *graph.node(expr) {
                 Node::Sin(angle) => usage.sine_cosine.entry(angle).or_default().0 = Some(expr),
                 Node::Cos(angle) => usage.sine_cosine.entry(angle).or_default().1 = Some(expr),
+                Node::Spline {
+                    spline,
+                    order,
+                    argument,
+                } => {
+                    let orders = usage.splines.entry((spline, argument)).or_default();
+                    orders[usize::from(order)] = Some(expr);
+                }
                 _ => {}
             }
         }
@@ -434,6 +512,7 @@ impl Usage {
             | Node::Exp(_)
             | Node::Ln(_)
             | Node::Floor(_)
+            | Node::Spline { .. }
             | Node::Atan2(..) => self.visit_all(graph.operands(expr), graph, known),
         }
         self.ordered.push(expr);

@@ -5,6 +5,7 @@
 //! which unknown.
 
 mod components;
+mod determinant;
 mod diagnose;
 mod elimination;
 mod following;
@@ -15,6 +16,7 @@ mod plan;
 mod recognition;
 
 pub use components::components;
+pub use determinant::{Determinant, LARGEST_WRITTEN_OUT, determinant};
 pub use elimination::Definition;
 pub use incidence::Incidence;
 pub use matching::{Matching, maximum_matching};

@@ -122,7 +122,7 @@ fn arrangements(residuals: [ExprId; 2], graph: &mut Graph) -> [[ExprId; 2]; 4] {
 }
 
 /// `(p, rest)` of R(φ) p + rest, where the two residuals are the components of such a vector.
-fn turned_vector(
+pub(super) fn turned_vector(
     residuals: [ExprId; 2],
     unknown: usize,
     form: &VectorForm,

@@ -8,8 +8,8 @@ use super::scan::{Fill, Kind, Lexeme, Scan};
 use super::{DEEPEST, KEYWORDS};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// Words that continue the head of a body on a new line.
-const CONTINUATIONS: [&str; 4] = ["at", "facing", "turned", "along"];
+/// Words that continue the head of a body, or a table, on a new line.
+const CONTINUATIONS: [&str; 5] = ["at", "facing", "turned", "along", "clamped"];
 
 /// Offsets at which a line starts a statement, ascending.
 pub(super) struct StatementStarts(Vec<usize>);
@@ -79,7 +79,7 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
                         .is_some_and(|next| word(text, next) != Some("mechanism"));
                 balance.close(bracket, lexeme.start, more_follows);
             }
-            Kind::Word | Kind::Number | Kind::Mark(_) => {}
+            Kind::Word | Kind::Number | Kind::Text | Kind::Mark(_) => {}
         }
     }
     balance.end(text);
@@ -350,6 +350,6 @@ fn continues_after(kind: Kind) -> bool {
     match kind {
         Kind::Open(bracket) => bracket != b'{',
         Kind::Mark(mark) => mark != b';',
-        Kind::Word | Kind::Number | Kind::Close(_) => false,
+        Kind::Word | Kind::Number | Kind::Text | Kind::Close(_) => false,
     }
 }

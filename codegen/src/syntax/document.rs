@@ -3,13 +3,15 @@
 //! Chains of `+ -` and of `* /` are one node each, so a sum of a thousand terms is flat; the depth of a tree is bounded by
 //! [`DEEPEST`](super::DEEPEST), so it can be walked by recursion. The tree does not know joint kinds, quantities, functions or units.
 
-use crate::diagnostic::Span;
+use crate::diagnostic::{Attachment, Span};
 
 /// A file: its inner documentation and its mechanism.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Document {
     /// The `//!` lines at the top of the file, without the slashes.
     pub docs: Vec<String>,
+    /// The files that it names, as far as they could be read.
+    pub attachments: Vec<Attachment>,
     /// The one mechanism of the file.
     pub mechanism: MechanismItem,
 }
@@ -45,6 +47,8 @@ pub enum Statement {
     Parameter(Constant),
     /// `input NAME = EXPRESSION;`: a signal that is supplied at run time, with its value at assembly.
     Input(Constant),
+    /// `table NAME = [(X, Y), (X, Y)];`
+    Table(Table),
     /// `point A = (X, Y), B = (X, Y);`
     Points(Points),
     /// `body NAME at (X, Y, ANGLE) { members }`
@@ -84,6 +88,7 @@ impl Statement {
             Statement::Constant(statement)
             | Statement::Parameter(statement)
             | Statement::Input(statement) => statement.span,
+            Statement::Table(statement) => statement.span,
             Statement::Points(statement) => statement.span,
             Statement::Body(statement) => statement.span,
             Statement::Joint(statement) => statement.span,
@@ -120,6 +125,48 @@ pub struct Constant {
     /// Its value.
     pub value: Expression,
     /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `table NAME = [(X, Y), (X, Y)] ENDS;` or `table NAME = "FILE" in (UNIT, UNIT) ENDS;`: a function that goes through these points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// Its name.
+    pub name: Name,
+    /// Its points.
+    pub points: TablePoints,
+    /// Where these are written.
+    pub place: Span,
+    /// How it ends, where that is written.
+    pub ends: Option<Ends>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// Where the points of a table are.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TablePoints {
+    /// `[(X, Y), (X, Y)]`: here, in written order.
+    Listed(Vec<Pair>),
+    /// `"FILE" in (UNIT, UNIT)`: in a file.
+    InFile {
+        /// The path between the quotes.
+        path: Name,
+        /// The units of both columns, where they are written; whether such units exist is not checked here.
+        units: Option<[Name; 2]>,
+    },
+}
+
+/// `periodic`, `clamped(SLOPE, SLOPE)`: how a table ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ends {
+    /// The word; whether it has a meaning is not checked here.
+    pub word: Name,
+    /// What stands in the parentheses.
+    pub slopes: Vec<Expression>,
+    /// Both.
     pub span: Span,
 }
 

@@ -17,6 +17,7 @@ mod curve;
 mod document;
 mod equation;
 mod expression;
+mod files;
 mod literal;
 mod motion;
 mod output;
@@ -25,12 +26,15 @@ mod reference;
 mod repair;
 mod scan;
 mod statement;
+mod table;
 #[cfg(test)]
 mod tests;
 mod tokens;
 mod unreadable;
 
 pub use document::*;
+pub(crate) use files::is_relative;
+pub use files::named_files;
 pub use output::LEVELS;
 
 use proc_macro2::Delimiter;
@@ -43,10 +47,11 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 11] = [
+pub const KEYWORDS: [&str; 12] = [
     "const",
     "param",
     "input",
+    "table",
     "point",
     "body",
     "curve",
@@ -90,6 +95,10 @@ pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document>
     let buffer = TokenBuffer::new2(stream);
     let reader = Reader::new(text, &repaired, &starts, &scan.documentation, &scan.damage);
     let document = file(Tokens::all(&reader, buffer.begin()));
+    let document = document.map(|document| Document {
+        attachments: source.attachments.clone(),
+        ..document
+    });
     let idle = reader.idle_documentation();
     diagnostics.extend(reader.into_findings());
     // What a statement that failed was to say is no concern of the documentation.
@@ -168,6 +177,7 @@ fn file(mut tokens: Tokens<'_>) -> Option<Document> {
     };
     Some(Document {
         docs: file_docs,
+        attachments: Vec::new(),
         mechanism,
     })
 }

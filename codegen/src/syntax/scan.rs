@@ -15,6 +15,8 @@ pub(super) const MOST_FINDINGS: usize = 100;
 pub(super) enum Kind {
     Word,
     Number,
+    /// A text in quotes, with them.
+    Text,
     Open(u8),
     Close(u8),
     Mark(u8),
@@ -121,6 +123,7 @@ impl Scanner<'_> {
                 '/' if self.rest().starts_with("//") => self.line_comment(),
                 '/' if self.rest().starts_with("/*") => self.block_comment(),
                 '0'..='9' => self.number(),
+                '"' if self.names_a_file() => self.text(),
                 letter if starts_word(letter) => self.word(),
                 '(' | '[' | '{' => self.lexeme(Kind::Open(next as u8), 1),
                 ')' | ']' | '}' => self.lexeme(Kind::Close(next as u8), 1),
@@ -231,6 +234,43 @@ impl Scanner<'_> {
             self.scan.edit(start, end, Fill::Underscores);
         }
         self.lexeme(Kind::Word, length);
+    }
+
+    /// Whether `table NAME =` stands before: nothing else is written with a text.
+    fn names_a_file(&self) -> bool {
+        let [.., table, name, equals] = &self.scan.lexemes[..] else {
+            return false;
+        };
+        table.kind == Kind::Word
+            && &self.text[table.start..table.end] == "table"
+            && name.kind == Kind::Word
+            && equals.kind == Kind::Mark(b'=')
+    }
+
+    fn text(&mut self) {
+        let inside = &self.rest()[1..];
+        let length = inside.find(|it: char| it == '"' || it.is_control());
+        let start = self.at;
+        let Some(length) = length.filter(|&length| inside[length..].starts_with('"')) else {
+            let end = start + 1 + inside.find(['\n', '\r']).unwrap_or(inside.len());
+            let span = Span::new(start, end);
+            let finding =
+                Diagnostic::error(Code::UnreadableCharacter, span, "a text without its end")
+                    .label("expected `\"` on this line")
+                    .help("write the path between quotes: `table lift = \"lift.csv\";`");
+            self.scan.report(finding);
+            self.scan.damage.push(start);
+            self.scan.edit(start, end, Fill::Blank);
+            self.fresh_line = false;
+            self.at = end;
+            return;
+        };
+        let end = start + length + 2;
+        if inside[..length].contains('\\') {
+            // Rust's lexer would read an escape; the path is refused where the table is resolved.
+            self.scan.edit(start + 1, end - 1, Fill::Underscores);
+        }
+        self.lexeme(Kind::Text, length + 2);
     }
 
     fn number(&mut self) {

@@ -13,6 +13,7 @@ use super::expression::{after_expression, coordinates, expression};
 use super::motion::motion;
 use super::output::{output, transmission};
 use super::reference::{body_name, direction, driven_coordinate, identifier, operands, separator};
+use super::table::table;
 use super::tokens::{Outcome, Tokens};
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 
@@ -29,6 +30,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "const" => constant(tokens, docs, first.span, "a constant").map(Statement::Constant),
         "param" => constant(tokens, docs, first.span, "a parameter").map(Statement::Parameter),
         "input" => constant(tokens, docs, first.span, "an input").map(Statement::Input),
+        "table" => table(tokens, docs, first.span),
         "point" => points(tokens, docs, first.span),
         "body" => body(tokens, docs, first.span).map(Statement::Body),
         "curve" => curve(tokens, docs, first.span),

@@ -9,6 +9,7 @@ use syn::buffer::Cursor;
 
 use super::brackets::StatementStarts;
 use super::document::Name;
+use super::files::unquoted;
 use super::repair::Repaired;
 use super::scan::{Documentation, MOST_FINDINGS};
 use crate::diagnostic::{Code, Diagnostic, Span};
@@ -198,14 +199,31 @@ impl<'a> Tokens<'a> {
     /// A number with its unit, as written or, where that is no number of this language, as it was repaired.
     pub(super) fn number(&mut self) -> Option<Name> {
         let (literal, rest) = self.cursor.literal()?;
+        let text = literal.to_string();
+        if text.starts_with('"') {
+            return None;
+        }
         let span = self.reader.span(literal.span());
         self.advance(span, rest);
-        let text = literal.to_string();
+        Some(Name { text, span })
+    }
+
+    /// What stands between quotes, as written; its place is that of the quotes.
+    pub(super) fn text(&mut self) -> Option<Name> {
+        let (literal, rest) = self.cursor.literal()?;
+        let span = self.reader.span(literal.span());
+        let written = self.reader.written(span);
+        if !(written.starts_with('"') && written.ends_with('"')) {
+            return None;
+        }
+        self.advance(span, rest);
+        let text = unquoted(written).to_string();
         Some(Name { text, span })
     }
 
     pub(super) fn peek_number(&self) -> bool {
-        self.cursor.literal().is_some()
+        let literal = self.cursor.literal();
+        literal.is_some_and(|(literal, _)| !literal.to_string().starts_with('"'))
     }
 
     pub(super) fn peek_mark(&self, mark: char) -> bool {

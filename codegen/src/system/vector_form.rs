@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 use super::orientation::Orientations;
 use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{Frame, Mark, Vector};
+use crate::joint::geometry::{Frame, Mark, Vector, turned};
 use crate::joint::{Quantity, Resolved};
 use crate::model::{Body, Joint, Mechanism, Role, apart};
 
@@ -182,6 +182,21 @@ impl VectorForm {
             terms.push(graph.multiply(partial, rate));
         }
         graph.sum(&terms)
+    }
+
+    /// An expression with its arms written out as sines and cosines of the angles that turn them.
+    pub fn written_out(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
+        let mut replacements = Vec::new();
+        for arm in &self.arms {
+            if !arm.symbols.iter().any(|&it| graph.depends_on(expr, it)) {
+                continue;
+            }
+            let angle = graph.variable(self.unknowns[arm.angle].position);
+            let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
+            let written = turned(cosine, sine, arm.local, graph);
+            replacements.extend(arm.symbols.into_iter().zip(written));
+        }
+        graph.substitute(expr, &replacements)
     }
 
     /// States how a symbol that was made later moves.

@@ -10,6 +10,7 @@ mod exam_equations;
 mod given;
 mod mechanisms;
 mod ring;
+mod tables;
 
 use linkwright::nalgebra::{Const, SVector};
 use linkwright::{

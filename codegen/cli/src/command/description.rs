@@ -35,10 +35,12 @@ pub fn source(path: &Path) -> Result<Source, Problem> {
             Source::LARGEST
         )));
     }
-    Source::from_bytes(path.display().to_string(), &bytes).map_err(|refused| {
+    let source = Source::from_bytes(path.display().to_string(), &bytes).map_err(|refused| {
         let (source, found) = *refused;
         rendered(&found, &source)
-    })
+    })?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    Ok(linkwright_codegen::attach_files(source, folder))
 }
 
 /// The equations of every motion of a description, or of the one that is wanted; warnings go to stderr.

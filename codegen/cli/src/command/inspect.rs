@@ -2,7 +2,8 @@
 
 use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::emit::{self, Notation};
+use linkwright_codegen::emit::{self, Notation, derivation};
+use linkwright_codegen::structure;
 use linkwright_codegen::system::System;
 
 use super::description::{motions, rendered, source, warn};
@@ -58,6 +59,30 @@ fn equations(system: &System, notation: Notation) -> String {
         for line in emit::report::lines(&report) {
             text.push_str(&format!("  {line}\n"));
         }
+    }
+    text.push_str(&determinants(system, notation));
+    text
+}
+
+/// The determinant of each block up to its sign, and what the pose is like where it is zero; nothing where the equations do
+/// not determine the motion.
+fn determinants(system: &System, notation: Notation) -> String {
+    let mut system = system.clone();
+    let Some(plan) = structure::plan_of_motion(&mut system) else {
+        return String::new();
+    };
+    let poses = derivation::singular_poses(&system, &plan, notation);
+    if poses.is_empty() {
+        return String::new();
+    }
+    let mut text = "\ndet of each block, up to its sign\n".to_string();
+    for pose in poses {
+        text.push_str(&format!(
+            "  block {}, {}: {}\n",
+            pose.block + 1,
+            pose.unknowns,
+            pose.sentence()
+        ));
     }
     text
 }

@@ -3,6 +3,7 @@
 //! Results go to stdout, findings and errors to stderr. A reader of stdout that goes away early is no error. What cannot
 //! be done because of the input ends as a [`Problem`], printed once, with exit code 2.
 
+pub mod check;
 pub mod description;
 pub mod generate;
 pub mod inspect;
@@ -41,6 +42,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Generate(generate) => generate::run(&generate),
         Command::Inspect(inspect) => inspect::run(&inspect),
         Command::Plan(plan) => plan::run(&plan),
+        Command::Check(check) => check::run(&check),
     };
     match outcome {
         Ok(outcome) => ExitCode::from(outcome as u8),

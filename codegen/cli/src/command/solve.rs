@@ -48,6 +48,10 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     }
     let mut progress = Progress::new(schedule.visits());
     let solution = Solution::new(system, points, &schedule, |count| progress.reached(count));
+    let solution = match arguments.monitor {
+        true => solution.monitored(),
+        false => solution,
+    };
     let elapsed = progress.finish();
 
     let chosen = !arguments.points.is_empty();

@@ -2,6 +2,9 @@
 //!
 //! One file per output. None of them evaluates more than the motion of points, and none knows where its output goes.
 
+pub mod assembly_plot;
+pub mod check_json;
+pub mod check_text;
 pub mod comma_separated;
 pub mod json;
 pub mod motion_table;

@@ -38,7 +38,24 @@ pub fn write(solution: &Solution, chosen: bool, output: &mut dyn Write) -> io::R
     motions(solution, chosen, output)?;
     writeln!(output)?;
     pressure_angles(solution, output)?;
+    closest(solution, output)?;
     residuals(solution, output)
+}
+
+/// Where blocks are closest to singular, where that is asked for.
+fn closest(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
+    let Some(monitor) = &solution.monitor else {
+        return Ok(());
+    };
+    match monitor.smallest() {
+        Some((name, at, measure)) => writeln!(
+            output,
+            "closest to singular\n  {name} = {} at t = {} s\n",
+            fixed(measure, 6),
+            time(solution.frames()[at].t)
+        ),
+        None => writeln!(output, "closest to singular\n  no block can be\n"),
+    }
 }
 
 fn pressure_angles(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {

@@ -1,5 +1,6 @@
 //! The command from the outside: exit codes, output and files.
 
+mod check;
 mod folder;
 mod generate_and_inspect;
 mod motions;

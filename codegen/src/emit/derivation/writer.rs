@@ -43,7 +43,8 @@ impl<'a> Writer<'a> {
                 items: std::mem::take(&mut self.items),
             }
         });
-        let sections = sections.collect();
+        let mut sections: Vec<Section> = sections.collect();
+        sections.extend(self.singular_section());
         Document {
             name: self.script.word(&self.system.mechanism.title()),
             summary,
@@ -140,18 +141,7 @@ impl<'a> Writer<'a> {
             vector_form,
             ..
         } = &mut self.system;
-        let graph = &mut mechanism.graph;
-        let mut replacements = Vec::new();
-        for arm in &vector_form.arms {
-            if !arm.symbols.iter().any(|&it| graph.depends_on(expr, it)) {
-                continue;
-            }
-            let angle = vector_form.unknowns[arm.angle].position;
-            let angle = graph.variable(angle);
-            let turned = turned(angle, arm.local, graph);
-            replacements.extend(arm.symbols.into_iter().zip(turned));
-        }
-        graph.substitute(expr, &replacements)
+        vector_form.written_out(expr, &mut mechanism.graph)
     }
 
     /// The same with the values of constant unknowns put in.

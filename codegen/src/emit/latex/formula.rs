@@ -184,6 +184,16 @@ impl<'a> Printer<'a> {
                 self.expression(*argument)
             ),
             Node::Choose { .. } => self.cases(expr),
+            Node::Spline {
+                spline,
+                order,
+                argument,
+            } => {
+                let name = escaped(&self.graph().spline_of(*spline).name);
+                let primes = "'".repeat(usize::from(*order));
+                let argument = self.argument_in_parentheses(*argument);
+                format!("\\mathit{{{name}}}{primes}{argument}")
+            }
             Node::Number(_) | Node::Sum(_) | Node::Product(_) => self.argument_in_parentheses(expr),
         }
     }

@@ -4,8 +4,9 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::given::read;
-use super::literal::float;
-use crate::expr::{ExprId, Node, SymbolId};
+use super::literal::{count, float};
+use super::tables::table_name;
+use crate::expr::{ExprId, Node, SplineId, SymbolId};
 use crate::program::{
     Addend, Compared, ConstantPart, Constants, LARGEST_PRODUCT, Power, Statement, Straight,
     addends, compared,
@@ -63,6 +64,27 @@ impl Writer<'_> {
                 let value = self.function(*expr).unwrap_or_else(|| self.sum(*expr, &[]));
                 quote!(let #name = #value;)
             }
+            Statement::Lookup {
+                names,
+                spline,
+                argument,
+            } => {
+                let last = names.iter().rposition(Option::is_some).unwrap_or(0);
+                let names = names[..=last].iter().map(|name| match name {
+                    Some(name) => {
+                        let name = identifier(name);
+                        quote!(#name,)
+                    }
+                    None => quote!(_,),
+                });
+                let rest = if last < 3 {
+                    quote!(..)
+                } else {
+                    TokenStream::new()
+                };
+                let lookup = self.lookup(*spline, *argument);
+                quote!(let [#(#names)* #rest] = #lookup;)
+            }
         }
     }
 
@@ -80,6 +102,14 @@ impl Writer<'_> {
                 below,
                 otherwise,
             } => Some(self.choice(condition, below, otherwise)),
+            Node::Spline {
+                spline,
+                order,
+                argument,
+            } => {
+                let (lookup, order) = (self.lookup(spline, argument), count(order.into()));
+                Some(quote!(#lookup[#order]))
+            }
             Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Sum(_) | Node::Product(_) => None,
         }
     }
@@ -103,6 +133,13 @@ impl Writer<'_> {
         } else {
             quote!(if #left #sign #right { #below } else { #otherwise })
         }
+    }
+
+    /// `TABLE_LIFT.at(x)`: the value and three derivatives.
+    fn lookup(&self, spline: SplineId, argument: ExprId) -> TokenStream {
+        let table = table_name(&self.system.mechanism.graph.spline_of(spline).name);
+        let argument = self.expression(argument, &[]);
+        quote!(#table.at(#argument))
     }
 
     fn call(&self, function: &str, arguments: &[ExprId]) -> TokenStream {

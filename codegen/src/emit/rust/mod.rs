@@ -15,6 +15,7 @@ mod module;
 mod scalar;
 mod solved;
 mod solver;
+mod tables;
 
 pub use file::file;
 pub use scalar::Scalar;

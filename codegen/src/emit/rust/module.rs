@@ -14,6 +14,7 @@ use super::lints;
 use super::literal::float;
 use super::solved;
 use super::solver::{characteristic_length, mechanism, textbook};
+use super::tables::tables;
 use crate::emit::{report, text};
 use crate::model::Role;
 use crate::program::Program;
@@ -29,7 +30,7 @@ pub(super) fn items(system: &System, program: &Program) -> TokenStream {
         .any(|block| block.newton.is_some());
     let needs_length = has_newton || program.textbook.is_some();
     let mut items = [
-        imports(system, program, has_newton),
+        TokenStream::new(),
         TokenStream::new(),
         coordinates(system),
         structures(system, program),
@@ -52,7 +53,11 @@ pub(super) fn items(system: &System, program: &Program) -> TokenStream {
         solver(system, program),
     ];
     let written = items.iter().cloned().collect();
-    items[1] = constants(system, program, &identifiers(written));
+    let mentioned = identifiers(written);
+    let tables = tables(system, &mentioned);
+    items[0] = imports(system, program, has_newton, !tables.is_empty());
+    let constants = constants(system, program, &mentioned);
+    items[1] = quote!(#constants #tables);
     items.into_iter().collect()
 }
 
@@ -88,7 +93,7 @@ fn solver(system: &System, program: &Program) -> TokenStream {
     }
 }
 
-fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream {
+fn imports(system: &System, program: &Program, has_newton: bool, has_tables: bool) -> TokenStream {
     let textbook = program.textbook.iter();
     let functions = textbook.flat_map(|own| {
         [
@@ -192,11 +197,12 @@ fn imports(system: &System, program: &Program, has_newton: bool) -> TokenStream 
         TokenStream::new()
     };
     let signal = only(given.inputs, quote!(Signal,));
+    let table = only(has_tables, quote!(Table,));
     quote! {
         #closed
         #math
         #matrices
-        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #signal #step #kinematics};
+        use ::linkwright::{#branch #equations Failure, #kind #motion Settings, #signal #step #table #kinematics};
     }
 }
 

@@ -178,6 +178,15 @@ impl<'a> Printer<'a> {
             Node::Ln(argument) => self.function("ln", &[*argument], followed),
             Node::Floor(argument) => self.function("floor", &[*argument], true),
             Node::Choose { .. } => format!("({})", self.choice(expr)),
+            Node::Spline {
+                spline,
+                order,
+                argument,
+            } => {
+                let name = &self.graph().spline_of(*spline).name;
+                let primes = "'".repeat(usize::from(*order));
+                self.function(&format!("{name}{primes}"), &[*argument], true)
+            }
             Node::Number(_) | Node::Sum(_) | Node::Product(_) => {
                 format!("({})", self.expression(expr))
             }

@@ -45,7 +45,21 @@ pub(crate) fn given(system: &System) -> String {
         let initial = value(own.initial);
         line("input", &own.name, own.dimension, initial)
     });
-    parameters.chain(inputs).collect()
+    let tables = mechanism.tables.iter().map(|own| {
+        let spline = mechanism.graph.spline_of(own.spline);
+        let [first, .., last] = &spline.starts[..] else {
+            return String::new();
+        };
+        format!(
+            "table {}: {} points from {first} to {last} {}, values in {}{}\n",
+            own.name,
+            spline.starts.len(),
+            own.argument.unit(),
+            own.value.unit(),
+            spline.period.map_or("", |_| ", repeated"),
+        )
+    });
+    parameters.chain(inputs).chain(tables).collect()
 }
 
 struct Page<'a> {

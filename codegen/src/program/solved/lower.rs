@@ -187,7 +187,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
 }
 
 /// The drawing's value of every parameter, unknown and arm, by symbol.
-fn drawn_values(system: &System) -> Vec<f64> {
+pub(super) fn drawn_values(system: &System) -> Vec<f64> {
     let graph = &system.mechanism.graph;
     let form = &system.vector_form;
     let mut values = vec![0.0; graph.symbol_count()];

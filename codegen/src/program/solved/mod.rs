@@ -18,10 +18,12 @@ mod sharing;
 mod slides;
 mod transmissions;
 mod two_rotations;
+mod whole;
 
 pub use lower::lower;
 pub use outputs::Output;
 pub use transmissions::Transmission;
+pub use whole::{WholeBlock, whole};
 
 use std::collections::{HashMap, HashSet};
 
@@ -197,6 +199,7 @@ impl Action {
             Action::Let { value, .. } => vec![*value],
             Action::Share(Statement::Value { expr, .. }) => vec![*expr],
             Action::Share(Statement::SineCosine { angle, .. }) => vec![*angle],
+            Action::Share(Statement::Lookup { argument, .. }) => vec![*argument],
             Action::SineCosine { angle, .. } => vec![*angle],
             Action::Angle { sine, cosine, .. } => vec![*sine, *cosine],
             Action::Reach {

@@ -1,0 +1,115 @@
+//! *Check → one JSON object.*
+//!
+//! | key | value |
+//! |---|---|
+//! | `mechanism`, `motion` | its name, and that of the motion where it has several |
+//! | `kdof`, `ndof` | coordinates less equations of joints; the same less equations of drivers |
+//! | `blocks` | `{block, unknowns, method, determinant, singular_where, solutions, closest}` each, in solve order |
+//! | `closest` there | `{measure, t, times, at_end, rcond}`: the smallest size of the normalised determinant, first when, how often, whether at an end of the range, and the reciprocal condition of the dimensionless Φ_q there |
+//! | `assembly_modes` | how many signs the closed forms have |
+//! | `coordinates` | their names, in the order of `q` |
+//! | `assemblies` | `{signs, drawn, q}` each: those that exist at the start |
+//! | `assemblies_cut_short` | whether more combinations were left untried |
+//! | `warnings`, `error` | sentences; `error` only where the motion ends early |
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use crate::check::Check;
+
+#[derive(Serialize)]
+struct Object<'a> {
+    mechanism: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    motion: Option<&'a str>,
+    kdof: i64,
+    ndof: i64,
+    blocks: Vec<Block<'a>>,
+    assembly_modes: usize,
+    coordinates: Vec<&'a str>,
+    assemblies: Vec<Assembly<'a>>,
+    assemblies_cut_short: bool,
+    warnings: &'a [String],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<&'a str>,
+}
+
+#[derive(Serialize)]
+struct Block<'a> {
+    block: usize,
+    unknowns: &'a str,
+    method: &'a str,
+    determinant: Option<&'a str>,
+    singular_where: Option<&'a str>,
+    solutions: Option<usize>,
+    closest: Option<Closest>,
+}
+
+#[derive(Serialize)]
+struct Closest {
+    measure: f64,
+    t: f64,
+    times: usize,
+    at_end: bool,
+    rcond: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Assembly<'a> {
+    signs: Vec<i8>,
+    drawn: bool,
+    q: &'a [f64],
+}
+
+/// Writes the object and a line break.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
+    let found = check.assemblies.as_ref();
+    let assemblies = found.iter().flat_map(|all| &all.found).map(|assembly| {
+        let sign = |positive: &bool| if *positive { 1 } else { -1 };
+        Assembly {
+            signs: assembly.signs.iter().map(sign).collect(),
+            drawn: assembly.drawn,
+            q: assembly.frame.q.as_slice(),
+        }
+    });
+    let blocks = check.steps.iter().map(|step| Block {
+        block: step.pose.block + 1,
+        unknowns: &step.pose.unknowns,
+        method: &step.pose.method,
+        determinant: step.pose.determinant.as_deref(),
+        singular_where: step.pose.meaning.as_deref(),
+        solutions: step.solutions,
+        closest: step.approach.as_ref().map(|approach| Closest {
+            measure: approach.measure,
+            t: approach.t,
+            times: approach.times,
+            at_end: approach.at_end,
+            rcond: step.reciprocal,
+        }),
+    });
+    let solution = &check.solution;
+    let object = Object {
+        mechanism: solution.name(),
+        motion: solution.motion(),
+        kdof: check.kinematic_freedom,
+        ndof: check.net_freedom,
+        blocks: blocks.collect(),
+        assembly_modes: found.map_or(0, |all| all.modes),
+        coordinates: solution
+            .system
+            .coordinates
+            .iter()
+            .map(|it| it.name.as_str())
+            .collect(),
+        assemblies: assemblies.collect(),
+        assemblies_cut_short: found.is_some_and(|all| all.cut_short),
+        warnings: &check.warnings,
+        error: solution.error.as_deref(),
+    };
+    serde_json::to_writer_pretty(&mut *output, &object)?;
+    writeln!(output)
+}

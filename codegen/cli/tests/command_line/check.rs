@@ -1,0 +1,310 @@
+//! `linkwright check` from the outside.
+
+use serde_json::Value;
+
+use crate::folder::{EXAM, Folder};
+
+/// The object that is printed for the options.
+#[track_caller]
+fn object(folder: &Folder, options: &str, code: i32) -> Value {
+    let ran = folder
+        .run(&format!("check a.mech --json {options}"))
+        .exits_with(code);
+    serde_json::from_str(&ran.stdout).expect("one JSON object")
+}
+
+#[track_caller]
+fn number(value: &Value) -> f64 {
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+#[track_caller]
+fn close(what: &str, found: &Value, wanted: f64, tolerance: f64) {
+    let found = number(found);
+    assert!(
+        (found - wanted).abs() <= tolerance,
+        "{what}: {found} instead of {wanted}"
+    );
+}
+
+fn described(name: &str) -> String {
+    let path = format!(
+        "{}/../../mechanisms/{name}.mech",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    std::fs::read_to_string(path).expect("a description")
+}
+
+/// cos φ2 = 1 − cos φ1/√3, so that φ2 is smallest where φ1 = π/6 + sin 2t is closest to π/2: at t = π/4, π/4 + π, …
+#[test]
+fn the_exam_comes_closest_to_singular_where_its_drive_turns_back() {
+    let folder = Folder::new("check_exam", EXAM);
+    let found = object(&folder, "", 0);
+    assert_eq!((&found["kdof"], &found["ndof"]), (&1.into(), &0.into()));
+    let block = &found["blocks"][0];
+    assert_eq!(block["unknowns"], "phi2");
+    assert_eq!(block["method"], "one angle");
+    assert_eq!(block["determinant"], "sqrt(3)*sin(phi2)");
+    let meaning = block["singular_where"].as_str().expect("words");
+    assert!(meaning.contains("parallel to the x axis"), "{meaning}");
+    let phi1 = std::f64::consts::FRAC_PI_6 + 1.0;
+    let cosine = 1.0 - phi1.cos() / 3_f64.sqrt();
+    let closest = &block["closest"];
+    close("t", &closest["t"], std::f64::consts::FRAC_PI_4, 1e-9);
+    close(
+        "sine",
+        &closest["measure"],
+        (1.0 - cosine * cosine).sqrt(),
+        1e-12,
+    );
+    assert_eq!(
+        (&closest["times"], &closest["at_end"]),
+        (&2.into(), &false.into())
+    );
+    // Φ_q of the exam has the determinant ±√3 sin φ2, so its condition is finite there.
+    assert!(number(&closest["rcond"]) > 1e-3);
+    // Coarse frames are refined to the same time.
+    let coarse = object(&folder, "--step 0.3 --to 1.5", 0);
+    let closest = &coarse["blocks"][0]["closest"];
+    close("t", &closest["t"], std::f64::consts::FRAC_PI_4, 1e-9);
+}
+
+/// The rod may point up or down from the pin: φ2 and −φ2.
+#[test]
+fn the_exam_has_two_assemblies() {
+    let folder = Folder::new("check_exam_assemblies", EXAM);
+    let found = object(&folder, "", 0);
+    let all = found["assemblies"].as_array().expect("a list");
+    assert_eq!((all.len(), &found["assembly_modes"]), (2, &1.into()));
+    assert_eq!(
+        (&all[0]["drawn"], &all[1]["drawn"]),
+        (&true.into(), &false.into())
+    );
+    close("phi2", &all[0]["q"][5], std::f64::consts::FRAC_PI_3, 1e-12);
+    close("phi2", &all[1]["q"][5], -std::f64::consts::FRAC_PI_3, 1e-12);
+}
+
+/// With another drive the crank goes on to φ1 = π/2, where the rod lies across the line on which its end moves.
+#[test]
+fn the_exam_driven_through_its_singular_pose_ends_there() {
+    let driven = EXAM.replace("pi/6 + sin(2*t)", "pi/6 + t");
+    assert_ne!(driven, EXAM);
+    let folder = Folder::new("check_singular", driven);
+    let found = object(&folder, "", 1);
+    let closest = &found["blocks"][0]["closest"];
+    assert_eq!(closest["at_end"], true);
+    let end = std::f64::consts::FRAC_PI_3;
+    close("t", &closest["t"], end, 1e-8);
+    // sin φ2 falls as the root of the time that is left.
+    assert!(number(&closest["measure"]) < 1e-4, "{closest}");
+    let error = found["error"].as_str().expect("why it ends");
+    let time: f64 = error
+        .split("beyond t = ")
+        .nth(1)
+        .and_then(|rest| rest.split(" s").next())
+        .and_then(|text| text.parse().ok())
+        .expect("a time");
+    assert!((time - end).abs() <= 2e-9, "{error}");
+    let warnings = found["warnings"].as_array().expect("a list");
+    assert!(
+        warnings.iter().any(|it| it
+            .as_str()
+            .is_some_and(|text| text.contains("the link of 2 from P is parallel to the x axis"))),
+        "{warnings:?}"
+    );
+}
+
+/// The pin C is where circles about B and D meet; coupler and rocker are closest to being in line where the distance between
+/// B and D is smallest or largest, which is where the crank lies along the ground link.
+#[test]
+fn a_four_bar_has_the_two_assemblies_of_two_circles() {
+    let folder = Folder::new("check_four_bar", described("four_bar"));
+    let found = object(&folder, "", 0);
+    let all = found["assemblies"].as_array().expect("a list");
+    assert_eq!(all.len(), 2);
+    let crank = 40_f64.to_radians();
+    let b = [0.04 * crank.cos(), 0.04 * crank.sin()];
+    let d = [0.1 - b[0], -b[1]];
+    let distance = d[0].hypot(d[1]);
+    let along = (0.12_f64.powi(2) - 0.08_f64.powi(2) + distance.powi(2)) / (2.0 * distance);
+    let across = (0.12_f64.powi(2) - along * along).sqrt();
+    let unit = [d[0] / distance, d[1] / distance];
+    for (assembly, side) in all.iter().zip([1.0, -1.0]) {
+        let c = [
+            along * unit[0] - side * across * unit[1],
+            along * unit[1] + side * across * unit[0],
+        ];
+        let coupler = number(&assembly["q"][5]);
+        let rocker = number(&assembly["q"][8]);
+        for (found, wanted) in [
+            (b[0] + 0.12 * coupler.cos(), b[0] + c[0]),
+            (b[1] + 0.12 * coupler.sin(), b[1] + c[1]),
+            (0.1 + 0.08 * rocker.cos(), b[0] + c[0]),
+            (0.08 * rocker.sin(), b[1] + c[1]),
+        ] {
+            assert!(
+                (found - wanted).abs() < 1e-12,
+                "{found} instead of {wanted}"
+            );
+        }
+    }
+    // sin of the angle between links of 120 and 80 mm that span 60 mm, at a crank angle of 2π.
+    let cosine: f64 =
+        (0.12_f64.powi(2) + 0.08_f64.powi(2) - 0.06_f64.powi(2)) / (2.0 * 0.12 * 0.08);
+    let closest = &found["blocks"][0]["closest"];
+    close(
+        "sine",
+        &closest["measure"],
+        (1.0 - cosine * cosine).sqrt(),
+        1e-12,
+    );
+    let first = (std::f64::consts::TAU - crank) / 3.0;
+    close("t", &closest["t"], first, 1e-9);
+    assert_eq!(
+        found["blocks"][0]["singular_where"],
+        "B-C and C-D are in line"
+    );
+}
+
+#[test]
+fn the_excavator_has_sixteen_assemblies_that_all_differ() {
+    let folder = Folder::new("check_excavator", described("excavator"));
+    let found = object(&folder, "--to 2", 0);
+    assert_eq!(found["assembly_modes"], 4);
+    let all = found["assemblies"].as_array().expect("a list");
+    assert_eq!(all.len(), 16);
+    assert_eq!(all.iter().filter(|it| it["drawn"] == true).count(), 1);
+    let poses: Vec<Vec<f64>> = all
+        .iter()
+        .map(|it| it["q"].as_array().expect("q").iter().map(number).collect())
+        .collect();
+    for (index, pose) in poses.iter().enumerate() {
+        for other in &poses[..index] {
+            let gap = pose.iter().zip(other).map(|(a, b)| (a - b).abs());
+            assert!(gap.fold(0.0, f64::max) > 1e-3);
+        }
+        // L-G and G-H: the joint G is held at its distances from the ground pins L and H in each of them.
+        let (sine, cosine) = pose[8].sin_cos();
+        let g = [
+            pose[6] - 0.1 * sine - 0.3 * cosine,
+            pose[7] - 0.3 * sine + 0.1 * cosine,
+        ];
+        let from_l = (g[0] - 0.6).hypot(g[1] - 0.3);
+        assert!((from_l - 0.18_f64.sqrt()).abs() < 1e-12, "{from_l}");
+    }
+    // The cylinders are longest at t = π/3.
+    for block in found["blocks"].as_array().expect("a list") {
+        let t = number(&block["closest"]["t"]);
+        assert!((t - std::f64::consts::FRAC_PI_3).abs() < 1e-9, "{block}");
+    }
+}
+
+/// The ground link is longer than all others together.
+#[test]
+fn what_cannot_be_assembled_has_no_assemblies() {
+    let apart = described("four_bar").replace("D = (100mm, 0)", "D = (300mm, 0)");
+    let folder = Folder::new("check_apart", apart);
+    let found = object(&folder, "", 1);
+    assert_eq!(found["assemblies"].as_array().map(Vec::len), Some(0));
+    assert!(found["error"].is_string());
+}
+
+#[test]
+fn text_pictures_and_exit_codes_follow_the_options() {
+    let folder = Folder::new("check_options", EXAM);
+    let ran = folder.run("check a.mech --plot pictures").exits_with(0);
+    for text in [
+        "KDOF = 6 - 5 = 1",
+        "NDOF = 1 - 1 = 0",
+        "singular where sqrt(3)*sin(phi2) = 0",
+        "2 of 2^1 = 2",
+        "as drawn",
+        "t = 0.785398163 s",
+    ] {
+        assert!(ran.stdout.contains(text), "{text} in {}", ran.stdout);
+    }
+    assert_eq!(ran.stderr, "");
+    let picture = folder.read("pictures/assemblies.svg");
+    // The crank of length 1 and the rod of length √3 are drawn to scale.
+    let links: Vec<f64> = picture
+        .split("points=\"")
+        .skip(1)
+        .map(|rest| {
+            let mut pairs = rest.split(['"', ' ']).filter_map(|pair| {
+                let (x, y) = pair.split_once(',')?;
+                Some((x.parse::<f64>().ok()?, y.parse::<f64>().ok()?))
+            });
+            let (a, b) = (
+                pairs.next().expect("a point"),
+                pairs.next().expect("a point"),
+            );
+            (a.0 - b.0).hypot(a.1 - b.1)
+        })
+        .collect();
+    assert_eq!(links.len(), 4, "{picture}");
+    // Q is the middle of the rod, its second point; pixels are whole.
+    assert!(
+        (links[1] / links[0] - 0.75_f64.sqrt()).abs() < 0.03,
+        "{links:?}"
+    );
+    assert!((links[2] / links[0] - 1.0).abs() < 0.03, "{links:?}");
+    folder.run("check a.mech --deny-warnings").exits_with(0);
+    // A rod that comes within half a degree of the x axis, between two frames.
+    let near = Folder::new(
+        "check_near",
+        EXAM.replace("pi/6 + sin(2*t)", "pi/6 + (pi/3 - 0.00001)*sin(2*t)"),
+    );
+    near.run("check a.mech").exits_with(0);
+    let ran = near.run("check a.mech --deny-warnings").exits_with(1);
+    assert!(
+        ran.stderr.contains("warning: phi2 comes within"),
+        "{}",
+        ran.stderr
+    );
+    let closest = &object(&near, "", 0)["blocks"][0]["closest"];
+    close("t", &closest["t"], std::f64::consts::FRAC_PI_4, 1e-7);
+    folder.run("check a.mech --to -1").exits_with(2);
+    let help = folder.run("check --help").exits_with(0).stdout;
+    assert!(help.contains("--deny-warnings"), "{help}");
+}
+
+/// The column of a block is |sin φ2| in the exam, and |sin(φ_rocker − φ_coupler)| in the four-bar.
+#[test]
+fn solve_monitors_how_close_each_block_is() {
+    let folder = Folder::new("monitor_exam", EXAM);
+    let ran = folder
+        .run("solve a.mech --monitor --csv - --to 1 --step 0.1")
+        .exits_with(0);
+    let mut lines = ran
+        .stdout
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().expect("a header");
+    let place = |name: &str| {
+        let found = header.iter().position(|it| *it == name);
+        found.unwrap_or_else(|| panic!("no {name} in {header:?}"))
+    };
+    let mut count = 0;
+    for line in lines {
+        let read = |name: &str| line[place(name)].parse::<f64>().expect("a number");
+        let (found, wanted) = (read("closeness_phi2"), read("phi2").sin().abs());
+        assert!(
+            (found - wanted).abs() < 1e-14,
+            "{found} instead of {wanted}"
+        );
+        count += 1;
+    }
+    assert_eq!(count, 11);
+    assert!(
+        ran.stderr.contains("closeness_phi2 = 0.2") && ran.stderr.contains("at t = 0.8 s"),
+        "{}",
+        ran.stderr
+    );
+    let plain = folder
+        .run("solve a.mech --csv - --to 1 --step 0.1")
+        .exits_with(0);
+    assert!(!plain.stdout.contains("closeness"));
+    folder.run("solve a.mech --monitor --json").exits_with(2);
+}

@@ -1,0 +1,114 @@
+//! Piecewise cubics: *pieces and an argument* → *the value and its three derivatives, as expressions and as numbers*.
+//!
+//! A spline is data: its pieces are numbers, kept once in the graph however often it is used. As its fourth derivative vanishes,
+//! an expression names a spline and an order from 0 to 3. An argument without symbols is evaluated at once. This file does
+//! not know how the pieces were found, nor that they join.
+
+use std::sync::Arc;
+
+use super::graph::Graph;
+use super::node::{ExprId, Node};
+use super::number::Number;
+
+/// A spline of one [`Graph`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SplineId(pub(super) u32);
+
+impl SplineId {
+    /// The position in order of declaration, from 0.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// Cubic pieces side by side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spline {
+    /// What a person calls it.
+    pub name: String,
+    /// Where each piece starts, ascending; at least two. The last piece goes on for ever.
+    pub starts: Vec<f64>,
+    /// The coefficients of the powers 0 to 3 of the distance from the start of each piece. Before the first start its tangent
+    /// holds.
+    pub pieces: Vec<[f64; 4]>,
+    /// After how much it is repeated, if it is: from the first start to the last.
+    pub period: Option<f64>,
+}
+
+impl Spline {
+    /// The value and the first three derivatives.
+    pub fn at(&self, argument: f64) -> [f64; 4] {
+        let (Some(&first), Some(&[height, slope, ..])) = (self.starts.first(), self.pieces.first())
+        else {
+            return [f64::NAN; 4];
+        };
+        let argument = match self.period {
+            Some(period) => argument - period * ((argument - first) / period).floor(),
+            None => argument,
+        };
+        let passed = self.starts.partition_point(|&start| start <= argument);
+        let Some(place) = passed.checked_sub(1) else {
+            return [height + slope * (argument - first), slope, 0.0, 0.0];
+        };
+        let [a, b, c, d] = self.pieces[place];
+        let along = argument - self.starts[place];
+        [
+            a + along * (b + along * (c + along * d)),
+            b + along * (2.0 * c + along * (3.0 * d)),
+            2.0 * c + along * (6.0 * d),
+            6.0 * d,
+        ]
+    }
+}
+
+impl Graph {
+    /// The id of a spline, the same for equal ones.
+    ///
+    /// # Panics
+    /// Where it has fewer than two pieces, or another number of starts.
+    pub fn add_spline(&mut self, spline: Spline) -> SplineId {
+        assert!(
+            spline.pieces.len() >= 2 && spline.pieces.len() == spline.starts.len(),
+            "every piece has a start"
+        );
+        let known = self.splines.iter().position(|known| **known == spline);
+        let place = known.unwrap_or_else(|| {
+            self.splines.push(Arc::new(spline));
+            self.splines.len() - 1
+        });
+        // A description is far shorter than 2^32 statements.
+        SplineId(place as u32)
+    }
+
+    /// What a spline is made of.
+    pub fn spline_of(&self, spline: SplineId) -> &Spline {
+        &self.splines[spline.index()]
+    }
+
+    /// Every spline with its id, in order of declaration.
+    pub fn splines(&self) -> impl Iterator<Item = (SplineId, &Spline)> {
+        let splines = (0u32..).zip(&self.splines);
+        splines.map(|(id, spline)| (SplineId(id), &**spline))
+    }
+
+    /// The derivative of this order of a spline at an argument.
+    pub fn spline(&mut self, spline: SplineId, order: u8, argument: ExprId) -> ExprId {
+        if !self.is_finite(argument) {
+            return self.not_a_number();
+        }
+        if order > 3 {
+            return self.zero();
+        }
+        if self.is_constant(argument)
+            && let Some(value) = self.constant_value(argument)
+        {
+            let found = self.spline_of(spline).at(value)[usize::from(order)];
+            return self.number(Number::float(found));
+        }
+        self.intern(Node::Spline {
+            spline,
+            order,
+            argument,
+        })
+    }
+}

@@ -1,0 +1,465 @@
+//! `table` statements → splines, and calls of tables → expressions.
+//!
+//! A table is a function of any argument, twice continuously differentiable through its points. Its pieces are computed here,
+//! once; so its points are numbers: neither t nor a parameter moves them. Deliberately unknown here: what depends on it.
+
+mod csv;
+mod pieces;
+
+use self::pieces::{Ends, spline};
+use super::dimension::Dimension;
+use super::expression::{FUNCTIONS, Value};
+use super::law::LAWS;
+use super::resolve::Resolver;
+use super::{Table, field_name};
+use crate::diagnostic::{Attachment, Code, Diagnostic, Span};
+use crate::expr::{ExprId, Number};
+use crate::syntax::{self, Expression, Name, Pair, TablePoints, is_relative};
+
+/// How a table may end, for help lines.
+const ENDS: &str =
+    "a table ends in `;` or `natural;`, in `clamped(SLOPE, SLOPE);`, or in `periodic;`";
+
+/// A number that is written in the description, and what it measures.
+type Entry<'a> = (&'a Expression, f64, Dimension);
+
+/// A point of a table.
+struct Point {
+    values: [f64; 2],
+    /// Where both are written; of a file, where it is named.
+    spans: [Span; 2],
+    /// Of a file, its line.
+    line: Option<usize>,
+}
+
+/// The points of a table with what both columns measure.
+struct Columns {
+    points: Vec<Point>,
+    dimensions: [Dimension; 2],
+}
+
+impl Resolver<'_> {
+    /// Declares a table, also where something is wrong with it, so that its uses are not reported too.
+    pub(super) fn add_table(&mut self, written: &syntax::Table) {
+        let name = &written.name;
+        if !self.may_be_declared(name) || !self.may_name_table(name) {
+            return;
+        }
+        let table = self.table(written);
+        let place = table.is_some().then_some(self.tables.len());
+        match self.table_names.declare(name, place) {
+            Some(duplicate) => self.diagnostics.push(duplicate),
+            None => self.tables.extend(table),
+        }
+    }
+
+    /// Reports a name that another function has, or that becomes the same constant as that of another table.
+    fn may_name_table(&mut self, name: &Name) -> bool {
+        let text = name.text.as_str();
+        let finding = |message: String| Diagnostic::error(Code::NameNotAllowed, name.span, message);
+        if FUNCTIONS.contains(&text) || LAWS.contains(&text) {
+            self.diagnostics.push(
+                finding(format!("`{text}` is a function of this language"))
+                    .label("calls could not tell them apart")
+                    .help("give the table another name"),
+            );
+            return false;
+        }
+        let mut others = self.table_names.iter().map(|(other, _)| other);
+        let alike = others
+            .find(|other| other.text != text && field_name(&other.text) == field_name(text))
+            .map(|other| (other.text.clone(), other.span));
+        if let Some((other, span)) = alike {
+            self.diagnostics.push(
+                finding(format!("tables `{other}` and `{text}` differ only in case"))
+                    .label("both would be one constant in the generated code")
+                    .also(span, "the other one")
+                    .help("give one of them another name"),
+            );
+            return false;
+        }
+        true
+    }
+
+    fn table(&mut self, written: &syntax::Table) -> Option<Table> {
+        let columns = self.columns(written);
+        let ends = self.ends(written, columns.as_ref().map(|columns| columns.dimensions));
+        let (Columns { points, dimensions }, ends) = (columns?, ends?);
+        let least = if ends == Ends::Periodic { 3 } else { 2 };
+        if points.len() < least {
+            let (given, kind) = match ends {
+                Ends::Periodic => (points.len(), "a periodic table"),
+                _ => (points.len(), "a table"),
+            };
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    written.place,
+                    format!("{kind} has at least {least} points, not {given}"),
+                )
+                .label(format!("{given} given"))
+                .help("write `table NAME = [(X, Y), (X, Y), …];`"),
+            );
+            return None;
+        }
+        let points: Vec<[f64; 2]> = points.iter().map(|point| point.values).collect();
+        let spline = spline(&written.name.text, &points, ends);
+        if !spline.pieces.iter().flatten().all(|part| part.is_finite()) {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::NotFinite,
+                    written.place,
+                    "the slopes of this table are too large",
+                )
+                .label("beyond 1.8e308")
+                .help("no number of a computer is as large; is a unit or an exponent wrong?"),
+            );
+            return None;
+        }
+        Some(Table {
+            name: written.name.text.clone(),
+            docs: written.docs.clone(),
+            spline: self.graph.add_spline(spline),
+            argument: dimensions[0],
+            value: dimensions[1],
+            used: false,
+            span: written.name.span,
+        })
+    }
+
+    /// The points: numbers, each column of one dimension, the first one increasing.
+    fn columns(&mut self, written: &syntax::Table) -> Option<Columns> {
+        let columns = match &written.points {
+            TablePoints::Listed(pairs) => self.listed(pairs),
+            TablePoints::InFile { path, units } => self.in_file(path, units.as_ref()),
+        }?;
+        let mut sound = true;
+        for pair in columns.points.windows(2) {
+            sound &= self.increases_to(&pair[0], &pair[1]);
+        }
+        let is_periodic = written
+            .ends
+            .as_ref()
+            .is_some_and(|ends| ends.word.text == "periodic");
+        if let (true, [first, .., last]) = (is_periodic && sound, &columns.points[..]) {
+            sound = self.returns(first, last);
+        }
+        sound.then_some(columns)
+    }
+
+    /// The points that the description lists.
+    fn listed(&mut self, pairs: &[Pair]) -> Option<Columns> {
+        let mut rows: Vec<[Entry<'_>; 2]> = Vec::new();
+        let mut sound = true;
+        for pair in pairs {
+            let [x, y] = [&pair.x, &pair.y].map(|part| self.entry(part));
+            let (Some(x), Some(y)) = (x, y) else {
+                sound = false;
+                continue;
+            };
+            if let Some(first) = rows.first().copied() {
+                for (own, first) in [x, y].into_iter().zip(first) {
+                    sound &= self.fits_like(own.0, own.2, (first.0, first.2));
+                }
+            }
+            rows.push([x, y]);
+        }
+        let joined = |column: usize| {
+            let dimensions = rows.iter().map(|row| row[column].2);
+            dimensions.reduce(Dimension::joined)
+        };
+        let dimensions = [joined(0), joined(1)].map(|found| found.unwrap_or(Dimension::Number));
+        let points = rows.iter().map(|row| Point {
+            values: row.map(|entry| entry.1),
+            spans: row.map(|entry| entry.0.span),
+            line: None,
+        });
+        let points = points.collect();
+        sound.then_some(Columns { points, dimensions })
+    }
+
+    /// The points of a file, each column in its unit.
+    fn in_file(&mut self, path: &Name, units: Option<&[Name; 2]>) -> Option<Columns> {
+        let one = (self.graph.one(), Dimension::Number);
+        let units = match units {
+            Some(units) => {
+                let found = [0, 1].map(|column| match units[column].text.as_str() {
+                    "1" => Some(one),
+                    _ => self.unit(&units[column]),
+                });
+                let [x, y] = found;
+                [x?, y?]
+            }
+            None => [one, one],
+        };
+        let attachments = self.attachments;
+        let text = match file_of(attachments, path) {
+            Ok(text) => text,
+            Err((message, help)) => {
+                self.report_file(path, message, help);
+                return None;
+            }
+        };
+        let rows = match csv::rows(text) {
+            Ok(rows) => rows,
+            Err(faults) => {
+                for fault in faults {
+                    let message =
+                        format!("line {} of `{}`: {}", fault.line, path.text, fault.message);
+                    self.report_file(path, message, fault.help);
+                }
+                return None;
+            }
+        };
+        let mut points = Vec::new();
+        for row in rows {
+            let [x, y] = [0, 1].map(|column| self.cell(row.cells[column], units[column].0));
+            let (Some(x), Some(y)) = (x, y) else {
+                let message = format!(
+                    "line {} of `{}` holds a number that is too large",
+                    row.line, path.text
+                );
+                self.report_file(path, message, "is its unit or its exponent wrong?");
+                return None;
+            };
+            points.push(Point {
+                values: [x, y],
+                spans: [path.span; 2],
+                line: Some(row.line),
+            });
+        }
+        Some(Columns {
+            points,
+            dimensions: units.map(|unit| unit.1),
+        })
+    }
+
+    /// The number in a cell, in SI units, rounded once: the same that a listed point would have.
+    fn cell(&mut self, cell: &str, unit: ExprId) -> Option<f64> {
+        let unsigned = cell.strip_prefix(['-', '+']).unwrap_or(cell);
+        let number = match unsigned.starts_with('.') {
+            true => Number::parse(&format!("0{unsigned}")),
+            false => Number::parse(unsigned),
+        };
+        let number = self.graph.number(number?);
+        let value = self.graph.multiply(number, unit);
+        let value = self.graph.constant_value(value)?;
+        let signed = if cell.starts_with('-') { -value } else { value };
+        signed.is_finite().then_some(signed)
+    }
+
+    fn report_file(&mut self, path: &Name, message: String, help: &str) {
+        self.diagnostics.push(
+            Diagnostic::error(Code::UnreadableTable, path.span, message)
+                .label("the points of this table")
+                .help(help),
+        );
+    }
+
+    /// Whether a point stands behind another one; an error where not.
+    fn increases_to(&mut self, before: &Point, point: &Point) -> bool {
+        if point.values[0] > before.values[0] {
+            return true;
+        }
+        let message = match point.line {
+            Some(line) => format!("the places of a table increase, but not in line {line}"),
+            None => "the places of a table increase".to_string(),
+        };
+        let finding = Diagnostic::error(Code::NotIncreasing, point.spans[0], message)
+            .help("order the points by their first value, and give each place once");
+        let finding = match point.line {
+            Some(_) => finding.label("the points of this table"),
+            None => finding
+                .label("not larger than the place before")
+                .also(before.spans[0], "the place before"),
+        };
+        self.diagnostics.push(finding);
+        false
+    }
+
+    /// A number that nothing changes.
+    fn entry<'a>(&mut self, written: &'a Expression) -> Option<Entry<'a>> {
+        let (value, dimension) = self.value(written)?;
+        if self.graph.is_constant(value) {
+            let number = self.graph.constant_value(value)?;
+            return Some((written, number, dimension));
+        }
+        let cause = self.moving(value);
+        let cause = cause.as_deref().unwrap_or("a parameter");
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::NotConstant,
+                written.span,
+                format!("a table cannot depend on {cause}"),
+            )
+            .label("a number is wanted here")
+            .help("the pieces of a table are computed once; multiply its value where it is used"),
+        );
+        None
+    }
+
+    /// Whether a periodic table ends at the value at which it begins; an error where not.
+    fn returns(&mut self, first: &Point, last: &Point) -> bool {
+        if first.values[1] == last.values[1] {
+            return true;
+        }
+        let finding = Diagnostic::error(
+            Code::PiecesApart,
+            last.spans[1],
+            "a periodic table ends at the value at which it begins",
+        )
+        .help("give the first and the last point the same value, or leave out `periodic`");
+        let finding = match (first.line, last.line) {
+            (Some(first), Some(last)) => finding.label(format!(
+                "the values in lines {first} and {last} of the file differ"
+            )),
+            _ => finding
+                .label("not the value of the first point")
+                .also(first.spans[1], "it begins here"),
+        };
+        self.diagnostics.push(finding);
+        false
+    }
+
+    /// The end conditions; the slopes of clamped ends are checked where it is known what the columns measure.
+    fn ends(
+        &mut self,
+        written: &syntax::Table,
+        dimensions: Option<[Dimension; 2]>,
+    ) -> Option<Ends> {
+        let Some(ends) = &written.ends else {
+            return Some(Ends::Natural);
+        };
+        match (ends.word.text.as_str(), &ends.slopes[..]) {
+            ("natural", []) => return Some(Ends::Natural),
+            ("periodic", []) => return Some(Ends::Periodic),
+            ("clamped", []) => return Some(Ends::Clamped([0.0; 2])),
+            ("clamped", [first, last]) => {
+                let slopes = [first, last].map(|slope| self.slope(slope, dimensions));
+                let [first, last] = slopes;
+                return Some(Ends::Clamped([first?, last?]));
+            }
+            (word @ ("natural" | "periodic" | "clamped"), slopes) => {
+                let wanted = if word == "clamped" {
+                    "two slopes"
+                } else {
+                    "no slopes"
+                };
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        Code::WrongArgumentCount,
+                        ends.span,
+                        format!("`{word}` takes {wanted}, not {}", slopes.len()),
+                    )
+                    .label(format!("{} given", slopes.len()))
+                    .help(ENDS),
+                );
+            }
+            (word, _) => self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    ends.word.span,
+                    format!("no table ends in `{word}`"),
+                )
+                .label("not an end condition")
+                .help(ENDS),
+            ),
+        }
+        None
+    }
+
+    fn slope(&mut self, written: &Expression, columns: Option<[Dimension; 2]>) -> Option<f64> {
+        let (_, slope, found) = self.entry(written)?;
+        let expected = columns.map_or(Dimension::Number, |[x, y]| y.times(x, -1));
+        if found.fits(expected) {
+            return Some(slope);
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::WrongDimension,
+                written.span,
+                format!("expected {}, found {}", expected.name(), found.name()),
+            )
+            .label(format!("this is {}", found.name()))
+            .help("a slope is a value over a place, such as `12mm/90deg`"),
+        );
+        None
+    }
+
+    /// `lift(x)`: the value of a declared table.
+    pub(super) fn look_up(
+        &mut self,
+        table: &Name,
+        arguments: &[Expression],
+        span: Span,
+    ) -> Option<Value> {
+        let name = &table.text;
+        let known = self.table_names.get(name).copied().flatten();
+        if let Some(table) = known.and_then(|place| self.tables.get_mut(place)) {
+            table.used = true;
+        }
+        let [written] = arguments else {
+            let given = arguments.len();
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongArgumentCount,
+                    span,
+                    format!("the table `{name}` takes 1 argument, not {given}"),
+                )
+                .label(format!("{given} given"))
+                .help(format!("write `{name}(…)` with one expression")),
+            );
+            return None;
+        };
+        let argument = self.value(written);
+        // A table with an error has been reported.
+        let table = self.tables.get(known?)?;
+        let (spline, place, value) = (table.spline, table.argument, table.value);
+        let (argument, found) = argument?;
+        if !found.fits(place) {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongDimension,
+                    written.span,
+                    format!(
+                        "the table `{name}` takes {}, not {}",
+                        place.name(),
+                        found.name()
+                    ),
+                )
+                .label(format!("this is {}", found.name()))
+                .help("divide by a quantity of the same unit, or write bare numbers for SI units"),
+            );
+            return None;
+        }
+        Some((self.graph.spline(spline, 0, argument), value))
+    }
+}
+
+/// The text of the file that a table names, or what is wrong with it and what to do.
+fn file_of<'a>(
+    attachments: &'a [Attachment],
+    path: &Name,
+) -> Result<&'a str, (String, &'static str)> {
+    let name = &path.text;
+    if !is_relative(name) {
+        let message = format!("`{name}` is no path relative to the description");
+        return Err((
+            message,
+            "name a file beside the description: `table lift = \"lift.csv\";`",
+        ));
+    }
+    match attachments.iter().find(|file| file.path == *name) {
+        Some(Attachment { text: Ok(text), .. }) => Ok(text),
+        Some(Attachment {
+            text: Err(cause), ..
+        }) => Err((
+            format!("cannot read `{name}`: {cause}"),
+            "paths are relative to the folder of the description",
+        )),
+        None => Err((
+            format!("`{name}` was not given together with the description"),
+            "whoever reads a description attaches the files that it names",
+        )),
+    }
+}

@@ -1,0 +1,108 @@
+//! *Tokens → a table:* `table lift = [(0deg, 0mm), (90deg, 12mm), (360deg, 0mm)] periodic;`, or with its
+//! points in a file: `table lift = "lift.csv" in (deg, mm) periodic;`.
+
+use proc_macro2::Delimiter;
+
+use super::document::{Ends, Name, Statement, Table, TablePoints};
+use super::expression::{after_expression, coordinates, expression};
+use super::reference::{identifier, separator};
+use super::statement::{equals, semicolon_after_operands};
+use super::tokens::{Outcome, Tokens};
+use crate::diagnostic::Span;
+
+/// How a table is written, for help lines.
+const FORM: &str = "a table is written `table NAME = [(X, Y), (X, Y), …];` or `table NAME = \"FILE\" in (UNIT, UNIT);`";
+
+/// How the units of a file are written, for help lines.
+const UNITS: &str =
+    "the units of both columns are written `in (deg, mm)`, with `1` for a plain number";
+
+/// How a table may end, for help lines.
+const ENDS: &str = "a table ends in `;`, `natural;`, `clamped(SLOPE, SLOPE);` or `periodic;`";
+
+/// The statement after its first word.
+pub(super) fn table(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
+    let name = identifier(tokens, "the name of a table")?;
+    equals(tokens)?;
+    let (points, place) = match tokens.text() {
+        Some(path) => {
+            let place = path.span;
+            let units = match tokens.keyword("in") {
+                Some(_) => Some(units(tokens)?),
+                None => None,
+            };
+            (TablePoints::InFile { path, units }, place)
+        }
+        None => listed(tokens)?,
+    };
+    let ends = match tokens.peek_word() {
+        Some(_) if !tokens.at_statement() => Some(ends(tokens)?),
+        _ => None,
+    };
+    let span = start.to(semicolon_after_operands(tokens, start)?);
+    Ok(Statement::Table(Table {
+        docs,
+        name,
+        points,
+        place,
+        ends,
+        span,
+    }))
+}
+
+/// `[(X, Y), (X, Y)]`
+fn listed(tokens: &mut Tokens<'_>) -> Outcome<(TablePoints, Span)> {
+    let Some((mut inner, place)) = tokens.group(Delimiter::Bracket) else {
+        return Err(tokens.unexpected("`[` or the name of a file in quotes", FORM));
+    };
+    let mut points = Vec::new();
+    while !inner.at_end() {
+        points.push(coordinates(&mut inner, 2)?.0);
+        if inner.mark(',').is_none() && !inner.at_end() {
+            let help = "the points of a table are separated with `,`";
+            return Err(separator(&inner, "`,` or `]`", help));
+        }
+    }
+    Ok((TablePoints::Listed(points), place))
+}
+
+/// `(deg, mm)` behind `in`; `1` for a plain number.
+fn units(tokens: &mut Tokens<'_>) -> Outcome<[Name; 2]> {
+    let wanted = "`(UNIT, UNIT)`";
+    let Some((mut inner, _)) = tokens.group(Delimiter::Parenthesis) else {
+        return Err(tokens.unexpected(wanted, UNITS));
+    };
+    let mut unit = |ends: bool| {
+        let unit = inner.word().or_else(|| inner.number());
+        let unit = unit.ok_or_else(|| inner.unexpected("a unit", UNITS))?;
+        let closed = if ends {
+            inner.at_end()
+        } else {
+            inner.mark(',').is_some()
+        };
+        if !closed {
+            let wanted = if ends { "`)`" } else { "`,`" };
+            return Err(inner.unexpected(wanted, UNITS));
+        }
+        Ok(unit)
+    };
+    Ok([unit(false)?, unit(true)?])
+}
+
+fn ends(tokens: &mut Tokens<'_>) -> Outcome<Ends> {
+    let Some(word) = tokens.word() else {
+        return Err(tokens.unexpected("how the table ends", ENDS));
+    };
+    let mut span = word.span;
+    let mut slopes = Vec::new();
+    if let Some((mut inner, brackets)) = tokens.group(Delimiter::Parenthesis) {
+        span = span.to(brackets);
+        while !inner.at_end() {
+            slopes.push(expression(&mut inner)?);
+            if inner.mark(',').is_none() && !inner.at_end() {
+                return Err(after_expression(&inner, "an operation, `,` or `)`", ENDS));
+            }
+        }
+    }
+    Ok(Ends { word, slopes, span })
+}
