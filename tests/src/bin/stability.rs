@@ -99,7 +99,12 @@ fn run(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
     let summary = format!(
         "{total} cells: {} within the bound ({} of them where it leaves less than three digits, {} of which are off by more than 1e-3), {} typed failures where there is a \
          pose, {} where there is none or the description is refused, **{} wrong**.\n",
-        counts.solved, counts.without_digits, counts.far_off, counts.failed, counts.impossible, counts.wrong
+        counts.solved,
+        counts.without_digits,
+        counts.far_off,
+        counts.failed,
+        counts.impossible,
+        counts.wrong
     );
     println!("{summary}");
     let profile = if cfg!(debug_assertions) {

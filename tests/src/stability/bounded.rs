@@ -48,6 +48,9 @@ fn power(base: Bounded, factor: &Factor, ulp: f64) -> Bounded {
 }
 
 /// The values of the nodes in `order` (operands first), by the node's index, where one rounding is the part `ulp` of a value.
+///
+/// # Panics
+/// Where a table occurs: no mechanism of the study has one.
 pub fn bounds(graph: &Graph, order: &[ExprId], symbols: &[Bounded], ulp: f64) -> Vec<Bounded> {
     let mut all = vec![Bounded::exact(f64::NAN); graph.node_count()];
     for &id in order {
@@ -100,6 +103,7 @@ pub fn bounds(graph: &Graph, order: &[ExprId], symbols: &[Bounded], ulp: f64) ->
             } else {
                 otherwise
             }),
+            other @ Node::Spline { .. } => panic!("no bound of {other:?}"),
         };
     }
     all

@@ -146,6 +146,9 @@ fn power(base: &Precise, factor: &Factor) -> Precise {
 }
 
 /// The values of the nodes in `order` (operands first), by the node's index; `symbols` holds a value for each symbol.
+///
+/// # Panics
+/// Where a table occurs: no mechanism of the study has one.
 pub fn values(graph: &Graph, order: &[ExprId], symbols: &[Precise]) -> Vec<Precise> {
     let zero = Precise::from_f64(0.0);
     let mut all = vec![zero.clone(); graph.node_count()];
@@ -185,6 +188,7 @@ pub fn values(graph: &Graph, order: &[ExprId], symbols: &[Precise]) -> Vec<Preci
                 otherwise
             })
             .clone(),
+            other @ Node::Spline { .. } => panic!("no precise value of {other:?}"),
         };
     }
     all
