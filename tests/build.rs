@@ -17,7 +17,8 @@ fn main() {
         scalar: Scalar::F32,
     };
     linkwright_codegen::build_with("../mechanisms", &single);
-    linkwright_codegen::build_with(single_study::write("descriptions"), &single);
+    linkwright_codegen::build("stability");
+    linkwright_codegen::build_with(single_study::write("stability"), &single);
     let tables = fs::read_to_string("descriptions/tables.mech").expect("the description");
     // One with errors is reported where it is built for itself.
     if let Ok(tables) = generate_with(&Source::new("tables.mech", tables), &single) {

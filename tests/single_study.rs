@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-/// Writes `descriptions/study_NAME.mech` as `single_study_NAME`; gives the folder.
+/// Writes `study_NAME.mech` of a folder as `single_study_NAME`; gives the folder.
 pub fn write(folder: &str) -> PathBuf {
     let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it")).join("single_study");
     fs::create_dir_all(&output).expect("a folder of its own");
