@@ -104,7 +104,7 @@ pub fn read(source: &Source) -> Result<Read, Diagnostics> {
     diagnostics.extend(resolving);
     match mechanisms {
         Some(mechanisms) => Ok(Read {
-            motions: mechanisms.into_iter().map(system::assemble).collect(),
+            motions: mechanisms.into_iter().map(structure::released).collect(),
             warnings: diagnostics,
         }),
         None => Err(diagnostics),

@@ -1,7 +1,7 @@
 //! *Formulas printed in ASCII and values of their names* → *their values*.
 //!
 //! Reads what `linkwright plan` and `linkwright inspect` print: sums, products, quotients, powers, functions, names with
-//! primes, lengths in bars. It shares no code with the printer.
+//! primes, lengths in bars, and choices `if a < b { c } else { d }`. It shares no code with the printer.
 
 use std::collections::BTreeMap;
 
@@ -70,7 +70,39 @@ impl<'a> Reader<'a> {
         Some(base)
     }
 
+    /// What follows `if`. Every arm must be a formula, whether or not it counts.
+    fn choice(&mut self) -> Option<f64> {
+        let left = self.sum()?;
+        let is_less = self.take("<");
+        if !is_less && !self.take(">") {
+            return None;
+        }
+        let right = self.sum()?;
+        let below = self.arm()?;
+        if !self.take("else ") {
+            return None;
+        }
+        let otherwise = if self.take("if ") {
+            self.choice()?
+        } else {
+            self.arm()?
+        };
+        let holds = if is_less { left < right } else { left > right };
+        Some(if holds { below } else { otherwise })
+    }
+
+    fn arm(&mut self) -> Option<f64> {
+        if !self.take("{") {
+            return None;
+        }
+        let value = self.sum()?;
+        self.take("}").then_some(value)
+    }
+
     fn operand(&mut self) -> Option<f64> {
+        if self.take("if ") {
+            return self.choice();
+        }
         if self.take("(") {
             let value = self.sum()?;
             return self.take(")").then_some(value);
@@ -112,6 +144,7 @@ impl<'a> Reader<'a> {
         match (name, second) {
             ("sin", None) => Some(first.sin()),
             ("cos", None) => Some(first.cos()),
+            ("floor", None) => Some(first.floor()),
             ("sqrt", None) => Some(first.sqrt()),
             ("atan2", Some(second)) => Some(first.atan2(second)),
             _ => None,

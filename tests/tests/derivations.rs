@@ -157,8 +157,18 @@ fn calculated(text: &str, t: f64, others: &Values) -> Calculated {
     let mut values = others.clone();
     values.insert("t".to_string(), t);
     let mut printed = Vec::new();
+    // A wide choice goes on over several lines.
+    let mut lines: Vec<String> = Vec::new();
     for line in text.lines().filter_map(|line| line.strip_prefix("    ")) {
-        let line = line.split("  [").next().unwrap_or(line).trim();
+        match lines.last_mut() {
+            Some(begun) if line.trim_start().starts_with("else ") => {
+                *begun = format!("{begun} {}", line.trim());
+            }
+            _ => lines.push(line.to_string()),
+        }
+    }
+    for line in lines {
+        let line = line.split("  [").next().unwrap_or(&line).trim();
         let Some((left, right)) = line.split_once(" = ") else {
             continue;
         };
@@ -340,6 +350,14 @@ fn a_wrong_formula_would_be_found() {
         &none,
     );
     assert!((chain.values["phi2"] - 0.8_f64.atan2(0.6)).abs() < 1e-15);
+    let pieces = calculated(
+        "    turn_1 = t - 2*floor(t/2)\n    k = if turn_1 < 0.5 { 1 }\n        else if turn_1 > 1.5 { 2*t }\n        else { 3 }\n    z = -(if k > 2 { k } else { 0 })\n",
+        3.75,
+        &none,
+    );
+    assert_eq!(pieces.values["turn_1"], 1.75);
+    assert_eq!(pieces.values["k"], 7.5);
+    assert_eq!(pieces.values["z"], -7.5);
     assert!(
         calculated("    LG + GH = LH\n    x = y'\n", 0.0, &none)
             .printed

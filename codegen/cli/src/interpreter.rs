@@ -29,6 +29,9 @@ pub struct Interpreter {
     places: Vec<usize>,
     time_derivative: Tape,
     gamma: Tape,
+    /// The residuals of the rows that are not solved.
+    monitored: Tape,
+    monitored_count: usize,
     /// Six results per output: position, velocity, acceleration.
     outputs: Tape,
     output_names: Vec<String>,
@@ -115,6 +118,11 @@ impl Interpreter {
             jacobian: Tape::new(graph, &entries),
             time_derivative: rows(|row| row.time_derivative),
             gamma: rows(|row| row.gamma),
+            monitored: {
+                let watched = system.monitored.iter().map(|row| row.residual);
+                Tape::new(graph, &watched.collect::<Vec<_>>())
+            },
+            monitored_count: system.monitored.len(),
             outputs: Tape::new(graph, &motions),
             pressures: Tape::new(graph, &pressures),
             pressure_count: system.pressures.len(),
@@ -272,6 +280,13 @@ impl Interpreter {
             &mut scratch.workspace,
             magnitudes.as_mut_slice(),
         );
+    }
+
+    /// The residuals of the redundant equations, in the order of [`System::monitored`].
+    pub fn monitored(&self, q: &DVector<f64>, t: f64) -> DVector<f64> {
+        let mut residuals = DVector::zeros(self.monitored_count);
+        self.evaluate(&self.monitored, q, None, t, &mut residuals);
+        residuals
     }
 
     /// Puts in the time and what the inputs are then.

@@ -20,6 +20,12 @@ pub struct Residuals {
     /// max |Φ_i| / m_i, where m_i is the sum of the absolute values of the terms of Φ_i, or the scale of the row if that is
     /// larger: a multiple of ε = 2.2e-16 where the rest is rounding.
     pub scaled: f64,
+    /// The largest residual of the redundant equations, which are not solved, in m or rad; `None` where there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub monitored: Option<f64>,
+    /// The redundant equation of `monitored`.
+    #[serde(skip)]
+    pub monitored_row: usize,
     /// max |Φ_q q̇ + Φ_t|, in m/s or rad/s.
     pub velocity: f64,
     /// max |Φ_q q̈ - γ|, in m/s² or rad/s².
@@ -45,6 +51,13 @@ impl Residuals {
                 }
                 let scale = magnitude.max(interpreter.row_scale(row));
                 largest.scaled = largest.scaled.max(value.abs() / scale);
+            }
+            let watched = interpreter.monitored(&frame.q, frame.t);
+            for (row, value) in watched.iter().enumerate() {
+                if largest.monitored.is_none_or(|most| value.abs() > most) {
+                    largest.monitored = Some(value.abs());
+                    largest.monitored_row = row;
+                }
             }
             interpreter.jacobian(&frame.q, frame.t, &mut matrix);
             interpreter.time_derivative(&frame.q, frame.t, &mut right_hand_side);

@@ -94,6 +94,12 @@ codes! {
     TooFewEquations = "K32";
     /// More equations than coordinates: some bodies are constrained twice.
     TooManyEquations = "K33";
+    /// Equations that say the same in every pose, so that they determine less than their number.
+    DependentEquations = "K34";
+    /// A joint marked `redundant` that repeats nothing.
+    NotRedundant = "K35";
+    /// Equations that repeat one another but do not agree, so that there is no pose.
+    ContradictingEquations = "K36";
 }
 
 impl fmt::Display for Code {

@@ -8,7 +8,7 @@ pub use inspect::inspect;
 
 use crate::expr::ExprId;
 use crate::system::{SymbolRole, System};
-use formula::Printer;
+pub(super) use formula::Printer;
 
 /// One expression for math mode, with the bodies mentioned in this order.
 pub fn formula(system: &System, bodies: &[usize], expr: ExprId) -> String {

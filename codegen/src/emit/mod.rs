@@ -5,6 +5,7 @@
 
 pub mod derivation;
 pub mod latex;
+mod named_parts;
 mod notation;
 mod parts;
 pub mod report;

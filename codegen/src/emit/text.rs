@@ -4,7 +4,7 @@ mod formula;
 mod inspect;
 pub(super) mod table;
 
-use formula::Printer;
+pub(super) use formula::Printer;
 pub(crate) use inspect::given;
 pub use inspect::inspect;
 

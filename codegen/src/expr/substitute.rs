@@ -1,4 +1,4 @@
-//! Substitution: *an expression and replacements of symbols* → *the expression with all of them put in at once*.
+//! Substitution: *an expression and replacements of symbols or parts* → *the expression with all of them put in at once*.
 //!
 //! The result is built with the same constructors, so it is as canonical as one written directly. Shared parts are rebuilt
 //! once; parts without a replaced symbol are not visited. The recursion is as deep as the expression.
@@ -15,6 +15,8 @@ struct Substitution {
     /// Sorted by symbol.
     replacements: Vec<(SymbolId, ExprId)>,
     done: HashMap<ExprId, ExprId, BuildExprHasher>,
+    /// Whether `done` holds what replaces parts that are no symbols, so that everything is visited.
+    parts: bool,
 }
 
 impl Graph {
@@ -27,12 +29,24 @@ impl Graph {
         let mut substitution = Substitution {
             replacements,
             done: HashMap::default(),
+            parts: false,
+        };
+        self.replace(expr, &mut substitution)
+    }
+
+    /// Replaces parts by expressions wherever they occur, but not the expression itself.
+    pub fn replace_parts(&mut self, expr: ExprId, replacements: &[(ExprId, ExprId)]) -> ExprId {
+        let done = replacements.iter().copied();
+        let mut substitution = Substitution {
+            replacements: Vec::new(),
+            done: done.filter(|&(part, _)| part != expr).collect(),
+            parts: true,
         };
         self.replace(expr, &mut substitution)
     }
 
     fn replace(&mut self, expr: ExprId, substitution: &mut Substitution) -> ExprId {
-        if !self.concerns(expr, substitution) {
+        if !substitution.parts && !self.concerns(expr, substitution) {
             return expr;
         }
         if let Some(&known) = substitution.done.get(&expr) {

@@ -88,6 +88,10 @@ pub trait Kind: Sync {
     fn joins_points(&self) -> bool {
         false
     }
+    /// The joint that says what is left where this row of it, by its component, is not wanted.
+    fn without(&self, _component: &str) -> Option<&'static str> {
+        None
+    }
     /// The unknowns of its vector form beyond the coordinates.
     fn auxiliaries(&self) -> &'static [Auxiliary] {
         &[]

@@ -28,6 +28,14 @@ impl Kind for Revolute {
         true
     }
 
+    fn without(&self, component: &str) -> Option<&'static str> {
+        match component {
+            "x" => Some("`relative_y(1.P, 2.P) = 0;`"),
+            "y" => Some("`relative_x(1.P, 2.P) = 0;`"),
+            _ => None,
+        }
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let positions = [
             operands.marks[0].position(graph),

@@ -25,6 +25,14 @@ impl Kind for Translational {
         "`translational (1, 2) along P -> Q;` with P on body 1 and Q on body 2"
     }
 
+    fn without(&self, component: &str) -> Option<&'static str> {
+        match component {
+            "angle" => Some("`point_on_line (2.Q, 1) along P -> R;` with P and R on body 1"),
+            "lateral" => Some("`relative_angle(1, 2);`"),
+            _ => None,
+        }
+    }
+
     fn auxiliaries(&self) -> &'static [Auxiliary] {
         &[Auxiliary::Displacement]
     }

@@ -26,6 +26,10 @@ impl Kind for Weld {
         "`weld (1, 2);`"
     }
 
+    fn without(&self, component: &str) -> Option<&'static str> {
+        (component == "angle").then_some("`revolute P(1, 2);`")
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let mut rows = Revolute.rows(operands, graph);
         let [i, j] = [0, 1].map(|side| operands.drawn[side].frame.angle);

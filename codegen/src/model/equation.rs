@@ -75,6 +75,7 @@ impl Resolver<'_> {
         let joint = Joint {
             kind: EQUATION,
             role,
+            redundant: equation.redundant,
             label,
             slug: self.unique(&slug),
             docs: equation.docs.clone(),

@@ -5,7 +5,7 @@ use super::operands::Given;
 use super::resolve::Resolver;
 use super::synonyms::{self, meant};
 use super::{Joint, Role};
-use crate::diagnostic::{Code, Diagnostic, nearest};
+use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 use crate::joint::{CONSTRAINTS, DRIVERS, Kind};
 use crate::syntax;
 
@@ -44,7 +44,7 @@ impl Resolver<'_> {
             value: joint.value.as_ref(),
             span: joint.span,
         };
-        self.add_rows_of(&given, &joint.docs);
+        self.add_rows_of(&given, joint.redundant, &joint.docs);
     }
 
     pub(super) fn add_driver(&mut self, drive: &syntax::Drive) {
@@ -92,7 +92,7 @@ impl Resolver<'_> {
             value: Some(&drive.value),
             span: drive.span,
         };
-        self.add_rows_of(&given, &drive.docs);
+        self.add_rows_of(&given, None, &drive.docs);
     }
 
     /// The point K of `drive K.x` on the first body that carries it; a body, or a point of a body, as it is written.
@@ -127,7 +127,7 @@ impl Resolver<'_> {
         None
     }
 
-    fn add_rows_of(&mut self, given: &Given<'_>, docs: &[String]) {
+    fn add_rows_of(&mut self, given: &Given<'_>, redundant: Option<Span>, docs: &[String]) {
         let Some(operands) = self.operands(given) else {
             return;
         };
@@ -136,6 +136,7 @@ impl Resolver<'_> {
         let joint = Joint {
             kind: given.kind,
             role: given.role,
+            redundant,
             label,
             slug,
             docs: docs.to_vec(),

@@ -197,6 +197,8 @@ pub struct Joint {
     pub kind: &'static dyn Kind,
     /// Constraint or driver.
     pub role: Role,
+    /// The word `redundant` before it, which allows its rows to repeat what others say.
+    pub redundant: Option<Span>,
     /// How messages name it, as the description does: `revolute P(1, 2)`.
     pub label: String,
     /// What its rows are named after in generated code: `p`, `drive_phi_1`; unique.

@@ -70,11 +70,16 @@ fn textbook(system: &System, constants: &mut Constants) -> Textbook {
                 .map(|entry| (entry.value, row.bodies.clone()))
         })
         .collect();
+    let watched = system.monitored.iter();
+    let watched: Vec<_> = watched
+        .map(|row| (row.residual, row.bodies.clone()))
+        .collect();
     Textbook {
         residual: Straight::new(by_row(&|row| row.residual), system, constants),
         jacobian: Straight::new(entries, system, constants),
         time_derivative: Straight::new(by_row(&|row| row.time_derivative), system, constants),
         gamma: Straight::new(by_row(&|row| row.gamma), system, constants),
+        monitored: (!watched.is_empty()).then(|| Straight::new(watched, system, constants)),
     }
 }
 

@@ -47,6 +47,8 @@ pub struct Textbook {
     pub time_derivative: Straight,
     /// γ: one result a row.
     pub gamma: Straight,
+    /// The residuals of the rows that are monitored instead of solved, where there are any.
+    pub monitored: Option<Straight>,
 }
 
 /// More coordinates than these make a dense Φ_q of over 175 kB, which no firmware and few threads have room for.

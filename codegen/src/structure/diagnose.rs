@@ -1,24 +1,32 @@
 //! Parts that are not square → messages that name bodies and joints.
 
 use super::Parts;
+use super::rank::{Dependence, Survey};
+use super::repetition::{advice, with_freedom};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::model::{Joint, Role};
 use crate::system::{Described, System};
 
 /// How many places a message points at before it says how many more there are.
-const SHOWN: usize = 6;
+pub(super) const SHOWN: usize = 6;
 
 pub(super) fn report(system: &System, parts: &Parts, diagnostics: &mut Diagnostics) {
+    // What the numbers say besides: nothing where the equations do not hold together near the drawing.
+    let survey = Survey::of(system);
     if !parts.free_columns.is_empty() {
-        diagnostics.push(too_few(system, parts));
+        let mut diagnostic = too_few(system, parts);
+        if let Some(survey) = &survey {
+            diagnostic = with_freedom(diagnostic, system, survey);
+        }
+        diagnostics.push(diagnostic);
     }
     if !parts.free_rows.is_empty() {
-        diagnostics.push(too_many(system, parts));
+        diagnostics.push(too_many(system, parts, survey.as_ref()));
     }
 }
 
 /// `1 equation`, `2 equations`.
-fn count(number: usize, one: &str, several: &str) -> String {
+pub(super) fn count(number: usize, one: &str, several: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { several })
 }
 
@@ -34,7 +42,7 @@ fn listed<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
     }
 }
 
-fn balance(system: &System) -> String {
+pub(super) fn balance(system: &System) -> String {
     let constraints = system
         .rows
         .iter()
@@ -153,7 +161,7 @@ fn free_coordinates(system: &System, parts: &Parts) -> String {
     listed(names)
 }
 
-fn too_many(system: &System, parts: &Parts) -> Diagnostic {
+fn too_many(system: &System, parts: &Parts, survey: Option<&Survey>) -> Diagnostic {
     let mut joints: Vec<usize> = parts
         .over_rows
         .iter()
@@ -191,6 +199,32 @@ fn too_many(system: &System, parts: &Parts) -> Diagnostic {
     ));
     for &other in joints.iter().filter(|&&other| other != first).take(SHOWN) {
         diagnostic = diagnostic.also(joint(other).span, "acts on the same coordinates");
+    }
+    if let Some(survey) = survey {
+        // They hold together all the same: what repeats the others can be said.
+        for found in &survey.dependences {
+            let row = system.row(found.row);
+            let own: Vec<&Dependence> = survey
+                .dependences
+                .iter()
+                .filter(|other| system.row(other.row).joint == row.joint)
+                .collect();
+            if own[0] != found {
+                continue;
+            }
+            let label = &joint(row.joint).label;
+            diagnostic = diagnostic.note(format!("`{label}` repeats what the others say"));
+            for help in advice(system, joint(row.joint), &own) {
+                diagnostic = diagnostic.help(help);
+            }
+        }
+        if !survey.dependences.is_empty() {
+            // What can still move is said where equations are too few.
+            if parts.free_columns.is_empty() {
+                diagnostic = with_freedom(diagnostic, system, survey);
+            }
+            return diagnostic.note(balance(system));
+        }
     }
     diagnostic
         .help(format!(

@@ -9,19 +9,24 @@ mod determinant;
 mod diagnose;
 mod elimination;
 mod following;
+mod freedom;
 mod incidence;
 mod matching;
 mod parts;
 mod plan;
+mod rank;
 mod recognition;
+mod repetition;
 
 pub use components::components;
 pub use determinant::{Determinant, LARGEST_WRITTEN_OUT, determinant};
 pub use elimination::Definition;
+pub use freedom::Freedom;
 pub use incidence::Incidence;
 pub use matching::{Matching, maximum_matching};
 pub use parts::{Parts, coarse_parts};
 pub use plan::{SolvedBlock, SolvedPlan, Step, plan, plan_of_motion};
+pub use rank::{Dependence, FreeMotion, LARGEST_SURVEY, Moves, Survey, released};
 
 use crate::diagnostic::Diagnostics;
 use crate::system::System;
@@ -51,22 +56,28 @@ pub enum Method {
     Newton,
 }
 
-/// The textbook plan: all equations in one dense block. `None` where the system is not structurally square; what is missing
-/// or too much is then in `diagnostics`.
+/// The textbook plan: all equations in one dense block. `None` where the equations do not determine the motion: what is missing,
+/// too much, or repeated is then in `diagnostics`.
 pub fn analyze(system: &System, diagnostics: &mut Diagnostics) -> Option<Plan> {
     let incidence = Incidence::of(system);
     let matching = maximum_matching(&incidence);
     let parts = coarse_parts(&incidence, &matching);
-    if parts.is_square() {
-        let block = Block {
+    let mut found = Diagnostics::new();
+    repetition::report_marks(system, &mut found);
+    if !parts.is_square() {
+        diagnose::report(system, &parts, &mut found);
+    } else if !found.has_errors()
+        && let Some(singular) = rank::singular(system, &incidence, &matching)
+    {
+        repetition::report(system, &singular, &mut found);
+    }
+    let is_determined = !found.has_errors();
+    diagnostics.extend(found);
+    is_determined.then(|| Plan {
+        blocks: vec![Block {
             equations: (0..system.rows.len()).collect(),
             unknowns: (0..system.coordinates.len()).collect(),
             method: Method::Newton,
-        };
-        return Some(Plan {
-            blocks: vec![block],
-        });
-    }
-    diagnose::report(system, &parts, diagnostics);
-    None
+        }],
+    })
 }

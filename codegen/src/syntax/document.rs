@@ -287,11 +287,13 @@ pub enum Member {
     },
 }
 
-/// `KIND NAME? (OPERANDS) [along REFERENCE -> REFERENCE] [= EXPRESSION];`
+/// `[redundant] KIND NAME? (OPERANDS) [along REFERENCE -> REFERENCE] [= EXPRESSION];`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
     /// The `///` lines above it.
     pub docs: Vec<String>,
+    /// The word `redundant`, where it is written.
+    pub redundant: Option<Span>,
     /// The word it starts with; whether such a kind exists is not checked here.
     pub kind: Name,
     /// The joint's own name, which for some kinds is that of a point.
@@ -325,11 +327,13 @@ pub struct Drive {
     pub span: Span,
 }
 
-/// `equation [NAME:] EXPRESSION = EXPRESSION;`
+/// `[redundant] equation [NAME:] EXPRESSION = EXPRESSION;`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equation {
     /// The `///` lines above it.
     pub docs: Vec<String>,
+    /// The word `redundant`, where it is written.
+    pub redundant: Option<Span>,
     /// The equation's own name.
     pub name: Option<Name>,
     /// What stands left of `=`.

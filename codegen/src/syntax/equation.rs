@@ -11,6 +11,7 @@ use crate::diagnostic::Span;
 pub(super) fn equation(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
+    redundant: Option<Span>,
     start: Span,
 ) -> Outcome<Statement> {
     let name = name(tokens)?;
@@ -20,6 +21,7 @@ pub(super) fn equation(
     let span = start.to(semicolon(tokens, start)?);
     Ok(Statement::Equation(Equation {
         docs,
+        redundant,
         name,
         left,
         right,

@@ -47,7 +47,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 12] = [
+pub const KEYWORDS: [&str; 13] = [
     "const",
     "param",
     "input",
@@ -57,6 +57,7 @@ pub const KEYWORDS: [&str; 12] = [
     "curve",
     "drive",
     "equation",
+    "redundant",
     "output",
     "transmission",
     "motion",

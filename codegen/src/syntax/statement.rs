@@ -35,11 +35,12 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "body" => body(tokens, docs, first.span).map(Statement::Body),
         "curve" => curve(tokens, docs, first.span),
         "drive" => drive(tokens, docs, first.span),
-        "equation" => equation(tokens, docs, first.span),
+        "equation" => equation(tokens, docs, None, first.span),
+        "redundant" => redundant(tokens, docs, first.span),
         "output" => output(tokens, docs, first.span),
         "transmission" => transmission(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),
-        _ => joint(tokens, docs, first),
+        _ => joint(tokens, docs, None, first),
     }
 }
 
@@ -125,7 +126,29 @@ fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Sta
     }))
 }
 
-fn joint(tokens: &mut Tokens<'_>, docs: Vec<String>, kind: Name) -> Outcome<Statement> {
+/// The joint or equation after the word `redundant`.
+fn redundant(tokens: &mut Tokens<'_>, docs: Vec<String>, mark: Span) -> Outcome<Statement> {
+    let help = "`redundant` stands before a joint or an equation: `redundant revolute P(1, 2);`";
+    match tokens.peek_word() {
+        Some(word) if word == "equation" || !KEYWORDS.contains(&word) => {}
+        _ => return Err(tokens.unexpected("a joint or an equation", help)),
+    }
+    let Some(first) = tokens.word() else {
+        return Err(tokens.unexpected("a joint or an equation", help));
+    };
+    if first.text == "equation" {
+        equation(tokens, docs, Some(mark), mark)
+    } else {
+        joint(tokens, docs, Some(mark), first)
+    }
+}
+
+fn joint(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    redundant: Option<Span>,
+    kind: Name,
+) -> Outcome<Statement> {
     let mut ahead = *tokens;
     let named = ahead.word().is_some() || ahead.number().is_some();
     if !ahead.peek_group(Delimiter::Parenthesis) {
@@ -136,7 +159,7 @@ fn joint(tokens: &mut Tokens<'_>, docs: Vec<String>, kind: Name) -> Outcome<Stat
     } else {
         None
     };
-    let start = kind.span;
+    let start = redundant.unwrap_or(kind.span);
     let operands = operands(tokens)?;
     let along = match tokens.keyword("along") {
         Some(_) => Some(direction(tokens)?),
@@ -162,6 +185,7 @@ fn joint(tokens: &mut Tokens<'_>, docs: Vec<String>, kind: Name) -> Outcome<Stat
     };
     Ok(Statement::Joint(Joint {
         docs,
+        redundant,
         kind,
         name,
         operands,

@@ -9,7 +9,12 @@ use crate::joint::{self, Quantity};
 use crate::model::{Body, Mechanism};
 
 /// States Φ row by row in written order and differentiates it.
-pub fn assemble(mut mechanism: Mechanism) -> System {
+pub fn assemble(mechanism: Mechanism) -> System {
+    assemble_without(mechanism, &[])
+}
+
+/// The same with some of the rows monitored instead of solved: their places in the written order, ascending.
+pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> System {
     let coordinates = coordinates(&mut mechanism);
     let explicit = mechanism.explicit_rates();
     // The poses come first, three coordinates to a body; then what only one joint has.
@@ -22,7 +27,9 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         let own = Described::Contact { joint };
         (poses..all.len()).filter(move |&at| all[at].describes == own)
     };
-    let mut rows = Vec::new();
+    let (mut rows, mut monitored, mut place) = (Vec::new(), Vec::new(), 0);
+    // Of each joint, which of its rows are not solved.
+    let mut dropped: Vec<Vec<bool>> = Vec::with_capacity(mechanism.joints.len());
     let mut row_names = RowNames::default();
     let Mechanism {
         graph,
@@ -48,11 +55,19 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
             involved.iter().map(|&at| (at, &coordinates[at])).collect();
         let stated = joint.kind.rows(&joint.operands, graph);
         let names = row_names.of(joint, &stated);
+        let mut own = Vec::with_capacity(stated.len());
         for (stated, name) in stated.into_iter().zip(names) {
-            rows.push(differentiate(
-                stated, index, name, &bodies, &involved, &explicit, graph,
-            ));
+            let row = differentiate(stated, index, name, &bodies, &involved, &explicit, graph);
+            let is_dropped = monitored_rows.binary_search(&place).is_ok();
+            if is_dropped {
+                monitored.push(row);
+            } else {
+                rows.push(row);
+            }
+            own.push(is_dropped);
+            place += 1;
         }
+        dropped.push(own);
     }
     let outputs = points
         .iter()
@@ -73,13 +88,14 @@ pub fn assemble(mut mechanism: Mechanism) -> System {
         .collect();
     let directions = directions(&mut mechanism, &rows);
     let pressures = pressures(&mut mechanism, &coordinates);
-    let vector_form = VectorForm::new(&mut mechanism, &coordinates);
+    let vector_form = VectorForm::new(&mut mechanism, &coordinates, &dropped);
     let mut roles = roles(&mechanism, &coordinates);
     vector_form.note_roles(&mut roles, coordinates.len());
     System {
         mechanism,
         coordinates,
         rows,
+        monitored,
         outputs,
         directions,
         pressures,

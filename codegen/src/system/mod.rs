@@ -15,7 +15,7 @@ mod row_name;
 mod vector_form;
 mod written_order;
 
-pub use assemble::assemble;
+pub use assemble::{assemble, assemble_without};
 pub use direction::{Cause, Direction};
 pub use orientation::Orientations;
 pub use pressure::Pressure;
@@ -35,6 +35,8 @@ pub struct System {
     pub coordinates: Vec<Coordinate>,
     /// Φ and what is derived from it, a row per scalar equation, in written order.
     pub rows: Vec<Row>,
+    /// Rows of joints marked `redundant` that repeat what `rows` say: not solved, but watched. In written order.
+    pub monitored: Vec<Row>,
     /// The motion of every declared point.
     pub outputs: Vec<Output>,
     /// What the pose is moved along besides time, where a statement asks for it.
@@ -163,6 +165,14 @@ pub struct Output {
 }
 
 impl System {
+    /// A row by its number: the solved ones first, then the monitored ones.
+    pub fn row(&self, index: usize) -> &Row {
+        match index.checked_sub(self.rows.len()) {
+            None => &self.rows[index],
+            Some(place) => &self.monitored[place],
+        }
+    }
+
     /// A new symbol for a value that is computed on the way. Equal names are told apart by what follows the space.
     pub fn intermediate(&mut self, name: &str) -> SymbolId {
         let number = self.mechanism.graph.symbol_count();

@@ -10,7 +10,7 @@ use super::orientation::Orientations;
 use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{Frame, Mark, Vector, turned};
-use crate::joint::{Quantity, Resolved};
+use crate::joint::{Kind, Quantity, Resolved, Row};
 use crate::model::{Body, Joint, Mechanism, Role, apart};
 
 /// The vector form of a mechanism.
@@ -76,8 +76,13 @@ pub struct Arm {
 }
 
 impl VectorForm {
-    /// The vector form of every joint, with the drawn values of the auxiliary unknowns.
-    pub(super) fn new(mechanism: &mut Mechanism, coordinates: &[Coordinate]) -> VectorForm {
+    /// The vector form of every joint, with the drawn values of the auxiliary unknowns; `dropped` says of each joint which of
+    /// the textbook's rows are not solved.
+    pub(super) fn new(
+        mechanism: &mut Mechanism,
+        coordinates: &[Coordinate],
+        dropped: &[Vec<bool>],
+    ) -> VectorForm {
         let mut form = VectorForm {
             unknowns: coordinates.iter().map(unknown_of).collect(),
             rows: Vec::new(),
@@ -105,21 +110,23 @@ impl VectorForm {
         let fixed = parameters.iter().map(|own| (own.symbol, graph.zero()));
         form.rates.extend(fixed);
         // Which angles are tied must be known before the first arm is made.
-        for joint in joints.iter() {
+        for (joint, dropped) in joints.iter().zip(dropped) {
             // A driver that holds an angle ties it, unless its value is to be moved.
             if moved && joint.role == Role::Driver {
                 continue;
             }
-            for row in joint.kind.vector_rows(&joint.operands, graph) {
+            for row in kept_rows(joint.kind, &joint.operands, dropped, graph) {
                 if row.quantity == Quantity::Angle {
                     form.orientations.tie(&row, bodies, graph);
                 }
             }
         }
-        for (index, joint) in joints.iter().enumerate() {
-            form.add_auxiliaries(joint, bodies, points, graph);
+        for (index, (joint, dropped)) in joints.iter().zip(dropped).enumerate() {
+            if !dropped.contains(&true) {
+                form.add_auxiliaries(joint, bodies, points, graph);
+            }
             let operands = form.with_arms(&joint.operands, bodies, graph);
-            let rows = joint.kind.vector_rows(&operands, graph);
+            let rows = kept_rows(joint.kind, &operands, dropped, graph);
             form.rows.extend(rows.iter().map(|row| VectorRow {
                 joint: index,
                 residual: row.residual,
@@ -334,6 +341,23 @@ impl VectorForm {
             }
         }
     }
+}
+
+/// The rows of the vector form of a joint. Where one of the textbook's rows is not solved, the textbook's others: they need no
+/// auxiliary unknown, whose equations would not be as many.
+fn kept_rows(
+    kind: &dyn Kind,
+    operands: &Resolved,
+    dropped: &[bool],
+    graph: &mut Graph,
+) -> Vec<Row> {
+    if !dropped.contains(&true) {
+        return kind.vector_rows(operands, graph);
+    }
+    let rows = kind.rows(operands, graph).into_iter().zip(dropped);
+    rows.filter(|(_, dropped)| !**dropped)
+        .map(|(row, _)| row)
+        .collect()
 }
 
 fn set(roles: &mut Vec<SymbolRole>, symbol: SymbolId, role: SymbolRole) {

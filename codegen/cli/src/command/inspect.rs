@@ -3,12 +3,13 @@
 use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::emit::{self, Notation, derivation};
-use linkwright_codegen::structure;
+use linkwright_codegen::structure::{self, Freedom};
 use linkwright_codegen::system::System;
 
 use super::description::{motions, rendered, source, warn};
 use super::{Outcome, Problem, print};
 use crate::arguments::{Format, Inspect};
+use crate::number::counted;
 
 /// Prints Φ, Φ_q, Φ_t and γ in the chosen format, as text also what generated code solves.
 ///
@@ -50,7 +51,10 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
 
 /// The equations and, where they determine the motion, what the solved view computes and leaves out.
 fn equations(system: &System, notation: Notation) -> String {
-    let mut text = emit::text::inspect(system, notation);
+    let page = emit::text::inspect(system, notation);
+    // The counts by rank stand below the counts by number.
+    let (first, rest) = page.split_once('\n').unwrap_or((&page, ""));
+    let mut text = format!("{first}\n{}\n{rest}", freedom(system));
     if let Some(report) = linkwright_codegen::report(system) {
         if !text.ends_with('\n') {
             text.push('\n');
@@ -85,6 +89,19 @@ fn determinants(system: &System, notation: Notation) -> String {
         ));
     }
     text
+}
+
+/// The degrees of freedom by the rank of the equations.
+fn freedom(system: &System) -> String {
+    let found = Freedom::of(system);
+    let redundant = match found.redundant {
+        0 => String::new(),
+        number => format!(", {}", counted(number, "redundant equation")),
+    };
+    format!(
+        "KDOF = {}, NDOF = {}{redundant}",
+        found.kinematic, found.net
+    )
 }
 
 /// The generated module; warnings go to stderr.

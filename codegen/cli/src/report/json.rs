@@ -9,7 +9,7 @@
 //! | `det`, `rcond` | determinant and reciprocal condition (1-norm) of Φ_q at the start, in SI units |
 //! | `rcond_dimensionless` | the latter with lengths divided by the characteristic length |
 //! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y) |
-//! | `residuals` | the largest over all frames: `position`, `scaled`, `velocity`, `acceleration` |
+//! | `residuals` | the largest over all frames: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` where equations are redundant |
 //! | `pressure_angles` | where bodies touch along curves: `{joint, angle, t}` each, the largest angle in rad and when; null at rest |
 //! | `newton_steps` | how many were taken in all |
 //! | `warnings` | sentences |

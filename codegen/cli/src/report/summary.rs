@@ -208,6 +208,12 @@ fn residuals(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
         scientific(found.scaled, 1)
     );
     line(output, "|Φ|", &text)?;
+    if let Some(most) = found.monitored {
+        let row = &solution.system.monitored[found.monitored_row];
+        let joint = &solution.system.mechanism.joints[row.joint].label;
+        let text = format!("{} in {joint}", scientific(most, 1));
+        line(output, "redundant equations", &text)?;
+    }
     line(output, "|Φ_q q̇ + Φ_t|", &scientific(found.velocity, 1))?;
     line(output, "|Φ_q q̈ - γ|", &scientific(found.acceleration, 1))?;
     let steps = format!(

@@ -1,5 +1,6 @@
 //! How words and formulas look: as typed text, or as LaTeX.
 
+use crate::emit::named_parts::NamedParts;
 use crate::emit::{Notation, latex, text};
 use crate::expr::ExprId;
 use crate::system::{SymbolRole, System};
@@ -24,10 +25,22 @@ impl Script {
     }
 
     /// An expression as a formula.
-    pub(super) fn expression(self, system: &System, expr: ExprId) -> String {
+    pub(super) fn expression(self, system: &System, parts: &NamedParts, expr: ExprId) -> String {
         match self {
-            Script::Text(notation) => text::formula(system, &[], notation, expr),
-            Script::Latex => latex::formula(system, &[], expr),
+            Script::Text(notation) => text::Printer::new(system, &[], notation)
+                .naming(parts)
+                .expression(expr),
+            Script::Latex => latex::Printer::new(system, &[])
+                .naming(parts)
+                .expression(expr),
+        }
+    }
+
+    /// The value of a name, a choice written out.
+    pub(super) fn value(self, system: &System, value: ExprId) -> String {
+        match self {
+            Script::Text(notation) => text::formula(system, &[], notation, value),
+            Script::Latex => latex::formula(system, &[], value),
         }
     }
 

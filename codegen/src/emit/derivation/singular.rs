@@ -49,7 +49,9 @@ impl SingularPose {
 impl Writer<'_> {
     /// The last section of a derivation; none where everything is explicit.
     pub(super) fn singular_section(&self) -> Option<Section> {
-        let poses = Writer::new(&self.system, self.plan, self.script).singular_poses();
+        let mut writer = Writer::new(&self.system, self.plan, self.script);
+        writer.parts = self.parts.clone();
+        let poses = writer.singular_poses();
         let items = poses.iter().map(|pose| {
             Item::Paragraph(format!(
                 "Block {}, {}: {}",
@@ -67,6 +69,8 @@ impl Writer<'_> {
     /// Where each step is singular, in solve order.
     pub(super) fn singular_poses(mut self) -> Vec<SingularPose> {
         let plan = self.plan;
+        // A determinant stands alone: only what the page has defined already may be written by its name.
+        self.parts = self.parts.settled();
         let mut found = Vec::new();
         for (number, block) in plan.blocks.iter().enumerate() {
             for (place, step) in block.steps.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! A derivation → a page of plain text.
 
 use super::document::{Document, Equation, Item, OutlineLine};
-use crate::emit::text::table::{aligned, shown_width};
+use crate::emit::text::table::{aligned, in_lines, shown_width};
 
 /// Words are broken into lines of at most so many columns; formulas are not.
 const WIDTH: usize = 100;
@@ -45,13 +45,14 @@ pub(super) fn outline(lines: &[OutlineLine]) -> String {
 fn displayed(equations: &[Equation]) -> String {
     let lines: Vec<Vec<String>> = equations
         .iter()
-        .map(|equation| {
-            let mut cells = vec![
-                String::new(),
-                format!("{} = {}", equation.left, equation.right),
-            ];
+        .flat_map(|equation| {
+            let lines = in_lines(&equation.left, &equation.right);
+            let mut cells: Vec<Vec<String>> = lines
+                .into_iter()
+                .map(|line| vec![String::new(), line])
+                .collect();
             if !equation.note.is_empty() {
-                cells.push(format!("[{}]", equation.note));
+                cells[0].push(format!("[{}]", equation.note));
             }
             cells
         })

@@ -2,6 +2,7 @@
 
 use super::document::{Document, Equation, Item, Section};
 use super::script::Script;
+use crate::emit::named_parts::NamedParts;
 use crate::expr::{ExprId, Graph, Number, Rational, SymbolId};
 use crate::joint::geometry::Vector;
 use crate::structure::SolvedPlan;
@@ -18,6 +19,8 @@ pub(super) struct Writer<'a> {
     /// Unknowns that are constant, with their values.
     pub(super) constants: Vec<(SymbolId, ExprId)>,
     items: Vec<Item>,
+    /// The names of long choices.
+    pub(super) parts: NamedParts,
 }
 
 impl<'a> Writer<'a> {
@@ -29,6 +32,7 @@ impl<'a> Writer<'a> {
             found_in: vec![None; system.vector_form.unknowns.len()],
             constants: Vec::new(),
             items: Vec::new(),
+            parts: NamedParts::default(),
         }
     }
 
@@ -54,13 +58,45 @@ impl<'a> Writer<'a> {
     }
 
     pub(super) fn paragraph(&mut self, text: impl Into<String>) {
+        self.define(self.items.len());
         self.items.push(Item::Paragraph(text.into()));
     }
 
     pub(super) fn equations(&mut self, equations: Vec<Equation>) {
         if !equations.is_empty() {
+            let introduced = matches!(self.items.last(), Some(Item::Paragraph(_)));
+            self.define(self.items.len() - usize::from(introduced));
             self.items.push(Item::Equations(equations));
         }
+    }
+
+    /// Says at a place what the names stand for that were used since they were last defined.
+    fn define(&mut self, place: usize) {
+        let definitions = self.parts.definitions(&mut self.system);
+        let equations: Vec<Equation> = definitions
+            .iter()
+            .map(|definition| Equation {
+                left: self.formula(definition.name),
+                right: self.script.value(&self.system, definition.value),
+                note: String::new(),
+            })
+            .collect();
+        if equations.is_empty() {
+            return;
+        }
+        let slopes = equations
+            .iter()
+            .any(|equation| equation.left.contains("slope"));
+        let words = if slopes {
+            "Given piece by piece, slopes and curvatures as first and second derivatives:"
+        } else {
+            "Given piece by piece:"
+        };
+        let items = [
+            Item::Paragraph(words.to_string()),
+            Item::Equations(equations),
+        ];
+        self.items.splice(place..place, items);
     }
 
     pub(super) fn graph(&mut self) -> &mut Graph {
@@ -69,7 +105,7 @@ impl<'a> Writer<'a> {
 
     /// An expression as a formula.
     pub(super) fn formula(&self, expr: ExprId) -> String {
-        self.script.expression(&self.system, expr)
+        self.script.expression(&self.system, &self.parts, expr)
     }
 
     /// An unknown as a formula.
@@ -208,6 +244,7 @@ impl<'a> Writer<'a> {
 
     /// d/dt of an expression of unknowns and t.
     pub(super) fn derivative(&mut self, expr: ExprId) -> ExprId {
+        self.parts.relate(&mut self.system, expr, 1);
         let System {
             mechanism,
             vector_form,

@@ -1,5 +1,6 @@
 //! One expression → LaTeX for math mode.
 
+use super::super::named_parts::NamedParts;
 use super::super::parts::{Fraction, Part, fraction, terms};
 use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
 use crate::system::{Described, SymbolRole, System, WrittenOrder};
@@ -9,6 +10,7 @@ use crate::system::{Described, SymbolRole, System, WrittenOrder};
 pub(crate) struct Printer<'a> {
     system: &'a System,
     order: WrittenOrder<'a>,
+    parts: Option<&'a NamedParts>,
 }
 
 impl<'a> Printer<'a> {
@@ -17,6 +19,15 @@ impl<'a> Printer<'a> {
         Printer {
             system,
             order: WrittenOrder::new(system, bodies),
+            parts: None,
+        }
+    }
+
+    /// The same, with names in the place of long choices.
+    pub(crate) fn naming(self, parts: &'a NamedParts) -> Printer<'a> {
+        Printer {
+            parts: Some(parts),
+            ..self
         }
     }
 
@@ -183,7 +194,10 @@ impl<'a> Printer<'a> {
                 "\\left\\lfloor {} \\right\\rfloor",
                 self.expression(*argument)
             ),
-            Node::Choose { .. } => self.cases(expr),
+            Node::Choose { .. } => {
+                let name = self.parts.and_then(|parts| parts.name(self.system, expr));
+                name.map_or_else(|| self.cases(expr), |name| local(&name))
+            }
             Node::Spline {
                 spline,
                 order,

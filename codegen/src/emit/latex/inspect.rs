@@ -1,6 +1,7 @@
 //! A system → a fragment for amsmath with its equations.
 
 use super::formula::{Printer, escaped};
+use crate::emit::named_parts::NamedParts;
 use crate::expr::ExprId;
 use crate::system::{Row, SymbolRole, System};
 
@@ -9,7 +10,9 @@ const LARGEST_MATRIX: usize = 9;
 
 /// Φ, Φ_q, Φ_t and γ of a system as display equations.
 pub fn inspect(system: &System) -> String {
-    let names = Printer::new(system, &[]);
+    let mut system = system.clone();
+    let parts = &NamedParts::of_rows(&mut system);
+    let names = Printer::new(&system, &[]);
     let coordinates: Vec<String> = (0..system.coordinates.len())
         .map(|index| names.symbol(SymbolRole::Position(index)))
         .collect();
@@ -18,16 +21,38 @@ pub fn inspect(system: &System) -> String {
         "\\[ \\mathbf{{q}} = ({})^T \\]\n",
         coordinates.join(", ")
     ));
-    text.push_str(&rows(system, "\\Phi", |row| row.residual, " = 0"));
-    text.push_str(&jacobian(system, &coordinates));
-    text.push_str(&rows(system, "\\Phi_{t}", |row| row.time_derivative, ""));
-    text.push_str(&rows(system, "\\gamma", |row| row.gamma, ""));
-    text.push_str(&directions(system));
+    text.push_str(&rows(&system, parts, "\\Phi", |row| row.residual, " = 0"));
+    text.push_str(&jacobian(&system, parts, &coordinates));
+    text.push_str(&rows(
+        &system,
+        parts,
+        "\\Phi_{t}",
+        |row| row.time_derivative,
+        "",
+    ));
+    text.push_str(&rows(&system, parts, "\\gamma", |row| row.gamma, ""));
+    text.push_str(&directions(&system, parts));
+    let definitions = parts.definitions(&mut system);
+    if !definitions.is_empty() {
+        let printer = Printer::new(&system, &[]);
+        let lines: Vec<String> = definitions
+            .iter()
+            .map(|definition| {
+                let [name, value] =
+                    [definition.name, definition.value].map(|it| printer.expression(it));
+                format!("  {name} &= {value}")
+            })
+            .collect();
+        text.push_str(&format!(
+            "where\n\\begin{{align*}}\n{}\n\\end{{align*}}\n",
+            lines.join(" \\\\\n")
+        ));
+    }
     text
 }
 
 /// ∂Φ/∂s for the value s of each driver, where something is transmitted: the rows that are not zero.
-fn directions(system: &System) -> String {
+fn directions(system: &System, parts: &NamedParts) -> String {
     let zero = system.mechanism.graph.zero();
     let mut lines = Vec::new();
     for direction in &system.directions {
@@ -35,7 +60,9 @@ fn directions(system: &System) -> String {
             if entry == zero {
                 continue;
             }
-            let formula = Printer::new(system, &row.bodies).expression(entry);
+            let formula = Printer::new(system, &row.bodies)
+                .naming(parts)
+                .expression(entry);
             let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
             lines.push(format!(
                 "  (\\Phi_{{s}})_{{{}}} &= {formula} && \\text{{{joint}}}",
@@ -54,7 +81,13 @@ fn directions(system: &System) -> String {
 
 /// One aligned equation a row, with the joint as its tag. Where the equations do not end in ` = 0`, a remark stands for the rows
 /// that are zero.
-fn rows(system: &System, symbol: &str, of: impl Fn(&Row) -> ExprId, end: &str) -> String {
+fn rows(
+    system: &System,
+    parts: &NamedParts,
+    symbol: &str,
+    of: impl Fn(&Row) -> ExprId,
+    end: &str,
+) -> String {
     let left_out = |row: &Row| end.is_empty() && of(row) == system.mechanism.graph.zero();
     if system.rows.iter().all(left_out) {
         return format!("\\[ {symbol} = 0 \\]\n");
@@ -70,7 +103,9 @@ fn rows(system: &System, symbol: &str, of: impl Fn(&Row) -> ExprId, end: &str) -
         .enumerate()
         .filter(|(_, row)| !left_out(row))
         .map(|(index, row)| {
-            let formula = Printer::new(system, &row.bodies).expression(of(row));
+            let formula = Printer::new(system, &row.bodies)
+                .naming(parts)
+                .expression(of(row));
             let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
             format!(
                 "  ({symbol})_{{{}}} &= {formula}{end} && \\text{{{joint}}}",
@@ -84,9 +119,9 @@ fn rows(system: &System, symbol: &str, of: impl Fn(&Row) -> ExprId, end: &str) -
     )
 }
 
-fn jacobian(system: &System, coordinates: &[String]) -> String {
+fn jacobian(system: &System, parts: &NamedParts, coordinates: &[String]) -> String {
     let entries = |row: &Row| -> Vec<(usize, String)> {
-        let printer = Printer::new(system, &row.bodies);
+        let printer = Printer::new(system, &row.bodies).naming(parts);
         row.jacobian
             .iter()
             .map(|entry| (entry.coordinate, printer.expression(entry.value)))

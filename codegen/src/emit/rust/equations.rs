@@ -9,13 +9,13 @@ use super::given::Given;
 use super::layout::comment;
 use super::lints;
 use super::literal::count;
-use crate::emit::Notation;
-use crate::emit::text;
+use crate::emit::named_parts::NamedParts;
+use crate::emit::{Notation, text};
 use crate::expr::ExprId;
 use crate::program::{Inputs, Program, Straight, Textbook};
 use crate::system::{Row, System};
 
-/// The four functions of the textbook view.
+/// The four functions of the textbook view, and what is monitored besides.
 pub(super) fn equations(system: &System, program: &Program, textbook: &Textbook) -> TokenStream {
     let phi = vector(
         system,
@@ -42,7 +42,9 @@ pub(super) fn equations(system: &System, program: &Program, textbook: &Textbook)
         |row| row.gamma,
     );
     let phi_q = matrix(system, program, &textbook.jacobian);
-    quote! { #phi #phi_q #phi_t #gamma }
+    let monitored = textbook.monitored.as_ref();
+    let monitored = monitored.map(|straight| monitored_rows(system, program, straight));
+    quote! { #phi #phi_q #phi_t #gamma #monitored }
 }
 
 /// The parameters of a function; one that is not read begins with an underscore.
@@ -62,16 +64,20 @@ fn parameters(inputs: Inputs, with_rates: bool, given: Given) -> TokenStream {
     }
 }
 
-/// A list of the rows with their joints and formulas; rows that are zero are not listed.
-fn row_list(system: &System, of: &dyn Fn(&Row) -> ExprId) -> Vec<String> {
+/// A list of the rows with their joints and formulas; rows that are zero are not listed. Long choices have the names that the
+/// function gives them.
+fn row_list(system: &System, straight: &Straight, of: &dyn Fn(&Row) -> ExprId) -> Vec<String> {
     let zero = system.mechanism.graph.zero();
+    let parts = NamedParts::of_function(system, straight);
     system
         .rows
         .iter()
         .enumerate()
         .filter(|(_, row)| of(row) != zero)
         .map(|(index, row)| {
-            let formula = text::formula(system, &row.bodies, Notation::Ascii, of(row));
+            let formula = text::Printer::new(system, &row.bodies, Notation::Ascii)
+                .naming(&parts)
+                .expression(of(row));
             let joint = &system.mechanism.joints[row.joint];
             let first = index == 0 || system.rows[index - 1].joint != row.joint;
             let remark = if first {
@@ -106,7 +112,7 @@ fn vector(
     let (statements, results) = (writer.statements(straight), writer.results(straight));
     let size = count(system.rows.len());
     let mut lines = vec![meaning.to_string(), String::new()];
-    lines.extend(row_list(system, &of));
+    lines.extend(row_list(system, straight, &of));
     let text = docs(lines);
     let function = identifier(name);
     let parameters = parameters(straight.inputs, name == "gamma", Given::of(system));
@@ -136,6 +142,38 @@ fn vector(
             #(#statements)*
             #(#bindings)*
             SVector::from([#(#entries),*])
+        }
+    };
+    let allow = lints::unused_item(&function);
+    quote!(#text #allow #function)
+}
+
+/// The residuals of the rows that are not solved.
+fn monitored_rows(system: &System, program: &Program, straight: &Straight) -> TokenStream {
+    let names = TextbookNames { system, straight };
+    let writer = Writer {
+        system,
+        constants: &program.constants,
+        names: &names,
+    };
+    let (statements, results) = (writer.statements(straight), writer.results(straight));
+    let size = count(system.monitored.len());
+    let mut lines = vec![
+        "The residuals of the redundant equations, in m or rad: they follow from those that are solved, so they are zero but for rounding wherever Φ is."
+            .to_string(),
+        String::new(),
+    ];
+    for (index, row) in system.monitored.iter().enumerate() {
+        let formula = text::formula(system, &row.bodies, Notation::Ascii, row.residual);
+        let joint = &system.mechanism.joints[row.joint];
+        lines.push(format!("- {index}, {}: `{formula}`", joint.label));
+    }
+    let text = docs(lines);
+    let parameters = parameters(straight.inputs, false, Given::of(system));
+    let function = quote! {
+        pub fn monitored(#parameters) -> [f64; #size] {
+            #(#statements)*
+            [#(#results),*]
         }
     };
     let allow = lints::unused_item(&function);

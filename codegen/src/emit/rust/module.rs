@@ -102,6 +102,8 @@ fn imports(system: &System, program: &Program, has_newton: bool, has_tables: boo
             &own.time_derivative,
             &own.gamma,
         ]
+        .into_iter()
+        .chain(&own.monitored)
     });
     let mut straight = functions.chain(&program.points).chain(&program.drawn);
     let calls_math = straight.any(|straight| straight.operations.calls_math());
@@ -249,6 +251,17 @@ pub(super) fn facts(system: &System, program: &Program) -> Vec<String> {
         system.rows.len() - drivers,
         drivers,
     )];
+    if !system.monitored.is_empty() {
+        let names: Vec<&str> = system
+            .monitored
+            .iter()
+            .map(|row| row.name.as_str())
+            .collect();
+        lines.push(format!(
+            "Redundant equations, not solved: {}.",
+            names.join(", ")
+        ));
+    }
     lines.extend(text::given(system).lines().map(capitalized));
     match &program.solved {
         Some(solved) => {

@@ -1,5 +1,6 @@
 //! One expression → one line of text.
 
+use super::super::named_parts::NamedParts;
 use super::super::notation::Notation;
 
 use super::super::parts::{Fraction, Part, fraction, terms};
@@ -13,6 +14,7 @@ pub(crate) struct Printer<'a> {
     system: &'a System,
     order: WrittenOrder<'a>,
     notation: Notation,
+    parts: Option<&'a NamedParts>,
 }
 
 impl<'a> Printer<'a> {
@@ -22,7 +24,21 @@ impl<'a> Printer<'a> {
             system,
             order: WrittenOrder::new(system, bodies),
             notation,
+            parts: None,
         }
+    }
+
+    /// The same, with names in the place of long choices.
+    pub(crate) fn naming(self, parts: &'a NamedParts) -> Printer<'a> {
+        Printer {
+            parts: Some(parts),
+            ..self
+        }
+    }
+
+    /// The name that stands for a choice.
+    fn name(&self, choice: ExprId) -> Option<String> {
+        self.parts?.name(self.system, choice)
     }
 
     fn graph(&self) -> &'a Graph {
@@ -40,13 +56,13 @@ impl<'a> Printer<'a> {
     /// The whole expression.
     pub(crate) fn expression(&self, expr: ExprId) -> String {
         match self.graph().node(expr) {
-            Node::Choose { .. } => self.choice(expr),
+            Node::Choose { .. } => self.name(expr).unwrap_or_else(|| self.choice(expr)),
             _ => self.sum(&terms(expr, self.graph(), &self.order)),
         }
     }
 
     /// `if t < 1 { 0 } else if t < 2 { t - 1 } else { 1 }`.
-    fn choice(&self, mut expr: ExprId) -> String {
+    pub(crate) fn choice(&self, mut expr: ExprId) -> String {
         let mut text = String::new();
         while let Node::Choose {
             condition,
@@ -177,7 +193,10 @@ impl<'a> Printer<'a> {
             Node::Exp(exponent) => self.function("exp", &[*exponent], followed),
             Node::Ln(argument) => self.function("ln", &[*argument], followed),
             Node::Floor(argument) => self.function("floor", &[*argument], true),
-            Node::Choose { .. } => format!("({})", self.choice(expr)),
+            Node::Choose { .. } => match self.name(expr) {
+                Some(name) => name,
+                None => format!("({})", self.choice(expr)),
+            },
             Node::Spline {
                 spline,
                 order,

@@ -1,8 +1,9 @@
 //! A system → the page that shows its equations.
 
+use super::super::named_parts::NamedParts;
 use super::super::notation::Notation;
 use super::formula::Printer;
-use super::table::{aligned, shown_width};
+use super::table::{aligned, in_lines, shown_width};
 use crate::expr::ExprId;
 use crate::model::{Dimension, Role};
 use crate::system::{Output, Row, System};
@@ -15,7 +16,13 @@ const WIDEST_LIST: usize = 100;
 
 /// Φ, Φ_q, Φ_t and γ of a system row by row, and the motion of its points.
 pub fn inspect(system: &System, notation: Notation) -> String {
-    let page = Page { system, notation };
+    let mut system = system.clone();
+    let parts = NamedParts::of_rows(&mut system);
+    let page = Page {
+        system: &system,
+        notation,
+        parts: &parts,
+    };
     let headings = match notation {
         Notation::Ascii => ["Phi(q, t) = 0", "Phi_q", "Phi_t", "gamma"],
         Notation::Unicode => ["Φ(q, t) = 0", "Φ_q", "Φ_t", "γ"],
@@ -26,8 +33,19 @@ pub fn inspect(system: &System, notation: Notation) -> String {
     text.push_str(&page.rows(headings[2], |row| row.time_derivative, false));
     text.push_str(&page.rows(headings[3], |row| row.gamma, false));
     text.push_str(&page.directions());
+    text.push_str(&page.monitored());
     text.push_str(&page.points());
-    text
+    let definitions = parts.definitions(&mut system);
+    if definitions.is_empty() {
+        return text;
+    }
+    let printer = Printer::new(&system, &[], notation);
+    let lines = definitions.iter().flat_map(|definition| {
+        let name = printer.expression(definition.name);
+        in_lines(&name, &printer.expression(definition.value))
+    });
+    let lines: Vec<Vec<String>> = lines.map(|line| vec![line]).collect();
+    format!("{text}\nwhere\n{}", aligned(&lines))
 }
 
 /// The parameters and inputs with their defaults, a line each; nothing where there are none.
@@ -65,9 +83,14 @@ pub(crate) fn given(system: &System) -> String {
 struct Page<'a> {
     system: &'a System,
     notation: Notation,
+    parts: &'a NamedParts,
 }
 
 impl Page<'_> {
+    fn printer<'b>(&'b self, bodies: &'b [usize]) -> Printer<'b> {
+        Printer::new(self.system, bodies, self.notation).naming(self.parts)
+    }
+
     fn summary(&self) -> String {
         let mechanism = &self.system.mechanism;
         let drivers = self
@@ -79,7 +102,7 @@ impl Page<'_> {
         let coordinates = self.system.coordinates.len();
         let constraints = self.system.rows.len() - drivers;
         let freedom = coordinates as i64 - constraints as i64;
-        let printer = Printer::new(self.system, &[], self.notation);
+        let printer = self.printer(&[]);
         let names: Vec<String> = self
             .system
             .coordinates
@@ -100,6 +123,27 @@ impl Page<'_> {
             plural(freedom, "degree of freedom", "degrees of freedom"),
             wrapped("q = (", &names, ")"),
         ) + &given(self.system)
+    }
+
+    /// The rows that are not solved.
+    fn monitored(&self) -> String {
+        if self.system.monitored.is_empty() {
+            return String::new();
+        }
+        let lines: Vec<Vec<String>> = self
+            .system
+            .monitored
+            .iter()
+            .map(|row| {
+                let printer = Printer::new(self.system, &row.bodies, self.notation);
+                let joint = &self.system.mechanism.joints[row.joint];
+                vec![joint.label.clone(), printer.expression(row.residual)]
+            })
+            .collect();
+        format!(
+            "\nredundant: follows from the rest, monitored\n{}",
+            aligned(&lines)
+        )
     }
 
     /// Row number and joint, the joint only at its first row that is shown: `previous` is the one shown before.
@@ -127,7 +171,7 @@ impl Page<'_> {
                 continue;
             }
             let mut line = self.label(index, previous);
-            line.push(Printer::new(self.system, &row.bodies, self.notation).expression(of(row)));
+            line.push(self.printer(&row.bodies).expression(of(row)));
             lines.push(line);
             previous = Some(index);
         }
@@ -145,14 +189,14 @@ impl Page<'_> {
             .rows
             .iter()
             .map(|row| {
-                let printer = Printer::new(self.system, &row.bodies, self.notation);
+                let printer = self.printer(&row.bodies);
                 row.jacobian
                     .iter()
                     .map(|entry| (entry.coordinate, printer.expression(entry.value)))
                     .collect()
             })
             .collect();
-        let names = Printer::new(self.system, &[], self.notation);
+        let names = self.printer(&[]);
         let name = |coordinate| names.symbol(crate::system::SymbolRole::Position(coordinate));
         let columns = self.system.coordinates.len();
         let mut matrix: Vec<Vec<String>> = Vec::with_capacity(entries.len() + 1);
@@ -201,7 +245,7 @@ impl Page<'_> {
             let entries = self.system.rows.iter().zip(&direction.column).enumerate();
             for (index, (row, &entry)) in entries.filter(|(_, (_, entry))| **entry != zero) {
                 let mut line = self.label(index, None);
-                line.push(Printer::new(self.system, &row.bodies, self.notation).expression(entry));
+                line.push(self.printer(&row.bodies).expression(entry));
                 lines.push(line);
             }
         }
@@ -219,7 +263,7 @@ impl Page<'_> {
         if self.system.outputs.is_empty() {
             return String::new();
         }
-        let printer = Printer::new(self.system, &[], self.notation);
+        let printer = self.printer(&[]);
         let pair = |pair: [ExprId; 2]| {
             format!(
                 "({}, {})",

@@ -26,6 +26,33 @@ pub(crate) fn aligned(lines: &[Vec<String>]) -> String {
     text
 }
 
+/// A choice is broken into lines where it is wider.
+const WIDEST_CHOICE: usize = 90;
+
+/// `left = right`; a wide choice with each of its arms on a line of its own.
+pub(crate) fn in_lines(left: &str, right: &str) -> Vec<String> {
+    let whole = format!("{left} = {right}");
+    if !right.starts_with("if ") || shown_width(&whole) <= WIDEST_CHOICE {
+        return vec![whole];
+    }
+    let indent = " ".repeat(shown_width(left) + 3);
+    let mut lines = vec![format!("{left} = ")];
+    let (mut depth, mut from) = (0_i32, 0);
+    for (at, character) in right.char_indices() {
+        depth += i32::from(character == '{') - i32::from(character == '}');
+        if depth == 0 && right[at..].starts_with(" else ") {
+            lines.push(indent.clone());
+            let line = lines.len() - 2;
+            lines[line].push_str(&right[from..at]);
+            from = at + 1;
+        }
+    }
+    if let Some(last) = lines.last_mut() {
+        last.push_str(&right[from..]);
+    }
+    lines
+}
+
 /// How many columns of a terminal a text takes; combining dots take none.
 pub(crate) fn shown_width(text: &str) -> usize {
     text.chars()

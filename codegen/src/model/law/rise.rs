@@ -81,6 +81,20 @@ impl Rise {
         vec![((1, 1), whole)]
     }
 
+    /// y(s) for s in [0, 1].
+    pub(super) fn risen(self, s: ExprId, graph: &mut Graph) -> ExprId {
+        let mut pieces = self.pieces(s, graph).into_iter().rev();
+        let Some((_, mut risen)) = pieces.next() else {
+            return s;
+        };
+        for ((numerator, denominator), y) in pieces {
+            let end = graph.rational(numerator, denominator);
+            let left = graph.subtract(s, end);
+            risen = graph.choose(left, y, risen);
+        }
+        risen
+    }
+
     /// The motion from (x0, h0) to (x1, h1), followed from x1 on by `after`. What holds before x0 is for the caller to say.
     pub(super) fn segment(
         self,

@@ -3,12 +3,15 @@
 //! Between two stations of one height the motion dwells, between two others it goes by the law. Before the first and after
 //! the last station it dwells too, unless it is periodic: then it is repeated for ever, and the first and the last station
 //! must have the same height.
+//!
+//! The share of the way s is chosen first, 0 in a dwell, and then the heights that the way goes between: so y(s) is one
+//! expression for all rises, and a dwell continues the rise after it, of which it has gone nothing.
 
 use super::super::expression::{Value, listed};
 use super::super::resolve::Resolver;
 use super::rise::Rise;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::ExprId;
+use crate::expr::{ExprId, Graph};
 use crate::syntax::{Expression, ExpressionKind};
 
 const FORM: &str = "sequence(x, cycloidal, (x0, h0), (x1, h1), …)";
@@ -83,21 +86,16 @@ impl Resolver<'_> {
         } else {
             x.0
         };
-        let graph = &mut self.graph;
-        let mut motion = last[1].1.0;
-        for pair in stations.windows(2).rev() {
-            let (places, heights) = (pair_of(pair, 0), pair_of(pair, 1));
-            motion = if heights[0] == heights[1] {
-                let left = graph.subtract(x, places[1]);
-                graph.choose(left, heights[0], motion)
-            } else {
-                law.segment(x, places, heights, motion, graph)
-            };
-        }
+        let mut phases: Vec<Phase> = stations
+            .windows(2)
+            .map(|pair| Phase::between(x, pair_of(pair, 0), pair_of(pair, 1), &mut self.graph))
+            .collect();
         if !is_periodic {
-            let before = graph.subtract(x, first[0].1.0);
-            motion = graph.choose(before, first[1].1.0, motion);
+            let [before, after] = [first, last].map(|station| (station[0].1.0, station[1].1.0));
+            phases.insert(0, Phase::dwell(before.0, before.1, &mut self.graph));
+            phases.push(Phase::dwell(after.0, after.1, &mut self.graph));
         }
+        let motion = joined(law, x, phases, &mut self.graph);
         let dimension = stations
             .iter()
             .map(|station| station[1].1.1)
@@ -150,6 +148,90 @@ impl Resolver<'_> {
         let skipped = graph.multiply(period, whole);
         graph.subtract(x, skipped)
     }
+}
+
+/// What holds up to a place.
+struct Phase {
+    /// Where it ends; nobody asks at the last one.
+    end: ExprId,
+    /// The height at its beginning.
+    start: ExprId,
+    /// The height that it gains; `None` where it stays, so that any will do.
+    gain: Option<ExprId>,
+    /// The share of the way gone.
+    share: ExprId,
+}
+
+impl Phase {
+    fn dwell(end: ExprId, height: ExprId, graph: &mut Graph) -> Phase {
+        Phase {
+            end,
+            start: height,
+            gain: None,
+            share: graph.zero(),
+        }
+    }
+
+    fn between(x: ExprId, places: [ExprId; 2], heights: [ExprId; 2], graph: &mut Graph) -> Phase {
+        if heights[0] == heights[1] {
+            return Phase::dwell(places[1], heights[0], graph);
+        }
+        let gone = graph.subtract(x, places[0]);
+        let length = graph.subtract(places[1], places[0]);
+        Phase {
+            end: places[1],
+            start: heights[0],
+            gain: Some(graph.subtract(heights[1], heights[0])),
+            share: graph.divide(gone, length),
+        }
+    }
+}
+
+/// The motion through all phases.
+fn joined(law: Rise, x: ExprId, mut phases: Vec<Phase>, graph: &mut Graph) -> ExprId {
+    // A dwell takes the gain of the rise after it at the same height, and is one phase with it but for the share.
+    for place in (1..phases.len()).rev() {
+        let (start, gain) = (phases[place].start, phases[place].gain);
+        let dwell = &mut phases[place - 1];
+        if dwell.gain.is_none() && dwell.start == start {
+            dwell.gain = gain;
+        }
+    }
+    let shares: Vec<(ExprId, ExprId)> = phases.iter().map(|it| (it.end, it.share)).collect();
+    let share = chosen(x, &shares, graph);
+    let risen = law.risen(share, graph);
+    let motions: Vec<(ExprId, ExprId)> = phases
+        .iter()
+        .map(|phase| {
+            let motion = match phase.gain {
+                Some(gain) => {
+                    let gained = graph.multiply(gain, risen);
+                    graph.add(phase.start, gained)
+                }
+                None => phase.start,
+            };
+            (phase.end, motion)
+        })
+        .collect();
+    chosen(x, &motions, graph)
+}
+
+/// The value of the first pair whose place x has not reached; that of the last pair beyond all.
+fn chosen(x: ExprId, pairs: &[(ExprId, ExprId)], graph: &mut Graph) -> ExprId {
+    let mut pairs = pairs.iter().rev();
+    let Some(&(_, mut next)) = pairs.next() else {
+        return graph.zero();
+    };
+    let mut value = next;
+    for &(end, own) in pairs {
+        // Neighbors of one value need no question between them.
+        if own != next {
+            let left = graph.subtract(x, end);
+            value = graph.choose(left, own, value);
+        }
+        next = own;
+    }
+    value
 }
 
 fn pair_of(stations: &[Station<'_>], component: usize) -> [ExprId; 2] {

@@ -1,0 +1,284 @@
+//! Formulas → names for the long choices in them, and what each name stands for.
+//!
+//! A choice that would fill a line by itself, or holds one that does, is written once under the name `piece_1`, and by its
+//! name wherever it occurs; its derivatives are called after it, `piece_1_slope` and `piece_1_curvature`. An argument brought
+//! into one period is `turn_1` in what the names stand for. Names are given when a printer meets a choice, parts before what
+//! they are part of, so that every definition follows those that it needs. Without a long choice nothing gets a name.
+//! Deliberately unknown here: where the definitions stand on a page, and tables, which have names of their own.
+
+use super::Notation;
+use super::text::Printer;
+use crate::expr::{ExprId, Graph, Node, Rational, SymbolId};
+use crate::program::Straight;
+use crate::system::{SymbolRole, System};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A choice of at most so many characters, without a name in it, stands where it is used.
+const LONGEST_IN_PLACE: usize = 75;
+
+/// The same for the derivative of a choice that has a name.
+const LONGEST_SLOPE_IN_PLACE: usize = 40;
+
+/// The names on one page.
+#[derive(Clone, Debug, Default)]
+pub(super) struct NamedParts {
+    state: RefCell<State>,
+}
+
+#[derive(Clone, Debug, Default)]
+struct State {
+    /// The choices met so far; `None` for those that stay in place.
+    names: BTreeMap<ExprId, Option<String>>,
+    /// Those with a name in the order in which they got it.
+    named: Vec<ExprId>,
+    /// How many of them are defined on the page already.
+    defined: usize,
+    /// How many have a number of their own.
+    numbers: usize,
+    /// What a choice is the derivative of, and by what.
+    slopes: BTreeMap<ExprId, (ExprId, SymbolId)>,
+    /// Whether no more names are given.
+    is_settled: bool,
+    /// The numbers of whole periods that stand in definitions, with what replaces each.
+    turns: Vec<(ExprId, ExprId)>,
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Definition {
+    /// The name, as a symbol.
+    pub name: ExprId,
+    /// Its value; names of earlier definitions stand in it as symbols.
+    pub value: ExprId,
+}
+
+impl NamedParts {
+    /// Names for the rows of a system, of whose residuals the derivatives are printed up to the second.
+    pub(super) fn of_rows(system: &mut System) -> NamedParts {
+        let parts = NamedParts::default();
+        for row in 0..system.rows.len() {
+            let residual = system.rows[row].residual;
+            parts.relate(system, residual, 2);
+        }
+        parts
+    }
+
+    /// The names that long choices have in a function: what they stand for is written there.
+    pub(super) fn of_function(system: &System, function: &Straight) -> NamedParts {
+        let parts = NamedParts::default();
+        let graph = &system.mechanism.graph;
+        let results = function.results.iter();
+        let choices: BTreeSet<ExprId> = results
+            .flat_map(|&(result, _)| choices_of(graph, result))
+            .collect();
+        // Parts come before what they are part of.
+        for choice in choices {
+            let printed = Printer::new(system, &[], Notation::Ascii)
+                .naming(&parts)
+                .choice(choice);
+            let own = function.name_of(choice).map(str::to_string);
+            let is_long = printed.len() > LONGEST_IN_PLACE || parts.holds_more(system, choice);
+            let name = own.filter(|_| is_long);
+            parts.state.borrow_mut().names.insert(choice, name);
+        }
+        parts
+    }
+
+    /// The names that are defined on the page already, and no others: every other choice stays in place.
+    pub(super) fn settled(&self) -> NamedParts {
+        let mut state = self.state.borrow().clone();
+        for undefined in state.named.split_off(state.defined) {
+            state.names.remove(&undefined);
+        }
+        state.is_settled = true;
+        NamedParts {
+            state: RefCell::new(state),
+        }
+    }
+
+    /// The name of a choice, if it is to be written by one.
+    pub(super) fn name(&self, system: &System, choice: ExprId) -> Option<String> {
+        if let Some(known) = self.state.borrow().names.get(&choice) {
+            return known.clone();
+        }
+        if self.state.borrow().is_settled {
+            return None;
+        }
+        let origin = self.state.borrow().slopes.get(&choice).copied();
+        let of = origin.and_then(|(whole, by)| Some((self.name(system, whole)?, whole, by)));
+        // Printing it names its parts first.
+        let printed = Printer::new(system, &[], Notation::Ascii)
+            .naming(self)
+            .choice(choice);
+        let longest = match of {
+            Some(_) => LONGEST_SLOPE_IN_PLACE,
+            None => LONGEST_IN_PLACE,
+        };
+        let is_long = printed.len() > longest || self.holds_more(system, choice);
+        let name = is_long.then(|| match of {
+            Some((of, whole, by)) => slope_name(&of, moving(system, whole).len() == 1, system, by),
+            None => {
+                let mut state = self.state.borrow_mut();
+                state.numbers += 1;
+                format!("piece_{}", state.numbers)
+            }
+        });
+        let mut state = self.state.borrow_mut();
+        if name.is_some() {
+            state.named.push(choice);
+        }
+        state.names.insert(choice, name.clone());
+        name
+    }
+
+    /// Whether a choice holds one that has a name, or a number of whole periods: then it is long as a whole.
+    fn holds_more(&self, system: &System, choice: ExprId) -> bool {
+        let graph = &system.mechanism.graph;
+        let state = self.state.borrow();
+        let mut parts = parts_of(graph, choice, |_| true).into_iter();
+        parts.any(|part| {
+            let is_named = matches!(state.names.get(&part), Some(Some(_)));
+            is_named || matches!(graph.node(part), Node::Floor(_))
+        })
+    }
+
+    /// Notes which choices are derivatives of those in an expression, up to an order.
+    pub(super) fn relate(&self, system: &mut System, expr: ExprId, order: usize) {
+        let mut choices = choices_of(&system.mechanism.graph, expr);
+        for _ in 0..order {
+            let mut slopes = BTreeSet::new();
+            for &whole in &choices {
+                for by in moving(system, whole) {
+                    let graph = &mut system.mechanism.graph;
+                    let slope = graph.derivative(whole, by);
+                    if matches!(graph.node(slope), Node::Choose { .. }) && slope != whole {
+                        slopes.insert(slope);
+                        let mut state = self.state.borrow_mut();
+                        state.slopes.entry(slope).or_insert((whole, by));
+                    }
+                }
+            }
+            choices = slopes;
+        }
+    }
+
+    /// What the names stand for that were given since the last call, in an order in which they can be computed.
+    pub(super) fn definitions(&self, system: &mut System) -> Vec<Definition> {
+        let state = &mut *self.state.borrow_mut();
+        let mut definitions = Vec::new();
+        for place in state.defined..state.named.len() {
+            let choice = state.named[place];
+            let graph = &system.mechanism.graph;
+            for whole in parts_of(graph, choice, |node| matches!(node, Node::Floor(_))) {
+                if state.turns.iter().any(|&(known, _)| known == whole) {
+                    continue;
+                }
+                let name = format!("turn_{}", state.turns.len() + 1);
+                if let Some((definition, without)) = turn(system, whole, &name) {
+                    definitions.push(definition);
+                    state.turns.push((whole, without));
+                }
+            }
+            let mut replacements = state.turns.clone();
+            for &part in &state.named[..place] {
+                if let Some(Some(name)) = state.names.get(&part) {
+                    let symbol = system.intermediate(name);
+                    let variable = system.mechanism.graph.variable(symbol);
+                    replacements.push((part, variable));
+                }
+            }
+            let value = system.mechanism.graph.replace_parts(choice, &replacements);
+            if let Some(Some(name)) = state.names.get(&choice) {
+                let symbol = system.intermediate(name);
+                let name = system.mechanism.graph.variable(symbol);
+                definitions.push(Definition { name, value });
+            }
+        }
+        state.defined = state.named.len();
+        definitions
+    }
+}
+
+/// The name of a derivative.
+fn slope_name(of: &str, is_only: bool, system: &System, by: SymbolId) -> String {
+    if !is_only {
+        return format!("{of}_by_{}", symbol_name(system, by));
+    }
+    match of.strip_suffix("_slope") {
+        Some(twice) => format!("{twice}_curvature"),
+        None => format!("{of}_slope"),
+    }
+}
+
+fn symbol_name(system: &System, symbol: SymbolId) -> String {
+    let name = match system.roles[symbol.index()] {
+        SymbolRole::Position(unknown) => system.unknown_name(unknown),
+        _ => system.local_name(symbol),
+    };
+    name.to_string()
+}
+
+/// The symbols of an expression that change while the mechanism moves.
+fn moving(system: &System, expr: ExprId) -> Vec<SymbolId> {
+    let symbols = system.mechanism.graph.symbols(expr).iter().copied();
+    symbols
+        .filter(|symbol| !matches!(system.roles[symbol.index()], SymbolRole::Parameter(_)))
+        .collect()
+}
+
+/// The choices in an expression.
+fn choices_of(graph: &Graph, expr: ExprId) -> BTreeSet<ExprId> {
+    parts_of(graph, expr, |node| matches!(node, Node::Choose { .. }))
+}
+
+/// The parts of an expression that are of a kind, itself included.
+fn parts_of(graph: &Graph, expr: ExprId, is: impl Fn(&Node) -> bool) -> BTreeSet<ExprId> {
+    let mut seen = BTreeSet::from([expr]);
+    let mut open = vec![expr];
+    while let Some(expr) = open.pop() {
+        open.extend(
+            graph
+                .operands(expr)
+                .into_iter()
+                .filter(|&it| seen.insert(it)),
+        );
+    }
+    seen.retain(|&it| is(graph.node(it)));
+    seen
+}
+
+/// With floor((x - x0)/P): the definition `turn = x - P floor((x - x0)/P)`, and the number of periods (x - turn)/P. Nothing
+/// where the argument is not linear in what it depends on, with a constant P.
+fn turn(system: &mut System, whole: ExprId, name: &str) -> Option<(Definition, ExprId)> {
+    let Node::Floor(periods) = *system.mechanism.graph.node(whole) else {
+        return None;
+    };
+    let symbol = *system.mechanism.graph.symbols(periods).first()?;
+    let graph = &mut system.mechanism.graph;
+    let frequency = graph.derivative(periods, symbol);
+    if !graph.is_constant(frequency) {
+        return None;
+    }
+    let period = graph.power(frequency, -Rational::ONE);
+    let scaled = graph.multiply(period, periods);
+    let argument = match graph.node(scaled) {
+        Node::Sum(terms) => {
+            let mut kept = terms.to_vec();
+            kept.retain(|term| !graph.is_constant(term.expr));
+            let kept: Vec<ExprId> = kept
+                .iter()
+                .map(|term| graph.scale(term.coefficient, term.expr))
+                .collect();
+            graph.sum(&kept)
+        }
+        _ => scaled,
+    };
+    let skipped = graph.multiply(period, whole);
+    let value = graph.subtract(argument, skipped);
+    let symbol = system.intermediate(name);
+    let graph = &mut system.mechanism.graph;
+    let name = graph.variable(symbol);
+    let rest = graph.subtract(argument, name);
+    Some((Definition { name, value }, graph.divide(rest, period)))
+}

@@ -1,0 +1,97 @@
+//! A system → its degrees of freedom as the exam counts them, and what moves in words.
+
+use super::rank::{FreeMotion, Moves, Survey, singular};
+use super::{Incidence, coarse_parts, maximum_matching};
+use crate::model::Role;
+use crate::system::System;
+
+/// The degrees of freedom of a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Freedom {
+    /// KDOF: the coordinates less the independent equations of joints.
+    pub kinematic: usize,
+    /// NDOF: what the drivers leave of it.
+    pub net: usize,
+    /// How many equations repeat others.
+    pub redundant: usize,
+}
+
+impl Freedom {
+    /// Counted at poses near the drawing in which the equations hold. By the number of equations alone where no such poses are
+    /// found, or where there are too many coordinates to look at all of them at once.
+    pub fn of(system: &System) -> Freedom {
+        let incidence = Incidence::of(system);
+        let matching = maximum_matching(&incidence);
+        let is_square = coarse_parts(&incidence, &matching).is_square();
+        let independent = is_square && singular(system, &incidence, &matching).is_none();
+        let surveyed = if independent {
+            None
+        } else {
+            Survey::of(system)
+        };
+        if let Some(found) = surveyed {
+            return Freedom {
+                kinematic: found.kinematic,
+                net: found.net,
+                redundant: found.dependences.len(),
+            };
+        }
+        let joints = &system.mechanism.joints;
+        let is_joint = |row: &&crate::system::Row| joints[row.joint].role == Role::Constraint;
+        let of_joints = system.rows.iter().filter(is_joint).count();
+        let coordinates = system.coordinates.len();
+        Freedom {
+            kinematic: coordinates.saturating_sub(of_joints),
+            net: coordinates.saturating_sub(system.rows.len()),
+            redundant: system.monitored.len(),
+        }
+    }
+}
+
+impl FreeMotion {
+    /// A sentence without a full stop: "`c6` can still turn about `D`, and `c7` moves with it".
+    pub fn sentence(&self, system: &System) -> String {
+        let name = |body: usize| format!("`{}`", system.mechanism.bodies[body].name);
+        let Some(leader) = self.leader else {
+            return match self.moves {
+                Moves::Contact(joint) => {
+                    let label = &system.mechanism.joints[joint].label;
+                    format!("`{label}` can still slide along its curve")
+                }
+                _ => "something can still move".to_string(),
+            };
+        };
+        let leader = name(leader);
+        let moves = match &self.moves {
+            Moves::About(point) => format!("turn about `{point}`"),
+            Moves::AboutOrigin => "turn about its origin".to_string(),
+            Moves::Turning => "turn".to_string(),
+            Moves::Along(line) => format!("slide along `{line}`"),
+            Moves::Toward([x, y]) => {
+                if y.abs() < 1e-6 {
+                    "move along x".to_string()
+                } else if x.abs() < 1e-6 {
+                    "move along y".to_string()
+                } else {
+                    format!("move along ({x:.3}, {y:.3})")
+                }
+            }
+            Moves::Contact(_) => "move along its curve".to_string(),
+        };
+        const SHOWN: usize = 6;
+        let more = self.others.len().saturating_sub(SHOWN);
+        let shown: Vec<String> = self.others.iter().take(SHOWN).map(|&it| name(it)).collect();
+        match (shown.as_slice(), more) {
+            ([], _) => format!("{leader} can still {moves}"),
+            ([only], _) => format!("{leader} can still {moves}, and {only} moves with it"),
+            (several, 0) => {
+                let several = several.join(", ");
+                format!("{leader} can still {moves}, and {several} move with it")
+            }
+            (several, more) => {
+                let several = several.join(", ");
+                format!("{leader} can still {moves}, and {several} and {more} more move with it")
+            }
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Some rows and some coordinates of a system → their residuals and Jacobian as numbers.
+//!
+//! Everything is dimensionless: lengths in characteristic lengths, angles in radians, rows divided by the size of their
+//! gradients in the pose from which a search starts.
+
+use crate::expr::{ExprId, Tape};
+use crate::model::Role;
+use crate::system::System;
+
+/// The values of all symbols, by their index, with the drivers moved out of their course.
+#[derive(Clone, Debug)]
+pub(super) struct Pose {
+    /// A value per symbol of the graph.
+    pub symbols: Vec<f64>,
+    /// What the residual of each driver is moved by, in its own scale.
+    pub shift: f64,
+}
+
+/// Residuals and gradients of chosen rows by chosen coordinates.
+#[derive(Debug)]
+pub(super) struct Functions<'a> {
+    system: &'a System,
+    /// The rows: indices into `rows` and then `monitored` of the system.
+    pub rows: Vec<usize>,
+    /// The coordinates.
+    pub columns: Vec<usize>,
+    residual: Tape,
+    jacobian: Tape,
+    places: Vec<[usize; 2]>,
+}
+
+impl<'a> Functions<'a> {
+    pub fn new(system: &'a System, rows: Vec<usize>, columns: Vec<usize>) -> Functions<'a> {
+        let graph = &system.mechanism.graph;
+        let residuals: Vec<ExprId> = rows.iter().map(|&at| system.row(at).residual).collect();
+        let (mut entries, mut places) = (Vec::new(), Vec::new());
+        for (place, &at) in rows.iter().enumerate() {
+            for entry in &system.row(at).jacobian {
+                if let Ok(column) = columns.binary_search(&entry.coordinate) {
+                    entries.push(entry.value);
+                    places.push([place, column]);
+                }
+            }
+        }
+        Functions {
+            system,
+            residual: Tape::new(graph, &residuals),
+            jacobian: Tape::new(graph, &entries),
+            places,
+            rows,
+            columns,
+        }
+    }
+
+    /// The residuals, in the scale of each row.
+    pub fn residuals(&self, pose: &Pose) -> Vec<f64> {
+        let mut values = vec![0.0; self.rows.len()];
+        self.residual
+            .evaluate(&pose.symbols, &mut Vec::new(), &mut values);
+        for (value, &at) in values.iter_mut().zip(&self.rows) {
+            let row = self.system.row(at);
+            *value /= self.system.scale(row.quantity);
+            if self.system.mechanism.joints[row.joint].role == Role::Driver {
+                // No two drivers are moved alike, so that nothing fits by accident.
+                *value -= pose.shift * (1.0 + 0.3 * spread(at, 0));
+            }
+        }
+        values
+    }
+
+    /// The gradients of the residuals, a row each.
+    pub fn jacobian(&self, pose: &Pose) -> Vec<Vec<f64>> {
+        let mut entries = vec![0.0; self.places.len()];
+        self.jacobian
+            .evaluate(&pose.symbols, &mut Vec::new(), &mut entries);
+        let mut matrix = vec![vec![0.0; self.columns.len()]; self.rows.len()];
+        for (&[place, column], entry) in self.places.iter().zip(entries) {
+            let of = self.system.row(self.rows[place]).quantity;
+            let by = self.column_scale(column);
+            matrix[place][column] = entry * by / self.system.scale(of);
+        }
+        matrix
+    }
+
+    /// What one unit of a dimensionless coordinate is.
+    pub fn column_scale(&self, column: usize) -> f64 {
+        let coordinate = &self.system.coordinates[self.columns[column]];
+        self.system.scale(coordinate.quantity)
+    }
+
+    /// Moves the coordinates of a pose by a dimensionless step.
+    pub fn moved(&self, pose: &Pose, step: &[f64]) -> Pose {
+        let mut moved = pose.clone();
+        for (column, by) in step.iter().enumerate() {
+            let symbol = self.system.coordinates[self.columns[column]].position;
+            moved.symbols[symbol.index()] += by * self.column_scale(column);
+        }
+        moved
+    }
+}
+
+/// Numbers between −1 and 1 without any pattern: the fractional parts of multiples of irrational numbers (Weyl).
+pub(super) fn spread(index: usize, series: usize) -> f64 {
+    let golden = 0.618_033_988_749_894_8 * (index as f64 + 1.0);
+    let plastic = 0.754_877_666_246_692_7 * (series as f64 + 1.0);
+    2.0 * (golden + plastic + golden * plastic).fract() - 1.0
+}

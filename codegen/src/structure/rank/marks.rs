@@ -1,0 +1,150 @@
+//! Joints marked `redundant` → which of their rows are monitored instead of solved.
+
+use super::functions::Pose;
+use super::independence::{Basis, Reduced, TOLERANCE};
+use super::survey::{all_rows, poses, whole};
+use super::{LARGEST_SURVEY, balanced, pose};
+use crate::model::Mechanism;
+use crate::system::{System, assemble, assemble_without};
+
+/// A monitored row that does not follow from the others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::structure) struct Misfit {
+    /// An index into the monitored rows.
+    pub monitored: usize,
+    /// Its residual where all others hold, in m or rad.
+    pub size: f64,
+}
+
+/// The equations of a mechanism, where those rows of joints marked `redundant` that repeat what others say are monitored. Those
+/// that determine something stay; of several that could, those that do so best in all poses near the drawing.
+pub fn released(mechanism: Mechanism) -> System {
+    if mechanism.joints.iter().all(|own| own.redundant.is_none()) {
+        return assemble(mechanism);
+    }
+    let draft = assemble(mechanism.clone());
+    if draft.coordinates.len() > LARGEST_SURVEY || shared_line(&draft).is_some() {
+        return draft;
+    }
+    let dropped = dependent(&draft);
+    assemble_without(mechanism, &dropped)
+}
+
+/// A marked joint whose line another joint or driver names, and that one: both are needed.
+pub(in crate::structure) fn shared_line(system: &System) -> Option<(usize, usize)> {
+    let joints = &system.mechanism.joints;
+    let owned = |at: usize| {
+        let own = joints[at].kind.auxiliaries().len();
+        joints[at].operands.auxiliaries.iter().take(own)
+    };
+    let marked = (0..joints.len()).filter(|&at| joints[at].redundant.is_some());
+    marked
+        .flat_map(|line| (0..joints.len()).map(move |user| (line, user)))
+        .find(|&(line, user)| {
+            let own = joints[user].kind.auxiliaries().len();
+            let mut borrowed = joints[user].operands.auxiliaries.iter().skip(own);
+            borrowed.any(|theirs| owned(line).any(|mine| mine.value == theirs.value))
+        })
+}
+
+/// The rows of marked joints that the other rows repeat, ascending.
+fn dependent(system: &System) -> Vec<usize> {
+    let is_marked = |at: usize| {
+        let joint = &system.mechanism.joints[system.row(at).joint];
+        joint.redundant.is_some()
+    };
+    // All rows together, where they fit together; otherwise those that are not marked.
+    let (unmarked, marked): (Vec<usize>, Vec<usize>) =
+        all_rows(system).into_iter().partition(|&at| !is_marked(at));
+    let mut found = poses(system, &whole(system, all_rows(system)));
+    let fits = found.len() > 1;
+    if !fits {
+        found = poses(system, &whole(system, unmarked.clone()));
+    }
+    let ordered = whole(system, [unmarked.clone(), marked.clone()].concat());
+    let matrices: Vec<Vec<Vec<f64>>> = found
+        .iter()
+        .map(|pose| balanced(ordered.jacobian(pose)).0)
+        .collect();
+    let mut bases = vec![Basis::default(); matrices.len()];
+    for (basis, matrix) in bases.iter_mut().zip(&matrices) {
+        for (at, row) in matrix.iter().take(unmarked.len()).enumerate() {
+            // That others repeat one another is said elsewhere.
+            let _ = basis.take(at, row);
+        }
+    }
+    let mut open = marked;
+    // Each time the row that the rows so far leave most room for, in the worst of the poses.
+    while let Some((best, reduced)) =
+        most_independent(&open, unmarked.len(), &ordered.rows, &matrices, &bases)
+    {
+        let at = open.remove(best);
+        for (basis, reduced) in bases.iter_mut().zip(reduced) {
+            if reduced.independent > TOLERANCE {
+                basis.insert(at, reduced);
+            }
+        }
+    }
+    open.sort_unstable();
+    open
+}
+
+/// The open row that is most independent, with its reductions; none where all of them depend on the rows so far in every
+/// pose.
+fn most_independent(
+    open: &[usize],
+    unmarked: usize,
+    ordered: &[usize],
+    matrices: &[Vec<Vec<f64>>],
+    bases: &[Basis],
+) -> Option<(usize, Vec<Reduced>)> {
+    let mut best: Option<(f64, usize, Vec<Reduced>)> = None;
+    for (place, at) in open.iter().enumerate() {
+        let row = unmarked + ordered[unmarked..].iter().position(|it| it == at)?;
+        let pairs = matrices.iter().zip(bases);
+        let reduced: Vec<Reduced> = pairs
+            .map(|(matrix, basis)| basis.reduce(&matrix[row]))
+            .collect();
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        for reduced in &reduced {
+            least = least.min(reduced.independent);
+            most = most.max(reduced.independent);
+        }
+        // In written order, unless a later row is clearly better.
+        let is_better = best.as_ref().is_none_or(|best| least > 1.05 * best.0);
+        if most > TOLERANCE && is_better {
+            best = Some((least, place, reduced));
+        }
+    }
+    best.map(|(_, place, reduced)| (place, reduced))
+}
+
+/// The monitored row that fits the others least; none where all of them hold together in the drawing and in a pose off it.
+pub(in crate::structure) fn misfit(system: &System) -> Option<Misfit> {
+    if system.monitored.is_empty() {
+        return None;
+    }
+    let together = whole(system, all_rows(system));
+    if poses(system, &together).len() > 1 {
+        return None;
+    }
+    let solved = whole(system, (0..system.rows.len()).collect());
+    let watched = system.rows.len()..system.rows.len() + system.monitored.len();
+    let watched = whole(system, watched.collect());
+    let mut worst: Option<Misfit> = None;
+    let mut consider = |pose: &Pose| {
+        for (monitored, value) in watched.residuals(pose).into_iter().enumerate() {
+            let size = value.abs() * system.scale(system.monitored[monitored].quantity);
+            if worst.is_none_or(|worst| size > worst.size) {
+                worst = Some(Misfit { monitored, size });
+            }
+        }
+    };
+    let found = poses(system, &solved);
+    found.iter().for_each(&mut consider);
+    if found.is_empty() {
+        // Not even the others hold near the drawing: the drawing itself is what can be measured.
+        consider(&pose::start(system, 0));
+    }
+    worst
+}
