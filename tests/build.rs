@@ -1,9 +1,10 @@
-//! Generates the mechanisms that only tests need, the repository's and one with tables in single precision, a list of the
-//! repository's, and all of them once more with what their drivers transmit, and those with parameters with their
-//! sensitivities.
+//! Generates the mechanisms that only tests need, the repository's, one with tables and those of the study of stability in
+//! single precision, a list of the repository's, and all of them once more with what their drivers transmit, and those with
+//! parameters with their sensitivities.
 
 mod registry;
 mod sensing;
+mod single_study;
 mod transmitting;
 
 use std::path::Path;
@@ -18,6 +19,8 @@ fn main() {
         scalar: Scalar::F32,
     };
     linkwright_codegen::build_with("../mechanisms", &single);
+    linkwright_codegen::build("stability");
+    linkwright_codegen::build_with(single_study::write("stability"), &single);
     let tables = fs::read_to_string("descriptions/tables.mech").expect("the description");
     // One with errors is reported where it is built for itself.
     if let Ok(tables) = generate_with(&Source::new("tables.mech", tables), &single) {

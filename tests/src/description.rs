@@ -38,17 +38,17 @@ pub fn small() -> Vec<String> {
     names.filter(|name| motions(name).len() == 1).collect()
 }
 
-/// The text of a described mechanism, of the repository's or of those that only tests need.
+/// The text of a described mechanism, of the repository's or of those that only tests and the study of stability need.
 ///
 /// # Panics
 /// If there is no such file.
 pub fn source(name: &str) -> Source {
     let file = format!("{name}.mech");
-    let small = files::package("descriptions").join(&file);
-    let path = match small.is_file() {
-        true => small,
-        false => files::repository().join("mechanisms").join(&file),
-    };
+    let own = ["descriptions", "stability"].map(|folder| files::package(folder).join(&file));
+    let path = own
+        .into_iter()
+        .find(|path| path.is_file())
+        .unwrap_or_else(|| files::repository().join("mechanisms").join(&file));
     let text =
         fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let folder = path.parent().expect("a folder");

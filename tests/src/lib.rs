@@ -19,6 +19,7 @@ pub mod reference;
 pub mod sample;
 pub mod single;
 pub mod solver;
+pub mod stability;
 pub mod stencil;
 pub mod study;
 pub mod table;
