@@ -11,6 +11,7 @@ mod names;
 mod operations;
 pub mod solved;
 mod statements;
+mod usage;
 
 pub use addends::{Addend, Compared, Power, addends, compared};
 pub use constants::{Constant, ConstantPart, Constants};

@@ -6,6 +6,7 @@ use super::addends::{Addend, Compared, addends, bases, compared};
 use super::constants::Constants;
 use super::names::Names;
 use super::operations::{Operations, is_function, is_symbol, written_operands};
+use super::usage::{Orders, Usage};
 use crate::expr::{ExprId, Graph, Node, SplineId};
 use crate::system::{SymbolRole, System, WrittenOrder};
 
@@ -397,12 +398,6 @@ impl Inputs {
     }
 }
 
-/// The sine and the cosine node of an angle, as far as both occur.
-type Pair = (Option<ExprId>, Option<ExprId>);
-
-/// A table's value and its derivatives at one place, as far as they occur.
-type Orders = [Option<ExprId>; 4];
-
 /// The statement for those of the orders that are needed; nothing where none is.
 fn lookup(
     names: &[Option<String>; 4],
@@ -425,121 +420,4 @@ fn lookup(
             argument,
         }),
     }
-}
-
-/// What the results use, and how often.
-struct Usage {
-    /// Every expression that is not constant, operands first.
-    ordered: Vec<ExprId>,
-    uses: HashMap<ExprId, usize>,
-    /// How often a choice is an arm of another one.
-    as_arm: HashMap<ExprId, usize>,
-    sine_cosine: HashMap<ExprId, Pair>,
-    splines: HashMap<(SplineId, ExprId), Orders>,
-}
-
-impl Usage {
-    fn of(results: &[(ExprId, Vec<usize>)], graph: &Graph, known: &Straight) -> Usage {
-        let mut usage = Usage {
-            ordered: Vec::new(),
-            uses: HashMap::new(),
-            as_arm: HashMap::new(),
-            sine_cosine: HashMap::new(),
-            splines: HashMap::new(),
-        };
-        for (result, _) in results {
-            usage.visit(*result, 1, graph, known);
-        }
-        for &expr in &usage.ordered {
-            match *graph.node(expr) {
-                Node::Sin(angle) => usage.sine_cosine.entry(angle).or_default().0 = Some(expr),
-                Node::Cos(angle) => usage.sine_cosine.entry(angle).or_default().1 = Some(expr),
-                Node::Spline {
-                    spline,
-                    order,
-                    argument,
-                } => {
-                    let orders = usage.splines.entry((spline, argument)).or_default();
-                    orders[usize::from(order)] = Some(expr);
-                }
-                _ => {}
-            }
-        }
-        usage
-    }
-
-    fn visit(&mut self, expr: ExprId, weight: usize, graph: &Graph, known: &Straight) {
-        if graph.is_constant(expr) || known.names.contains_key(&expr) {
-            return;
-        }
-        if let Some(uses) = self.uses.get_mut(&expr) {
-            *uses += weight;
-            return;
-        }
-        self.uses.insert(expr, weight);
-        match graph.node(expr) {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
-            Node::Sum(terms) => terms
-                .iter()
-                .for_each(|term| self.visit(term.expr, 1, graph, known)),
-            Node::Product(factors) => {
-                for factor in factors {
-                    // A power is written as a product, so its base is used as often.
-                    let exponent = factor.exponent;
-                    let whole = if exponent.denominator() == 1 {
-                        exponent.numerator().unsigned_abs()
-                    } else {
-                        1
-                    };
-                    self.visit(
-                        factor.base,
-                        usize::try_from(whole).unwrap_or(usize::MAX),
-                        graph,
-                        known,
-                    );
-                }
-            }
-            Node::Choose {
-                below, otherwise, ..
-            } => {
-                for arm in [*below, *otherwise] {
-                    *self.as_arm.entry(arm).or_default() += 1;
-                }
-                self.visit_all(written_operands(expr, graph), graph, known);
-            }
-            Node::Sin(_)
-            | Node::Cos(_)
-            | Node::Exp(_)
-            | Node::Ln(_)
-            | Node::Floor(_)
-            | Node::Spline { .. }
-            | Node::Atan2(..) => self.visit_all(graph.operands(expr), graph, known),
-        }
-        self.ordered.push(expr);
-    }
-
-    fn visit_all(&mut self, operands: Vec<ExprId>, graph: &Graph, known: &Straight) {
-        for operand in operands {
-            self.visit(operand, 1, graph, known);
-        }
-    }
-
-    /// Functions always get a name, unless they are a choice that continues another one; other expressions when they are used again and take more than one operation.
-    fn deserves_name(&self, expr: ExprId, graph: &Graph) -> bool {
-        let node = graph.node(expr);
-        let operations = match node {
-            Node::Sum(terms) => terms.len() - 1 + terms.iter().filter(|term| scaled(term)).count(),
-            Node::Product(factors) => factors.len(),
-            _ => 0,
-        };
-        let uses = self.uses.get(&expr).copied();
-        let continues = matches!(node, Node::Choose { .. })
-            && uses == Some(1)
-            && self.as_arm.get(&expr) == Some(&1);
-        (is_function(node) && !continues) || (operations >= 2 && uses.is_some_and(|uses| uses >= 2))
-    }
-}
-
-fn scaled(term: &crate::expr::Term) -> bool {
-    !term.coefficient.is_one() && !term.coefficient.neg().is_one()
 }
