@@ -221,7 +221,11 @@ fn iterate(
         system,
         newton,
         places: unknowns().map(|it| it.position).collect(),
-        row_scale: system.mechanism.characteristic_length,
+        row_scales: newton
+            .quantities
+            .iter()
+            .map(|&it| system.scale(it))
+            .collect(),
         column_scales: unknowns().map(|it| system.scale(it.quantity)).collect(),
         residual: Tape::new(graph, &newton.residuals),
         jacobian: Tape::new(graph, &newton.jacobian),
@@ -266,7 +270,7 @@ struct Block<'a> {
     system: &'a System,
     newton: &'a NewtonBlock,
     places: Vec<SymbolId>,
-    row_scale: f64,
+    row_scales: Vec<f64>,
     column_scales: Vec<f64>,
     residual: Tape,
     jacobian: Tape,
@@ -313,8 +317,8 @@ impl Equations<f64, Dyn> for Block<'_> {
         gamma.fill(0.0);
     }
 
-    fn row_scale(&self, _row: usize) -> f64 {
-        self.row_scale
+    fn row_scale(&self, row: usize) -> f64 {
+        self.row_scales.get(row).copied().unwrap_or(1.0)
     }
 
     fn coordinate_scale(&self, column: usize) -> f64 {

@@ -6,6 +6,7 @@
 //! that each is one short sum.
 
 use crate::expr::{ExprId, Graph, Node};
+use crate::joint::Quantity;
 use crate::system::VectorForm;
 
 /// One eliminated unknown.
@@ -24,6 +25,8 @@ pub(super) struct Eliminated {
     pub definitions: Vec<Definition>,
     /// The equations that are left.
     pub residuals: Vec<ExprId>,
+    /// What each of them is measured in.
+    pub quantities: Vec<Quantity>,
     /// The unknowns that are left.
     pub tears: Vec<usize>,
 }
@@ -34,6 +37,7 @@ pub(super) struct Eliminated {
 /// links. Only where a loop has no beginning the first unknown is taken from the first equation that mentions it.
 pub(super) fn eliminate(
     residuals: Vec<ExprId>,
+    quantities: Vec<Quantity>,
     unknowns: &[usize],
     form: &VectorForm,
     graph: &mut Graph,
@@ -43,9 +47,11 @@ pub(super) fn eliminate(
         .partition(|&&unknown| has_constant_coefficients(unknown, &residuals, form, graph));
     let mut rows: Vec<Equation> = residuals
         .into_iter()
-        .map(|residual| Equation {
+        .zip(quantities)
+        .map(|(residual, quantity)| Equation {
             written: residual,
             reduced: residual,
+            quantity,
         })
         .collect();
     let (mut forward, mut stuck) = (Vec::new(), Vec::new());
@@ -108,6 +114,7 @@ pub(super) fn eliminate(
     Eliminated {
         definitions,
         residuals: rows.iter().map(|row| row.reduced).collect(),
+        quantities: rows.iter().map(|row| row.quantity).collect(),
         tears,
     }
 }
@@ -117,6 +124,7 @@ pub(super) fn eliminate(
 struct Equation {
     written: ExprId,
     reduced: ExprId,
+    quantity: Quantity,
 }
 
 /// Whether a value mentions an unknown, itself or through these definitions.

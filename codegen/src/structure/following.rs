@@ -18,6 +18,8 @@ pub(super) struct Followed {
     pub definitions: Vec<Definition>,
     /// The equations that are left.
     pub residuals: Vec<ExprId>,
+    /// What each of them is measured in.
+    pub quantities: Vec<Quantity>,
     /// The unknowns that are left.
     pub unknowns: Vec<usize>,
 }
@@ -34,6 +36,7 @@ struct Relation {
 /// Takes all angles out of a block that follow another one of it.
 pub(super) fn follow(
     mut residuals: Vec<ExprId>,
+    mut quantities: Vec<Quantity>,
     unknowns: &[usize],
     form: &mut VectorForm,
     graph: &mut Graph,
@@ -47,6 +50,7 @@ pub(super) fn follow(
             break;
         };
         residuals.remove(at);
+        quantities.remove(at);
         let arms: Vec<_> = form.arms_of(relation.follower).cloned().collect();
         let mut replacements = Vec::new();
         for arm in arms {
@@ -92,6 +96,7 @@ pub(super) fn follow(
     Followed {
         definitions,
         residuals,
+        quantities,
         unknowns,
     }
 }

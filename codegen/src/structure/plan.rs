@@ -7,6 +7,7 @@ use super::following::follow;
 use super::recognition::recognize;
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
+use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
 use crate::system::{SymbolRole, System, VectorForm};
 
@@ -109,6 +110,8 @@ pub enum Step {
         unknowns: Vec<usize>,
         /// As many equations.
         residuals: Vec<ExprId>,
+        /// What each of them is measured in.
+        quantities: Vec<Quantity>,
     },
 }
 
@@ -190,7 +193,8 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
             .iter()
             .map(|&row| with_constants(form.rows[row].residual, &constants, graph))
             .collect();
-        let mut block = block(residuals, &unknowns, joints, form, graph);
+        let quantities = rows.iter().map(|&row| form.rows[row].quantity).collect();
+        let mut block = block(residuals, quantities, &unknowns, joints, form, graph);
         for definition in &block.definitions {
             if graph.is_fixed(definition.value) {
                 constants.insert(form.unknowns[definition.unknown].position, definition.value);
@@ -279,15 +283,26 @@ fn incidence(form: &VectorForm, graph: &Graph) -> Incidence {
 /// Eliminates what can be, takes the rest apart once more, and recognises each part.
 fn block(
     residuals: Vec<ExprId>,
+    quantities: Vec<Quantity>,
     unknowns: &[usize],
     joints: Vec<usize>,
     form: &mut VectorForm,
     graph: &mut Graph,
 ) -> SolvedBlock {
-    let followed = follow(residuals, unknowns, form, graph);
+    let followed = follow(residuals, quantities, unknowns, form, graph);
     let form = &*form;
-    let eliminated = eliminate(followed.residuals, &followed.unknowns, form, graph);
-    let (residuals, tears) = (eliminated.residuals, eliminated.tears);
+    let eliminated = eliminate(
+        followed.residuals,
+        followed.quantities,
+        &followed.unknowns,
+        form,
+        graph,
+    );
+    let (residuals, quantities, tears) = (
+        eliminated.residuals,
+        eliminated.quantities,
+        eliminated.tears,
+    );
     let row = |residual: ExprId| {
         (0..tears.len())
             .filter(|&tear| mentions(residual, tears[tear], form, graph))
@@ -304,17 +319,19 @@ fn block(
         steps.push(Step::Newton {
             unknowns: tears,
             residuals,
+            quantities,
         });
     } else {
         for rows in components(&incidence, &matching) {
             let part: Vec<ExprId> = rows.iter().map(|&row| residuals[row]).collect();
+            let measured: Vec<Quantity> = rows.iter().map(|&row| quantities[row]).collect();
             let mut found: Vec<usize> = rows
                 .iter()
                 .filter_map(|&row| matching.column_of[row])
                 .map(|column| tears[column])
                 .collect();
             found.sort_unstable();
-            steps.push(recognize(&part, &found, form, graph));
+            steps.push(recognize(&part, &measured, &found, form, graph));
         }
     }
     SolvedBlock {

@@ -5,6 +5,7 @@
 
 use super::plan::Step;
 use crate::expr::{ExprId, Graph};
+use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
 use crate::system::VectorForm;
 
@@ -16,9 +17,10 @@ struct Turned {
     rest: ExprId,
 }
 
-/// The step that solves these equations for these unknowns.
+/// The step that solves these equations, measured in `quantities`, for these unknowns.
 pub(super) fn recognize(
     residuals: &[ExprId],
+    quantities: &[Quantity],
     unknowns: &[usize],
     form: &VectorForm,
     graph: &mut Graph,
@@ -31,11 +33,12 @@ pub(super) fn recognize(
     found.unwrap_or_else(|| Step::Newton {
         unknowns: unknowns.to_vec(),
         residuals: residuals.to_vec(),
+        quantities: quantities.to_vec(),
     })
 }
 
 fn is_angle(unknown: usize, form: &VectorForm) -> bool {
-    form.unknowns[unknown].quantity == crate::joint::Quantity::Angle
+    form.unknowns[unknown].quantity == Quantity::Angle
 }
 
 fn single(residual: ExprId, unknown: usize, form: &VectorForm, graph: &mut Graph) -> Option<Step> {

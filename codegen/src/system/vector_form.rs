@@ -58,6 +58,8 @@ pub struct Unknown {
 pub struct VectorRow {
     /// Index into the mechanism's joints.
     pub joint: usize,
+    /// What the residual is measured in.
+    pub quantity: Quantity,
     /// Zero when satisfied.
     pub residual: ExprId,
 }
@@ -129,6 +131,7 @@ impl VectorForm {
             let rows = kept_rows(joint.kind, &operands, dropped, graph);
             form.rows.extend(rows.iter().map(|row| VectorRow {
                 joint: index,
+                quantity: row.quantity,
                 residual: row.residual,
             }));
         }

@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::names::{BlockNames, plain_name};
-use super::newton::reads_frame;
+use super::newton::{reads_frame, reads_length};
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::{Names, Writer, identifier};
 use crate::emit::rust::given::only;
@@ -26,6 +26,8 @@ pub(super) struct Needs {
     pub start: bool,
     pub branches: bool,
     pub settings: bool,
+    /// What lengths are judged against, where it follows the parameters.
+    pub length: bool,
     pub parameters: bool,
     pub inputs: bool,
     pub time: bool,
@@ -63,6 +65,7 @@ impl Needs {
             .as_ref()
             .map(|newton| Needs::given(newton, system));
         let newton = newton.unwrap_or_default();
+        needs.length = block.newton.as_ref().is_some_and(|it| reads_length(it, system));
         needs.parameters = own.parameters || newton.parameters;
         needs.inputs = own.inputs || newton.inputs;
         needs
@@ -92,6 +95,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
+        let length = only(self.length, quote!(length,));
         let parameters = only(self.parameters, quote!(parameters,));
         let inputs = only(self.inputs, quote!(inputs,));
         let time = if self.time {
@@ -99,7 +103,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
-        quote!(at, #last #start #branches #settings #parameters #inputs #time)
+        quote!(at, #last #start #branches #settings #length #parameters #inputs #time)
     }
 
     fn parameters(self) -> TokenStream {
@@ -119,6 +123,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
+        let length = only(self.length, quote!(length: f64,));
         let parameters = only(self.parameters, quote!(parameters: &Parameters,));
         let inputs = only(self.inputs, quote!(inputs: &Inputs,));
         let time = if self.time {
@@ -126,7 +131,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
-        quote!(at: &mut Frame, #last #start #branches #settings #parameters #inputs #time)
+        quote!(at: &mut Frame, #last #start #branches #settings #length #parameters #inputs #time)
     }
 }
 
@@ -175,7 +180,7 @@ pub(in crate::emit::rust) fn blocks(
         let check = if checks_itself(system) { own_check(index, block, &names) } else { TokenStream::new() };
         // All that a block can be given is one more than a linter takes.
         let many = only(
-            needs.start && needs.parameters && needs.inputs,
+            needs.start && [needs.length, needs.parameters, needs.inputs].map(usize::from).iter().sum::<usize>() >= 2,
             quote!(#[allow(clippy::too_many_arguments)]),
         );
         let body = if needs.fails {
@@ -376,7 +381,8 @@ fn equations(block: &BlockProgram, newton: &NewtonBlock, names: &BlockNames<'_>)
     );
     let parameters = only(needs.parameters, quote!(parameters,));
     let inputs = only(needs.inputs, quote!(inputs,));
-    let fields = quote!(#at #parameters #inputs);
+    let length = only(reads_length(newton, names.system), quote!(length,));
+    let fields = quote!(#at #parameters #inputs #length);
     if fields.is_empty() {
         quote!(#type_name)
     } else {
