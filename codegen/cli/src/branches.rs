@@ -1,11 +1,10 @@
-//! *A System and wishes like `phi2=other` → the pose that is assembled so.*
+//! *A solved view and wishes like `phi2=other` → the pose that is assembled so.*
 //!
 //! The result is an estimate of all coordinates, from which the textbook view is assembled. The module reads the wishes and
 //! passes them on block by block; it does not know how a mode is found, and does not follow the motion from there.
 
 use linkwright::{Branch, FailureKind};
 use linkwright_codegen::diagnostic::nearest;
-use linkwright_codegen::system::System;
 use nalgebra::DVector;
 
 use crate::solved_interpreter::{SolvedInterpreter, Sought};
@@ -15,10 +14,12 @@ use crate::solved_interpreter::{SolvedInterpreter, Sought};
 ///
 /// # Errors
 /// A sentence where a wish cannot be read, names no loop, or cannot be met.
-pub fn assembled(system: &System, t: f64, wishes: &[String]) -> Result<DVector<f64>, String> {
-    let solved = SolvedInterpreter::new(system)
-        .ok_or_else(|| "the mechanism is not solved loop by loop".to_string())?;
-    let wishes = read(&solved, wishes)?;
+pub fn assembled(
+    solved: &SolvedInterpreter,
+    t: f64,
+    wishes: &[String],
+) -> Result<DVector<f64>, String> {
+    let wishes = read(solved, wishes)?;
     let wish = |name: &str| {
         let found = wishes.iter().find(|(wanted, _)| wanted == name);
         found.map_or(Sought::Near, |(_, wish)| *wish)
