@@ -42,15 +42,36 @@ fn instant(x: f64, parameters: &[f64], signals: Signals, pose: Vec<f64>, length:
     }
 }
 
-fn powers(from: i32, to: i32, step: usize) -> Vec<f64> {
+/// The powers of ten from one to the other.
+fn powers(from: i32, to: i32) -> Vec<f64> {
+    digits(from, to, &[1])
+}
+
+/// The same with three times each power between.
+fn finer(from: i32, to: i32) -> Vec<f64> {
+    let leading: &[u32] = if from < to { &[1, 3] } else { &[3, 1] };
+    let mut found = digits(from, to, leading);
+    // Between the ends, not beyond.
+    found.retain(|value| {
+        let exponent = value.log10();
+        exponent <= f64::from(from.max(to)) + 0.1
+    });
+    found
+}
+
+fn digits(from: i32, to: i32, leading: &[u32]) -> Vec<f64> {
     let exponents: Vec<i32> = if from <= to {
-        (from..=to).step_by(step).collect()
+        (from..=to).collect()
     } else {
-        (to..=from).rev().step_by(step).collect()
+        (to..=from).rev().collect()
     };
-    exponents
-        .into_iter()
-        .map(|exponent| format!("1e{exponent}").parse().expect("a number"))
+    let texts = exponents.into_iter().flat_map(|exponent| {
+        leading
+            .iter()
+            .map(move |digit| format!("{digit}e{exponent}"))
+    });
+    texts
+        .map(|text| text.parse().expect("a number"))
         .collect()
 }
 
@@ -211,7 +232,7 @@ pub fn families() -> Vec<Family> {
             samples,
         });
     };
-    let near: Vec<f64> = powers(-1, -14, 1);
+    let near: Vec<f64> = finer(-1, -14);
     let rod = 3.0_f64.sqrt();
     let exam = |delta: &f64| {
         // cos φ1 = √3 (1 - cos φ2).
@@ -269,7 +290,7 @@ pub fn families() -> Vec<Family> {
         FOUR_BAR,
         change.collect(),
     );
-    let dead = powers(-1, -16, 1);
+    let dead = finer(-1, -16);
     let dead = dead
         .iter()
         .map(|gap| slider(*gap, 0.4, 1.2, 1.6 * (1.0 - gap)));
@@ -279,7 +300,10 @@ pub fn families() -> Vec<Family> {
         SLIDER,
         dead.collect(),
     );
-    let collinear = [1.0, 0.3, 0.1, 0.01, 1e-4, 1e-8, 0.0].map(|rest| {
+    let collinear = [
+        1.0, 0.6, 0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, 1e-8, 1e-12, 1e-16, 0.0,
+    ]
+    .map(|rest| {
         let mut sample = LINKS.sample(rest, 0.7, 0.0);
         for place in [5, 8] {
             sample.estimate[place] *= rest;
@@ -292,7 +316,7 @@ pub fn families() -> Vec<Family> {
         FOUR_BAR,
         collinear.to_vec(),
     );
-    let short = powers(0, -8, 1);
+    let short = finer(0, -8);
     let short = short.iter().map(|ratio| {
         let links = Links {
             l1: 0.4 * ratio,
@@ -306,7 +330,7 @@ pub fn families() -> Vec<Family> {
         FOUR_BAR,
         short.collect(),
     );
-    let long = powers(0, 8, 1);
+    let long = finer(0, 8);
     let long = long.iter().map(|ratio| {
         let links = Links {
             g: *ratio,
@@ -322,7 +346,7 @@ pub fn families() -> Vec<Family> {
         FOUR_BAR,
         long.collect(),
     );
-    let sizes = powers(-9, 9, 3);
+    let sizes = powers(-9, 9);
     add(
         "Sizes: four-bar linkage, set by parameters",
         "size, m",
@@ -350,7 +374,7 @@ pub fn families() -> Vec<Family> {
             .map(|size| platform(*size, *size, 0.0))
             .collect(),
     );
-    let places = powers(0, 9, 1);
+    let places = finer(0, 9);
     add(
         "Places: four-bar linkage far from the origin",
         "distance, m",
@@ -369,8 +393,8 @@ pub fn families() -> Vec<Family> {
             .map(|place| platform(*place, 1.0, *place))
             .collect(),
     );
-    let mut steps = powers(-6, -1, 1);
-    steps.extend([0.3, 1.0, 2.0, 3.0]);
+    let mut steps = finer(-6, -1);
+    steps.extend([0.5, 1.0, 1.5, 2.0, 2.5, 3.0]);
     let swing = |step: &f64| moved(*step, &[(RIPPLE, 0.5), (FAST, *step)], 0.0, 1.0, 5, 0.0);
     add(
         "Driver frequency times step, 5 steps",
@@ -378,15 +402,16 @@ pub fn families() -> Vec<Family> {
         FOUR_BAR,
         steps.iter().map(swing).collect(),
     );
-    let late = powers(0, 9, 1);
-    let turning = |t: &f64| moved(*t, &[(SLOW, 3.0)], *t, 0.01, 4, 3.0 * t);
+    let late = finer(0, 9);
+    // The exponential law is switched off by its rate too: nothing times infinity is no number.
+    let turning = |t: &f64| moved(*t, &[(SLOW, 3.0), (GROWTH, 0.0)], *t, 0.01, 4, 3.0 * t);
     add(
         "Late times, crank at 3 rad/s, 4 steps of 0.01 s",
         "t, s",
         FOUR_BAR,
         late.iter().map(turning).collect(),
     );
-    let ripple = powers(-7, -2, 1);
+    let ripple = finer(-7, -2);
     let ripple = ripple.iter().map(|h| {
         moved(
             *h,
@@ -398,12 +423,12 @@ pub fn families() -> Vec<Family> {
         )
     });
     add(
-        "A ripple of 1e-3 rad at 1e5 rad/s on a slow turn, 5 steps",
+        "A ripple of 1e-3 rad at 1e5 rad/s on a slow turn, 20 steps",
         "step, s",
         FOUR_BAR,
         ripple.collect(),
     );
-    let growing = [1.0, 10.0, 100.0, 700.0, 1e4, 1e6].map(|rate: f64| {
+    let growing = [1.0, 3.0, 10.0, 30.0, 100.0, 700.0, 1e3, 1e4, 1e5, 1e6].map(|rate: f64| {
         moved(
             rate,
             &[(KICK, 1e-3), (GROWTH, rate)],
@@ -414,12 +439,12 @@ pub fn families() -> Vec<Family> {
         )
     });
     add(
-        "An exponential law, 8 steps of half its time constant",
+        "An exponential law, 16 steps of half its time constant",
         "rate, 1/s",
         FOUR_BAR,
         growing.to_vec(),
     );
-    let jumping = powers(-1, -12, 1);
+    let jumping = finer(-1, -12);
     let jumping = jumping
         .iter()
         .map(|width| moved(*width, &[(JUMP, 0.5), (WIDTH, *width)], -1e-3, 1e-3, 4, 0.0));
@@ -429,7 +454,7 @@ pub fn families() -> Vec<Family> {
         FOUR_BAR,
         jumping.collect(),
     );
-    let wound = powers(0, 6, 1);
+    let wound = finer(0, 6);
     let wound = wound.iter().map(|turns| {
         let angle = 0.7 + TAU * turns;
         let mut sample = LINKS.sample(*turns, 0.7, 0.0);
@@ -463,6 +488,34 @@ pub fn families() -> Vec<Family> {
         "size, m",
         FOUR_BAR,
         huge.to_vec(),
+    );
+    // Where the fourth powers of lengths are no normal numbers any more, in f32 and in f64.
+    let mut edges: Vec<f64> = finer(-8, -12);
+    edges.extend(finer(-75, -82));
+    edges.extend(finer(8, 11));
+    edges.extend(finer(75, 78));
+    add(
+        "Sizes whose fourth powers leave the range of a scalar, set by parameters",
+        "size, m",
+        FOUR_BAR,
+        edges
+            .iter()
+            .map(|size| LINKS.times(*size).sample(*size, 0.7, 0.0))
+            .collect(),
+    );
+    let vanishing = [1e-10, 1e-15, 1e-20, 1e-40, 1e-160, 1e-200, 1e-300, 1e-310, 1e-320, 0.0];
+    let vanishing = vanishing.map(|length| {
+        let links = Links {
+            l1: length,
+            ..LINKS
+        };
+        links.sample(length, 0.7, 0.0)
+    });
+    add(
+        "A crank down to no length, denormal numbers among it",
+        "its length, m",
+        FOUR_BAR,
+        vanishing.to_vec(),
     );
     let zero = [
         [1.0, 0.0, 1.2, 0.8],
