@@ -7,6 +7,10 @@
 //! Kantorovich, h = ‖Φ_q⁻¹ (Φ_q(q + δ) - Φ_q(q))‖ ≤ 1/2 (Deuflhard, *Newton Methods for Nonlinear Problems*, 2004,
 //! section 2.1), asked of the δ that the residual leaves most uncertain. It does not depend on the choice of coordinates.
 //!
+//! A pose that is uncertain by more than a thousandth in the scale of a coordinate is refused as well, however little Φ_q
+//! changes: it has not three digits. Far from the origin, or with links of very different lengths, the residual's rounding
+//! alone leaves that much.
+//!
 //! The module does not know how the pose was found.
 
 use nalgebra::allocator::Allocator;
@@ -24,6 +28,9 @@ use crate::vector::{add, zero_matrix, zero_vector};
 /// curvature κ the verdict falls where the square of the smallest singular value is 4 κ r, so the rest is the room for
 /// curvatures above 1 and for pivots that are larger than the singular value.
 const DOUBT: f64 = 256.0;
+
+/// The uncertainty of a coordinate, in its scale, beyond which a pose is refused: it would have less than three digits.
+pub const LARGEST_UNCERTAINTY: f64 = 1e-3;
 
 /// The change of the Jacobian, relative to itself, beyond which a pose is not regular.
 const LARGEST_CHANGE: f64 = 0.5;
@@ -72,6 +79,15 @@ where
     for (entry, scale) in entries.zip(scales.columns.as_slice()) {
         *entry *= reach * *scale;
     }
+    let singular = Err(FailureKind::Singular {
+        pivot_ratio: factorization.pivot_ratio(),
+        column: index(column),
+    });
+    let size = scales.step_length(&uncertain);
+    // Written so that NaN is rejected too.
+    if !(size <= T::from_f64(LARGEST_UNCERTAINTY)) {
+        return singular;
+    }
     let mut moved = q.clone();
     add(&mut moved, &uncertain);
     let mut changed = zero_matrix(dimension);
@@ -91,11 +107,8 @@ where
     factorization.solve(&mut image);
     let change = scales.step_length(&image);
     // Written so that NaN is rejected too.
-    if change <= T::from_f64(LARGEST_CHANGE) * scales.step_length(&uncertain) {
+    if change <= T::from_f64(LARGEST_CHANGE) * size {
         return Ok(());
     }
-    Err(FailureKind::Singular {
-        pivot_ratio: factorization.pivot_ratio(),
-        column: index(column),
-    })
+    singular
 }

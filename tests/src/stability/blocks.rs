@@ -188,7 +188,9 @@ impl State<'_> {
             .chunks(n)
             .map(|row| row.iter().map(|&entry| self.value(entry)).collect())
             .collect();
-        let jacobian = rows.iter().map(|row| row.iter().map(Precise::to_f64).collect());
+        let jacobian = rows
+            .iter()
+            .map(|row| row.iter().map(Precise::to_f64).collect());
         let jacobian = jacobian.collect();
         let factors = Factors::new(rows).ok_or("the block is singular")?;
         let mut inverse = vec![vec![0.0; n]; n];
@@ -199,9 +201,8 @@ impl State<'_> {
                 inverse[row][column] = entry.to_f64();
             }
         }
-        let power = |quantity: linkwright_codegen::joint::Quantity| {
-            length.powi(quantity.power_of_length())
-        };
+        let power =
+            |quantity: linkwright_codegen::joint::Quantity| length.powi(quantity.power_of_length());
         let dense = Dense {
             jacobian,
             inverse,
@@ -240,7 +241,10 @@ impl State<'_> {
             let of = |roots: &[ExprId]| self.errors(roots, &margins);
             Evaluated {
                 residuals: of(&newton.residuals),
-                jacobian: of(&newton.jacobian).chunks(n).map(<[Margin]>::to_vec).collect(),
+                jacobian: of(&newton.jacobian)
+                    .chunks(n)
+                    .map(<[Margin]>::to_vec)
+                    .collect(),
                 drift: of(&newton.time_derivative),
                 gamma: of(&newton.gamma),
             }
@@ -258,7 +262,11 @@ impl State<'_> {
     /// That the statements have led to the exact motion.
     fn compare(&self, exact: &Exact) -> Result<(), String> {
         for (place, coordinate) in self.system.coordinates.iter().enumerate() {
-            let symbols = [coordinate.position, coordinate.rate, coordinate.acceleration];
+            let symbols = [
+                coordinate.position,
+                coordinate.rate,
+                coordinate.acceleration,
+            ];
             for (level, symbol) in symbols.into_iter().enumerate() {
                 let scale = exact.levels[level].iter().map(|it| it.to_f64().abs());
                 let scale = scale.fold(0.0, f64::max);
@@ -283,7 +291,7 @@ fn turned(sine: &Precise, cosine: &Precise, off: Margin, epsilon: f64) -> [Margi
         let steepest = (slope.abs() + off.worst).min(1.0);
         let moved = Margin {
             worst: off.worst * steepest,
-            variance: off.variance * slope * slope,
+            expected: off.expected * slope.abs(),
         };
         moved.plus(Margin::even(epsilon * value))
     })

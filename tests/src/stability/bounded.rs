@@ -2,7 +2,7 @@
 //!
 //! Running error analysis (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., section 3.3): every operation
 //! adds its own rounding, and passes on the errors of its operands. Two sizes are kept of each error: the [`Margin::worst`] that
-//! it can have, and the root of its mean square where roundings are independent and evenly distributed. Sums are bounded for
+//! it can have, and the [`Margin::expected`] root of its mean square. Sums are bounded for
 //! every order of their terms. A rounding is half an ε of the result; sine, cosine and exponential are within one ε of it,
 //! which is the promise of the mathematical libraries; numbers that the scalar holds exactly have no error.
 
@@ -16,35 +16,30 @@ use super::verdict::Scalar;
 pub struct Margin {
     /// What no error exceeds.
     pub worst: f64,
-    /// The square of the standard deviation.
-    pub variance: f64,
+    /// The standard deviation where roundings are independent and evenly distributed.
+    pub expected: f64,
 }
 
 impl Margin {
     /// No error.
     pub const NONE: Margin = Margin {
         worst: 0.0,
-        variance: 0.0,
+        expected: 0.0,
     };
 
     /// One error of at most this size, every one being as likely.
     pub fn even(size: f64) -> Margin {
         Margin {
             worst: size.abs(),
-            variance: size * size / 3.0,
+            expected: size.abs() / 3.0_f64.sqrt(),
         }
-    }
-
-    /// The standard deviation.
-    pub fn expected(self) -> f64 {
-        self.variance.sqrt()
     }
 
     /// Both errors together.
     pub fn plus(self, other: Margin) -> Margin {
         Margin {
             worst: self.worst + other.worst,
-            variance: self.variance + other.variance,
+            expected: self.expected.hypot(other.expected),
         }
     }
 
@@ -55,9 +50,14 @@ impl Margin {
         }
         Margin {
             worst: self.worst * factor.abs(),
-            variance: self.variance * factor * factor,
+            expected: self.expected * factor.abs(),
         }
     }
+}
+
+/// A product in which nothing times anything, also infinity, is nothing.
+pub fn product_of(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
 }
 
 /// How far a number is off in the scalar.
@@ -93,7 +93,7 @@ fn power(base: f64, error: Margin, factor: &Factor) -> (f64, Margin, f64) {
     };
     let margin = Margin {
         worst: worst * error.worst,
-        variance: error.variance * slope * slope,
+        expected: error.expected * slope.abs(),
     };
     (value, margin, roundings)
 }
@@ -112,6 +112,12 @@ pub fn errors(
 ) -> Vec<Margin> {
     let epsilon = scalar.epsilon();
     let unit = epsilon / 2.0;
+    // Below the normal numbers roundings do not become smaller.
+    let smallest = scalar.range().0;
+    let rounding = |size: f64| match size.abs() {
+        0.0 => Margin::NONE,
+        size => Margin::even(unit * size.max(smallest)),
+    };
     let mut all = vec![Margin::NONE; graph.node_count()];
     for &id in order {
         let error = |id: &ExprId| all[id.index()];
@@ -130,7 +136,7 @@ pub fn errors(
                     // A factor that is a power of two rounds nothing.
                     if coefficient.abs().log2().fract() != 0.0 && value(&term.expr) != 1.0 {
                         let factor = literal(&term.coefficient, scalar).times(value(&term.expr));
-                        sum = sum.plus(factor).plus(Margin::even(unit * addend));
+                        sum = sum.plus(factor).plus(rounding(addend));
                     } else if value(&term.expr) == 1.0 {
                         sum = sum.plus(literal(&term.coefficient, scalar));
                     }
@@ -142,9 +148,9 @@ pub fn errors(
                 // The last addition rounds the result, each of the others at most the sum of all sizes.
                 if count >= 2.0 {
                     let result = own.abs() + sum.worst;
-                    sum = sum.plus(Margin::even(unit * result.min(sizes)));
+                    sum = sum.plus(rounding(result.min(sizes)));
                     for _ in 2..count as u32 {
-                        sum = sum.plus(Margin::even(unit * sizes));
+                        sum = sum.plus(rounding(sizes));
                     }
                 }
                 sum
@@ -152,16 +158,15 @@ pub fn errors(
             Node::Product(factors) => {
                 let (mut product, mut margin, mut roundings) = (1.0, Margin::NONE, -1.0);
                 for factor in factors {
-                    let (power, off, own) =
-                        power(value(&factor.base), error(&factor.base), factor);
-                    let both = margin.worst * off.worst;
+                    let (power, off, own) = power(value(&factor.base), error(&factor.base), factor);
+                    let both = product_of(margin.worst, off.worst);
                     margin = margin.times(power).plus(off.times(product));
                     margin.worst += both;
                     product *= power;
                     roundings += 1.0 + own;
                 }
                 for _ in 0..roundings as u32 {
-                    margin = margin.plus(Margin::even(unit * (own.abs() + margin.worst)));
+                    margin = margin.plus(rounding(own.abs() + margin.worst));
                 }
                 margin
             }
@@ -186,7 +191,11 @@ pub fn errors(
             Node::Ln(argument) => {
                 let off = error(argument);
                 let least = value(argument) - off.worst;
-                let largest = if least > 0.0 { 1.0 / least } else { f64::INFINITY };
+                let largest = if least > 0.0 {
+                    1.0 / least
+                } else {
+                    f64::INFINITY
+                };
                 function(off, 1.0 / value(argument), largest, epsilon * own)
             }
             // At a step, or where pieces meet, there is no bound; the study's motions do not stand there.
@@ -218,7 +227,7 @@ fn function(argument: Margin, slope: f64, steepest: f64, rounding: f64) -> Margi
     let slope_there = (slope.abs() + argument.worst * steepest).min(steepest);
     let moved = Margin {
         worst: argument.worst * slope_there,
-        variance: argument.variance * slope * slope,
+        expected: argument.expected * slope.abs(),
     };
     moved.plus(Margin::even(rounding))
 }

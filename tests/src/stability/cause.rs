@@ -1,7 +1,7 @@
 //! *A typed failure where there is a pose* → *its cause*, from the exact motion and the bounds alone.
 
 use super::bounded::Margin;
-use super::verdict::Scalar;
+use super::verdict::{Scalar, Way};
 
 /// Why a pose that exists is not found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -14,17 +14,20 @@ pub enum Cause {
     NoDigits,
     /// The driver moves too far in one step for the path to be followed.
     Step,
+    /// Plain Newton-Raphson does not come from this estimate to a pose, and is not asked to.
+    Plain,
     /// None of these.
     Other,
 }
 
 impl Cause {
     /// All of them, in the order of a report.
-    pub const ALL: [Cause; 5] = [
+    pub const ALL: [Cause; 6] = [
         Cause::Singular,
         Cause::NoDigits,
         Cause::Range,
         Cause::Step,
+        Cause::Plain,
         Cause::Other,
     ];
 
@@ -35,6 +38,7 @@ impl Cause {
             Cause::Singular => "the pose cannot be told from a singular one",
             Cause::NoDigits => "less than three digits of the pose are determined",
             Cause::Step => "the driver moves too far in a step for the path to be followed",
+            Cause::Plain => "plain Newton-Raphson does not converge from the estimate, as it may",
             Cause::Other => "another cause",
         }
     }
@@ -47,6 +51,7 @@ pub const NO_DIGITS: f64 = 1e-3;
 /// much the Jacobian changes within the error of the pose.
 pub fn cause(
     kind: &str,
+    way: Way,
     first: bool,
     scalar: Scalar,
     length: f64,
@@ -58,7 +63,10 @@ pub fn cause(
     if power < smallest / scalar.epsilon() || power > largest {
         return Cause::Range;
     }
-    if pose.iter().any(|margin| margin.worst.is_finite() && margin.worst > NO_DIGITS) {
+    if pose
+        .iter()
+        .any(|margin| margin.worst.is_finite() && margin.worst > NO_DIGITS)
+    {
         return Cause::NoDigits;
     }
     if change >= CLOSE {
@@ -66,6 +74,9 @@ pub fn cause(
     }
     if kind == "step too large" && !first {
         return Cause::Step;
+    }
+    if way == Way::Plain {
+        return Cause::Plain;
     }
     Cause::Other
 }

@@ -12,7 +12,7 @@
 //! and Stability of Numerical Algorithms*, 2nd ed., theorem 9.4), where a rounding is counted for every operation on numbers
 //! that are not zero. Again |q̇ − q̇*| ≤ |Φ_q⁻¹| (…), and the same for q̈.
 
-use super::bounded::Margin;
+use super::bounded::{Margin, product_of as product};
 use super::verdict::Scalar;
 
 /// What Newton-Raphson takes for rounding in a scaled residual, in ε.
@@ -55,6 +55,25 @@ pub struct Bounds {
     pub change: f64,
 }
 
+impl Bounds {
+    /// Nothing is bounded, whatever may be expected of the pose.
+    fn none(pose: &[Margin]) -> Bounds {
+        let unbounded = |expected: f64| Margin {
+            worst: f64::INFINITY,
+            expected,
+        };
+        let rates = vec![unbounded(f64::INFINITY); pose.len()];
+        Bounds {
+            levels: [
+                pose.iter().map(|it| unbounded(it.expected)).collect(),
+                rates.clone(),
+                rates,
+            ],
+            change: f64::INFINITY,
+        }
+    }
+}
+
 /// Beyond this change of the Jacobian within the error there is no bound.
 const LARGEST_CHANGE: f64 = 0.5;
 
@@ -78,13 +97,13 @@ impl Dense {
             .zip(&accepted)
             .map(|(own, accepted)| Margin {
                 worst: own.worst + accepted,
-                variance: own.variance,
+                expected: own.expected,
             })
             .collect();
         let mut first = self.spread(&noise);
         for (margin, value) in first.iter_mut().zip(&self.levels[0]) {
             // The coordinates are rounded when the last step is added; the worst of that is among what is let pass.
-            margin.variance += Margin::even(unit * value).variance;
+            margin.expected = margin.expected.hypot(Margin::even(unit * value).expected);
         }
         let change_of = |pose: &[Margin]| -> Vec<Margin> {
             let moved = evaluate(pose, &none);
@@ -96,9 +115,10 @@ impl Dense {
                         product((moved.worst - still.worst).max(0.0), off.worst)
                     })
                     .sum();
+                // The Jacobian on the way to the exact pose differs by half of that in the mean, or less.
                 Margin {
-                    worst: sum,
-                    variance: 0.0,
+                    worst: 0.5 * sum,
+                    expected: 0.0,
                 }
             });
             self.spread(&sums.collect::<Vec<_>>())
@@ -114,11 +134,7 @@ impl Dense {
             });
             // Written so that NaN is no bound either.
             if !(change <= LARGEST_CHANGE) {
-                change = f64::INFINITY;
-                for margin in &mut pose {
-                    margin.worst = f64::INFINITY;
-                }
-                break;
+                return Bounds::none(&first);
             }
             for ((margin, first), moved) in pose.iter_mut().zip(&first).zip(moved) {
                 margin.worst = first.worst + moved.worst;
@@ -151,7 +167,7 @@ impl Dense {
                         });
                         Margin {
                             worst: entries.sum(),
-                            variance: 0.0,
+                            expected: 0.0,
                         }
                     })
                     .collect();
@@ -278,9 +294,4 @@ impl Dense {
         }
         perturbed
     }
-}
-
-/// A product in which nothing times anything, also infinity, is nothing.
-fn product(a: f64, b: f64) -> f64 {
-    if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
 }

@@ -70,9 +70,7 @@ fn digits(from: i32, to: i32, leading: &[u32]) -> Vec<f64> {
             .iter()
             .map(move |digit| format!("{digit}e{exponent}"))
     });
-    texts
-        .map(|text| text.parse().expect("a number"))
-        .collect()
+    texts.map(|text| text.parse().expect("a number")).collect()
 }
 
 /// The lengths of the four-bar linkage.
@@ -503,7 +501,9 @@ pub fn families() -> Vec<Family> {
             .map(|size| LINKS.times(*size).sample(*size, 0.7, 0.0))
             .collect(),
     );
-    let vanishing = [1e-10, 1e-15, 1e-20, 1e-40, 1e-160, 1e-200, 1e-300, 1e-310, 1e-320, 0.0];
+    let vanishing = [
+        1e-10, 1e-15, 1e-20, 1e-40, 1e-160, 1e-200, 1e-300, 1e-310, 1e-320, 0.0,
+    ];
     let vanishing = vanishing.map(|length| {
         let links = Links {
             l1: length,

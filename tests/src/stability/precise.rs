@@ -240,7 +240,9 @@ impl Nodes {
     /// # Panics
     /// Where it has not been evaluated.
     pub fn of(&self, id: ExprId) -> &Precise {
-        self.precise[id.index()].as_ref().expect("operands come first")
+        self.precise[id.index()]
+            .as_ref()
+            .expect("operands come first")
     }
 }
 

@@ -93,7 +93,8 @@ impl Counts {
             self.far_off[0],
             self.far_off[1]
         );
-        text += "\n| why there is no answer although there is a pose | f64 | f32 |\n|---|---|---|\n";
+        text +=
+            "\n| why there is no answer although there is a pose | f64 | f32 |\n|---|---|---|\n";
         for cause in Cause::ALL {
             let [double, single] = self.failed.get(&cause).copied().unwrap_or_default();
             let _ = writeln!(text, "| {} | {double} | {single} |", cause.words());
@@ -104,9 +105,8 @@ impl Counts {
             let _ = write!(text, "| {name} |");
             let mut below = 0.0;
             for limit in limits {
-                let within = |it: &&[f64; 2]| {
-                    (it[place] > below || below == 0.0) && it[place] <= limit
-                };
+                let within =
+                    |it: &&[f64; 2]| (it[place] > below || below == 0.0) && it[place] <= limit;
                 let _ = write!(text, " {} |", self.ratios.iter().filter(within).count());
                 below = limit;
             }
@@ -180,7 +180,8 @@ impl Judged {
     /// The names of the ways.
     pub fn ways(&self) -> [String; WAYS] {
         let solved = self.family.compiled.solved;
-        let name = |scalar: &str| ["followed", "plain", solved].map(|way| format!("{way} {scalar}"));
+        let name =
+            |scalar: &str| ["followed", "plain", solved].map(|way| format!("{way} {scalar}"));
         let [a, b, c] = name("f64");
         let [d, e, f] = name("f32");
         [a, b, c, d, e, f]

@@ -127,10 +127,12 @@ pub fn judged(text: &str) -> (Verdict, Option<String>) {
     let solve = |sample: &Sample| {
         let start = DVector::from_column_slice(&sample.estimate);
         let solved = assemble(&interpreter, &start, 0.0, &Settings::default());
-        let levels = solved.map(|frame| {
-            [&frame.q, &frame.qd, &frame.qdd].map(|it| it.iter().copied().collect())
-        });
+        let levels = solved
+            .map(|frame| [&frame.q, &frame.qd, &frame.qdd].map(|it| it.iter().copied().collect()));
         vec![levels.map_err(|failure| named(failure.kind).to_string())]
     };
-    (judge.judge_outcomes(&sample, &exact, Way::Plain, solve(&sample)), None)
+    (
+        judge.judge_outcomes(&sample, &exact, Way::Plain, solve(&sample)),
+        None,
+    )
 }

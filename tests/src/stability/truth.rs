@@ -241,9 +241,8 @@ impl Truth {
                 .map(|row| length.powi(row.quantity.power_of_length()))
                 .collect(),
             columns: self.scales(length),
-            levels: [0, 1, 2].map(|level: usize| {
-                exact.levels[level].iter().map(Precise::to_f64).collect()
-            }),
+            levels: [0, 1, 2]
+                .map(|level: usize| exact.levels[level].iter().map(Precise::to_f64).collect()),
         };
         let evaluate = |pose: &[Margin], rates: &[Margin]| {
             let mut margins = vec![Margin::NONE; graph.symbol_count()];

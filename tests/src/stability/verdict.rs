@@ -192,7 +192,8 @@ impl Judge<'_> {
                 Ok(levels) => levels,
                 Err(kind) => {
                     let cause = exact.as_ref();
-                    let cause = cause.map(|exact| self.cause(sample, given, exact, &kind, index));
+                    let cause =
+                        cause.map(|exact| self.cause(sample, given, exact, &kind, way, index));
                     return Verdict::Failed {
                         kind,
                         solved: index,
@@ -235,6 +236,7 @@ impl Judge<'_> {
         given: &Given,
         exact: &Exact,
         kind: &str,
+        way: Way,
         index: usize,
     ) -> Cause {
         let length = self.truth.length(given);
@@ -247,6 +249,7 @@ impl Judge<'_> {
             .collect();
         cause(
             kind,
+            way,
             index == 0,
             self.scalar,
             sample.length,
@@ -268,23 +271,26 @@ impl Judge<'_> {
         let bounds = if way == Way::Solved {
             self.blocks.bounds(given, exact, length, self.scalar)?
         } else {
-            self.truth
-                .bounds(given, exact, length, self.scalar)
-                .levels
+            self.truth.bounds(given, exact, length, self.scalar).levels
         };
         let scales = self.truth.scales(sample.length);
         let mut found = *answer;
         for level in 0..3 {
-            let floor = NOISE
-                * exact.levels[level]
-                    .iter()
-                    .map(|value| value.to_f64().abs())
-                    .fold(0.0, f64::max);
+            let scaled = exact.levels[level].iter().zip(&scales);
+            let largest = scaled
+                .map(|(value, scale)| value.to_f64().abs() / scale)
+                .fold(0.0, f64::max);
             for (place, value) in levels[level].iter().enumerate() {
                 let off = Precise::from_f64(*value).minus(&exact.levels[level][place]);
                 let off = off.to_f64().abs();
                 let margin = bounds[level][place];
-                let limit = margin.worst.max(floor);
+                let floor = NOISE * largest * scales[place];
+                // What is infinite times nothing is no bound.
+                let limit = if margin.worst.is_nan() {
+                    f64::INFINITY
+                } else {
+                    margin.worst.max(floor)
+                };
                 // No comparison with NaN holds, so that is wrong too.
                 let within = off <= limit;
                 if !within {
@@ -296,11 +302,11 @@ impl Judge<'_> {
                 }
                 if off > floor {
                     found.ratio = found.ratio.max(off / limit);
-                    found.deviations = found.deviations.max(off / margin.expected());
+                    found.deviations = found.deviations.max(off / margin.expected);
                 }
                 if level == 0 {
                     found.error = found.error.max(off / scales[place]);
-                    found.expected = found.expected.max(margin.expected() / scales[place]);
+                    found.expected = found.expected.max(margin.expected / scales[place]);
                     found.bound = found.bound.max(limit / scales[place]);
                 }
             }

@@ -30,8 +30,8 @@ pub(super) fn characteristic_length(system: &System) -> TokenStream {
 /// What values of a quantity are judged against, with this for the characteristic length.
 pub(super) fn scale(quantity: Quantity, length: &TokenStream) -> TokenStream {
     let power = quantity.power_of_length();
-    let product = (1..power.unsigned_abs())
-        .fold(length.clone(), |product, _| quote!(#product * #length));
+    let product =
+        (1..power.unsigned_abs()).fold(length.clone(), |product, _| quote!(#product * #length));
     match power {
         0 => quote!(1.0),
         1.. => product,

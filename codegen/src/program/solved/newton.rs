@@ -10,7 +10,12 @@ use crate::joint::Quantity;
 
 impl Builder<'_> {
     /// The equations of the block, and the action that solves them.
-    pub(super) fn newton(&mut self, unknowns: &[usize], residuals: &[ExprId], quantities: &[Quantity]) -> NewtonBlock {
+    pub(super) fn newton(
+        &mut self,
+        unknowns: &[usize],
+        residuals: &[ExprId],
+        quantities: &[Quantity],
+    ) -> NewtonBlock {
         let rates: Vec<(SymbolId, SymbolId)> = unknowns
             .iter()
             .map(|&unknown| self.rates_of(unknown))

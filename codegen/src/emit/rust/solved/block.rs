@@ -67,7 +67,10 @@ impl Needs {
             .as_ref()
             .map(|newton| Needs::given(newton, system));
         let newton = newton.unwrap_or_default();
-        needs.length = block.newton.as_ref().is_some_and(|it| reads_length(it, system));
+        needs.length = block
+            .newton
+            .as_ref()
+            .is_some_and(|it| reads_length(it, system));
         needs.parameters = own.parameters || newton.parameters;
         needs.inputs = own.inputs || newton.inputs;
         needs
