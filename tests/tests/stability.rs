@@ -35,6 +35,32 @@ fn every_cell_is_within_its_bound_or_a_typed_failure() {
     );
 }
 
+/// Sizes that are set by parameters, far from the default ones, which are about 1 m.
+#[test]
+fn every_size_from_a_nanometer_to_a_million_kilometers_is_solved_in_every_way() {
+    let sizes = families()
+        .into_iter()
+        .filter(|family| family.title.starts_with("Sizes: "));
+    let mut looked_at = 0;
+    for family in sizes {
+        let judged = judged(family, 6);
+        for (sample, verdicts) in judged.family.samples.iter().zip(&judged.verdicts) {
+            for (way, verdict) in judged.ways().iter().zip(verdicts) {
+                let Verdict::Solved(answer) = verdict else {
+                    panic!(
+                        "{}, {:e} m, {way}: {verdict:?}",
+                        judged.family.title, sample.x
+                    );
+                };
+                let digits = if way.ends_with("f64") { 1e-12 } else { 1e-3 };
+                assert!(answer.bound < digits, "{:e} m, {way}: {answer:?}", sample.x);
+                looked_at += 1;
+            }
+        }
+    }
+    assert_eq!(looked_at, 3 * 4 * 6);
+}
+
 #[test]
 fn no_number_in_a_text_is_answered_wrongly() {
     let mut solved = 0;

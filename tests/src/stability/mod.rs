@@ -10,6 +10,7 @@ pub mod chart;
 pub mod compiled;
 pub mod dense;
 pub mod families;
+pub mod poses;
 pub mod precise;
 pub mod report;
 pub mod sample;
