@@ -16,8 +16,7 @@ pub(super) struct Newton {
     positions: Vec<SymbolId>,
     rates: Vec<SymbolId>,
     scales: Vec<f64>,
-    /// Residuals are lengths, but for angles that a gear or a driver ties.
-    row_scale: f64,
+    row_scales: Vec<f64>,
     geometry: Vec<Operation>,
     residuals: Tape,
     jacobian: Tape,
@@ -40,7 +39,11 @@ impl Newton {
                 .iter()
                 .map(|it| system.scale(it.quantity))
                 .collect(),
-            row_scale: system.mechanism.characteristic_length,
+            row_scales: block
+                .quantities
+                .iter()
+                .map(|it| system.scale(*it))
+                .collect(),
             geometry: operations(block.geometry.iter(), system),
             residuals: Tape::new(graph, &block.residuals),
             jacobian: Tape::new(graph, &block.jacobian),
@@ -111,8 +114,8 @@ impl Equations<f64, Dyn> for At<'_> {
         gamma.fill(0.0);
     }
 
-    fn row_scale(&self, _: usize) -> f64 {
-        self.newton.row_scale
+    fn row_scale(&self, row: usize) -> f64 {
+        self.newton.row_scales[row]
     }
 
     fn coordinate_scale(&self, column: usize) -> f64 {
