@@ -59,9 +59,6 @@ fn compare(
             }
         };
         for level in 0..3 {
-            if was.values[level].is_empty() {
-                continue;
-            }
             let expected = change.apply(before, &was.values[level], level);
             for (place, coordinate) in before.coordinates.iter().enumerate() {
                 let found = is.values[level][places[place]];

@@ -16,7 +16,7 @@ pub const TIMES: [f64; 4] = [0.0, 0.01, 0.02, 0.03];
 /// The view that is assembled with least squares first.
 pub const FROM_AFAR: &str = "textbook from afar";
 
-/// Values of q, q̇ and q̈ with the bounds of their errors. The solved view leaves q̈ out, and says it is empty.
+/// Values of q, q̇ and q̈ with the bounds of their errors.
 #[derive(Clone, Debug)]
 pub struct Instant {
     /// The values.
@@ -78,12 +78,12 @@ struct Judge {
 }
 
 impl Judge {
-    fn instant(&self, t: f64, values: Levels<f64>, guess: Levels<f64>) -> Result<Instant, String> {
+    fn instant(&self, t: f64, values: Levels<f64>) -> Result<Instant, String> {
         let given = Given {
             t,
             ..self.given.clone()
         };
-        let exact = self.truth.around(&given, guess);
+        let exact = self.truth.around(&given, values.clone());
         let exact = exact.ok_or("no bound: the Jacobian has no inverse")?;
         let bounds = self.truth.bounds(&given, &exact, self.length, f64::EPSILON);
         Ok(Instant { values, bounds })
@@ -118,7 +118,7 @@ fn textbook(system: &System, judge: &Judge) -> Vec<(&'static str, Moved)> {
     let instant = |found: Result<Frame<f64, Dyn>, Failure<f64>>| {
         let frame = found.map_err(|failure| named(failure.kind).to_string())?;
         let values = [&frame.q, &frame.qd, &frame.qdd].map(|it| it.as_slice().to_vec());
-        Ok((judge.instant(frame.t, values.clone(), values)?, frame))
+        Ok((judge.instant(frame.t, values)?, frame))
     };
     let estimate = interpreter.estimate();
     let mut moved = Vec::new();
@@ -150,27 +150,16 @@ fn solved(system: &System, judge: &Judge) -> Moved {
     let Some(solved) = SolvedInterpreter::new(system) else {
         return vec![Err("no plan".to_string())];
     };
-    let interpreter = Interpreter::new(system);
     let signs = solved.drawn_signs();
     let mut values = solved.begin(TIMES[0]);
     let mut moved = Vec::new();
     for t in TIMES {
-        if let Err(unsolved) = solved.solve(t, &signs, &mut values) {
-            moved.push(Err(format!("block {}", unsolved.block)));
+        if let Err(failure) = solved.solve(t, &signs, &mut values) {
+            moved.push(Err(named(failure.kind).to_string()));
             break;
         }
-        let pose = solved.pose(&values);
-        let rates = solved.system.coordinates.iter();
-        let rates: Vec<f64> = rates.map(|it| values.symbols[it.rate.index()]).collect();
-        // The bound of a rate needs no accelerations, but has to be told some.
-        let frame = assemble(&interpreter, &pose, t, &Settings::default());
-        let guess = frame.map(|it| [it.q, it.qd, it.qdd].map(|level| level.as_slice().to_vec()));
-        let guess = guess.unwrap_or_else(|_| {
-            let q = pose.as_slice().to_vec();
-            [q, rates.clone(), vec![0.0; rates.len()]]
-        });
-        let values = [pose.as_slice().to_vec(), rates, Vec::new()];
-        moved.push(judge.instant(t, values, guess));
+        let levels = solved.levels(&values).map(|it| it.as_slice().to_vec());
+        moved.push(judge.instant(t, levels));
     }
     moved
 }
