@@ -31,11 +31,14 @@ pub fn swapped(text: &str, document: &Document) -> String {
 
 /// The lines of the joints that can be turned round, which are driven along them.
 fn lines(statements: &[Statement]) -> Vec<&Direction> {
-    let of = |statement| match statement {
-        Statement::Joint(joint) if joint.kind.text == "translational" => joint.along.as_ref(),
+    let joints = statements.iter().filter_map(|statement| match statement {
+        Statement::Joint(joint) => Some(joint),
         _ => None,
-    };
-    statements.iter().filter_map(of).collect()
+    });
+    joints
+        .filter(|joint| joint.kind.text == "translational")
+        .filter_map(|joint| joint.along.as_ref())
+        .collect()
 }
 
 fn statements(text: &str, all: &[Statement], lines: &[&Direction], edits: &mut Edits) {
