@@ -109,9 +109,8 @@ fn the_exam_driven_through_its_singular_pose_ends_there() {
     assert!((time - end).abs() <= 2e-9, "{error}");
     let warnings = found["warnings"].as_array().expect("a list");
     assert!(
-        warnings.iter().any(|it| it
-            .as_str()
-            .is_some_and(|text| text.contains("the link of 2 from P is parallel to the x axis"))),
+        warnings.iter().any(|it| it.as_str().is_some_and(|text| text
+            .contains("the line from P to the origin of body 2 is parallel to the x axis"))),
         "{warnings:?}"
     );
 }
