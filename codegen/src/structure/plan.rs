@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::elimination::{Definition, eliminate, mentions};
+use super::elimination::{Definition, Measured, eliminate, mentions};
 use super::following::follow;
-use super::recognition::recognize;
+use super::recognition::{newton, recognize};
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::Quantity;
@@ -191,10 +191,12 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
             .max();
         let residuals = rows
             .iter()
-            .map(|&row| with_constants(form.rows[row].residual, &constants, graph))
+            .map(|&row| Measured {
+                residual: with_constants(form.rows[row].residual, &constants, graph),
+                quantity: form.rows[row].quantity,
+            })
             .collect();
-        let quantities = rows.iter().map(|&row| form.rows[row].quantity).collect();
-        let mut block = block(residuals, quantities, &unknowns, joints, form, graph);
+        let mut block = block(residuals, &unknowns, joints, form, graph);
         for definition in &block.definitions {
             if graph.is_fixed(definition.value) {
                 constants.insert(form.unknowns[definition.unknown].position, definition.value);
@@ -282,56 +284,40 @@ fn incidence(form: &VectorForm, graph: &Graph) -> Incidence {
 
 /// Eliminates what can be, takes the rest apart once more, and recognises each part.
 fn block(
-    residuals: Vec<ExprId>,
-    quantities: Vec<Quantity>,
+    residuals: Vec<Measured>,
     unknowns: &[usize],
     joints: Vec<usize>,
     form: &mut VectorForm,
     graph: &mut Graph,
 ) -> SolvedBlock {
-    let followed = follow(residuals, quantities, unknowns, form, graph);
+    let followed = follow(residuals, unknowns, form, graph);
     let form = &*form;
-    let eliminated = eliminate(
-        followed.residuals,
-        followed.quantities,
-        &followed.unknowns,
-        form,
-        graph,
-    );
-    let (residuals, quantities, tears) = (
-        eliminated.residuals,
-        eliminated.quantities,
-        eliminated.tears,
-    );
+    let eliminated = eliminate(followed.residuals, &followed.unknowns, form, graph);
+    let (residuals, tears) = (eliminated.residuals, eliminated.tears);
     let row = |residual: ExprId| {
         (0..tears.len())
             .filter(|&tear| mentions(residual, tears[tear], form, graph))
             .collect()
     };
     let incidence = Incidence {
-        rows: residuals.iter().map(|&residual| row(residual)).collect(),
+        rows: residuals.iter().map(|it| row(it.residual)).collect(),
         columns: tears.len(),
     };
     let matching = maximum_matching(&incidence);
     let mut steps = Vec::new();
     if matching.column_of.iter().any(Option::is_none) {
         // Elimination made an equation lose its unknown: the block is singular in every pose, which Newton will report.
-        steps.push(Step::Newton {
-            unknowns: tears,
-            residuals,
-            quantities,
-        });
+        steps.push(newton(&residuals, tears));
     } else {
         for rows in components(&incidence, &matching) {
-            let part: Vec<ExprId> = rows.iter().map(|&row| residuals[row]).collect();
-            let measured: Vec<Quantity> = rows.iter().map(|&row| quantities[row]).collect();
+            let part: Vec<Measured> = rows.iter().map(|&row| residuals[row]).collect();
             let mut found: Vec<usize> = rows
                 .iter()
                 .filter_map(|&row| matching.column_of[row])
                 .map(|column| tears[column])
                 .collect();
             found.sort_unstable();
-            steps.push(recognize(&part, &measured, &found, form, graph));
+            steps.push(recognize(&part, &found, form, graph));
         }
     }
     SolvedBlock {

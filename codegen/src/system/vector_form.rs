@@ -58,10 +58,10 @@ pub struct Unknown {
 pub struct VectorRow {
     /// Index into the mechanism's joints.
     pub joint: usize,
-    /// What the residual is measured in.
-    pub quantity: Quantity,
     /// Zero when satisfied.
     pub residual: ExprId,
+    /// What the residual is measured in.
+    pub quantity: Quantity,
 }
 
 /// A local vector turned with a body or a link: a = R(φ) s.
@@ -131,8 +131,8 @@ impl VectorForm {
             let rows = kept_rows(joint.kind, &operands, dropped, graph);
             form.rows.extend(rows.iter().map(|row| VectorRow {
                 joint: index,
-                quantity: row.quantity,
                 residual: row.residual,
+                quantity: row.quantity,
             }));
         }
         for point in points.iter() {

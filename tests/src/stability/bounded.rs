@@ -100,9 +100,6 @@ fn power(base: f64, error: Margin, factor: &Factor) -> (f64, Margin, f64) {
 
 /// The errors of the nodes in `order` (operands first), by the node's index. `values` are the exact values of the nodes,
 /// `symbols` the errors of the symbols.
-///
-/// # Panics
-/// Where a table occurs: no mechanism of the study has one.
 pub fn errors(
     graph: &Graph,
     order: &[ExprId],
@@ -112,12 +109,7 @@ pub fn errors(
 ) -> Vec<Margin> {
     let epsilon = scalar.epsilon();
     let unit = epsilon / 2.0;
-    // Below the normal numbers roundings do not become smaller.
-    let smallest = scalar.range().0;
-    let rounding = |size: f64| match size.abs() {
-        0.0 => Margin::NONE,
-        size => Margin::even(unit * size.max(smallest)),
-    };
+    let rounding = |size: f64| scalar.rounding(size);
     let mut all = vec![Margin::NONE; graph.node_count()];
     for &id in order {
         let error = |id: &ExprId| all[id.index()];
@@ -212,7 +204,20 @@ pub fn errors(
                 };
                 error(piece)
             }
-            other @ Node::Spline { .. } => panic!("no bound of {other:?}"),
+            Node::Spline {
+                spline,
+                order,
+                argument,
+            } => {
+                let (spline, order) = (graph.spline_of(*spline), usize::from(*order));
+                let found = spline.at(value(argument));
+                // A piece is the sum of four terms, along a distance that is the difference of two places.
+                let size = spline.pieces.iter().flatten().chain(&found);
+                let size = size.fold(0.0_f64, |size, it| size.max(it.abs()));
+                let slope = found.get(order + 1).copied().unwrap_or(0.0);
+                let place = error(argument).plus(Margin::even(4.0 * unit * value(argument)));
+                place.times(slope).plus(Margin::even(8.0 * unit * size))
+            }
         };
     }
     all

@@ -179,7 +179,10 @@ impl Dense {
             // Scaling back rounds the result.
             let rounded = found.iter().zip(values);
             rounded
-                .map(|(margin, value)| margin.plus(Margin::even(2.0 * unit * value)))
+                .map(|(margin, value)| {
+                    let own = scalar.rounding(*value);
+                    margin.plus(own).plus(own)
+                })
                 .collect::<Vec<Margin>>()
         };
         let velocity = rates(&at_error.drift, &at_error, &self.levels[1]);

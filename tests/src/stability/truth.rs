@@ -6,6 +6,7 @@
 
 use linkwright_codegen::expr::{ExprId, Tape};
 use linkwright_codegen::system::{Row, System};
+use nalgebra::DMatrix;
 
 use super::bounded::{Margin, errors};
 use super::dense::{Bounds, Dense, Evaluated};
@@ -218,20 +219,94 @@ impl Truth {
         }
     }
 
+    /// What [`Truth::bounds`] needs at a pose that is known to rounding, which is taken for the exact one; `None` where its Jacobian
+    /// has no inverse. Unlike [`Truth::solve`] this takes no arithmetic of high precision.
+    pub fn around(&self, given: &Given, levels: Levels<f64>) -> Option<Exact> {
+        let graph = &self.system.mechanism.graph;
+        let mut symbols = given.symbols(&self.system, |number| number);
+        for (coordinate, value) in self.system.coordinates.iter().zip(&levels[0]) {
+            symbols[coordinate.position.index()] = *value;
+        }
+        let values = crate::magnitude::values(graph, &self.position, &symbols);
+        let coordinates = self.system.coordinates.iter();
+        let columns: Vec<f64> = coordinates
+            .map(|it| self.system.scale(it.quantity))
+            .collect();
+        let rows = self.system.rows.iter();
+        let rows: Vec<f64> = rows.map(|it| self.system.scale(it.quantity)).collect();
+        let n = self.count();
+        let mut matrix = DMatrix::zeros(n, n);
+        for (index, row) in self.system.rows.iter().enumerate() {
+            for entry in &row.jacobian {
+                let scale = columns[entry.coordinate] / rows[index];
+                matrix[(index, entry.coordinate)] = values[entry.value.index()] * scale;
+            }
+        }
+        let lu = matrix.lu();
+        let is_negative = lu.determinant() < 0.0;
+        let inverse = lu.try_inverse()?;
+        let entry =
+            |row: usize, column: usize| inverse[(row, column)] * columns[row] / rows[column];
+        let inverse = (0..n).map(|row| (0..n).map(|column| entry(row, column)).collect());
+        Some(Exact {
+            levels: levels.map(|level| level.into_iter().map(Precise::from_f64).collect()),
+            inverse: inverse.collect(),
+            is_negative,
+        })
+    }
+
+    /// The largest rounding error of a residual at a pose, in the scales of the rows: below it no solver can tell poses apart.
+    pub fn rounding(&self, given: &Given, q: &[f64], scalar: Scalar) -> f64 {
+        let graph = &self.system.mechanism.graph;
+        let mut symbols = given.symbols(&self.system, |number| number);
+        for (coordinate, value) in self.system.coordinates.iter().zip(q) {
+            symbols[coordinate.position.index()] = *value;
+        }
+        let values = crate::magnitude::values(graph, &self.residual, &symbols);
+        let margins = vec![Margin::NONE; graph.symbol_count()];
+        let found = errors(graph, &self.residual, &values, &margins, scalar);
+        let rows = self.system.rows.iter();
+        rows.map(|row| found[row.residual.index()].worst / self.system.scale(row.quantity))
+            .fold(0.0, f64::max)
+    }
+
     /// By how much q, q̇ and q̈ of the textbook view may be off in a scalar. `length` is what residuals in m are judged against.
     pub fn bounds(&self, given: &Given, exact: &Exact, length: f64, scalar: Scalar) -> Bounds {
         let graph = &self.system.mechanism.graph;
-        let n = self.count();
         let mut symbols = given.symbols(&self.system, Precise::from_f64);
         self.place(&mut symbols, 0, &exact.levels[0]);
         self.place(&mut symbols, 1, &exact.levels[1]);
         let mut nodes = Nodes::new(graph);
         nodes.evaluate(graph, &self.all, &symbols);
+        self.bounds_at(&nodes.rounded, exact, length, scalar)
+    }
+
+    /// The same around a pose from [`Truth::around`], in f64: by how much each value may be off.
+    pub fn bounds_around(&self, given: &Given, exact: &Exact, length: f64) -> Levels<f64> {
+        let graph = &self.system.mechanism.graph;
+        let mut symbols = given.symbols(&self.system, |number| number);
+        for (place, coordinate) in self.system.coordinates.iter().enumerate() {
+            let own = [coordinate.position, coordinate.rate];
+            for (level, symbol) in own.into_iter().enumerate() {
+                symbols[symbol.index()] = exact.levels[level][place].to_f64();
+            }
+        }
+        let values = crate::magnitude::values(graph, &self.all, &symbols);
+        let found = self.bounds_at(&values, exact, length, Scalar::F64);
+        found
+            .levels
+            .map(|level| level.into_iter().map(|margin| margin.worst).collect())
+    }
+
+    /// The bounds with these values of the nodes.
+    fn bounds_at(&self, values: &[f64], exact: &Exact, length: f64, scalar: Scalar) -> Bounds {
+        let graph = &self.system.mechanism.graph;
+        let n = self.count();
         let rows = || self.system.rows.iter();
         let mut jacobian = vec![vec![0.0; n]; n];
         for (row, entries) in rows().zip(&mut jacobian) {
             for entry in &row.jacobian {
-                entries[entry.coordinate] = nodes.rounded[entry.value.index()];
+                entries[entry.coordinate] = values[entry.value.index()];
             }
         }
         let dense = Dense {
@@ -251,7 +326,7 @@ impl Truth {
                 margins[coordinate.position.index()] = *pose;
                 margins[coordinate.rate.index()] = *rate;
             }
-            let found = errors(graph, &self.all, &nodes.rounded, &margins, scalar);
+            let found = errors(graph, &self.all, values, &margins, scalar);
             let of = |pick: fn(&Row) -> ExprId| -> Vec<Margin> {
                 rows().map(|row| found[pick(row).index()]).collect()
             };

@@ -41,6 +41,16 @@ impl Scalar {
         }
     }
 
+    /// The error of rounding a number of this size: half an ε of it, and one distance between numbers where it is not normal.
+    pub fn rounding(self, size: f64) -> Margin {
+        let (smallest, _) = self.range();
+        match size.abs() {
+            0.0 => Margin::NONE,
+            size if size < smallest => Margin::even(self.epsilon() * smallest),
+            size => Margin::even(0.5 * self.epsilon() * size),
+        }
+    }
+
     /// The name of the type.
     pub fn name(self) -> &'static str {
         match self {

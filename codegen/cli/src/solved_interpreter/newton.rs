@@ -98,7 +98,7 @@ impl Newton {
             row_scales: block
                 .quantities
                 .iter()
-                .map(|&it| system.scale(it))
+                .map(|it| system.scale(*it))
                 .collect(),
             geometry: operations(block.geometry.iter(), system),
             residuals: Tape::new(graph, &block.residuals),
