@@ -193,7 +193,8 @@ pub(super) fn lower_block(
             Step::Newton {
                 unknowns,
                 residuals,
-            } => newton = Some(builder.newton(unknowns, residuals)),
+                quantities,
+            } => newton = Some(builder.newton(unknowns, residuals, quantities)),
         }
     }
     for definition in &block.definitions {
