@@ -305,7 +305,7 @@ pub fn families() -> Vec<Family> {
         wound.collect(),
     );
     let tiny = [
-        1e-20, 1e-40, 1e-100, 1e-150, 1e-160, 1e-200, 1e-300, 1e-308, 1e-310, 1e-320,
+        1e-20, 1e-40, 1e-100, 1e-150, 1e-160, 1e-200, 1e-300, 1e-306, 1e-310, 1e-320,
     ];
     let tiny = tiny.map(|size| LINKS.times(size).sample(size, 0.7, 0.0));
     add(
