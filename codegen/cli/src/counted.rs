@@ -5,7 +5,9 @@
 
 use std::cell::Cell;
 
-use linkwright::{Equations, Failure, Frame, Settings};
+use linkwright::closed_form::failed;
+use linkwright::path::fits;
+use linkwright::{Equations, Failure, FailureKind, Frame, Scales, Settings};
 use nalgebra::{DMatrix, DVector, Dyn};
 
 /// Equations that count the Newton-Raphson steps taken on them.
@@ -50,7 +52,7 @@ impl<'a, E: Equations<f64, Dyn>> Counted<'a, E> {
         linkwright::assemble(self, estimate, t, settings)
     }
 
-    /// [`linkwright::advance`], counted.
+    /// [`linkwright::advance`], counted, and refused where the motion does not fit both frames ([`fits`]).
     ///
     /// # Errors
     /// Every [`linkwright::FailureKind`].
@@ -61,7 +63,11 @@ impl<'a, E: Equations<f64, Dyn>> Counted<'a, E> {
         settings: &Settings<f64>,
     ) -> Result<Frame<f64, Dyn>, Failure<f64>> {
         self.begun.set(false);
-        linkwright::advance(self, frame, t, settings)
+        let next = linkwright::advance(self, frame, t, settings)?;
+        match fits(&Scales::of(self), frame, &next) {
+            true => Ok(next),
+            false => Err(failed(FailureKind::StepTooLarge, t, 0)),
+        }
     }
 }
 

@@ -153,6 +153,9 @@ fn reason(system: &System, interpreter: &Interpreter, stop: &Stop) -> String {
         // Later versions of the runtime may know more kinds of failure; each has these figures.
         _ => "Newton-Raphson does not converge",
     };
+    if failure.iterations == 0 {
+        return what.to_string();
+    }
     format!(
         "{what}; after {} steps `{}` is violated by {} of its scale",
         failure.iterations,

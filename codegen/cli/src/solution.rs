@@ -10,6 +10,7 @@ use linkwright_codegen::model::Role;
 use linkwright_codegen::system::System;
 use nalgebra::{DVector, Dyn};
 
+use crate::branches;
 use crate::condition::{Condition, dimensionless, jacobian};
 use crate::diagnosis;
 use crate::interpreter::Interpreter;
@@ -17,6 +18,7 @@ use crate::monitor::Monitor;
 use crate::pressure::{self, LargestPressureAngle};
 use crate::residuals::Residuals;
 use crate::schedule::Schedule;
+use crate::solved_interpreter::SolvedInterpreter;
 use crate::trajectory::{Trajectory, follow};
 
 /// The motion of a mechanism over a schedule, as far as it goes.
@@ -48,7 +50,10 @@ pub struct Solution {
 
 impl Solution {
     /// Solves `system`, which must have passed `linkwright_codegen::check`, from the `estimate` (n) of its first pose, or else
-    /// from the drawing; `reached` hears how many times were visited.
+    /// from the pose with every loop in its drawn mode; `reached` hears how many times were visited.
+    ///
+    /// Where that pose does not exist, Newton-Raphson on all equations may still lead from the drawing to another assembly:
+    /// a warning says so.
     pub fn new(
         system: System,
         points: Vec<usize>,
@@ -57,20 +62,37 @@ impl Solution {
         reached: impl FnMut(usize),
     ) -> Solution {
         let interpreter = Interpreter::new(&system);
-        let estimate = estimate.as_ref().unwrap_or(interpreter.estimate());
+        let as_drawn = estimate.map_or_else(
+            || {
+                let solved = SolvedInterpreter::new(&system)?;
+                Some(branches::assembled(&solved, schedule.start.t, &[]))
+            },
+            |estimate| Some(Ok(estimate)),
+        );
+        let (estimate, not_as_drawn) = match as_drawn {
+            Some(Ok(pose)) => (pose, None),
+            Some(Err(why)) => (interpreter.estimate().clone(), Some(why)),
+            None => (interpreter.estimate().clone(), None),
+        };
         let settings = Settings::default();
-        let trajectory = follow(&interpreter, estimate, schedule, &settings, reached);
+        let trajectory = follow(&interpreter, &estimate, schedule, &settings, reached);
         let (q, t) = match &trajectory.start {
             Some(frame) => (&frame.q, frame.t),
-            None => (estimate, schedule.start.t),
+            None => (&estimate, schedule.start.t),
         };
         let matrix = jacobian(&interpreter, q, t);
+        let mut warnings = diagnosis::warnings(&system, &interpreter, &trajectory);
+        if let (Some(why), Some(_)) = (not_as_drawn, &trajectory.start) {
+            warnings.push(format!(
+                "not assembled as it is drawn ({why}): Newton-Raphson on all equations found this pose, which may be of another assembly mode"
+            ));
+        }
         Solution {
             condition: Condition::of(&matrix),
             dimensionless_condition: Condition::of(&dimensionless(&interpreter, matrix)),
             residuals: Residuals::over(&interpreter, &trajectory.frames),
             pressure_angles: pressure::largest(&system, &interpreter, &trajectory.frames),
-            warnings: diagnosis::warnings(&system, &interpreter, &trajectory),
+            warnings,
             error: trajectory
                 .stop
                 .as_ref()

@@ -2,19 +2,23 @@
 //!
 //! [`SolvedInterpreter`] runs the same statements as a generated module, block by block, with any choice of assembly modes:
 //! that is how the assemblies of a mechanism are found one by one, and how the displacements and angles that are no
-//! coordinates are known at a pose. Afterwards every unknown of the vector form has its position and rate; accelerations are
-//! left to the textbook view. The module does not know how modes are chosen, nor what a determinant means.
+//! coordinates are known at a pose. Afterwards every unknown of the vector form has its position, rate and acceleration. Like
+//! the generated module, blocks without a closed form keep the mode in which they were assembled, and a step that is too long
+//! for them is divided. The module does not know how modes are chosen, nor what a determinant means.
 
 mod newton;
 
-use linkwright::closed_form::{angle_near, spans};
+use linkwright::closed_form::{angle_near, failed, no_span, spans};
+use linkwright::{Failure, FailureKind, Settings, in_steps};
 use linkwright_codegen::expr::{ExprId, SymbolId, Tape};
 use linkwright_codegen::program::solved::{Action, Branch, Level, whole};
 use linkwright_codegen::structure::{self, SolvedPlan};
-use linkwright_codegen::system::System;
+use linkwright_codegen::system::{Coordinate, System};
 use nalgebra::DVector;
 
-use newton::Newton;
+use newton::{Known, Newton};
+
+pub use newton::Sought;
 
 /// The solved view of a mechanism with nothing left out, in SI units: m, rad, s.
 #[derive(Clone, Debug)]
@@ -32,6 +36,8 @@ pub struct SolvedInterpreter {
 /// A block as instructions.
 #[derive(Clone, Debug)]
 struct Block {
+    name: String,
+    spoken: String,
     operations: Vec<Operation>,
     newton: Option<Newton>,
     branches: Vec<Branch>,
@@ -42,9 +48,10 @@ enum Operation {
     Let(SymbolId, Tape),
     SineCosine([SymbolId; 2], Tape),
     Angle(SymbolId, Tape),
-    /// Fails unless the first value is safely positive beside the second.
+    /// Fails unless the first value is safely positive beside the second; the others are the distance, and the longest and
+    /// the shortest that is reached.
     Reach(Tape),
-    /// The same for the squares of both.
+    /// Fails unless the square of the first value is safely positive beside that of the second.
     Nonzero(Tape),
     Newton,
 }
@@ -56,13 +63,8 @@ pub struct Values {
     pub t: f64,
     /// By symbol.
     pub symbols: Vec<f64>,
-}
-
-/// The first block that cannot be solved in the chosen modes, from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Unsolved {
-    /// The block.
-    pub block: usize,
+    /// The last frame and the mode of every block without a closed form; `None` for one that is yet to be assembled.
+    known: Vec<Option<Known>>,
 }
 
 impl SolvedInterpreter {
@@ -76,17 +78,14 @@ impl SolvedInterpreter {
         let plan = structure::plan_of_motion(&mut system)?;
         let lowered = whole(&mut system, &plan);
         let blocks = lowered.into_iter().map(|block| {
-            let before = |action: &&Action| {
-                !matches!(
-                    action,
-                    Action::Section(Level::Acceleration | Level::Response(_))
-                )
-            };
+            let before = |action: &&Action| !matches!(action, Action::Section(Level::Response(_)));
             let actions = block.program.actions.iter().take_while(before);
             Block {
                 operations: operations(actions, &system),
                 newton: block.program.newton.map(|it| Newton::new(&it, &system)),
                 branches: block.branches,
+                name: block.program.name,
+                spoken: block.program.spoken,
             }
         });
         let blocks = blocks.collect();
@@ -105,6 +104,17 @@ impl SolvedInterpreter {
     /// The assembly modes of a block.
     pub fn branches(&self, block: usize) -> &[Branch] {
         &self.blocks[block].branches
+    }
+
+    /// The name of a block in the generated code, and what a person calls it.
+    pub fn block_names(&self, block: usize) -> [&str; 2] {
+        let block = &self.blocks[block];
+        [&block.name, &block.spoken]
+    }
+
+    /// Whether a block has no closed form, so that Newton-Raphson solves it.
+    pub fn is_iterated(&self, block: usize) -> bool {
+        self.blocks[block].newton.is_some()
     }
 
     /// How many blocks there are.
@@ -128,7 +138,8 @@ impl SolvedInterpreter {
             symbols[unknown.position.index()] =
                 graph.constant_value(unknown.estimate).unwrap_or(0.0);
         }
-        let mut values = Values { t, symbols };
+        let known = vec![None; self.blocks.len()];
+        let mut values = Values { t, symbols, known };
         self.set_time(&mut values, t);
         values
     }
@@ -145,56 +156,105 @@ impl SolvedInterpreter {
         }
     }
 
-    /// Solves one block in the modes with these signs (`true` for positive), after those before it.
+    /// Solves one block in the modes with these signs (`true` for positive), after those before it. One without a closed form
+    /// goes on from its last frame, or is assembled near the last values.
     ///
     /// # Errors
-    /// The block's links do not reach, or Newton-Raphson fails from the last values.
+    /// The block's links do not reach, or Newton-Raphson fails; the values of this block are then not those of a pose.
     pub fn solve_block(
         &self,
         index: usize,
         signs: &[bool],
         values: &mut Values,
-    ) -> Result<(), Unsolved> {
+    ) -> Result<(), Failure<f64>> {
+        self.run_block(index, signs, Sought::Near, values)
+    }
+
+    /// Solves one block like [`SolvedInterpreter::solve_block`], but in the mode that is sought where it has no closed form.
+    ///
+    /// # Errors
+    /// The same; [`FailureKind::WrongBranch`] where no pose of that mode was found.
+    pub fn run_block(
+        &self,
+        index: usize,
+        signs: &[bool],
+        sought: Sought,
+        values: &mut Values,
+    ) -> Result<(), Failure<f64>> {
         let block = &self.blocks[index];
         for (branch, positive) in block.branches.iter().zip(signs) {
             values.symbols[branch.symbol.index()] = if *positive { 1.0 } else { -1.0 };
         }
         let mut workspace = Vec::new();
+        let number = u16::try_from(index).unwrap_or(u16::MAX);
         for operation in &block.operations {
             let done = match (operation, &block.newton) {
-                (Operation::Newton, Some(newton)) => newton.solve(values),
-                _ => run(operation, &mut values.symbols, &mut workspace),
+                (Operation::Newton, Some(newton)) => newton.solve(
+                    values.t,
+                    &mut values.symbols,
+                    &mut values.known[index],
+                    sought,
+                ),
+                _ => run(operation, values.t, &mut values.symbols, &mut workspace),
             };
-            if !done {
-                return Err(Unsolved { block: index });
-            }
+            done.map_err(|failure| failure.in_block(number))?;
         }
         Ok(())
     }
 
-    /// Solves all blocks at `t`, from `values` as the last pose.
+    /// Solves all blocks at `t`, from `values` as the last pose, in as many steps as blocks without a closed form need.
     ///
     /// # Errors
-    /// The first block that cannot be solved.
-    pub fn solve(&self, t: f64, signs: &[Vec<bool>], values: &mut Values) -> Result<(), Unsolved> {
-        self.set_time(values, t);
-        for (index, signs) in signs.iter().enumerate() {
-            self.solve_block(index, signs, values)?;
+    /// The first block that cannot be solved; the values stay as they were.
+    pub fn solve(
+        &self,
+        t: f64,
+        signs: &[Vec<bool>],
+        values: &mut Values,
+    ) -> Result<(), Failure<f64>> {
+        let from = values.t;
+        let moves = values.known.iter().any(Option::is_some);
+        let mut step = |target: f64| {
+            let mut after = values.clone();
+            self.set_time(&mut after, target);
+            for (index, signs) in signs.iter().enumerate() {
+                self.solve_block(index, signs, &mut after)?;
+            }
+            *values = after;
+            Ok(())
+        };
+        match step(t) {
+            Err(_) if moves => in_steps(from, t, Settings::<f64>::default().substeps, step)
+                .map(|_| ())
+                .map_err(|broken| broken.failure),
+            solved => solved,
         }
-        Ok(())
     }
 
     /// The coordinates q among the values.
     pub fn pose(&self, values: &Values) -> DVector<f64> {
-        let positions = self.system.coordinates.iter().map(|it| it.position);
-        DVector::from_iterator(
-            self.system.coordinates.len(),
-            positions.map(|symbol| values.symbols[symbol.index()]),
-        )
+        let [q, _, _] = self.levels(values);
+        q
     }
 
-    /// Puts in the coordinates of a pose, as what angles are near to and Newton-Raphson starts from.
+    /// q, q̇ and q̈ among the values.
+    pub fn levels(&self, values: &Values) -> [DVector<f64>; 3] {
+        let symbols = |level: fn(&Coordinate) -> SymbolId| {
+            let symbols = self.system.coordinates.iter().map(level);
+            let values = symbols.map(|symbol| values.symbols[symbol.index()]);
+            DVector::from_vec(values.collect())
+        };
+        [
+            symbols(|it| it.position),
+            symbols(|it| it.rate),
+            symbols(|it| it.acceleration),
+        ]
+    }
+
+    /// Puts in the coordinates of a pose, as what angles are near to and Newton-Raphson starts from: an estimate, so that blocks
+    /// are assembled anew.
     pub fn set_pose(&self, values: &mut Values, q: &DVector<f64>) {
+        values.known.fill(None);
         for (coordinate, value) in self.system.coordinates.iter().zip(q.iter()) {
             values.symbols[coordinate.position.index()] = *value;
         }
@@ -221,7 +281,7 @@ fn operations<'a>(actions: impl Iterator<Item = &'a Action>, system: &System) ->
                     system.vector_form.unknowns[*unknown].position,
                     tape(&[*sine, *cosine]),
                 ),
-                Action::Reach { excess, scale, .. } => Operation::Reach(tape(&[*excess, *scale])),
+                Action::Reach { .. } => Operation::Reach(tape(&action.values())),
                 Action::Nonzero { value, scale } => Operation::Nonzero(tape(&[*value, *scale])),
                 Action::Newton => Operation::Newton,
                 // Shared values are evaluated where they occur; nothing is factorized without directions.
@@ -231,34 +291,58 @@ fn operations<'a>(actions: impl Iterator<Item = &'a Action>, system: &System) ->
         .collect()
 }
 
-/// Runs one operation; whether it could be.
-fn run(operation: &Operation, symbols: &mut [f64], workspace: &mut Vec<f64>) -> bool {
-    let mut pair = [0.0; 2];
+/// Runs one operation of a closed form at `t`.
+fn run(
+    operation: &Operation,
+    t: f64,
+    symbols: &mut [f64],
+    workspace: &mut Vec<f64>,
+) -> Result<(), Failure<f64>> {
+    let mut evaluated = |tape: &Tape, results: &mut [f64], symbols: &[f64]| {
+        tape.evaluate(symbols, workspace, results);
+    };
+    let refused = |kind| Err(failed(kind, t, 0));
     match operation {
         Operation::Let(target, tape) => {
-            tape.evaluate(symbols, workspace, &mut pair[..1]);
-            symbols[target.index()] = pair[0];
-            pair[0].is_finite()
+            let mut value = [0.0];
+            evaluated(tape, &mut value, symbols);
+            symbols[target.index()] = value[0];
+            if !value[0].is_finite() {
+                return refused(FailureKind::NotFinite);
+            }
         }
         Operation::SineCosine([sine, cosine], tape) => {
-            tape.evaluate(symbols, workspace, &mut pair[..1]);
-            (symbols[sine.index()], symbols[cosine.index()]) = pair[0].sin_cos();
-            true
+            let mut angle = [0.0];
+            evaluated(tape, &mut angle, symbols);
+            (symbols[sine.index()], symbols[cosine.index()]) = angle[0].sin_cos();
         }
         Operation::Angle(target, tape) => {
-            tape.evaluate(symbols, workspace, &mut pair);
+            let mut direction = [0.0; 2];
+            evaluated(tape, &mut direction, symbols);
             let near = symbols[target.index()];
-            symbols[target.index()] = angle_near(pair[0], pair[1], near);
-            true
+            symbols[target.index()] = angle_near(direction[0], direction[1], near);
         }
         Operation::Reach(tape) => {
-            tape.evaluate(symbols, workspace, &mut pair);
-            spans(pair[0], pair[1])
+            let mut values = [0.0; 5];
+            evaluated(tape, &mut values, symbols);
+            let [excess, scale, distance, longest, shortest] = values;
+            if !spans(excess, scale) {
+                return Err(no_span(distance, longest, shortest, t, 0));
+            }
         }
         Operation::Nonzero(tape) => {
-            tape.evaluate(symbols, workspace, &mut pair);
-            spans(pair[0] * pair[0], pair[1] * pair[1])
+            let mut values = [0.0; 2];
+            evaluated(tape, &mut values, symbols);
+            let [value, scale] = values;
+            if !spans(value * value, scale * scale) {
+                return refused(FailureKind::Singular {
+                    pivot_ratio: value / scale,
+                    column: 0,
+                });
+            }
         }
-        Operation::Newton => false,
+        // What has no closed form is not solved by evaluation.
+        Operation::Newton => return refused(FailureKind::IterationLimit),
     }
+    Ok(())
 }

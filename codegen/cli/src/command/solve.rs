@@ -15,6 +15,7 @@ use crate::progress::{PATIENCE, Progress};
 use crate::report::{comma_separated, json, plot, summary};
 use crate::schedule::Schedule;
 use crate::solution::{Solution, select};
+use crate::solved_interpreter::SolvedInterpreter;
 
 /// How many numbers the frames of a motion may consist of: two gigabytes.
 const LARGEST: usize = 250_000_000;
@@ -49,10 +50,12 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     }
     let chosen_pose = match arguments.branch.as_slice() {
         [] => None,
-        wishes => Some(
-            branches::assembled(&system, schedule.start.t, wishes)
-                .map_err(|text| Problem(format!("error: {text}")))?,
-        ),
+        wishes => {
+            let pose = SolvedInterpreter::new(&system)
+                .ok_or_else(|| "the mechanism is not solved loop by loop".to_string())
+                .and_then(|solved| branches::assembled(&solved, schedule.start.t, wishes));
+            Some(pose.map_err(|text| Problem(format!("error: {text}")))?)
+        }
     };
     let mut progress = Progress::new(schedule.visits());
     let solution = Solution::new(system, points, &schedule, chosen_pose, |count| {

@@ -1,20 +1,64 @@
-//! *The equations of a block without a closed form → its tears and their rates*, by the runtime's Newton-Raphson.
+//! *The equations of a block without a closed form → its tears with their rates and accelerations*, by the runtime's
+//! Newton-Raphson, in the mode that is sought.
 
 use std::cell::RefCell;
+use std::f64::consts::PI;
 
-use linkwright::{Equations, Settings, assemble};
+use linkwright::closed_form::failed;
+use linkwright::{
+    Branch, Equations, Failure, FailureKind, Frame, Settings, Start, assemble_from_afar, block,
+    branch_of,
+};
 use linkwright_codegen::expr::{SymbolId, Tape};
 use linkwright_codegen::program::solved::NewtonBlock;
 use linkwright_codegen::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use super::{Operation, Values, operations, run};
+use super::{Operation, operations, run};
+
+/// From how many poses at random a mode is looked for, if it is not found from the last values.
+const STARTS: u32 = 200;
+
+/// How far these poses are from the last values at most: half a turn, and this many characteristic lengths.
+const SCATTER: f64 = PI;
+
+/// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        let bits = self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11;
+        bits as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+/// Which mode is sought of a block without a closed form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sought {
+    /// That of its last frame, or the one near the last values where it has none.
+    Near,
+    /// The one with this sign of its Jacobian's determinant, from wherever it is found.
+    Sign(Branch),
+    /// The one that is not near.
+    Other,
+}
+
+/// The last frame of a block without a closed form, and its mode.
+#[derive(Clone, Debug)]
+pub(super) struct Known {
+    frame: Frame<f64, Dyn>,
+    branch: Branch,
+}
 
 /// The equations of a block without a closed form.
 #[derive(Clone, Debug)]
 pub(super) struct Newton {
     positions: Vec<SymbolId>,
     rates: Vec<SymbolId>,
+    accelerations: Vec<SymbolId>,
     scales: Vec<f64>,
     /// Residuals are lengths, but for angles that a gear or a driver ties.
     row_scale: f64,
@@ -22,6 +66,7 @@ pub(super) struct Newton {
     residuals: Tape,
     jacobian: Tape,
     time_derivative: Tape,
+    gamma: Tape,
 }
 
 impl Newton {
@@ -36,6 +81,7 @@ impl Newton {
         Newton {
             positions: unknowns.iter().map(|it| it.position).collect(),
             rates: unknowns.iter().map(|it| it.rate).collect(),
+            accelerations: unknowns.iter().map(|it| it.acceleration).collect(),
             scales: unknowns
                 .iter()
                 .map(|it| system.scale(it.quantity))
@@ -45,26 +91,96 @@ impl Newton {
             residuals: Tape::new(graph, &block.residuals),
             jacobian: Tape::new(graph, &block.jacobian),
             time_derivative: Tape::new(graph, &block.time_derivative),
+            gamma: Tape::new(graph, &block.gamma),
         }
     }
 
-    /// Finds the tears and their rates from their last values.
-    pub(super) fn solve(&self, values: &mut Values) -> bool {
-        let start = self.positions.iter().map(|it| values.symbols[it.index()]);
-        let start = DVector::from_iterator(self.positions.len(), start);
+    /// Finds the tears with their rates and accelerations at `t`.
+    pub(super) fn solve(
+        &self,
+        t: f64,
+        symbols: &mut [f64],
+        known: &mut Option<Known>,
+        sought: Sought,
+    ) -> Result<(), Failure<f64>> {
         let equations = At {
             newton: self,
-            symbols: RefCell::new(values.symbols.clone()),
+            symbols: RefCell::new(symbols.to_vec()),
         };
-        let Ok(frame) = assemble(&equations, &start, values.t, &Settings::default()) else {
-            return false;
+        let last = self.positions.iter().map(|it| symbols[it.index()]);
+        let last = DVector::from_iterator(self.positions.len(), last);
+        let found = match sought {
+            Sought::Near => near(&equations, &last, known.as_ref(), t)?,
+            Sought::Sign(branch) => search(&equations, &last, branch, t)?,
+            Sought::Other => {
+                let here = near(&equations, &last, known.as_ref(), t)?;
+                search(&equations, &last, here.branch.opposite(), t)?
+            }
         };
-        for (place, (position, rate)) in self.positions.iter().zip(&self.rates).enumerate() {
-            values.symbols[position.index()] = frame.q[place];
-            values.symbols[rate.index()] = frame.qd[place];
+        let frame = &found.frame;
+        let levels = [
+            (&self.positions, &frame.q),
+            (&self.rates, &frame.qd),
+            (&self.accelerations, &frame.qdd),
+        ];
+        for (places, values) in levels {
+            for (place, value) in places.iter().zip(values.iter()) {
+                symbols[place.index()] = *value;
+            }
         }
-        true
+        *known = Some(found);
+        Ok(())
     }
+}
+
+/// The pose of the mode that is known, or else the one near an estimate.
+fn near(
+    equations: &At<'_>,
+    estimate: &DVector<f64>,
+    known: Option<&Known>,
+    t: f64,
+) -> Result<Known, Failure<f64>> {
+    let (start, last, mut branch) = match known {
+        Some(known) => (Start::LastFrame, known.frame.clone(), Some(known.branch)),
+        None => {
+            let rest = DVector::zeros(estimate.len());
+            let frame = Frame {
+                t,
+                q: estimate.clone(),
+                qd: rest.clone(),
+                qdd: rest,
+            };
+            (Start::Estimate, frame, None)
+        }
+    };
+    let settings = Settings::default();
+    let frame = block::solve(equations, &last, start, &mut branch, t, &settings)?;
+    let branch = match branch {
+        Some(branch) => branch,
+        None => branch_of(equations, &frame.q, t, &settings)?,
+    };
+    Ok(Known { frame, branch })
+}
+
+/// A pose of a mode that the last values may be far from.
+fn search(
+    equations: &At<'_>,
+    last: &DVector<f64>,
+    branch: Branch,
+    t: f64,
+) -> Result<Known, Failure<f64>> {
+    let mut random = Random(1);
+    let mut start = last.clone();
+    for _ in 0..=STARTS {
+        let settings = Settings::default();
+        if let Ok(frame) = assemble_from_afar(equations, &start, Some(branch), t, &settings) {
+            return Ok(Known { frame, branch });
+        }
+        for (place, scale) in equations.newton.scales.iter().enumerate() {
+            start[place] = last[place] + SCATTER * scale * random.next();
+        }
+    }
+    Err(failed(FailureKind::WrongBranch, t, 0))
 }
 
 /// The equations of a Newton block after the blocks before it.
@@ -74,16 +190,33 @@ struct At<'a> {
 }
 
 impl At<'_> {
-    fn evaluate(&self, tape: &Tape, tears: &DVector<f64>, results: &mut [f64]) {
+    /// Evaluates with the tears, and their rates if the results need them.
+    fn evaluate(
+        &self,
+        tape: &Tape,
+        t: f64,
+        tears: &DVector<f64>,
+        rates: Option<&DVector<f64>>,
+        results: &mut [f64],
+    ) {
         let symbols = &mut *self.symbols.borrow_mut();
         let mut workspace = Vec::new();
         for (symbol, value) in self.newton.positions.iter().zip(tears.iter()) {
             symbols[symbol.index()] = *value;
         }
-        for operation in &self.newton.geometry {
-            run(operation, symbols, &mut workspace);
+        let rates = rates.into_iter().flat_map(|rates| rates.iter());
+        for (symbol, value) in self.newton.rates.iter().zip(rates) {
+            symbols[symbol.index()] = *value;
         }
-        tape.evaluate(symbols, &mut workspace, results);
+        // What is not finite shows in the results.
+        let ran = self.newton.geometry.iter();
+        let failed = ran
+            .map(|operation| run(operation, t, symbols, &mut workspace))
+            .any(|outcome| outcome.is_err());
+        match failed {
+            true => results.fill(f64::NAN),
+            false => tape.evaluate(symbols, &mut workspace, results),
+        }
     }
 }
 
@@ -92,23 +225,23 @@ impl Equations<f64, Dyn> for At<'_> {
         Dyn(self.newton.positions.len())
     }
 
-    fn residual(&self, q: &DVector<f64>, _: f64, phi: &mut DVector<f64>) {
-        self.evaluate(&self.newton.residuals, q, phi.as_mut_slice());
+    fn residual(&self, q: &DVector<f64>, t: f64, phi: &mut DVector<f64>) {
+        self.evaluate(&self.newton.residuals, t, q, None, phi.as_mut_slice());
     }
 
-    fn jacobian(&self, q: &DVector<f64>, _: f64, phi_q: &mut DMatrix<f64>) {
+    fn jacobian(&self, q: &DVector<f64>, t: f64, phi_q: &mut DMatrix<f64>) {
         let mut rows = vec![0.0; q.len() * q.len()];
-        self.evaluate(&self.newton.jacobian, q, &mut rows);
+        self.evaluate(&self.newton.jacobian, t, q, None, &mut rows);
         phi_q.copy_from(&DMatrix::from_row_slice(q.len(), q.len(), &rows));
     }
 
-    fn time_derivative(&self, q: &DVector<f64>, _: f64, phi_t: &mut DVector<f64>) {
-        self.evaluate(&self.newton.time_derivative, q, phi_t.as_mut_slice());
+    fn time_derivative(&self, q: &DVector<f64>, t: f64, phi_t: &mut DVector<f64>) {
+        let results = phi_t.as_mut_slice();
+        self.evaluate(&self.newton.time_derivative, t, q, None, results);
     }
 
-    /// Accelerations are left to the textbook view.
-    fn gamma(&self, _: &DVector<f64>, _: &DVector<f64>, _: f64, gamma: &mut DVector<f64>) {
-        gamma.fill(0.0);
+    fn gamma(&self, q: &DVector<f64>, qd: &DVector<f64>, t: f64, gamma: &mut DVector<f64>) {
+        self.evaluate(&self.newton.gamma, t, q, Some(qd), gamma.as_mut_slice());
     }
 
     fn row_scale(&self, _: usize) -> f64 {

@@ -64,6 +64,30 @@ fn a_loop_without_a_closed_form_has_branches_too() {
     assert!(!coincide(&other, &drawn));
 }
 
+/// A bar that is drawn with its end far from the circle on which a distance holds it.
+const HELD: &str = "mechanism held {
+    point D = (1.2, 0.4);
+    body 5 at (0.5, 0.3, 0.3) { U: (0.6, 0) }
+    absolute_x(5) = 0.5;
+    absolute_y(5) = 0.3;
+    absolute_distance (5.U, D) = 0.7;
+}
+";
+
+#[test]
+fn a_poor_drawing_is_assembled_in_its_own_mode() {
+    let folder = Folder::new("branch_poor", HELD);
+    let pose = row(&folder, "");
+    // U lies on the circle about D, at 0.6 from (0.5, 0.3), on the side of the line to D where it is drawn: below it.
+    let (sine, cosine) = pose[3].sin_cos();
+    let [x, y] = [0.5 + 0.6 * cosine, 0.3 + 0.6 * sine];
+    assert!(((x - 1.2).hypot(y - 0.4) - 0.7).abs() < 1e-14);
+    let side = |x: f64, y: f64| (0.7 * (y - 0.3) - 0.1 * (x - 0.5)).signum();
+    let drawn = [0.5 + 0.6 * 0.3_f64.cos(), 0.3 + 0.6 * 0.3_f64.sin()];
+    assert_eq!(side(x, y), side(drawn[0], drawn[1]));
+    assert!((pose[3] - 0.3).abs() < std::f64::consts::PI, "{}", pose[3]);
+}
+
 #[test]
 fn wrong_names_of_loops_and_modes_are_corrected() {
     let folder = Folder::new("branch_names", EXAM);

@@ -22,7 +22,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     let drawn = drawn_values(system);
     let mut branches = Vec::new();
     let mut blocks = Vec::with_capacity(plan.blocks.len());
-    let mut names: Vec<String> = Vec::new();
+    let mut names = Vec::new();
     let mut responses = Responses::new(system);
     for block in &plan.blocks {
         let mut lowered = lower_block(
@@ -33,14 +33,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
             &mut responses,
             constants,
         );
-        let base = lowered.name.clone();
-        let taken = |name: &str| names.iter().any(|other| other == name);
-        let mut number = 2;
-        while taken(&lowered.name) {
-            lowered.name = format!("{base}_{number}");
-            number += 1;
-        }
-        names.push(lowered.name.clone());
+        set_apart(&mut lowered, &mut names);
         blocks.push(lowered);
     }
     let coordinates = system.coordinates.len();
@@ -191,6 +184,17 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         field_set,
         branch_places,
     }
+}
+
+/// Numbers a block whose name is one of `taken`, and takes its own.
+pub(super) fn set_apart(block: &mut BlockProgram, taken: &mut Vec<String>) {
+    let base = block.name.clone();
+    let mut number = 2;
+    while taken.contains(&block.name) {
+        block.name = format!("{base}_{number}");
+        number += 1;
+    }
+    taken.push(block.name.clone());
 }
 
 /// The drawing's value of every parameter, unknown and arm, by symbol.

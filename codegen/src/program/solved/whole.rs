@@ -1,7 +1,7 @@
 //! Every block of the plan → its function with nothing left out, for whoever evaluates it without a compile step.
 
 use super::block::lower_block;
-use super::lower::drawn_values;
+use super::lower::{drawn_values, set_apart};
 use super::responses::Responses;
 use super::{BlockProgram, Branch};
 use crate::program::constants::Constants;
@@ -23,9 +23,10 @@ pub fn whole(system: &mut System, plan: &SolvedPlan) -> Vec<WholeBlock> {
     let drawn = drawn_values(system);
     let mut responses = Responses::new(system);
     let mut constants = Constants::default();
+    let mut names = Vec::new();
     let blocks = plan.blocks.iter().map(|block| {
         let mut branches = Vec::new();
-        let program = lower_block(
+        let mut program = lower_block(
             system,
             block,
             &drawn,
@@ -33,6 +34,7 @@ pub fn whole(system: &mut System, plan: &SolvedPlan) -> Vec<WholeBlock> {
             &mut responses,
             &mut constants,
         );
+        set_apart(&mut program, &mut names);
         WholeBlock { program, branches }
     });
     blocks.collect()

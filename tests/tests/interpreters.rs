@@ -1,0 +1,68 @@
+//! The two interpreters agree: textbook and solved view of every description, along its motion, in pose, velocity and
+//! acceleration. The first iterates on all rows, the second takes block after block by the statements of the generated code.
+
+use linkwright::{Settings, assemble, branch_of, follow};
+use linkwright_cli::interpreter::Interpreter;
+use linkwright_cli::solved_interpreter::SolvedInterpreter;
+use linkwright_codegen::system::System;
+use linkwright_tests::description;
+
+/// How far a motion is followed (s), and in how many frames.
+const END: f64 = 0.5;
+const FRAMES: u32 = 50;
+
+/// What rounding may make of a pose, velocity or acceleration of these mechanisms, none of which comes near a singular pose.
+const LIMIT: f64 = 1e-13;
+
+/// The largest difference of q, q̇ and q̈, in the size of the largest value of each level (or 1).
+fn difference(system: &System) -> Option<[f64; 3]> {
+    let textbook = Interpreter::new(system);
+    let solved = SolvedInterpreter::new(system)?;
+    let settings = Settings::default();
+    let mut values = solved.begin(0.0);
+    let signs = solved.drawn_signs();
+    let mut last = None;
+    let mut worst = [0.0_f64; 3];
+    for step in 0..=FRAMES {
+        let t = END * f64::from(step) / f64::from(FRAMES);
+        let found = solved.solve(t, &signs, &mut values);
+        let frame = match &last {
+            // A poor drawing may be nearer to another assembly than to the one with its modes.
+            None => assemble(&textbook, &solved.pose(&values), t, &settings),
+            Some((frame, branch)) => follow(&textbook, frame, *branch, t, &settings),
+        };
+        let frame = match (frame, found) {
+            (Ok(frame), Ok(())) => frame,
+            // Where a motion ends it ends in both views.
+            (Err(_), Err(_)) => break,
+            (one, other) => panic!("t = {t}: textbook {one:?}, solved {other:?}"),
+        };
+        let levels = solved.levels(&values);
+        for (level, (one, other)) in [&frame.q, &frame.qd, &frame.qdd]
+            .into_iter()
+            .zip(&levels)
+            .enumerate()
+        {
+            let size = one.amax().max(1.0);
+            worst[level] = worst[level].max((one - other).amax() / size);
+        }
+        let branch = branch_of(&textbook, &frame.q, t, &settings).expect("a regular pose");
+        last = Some((frame, branch));
+    }
+    last.map(|_| worst)
+}
+
+#[test]
+fn both_views_describe_the_same_motion() {
+    for name in [description::names(), description::small()].concat() {
+        for system in description::motions(&name) {
+            let Some(worst) = difference(&system) else {
+                panic!("{name}: no frame in one of the views");
+            };
+            for (level, difference) in ["q", "q̇", "q̈"].iter().zip(worst) {
+                println!("{name}, {level}: {difference:.1e}");
+                assert!(difference < LIMIT, "{name}, {level}: {difference:e}");
+            }
+        }
+    }
+}
