@@ -45,7 +45,10 @@ pub fn answers(folder: &Path, texts: &[String], tasks: &[&Task]) -> io::Result<V
         return Err(io::Error::other("the generated code does not compile"));
     }
     let file = folder.join("tasks");
-    fs::write(&file, tasks.iter().copied().map(written).collect::<String>())?;
+    fs::write(
+        &file,
+        tasks.iter().copied().map(written).collect::<String>(),
+    )?;
     let output = Command::new(folder.join("target/release/hunted"))
         .arg(&file)
         .output()?;
@@ -80,8 +83,11 @@ fn write_package(folder: &Path, texts: &[String]) -> io::Result<()> {
     write(source.join("main.rs"), &program::main(texts.len()))?;
     for (index, text) in texts.iter().enumerate() {
         for (name, scalar) in [("f64", Scalar::F64), ("f32", Scalar::F32)] {
-            let generated = generate_with(&Source::new("found.mech", text.as_str()), &Options { scalar })
-                .map_err(|errors| io::Error::other(format!("{errors:?}")))?;
+            let generated = generate_with(
+                &Source::new("found.mech", text.as_str()),
+                &Options { scalar },
+            )
+            .map_err(|errors| io::Error::other(format!("{errors:?}")))?;
             let file = format!("{}.rs", program::module(index, name));
             write(source.join(file), &generated.code)?;
         }

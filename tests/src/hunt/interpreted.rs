@@ -3,10 +3,10 @@
 use linkwright_cli::solved_interpreter::{SolvedInterpreter, Values};
 
 use super::known::Known;
-use super::ways::{Answered, Blocks, solved, textbook};
+use super::ways::{Answered, Blocks, named, solved, textbook};
 use nalgebra::DVector;
 
-/// The interpreted solved view, which finds positions only.
+/// The interpreted solved view in motion.
 #[derive(Clone)]
 struct Interpreted<'a> {
     view: &'a SolvedInterpreter,
@@ -15,18 +15,15 @@ struct Interpreted<'a> {
 
 impl Blocks for Interpreted<'_> {
     fn moved(&mut self, t: f64) -> Result<(), String> {
-        let mut values = self.values.clone();
         let signs = self.view.drawn_signs();
         self.view
-            .solve(t, &signs, &mut values)
-            .map_err(|_| "Unsolved".to_string())?;
-        self.values = values;
-        Ok(())
+            .solve(t, &signs, &mut self.values)
+            .map_err(|failure| named(failure.kind))
     }
 
     fn levels(&self) -> [Vec<f64>; 3] {
-        let pose = self.view.pose(&self.values);
-        [pose.as_slice().to_vec(), Vec::new(), Vec::new()]
+        let levels = self.view.levels(&self.values);
+        levels.map(|level| level.as_slice().to_vec())
     }
 }
 

@@ -193,10 +193,7 @@ impl Joint {
                 let direction = [direction[0] / l, direction[1] / l];
                 let side = dot(across(along(a, b)), along(a, centre)).signum();
                 let before = dot(direction, along(a, centre));
-                let after = dot(
-                    carried(direction, rack),
-                    difference(now(centre), now(a)),
-                );
+                let after = dot(carried(direction, rack), difference(now(centre), now(a)));
                 let rolled = side * radius * (turned(of(centre)) - turned(rack));
                 (after - before + rolled, 0.0)
             }
@@ -205,7 +202,10 @@ impl Joint {
             Joint::DriveLength(p, q, law) => {
                 let l = length(along(p, q));
                 let direction = carried([along(p, q)[0] / l, along(p, q)[1] / l], of(p));
-                (dot(direction, difference(now(q), now(p))) - l - law.at(t), 0.0)
+                (
+                    dot(direction, difference(now(q), now(p))) - l - law.at(t),
+                    0.0,
+                )
             }
             Joint::Drive(p, axis, law) => (now(p)[axis] - first(p)[axis] - law.at(t), 0.0),
             Joint::DriveRelative(p, q, axis, law) => (

@@ -29,8 +29,10 @@ pub fn promise(call: Call, known: &Known) -> Promise {
         Call::Assemble | Call::AdvanceFine | Call::Advance => Promise::Pose,
         Call::Afar => Promise::Branch,
         Call::Follow | Call::FollowLong => Promise::Path,
-        // The modes are those of the drawing, which are those of the path where it is the pose.
-        Call::SolvedAssemble | Call::SolvedAfar if known.is_drawn_exactly => Promise::Branch,
+        // The modes of closed forms are those of the drawing, which are those of the path where it is the pose.
+        Call::SolvedAssemble | Call::SolvedAfar if known.is_drawn_exactly && known.is_closed => {
+            Promise::Branch
+        }
         Call::SolvedAssemble | Call::SolvedAfar => Promise::Pose,
         Call::SolvedFine | Call::Solved | Call::SolvedLong => Promise::PathButTurns,
     }
@@ -112,7 +114,9 @@ fn one(
         return (Outcome::Wrong(why), motion);
     };
     if let Err(off) = compare(levels, &found, scalar) {
-        let why = why.map_or(off.clone(), |why| format!("{why}; from the next pose {off}"));
+        let why = why.map_or(off.clone(), |why| {
+            format!("{why}; from the next pose {off}")
+        });
         return (Outcome::Wrong(why), motion);
     }
     let promise = if motion.on_path && exact.is_some() {
@@ -177,7 +181,11 @@ fn compare(levels: &[Vec<f64>; 3], exact: &Instant, scalar: Scalar) -> Result<f6
     let mut ratio = 0.0_f64;
     for (level, found) in levels.iter().enumerate() {
         let wanted = &exact.exact.levels[level];
-        let floor = wanted.iter().map(|it| it.to_f64().abs()).fold(0.0, f64::max) * NOISE;
+        let floor = wanted
+            .iter()
+            .map(|it| it.to_f64().abs())
+            .fold(0.0, f64::max)
+            * NOISE;
         for (place, found) in found.iter().enumerate() {
             let off = Precise::from_f64(*found).minus(&wanted[place]);
             let off = off.to_f64().abs();

@@ -2,6 +2,7 @@
 //! or why there is nothing to hunt.
 
 use linkwright_cli::interpreter::Interpreter;
+use linkwright_cli::solved_interpreter::SolvedInterpreter;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::system::System;
 use nalgebra::DVector;
@@ -49,6 +50,8 @@ pub struct Known {
     pub end: End,
     /// Whether the drawing is the exact pose, so that it has the same modes.
     pub is_drawn_exactly: bool,
+    /// Whether every block of the solved view has a closed form.
+    pub is_closed: bool,
     /// What is asked.
     pub task: Task,
 }
@@ -61,7 +64,7 @@ pub enum Unused {
     /// The pose by construction is so near to a singular one that no path can be followed from it.
     Singular,
     /// The tracker gave up, where it cannot be said whether the path goes on.
-    Undecided(String),
+    Undecided,
     /// The exact pose is none of the mechanism that was constructed: the equations say something else than the text.
     Contradiction(String),
 }
@@ -116,9 +119,16 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
         return Err(Unused::Singular);
     };
     let scales = truth.scales(size);
-    let away = start.iter().zip(&scales).map(|(it, scale)| it.abs() / scale);
+    let away = start
+        .iter()
+        .zip(&scales)
+        .map(|(it, scale)| it.abs() / scale);
     let away = away.fold(1.0, f64::max);
-    let off = (first - &start).iter().zip(&scales).map(|(it, scale)| it.abs() / scale).fold(0.0, f64::max);
+    let off = (first - &start)
+        .iter()
+        .zip(&scales)
+        .map(|(it, scale)| it.abs() / scale)
+        .fold(0.0, f64::max);
     if off > 1e-6 * away {
         return Err(Unused::Singular);
     }
@@ -137,7 +147,9 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
             break;
         }
         let violation = mechanism.violation(&q, *t);
-        if !(violation <= VIOLATION * away) {
+        // No comparison with NaN holds.
+        let fits = violation <= VIOLATION * away;
+        if !fits {
             return Err(Unused::Contradiction(format!(
                 "violated by {violation:.1e} at t = {t}"
             )));
@@ -148,11 +160,10 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
         return Err(Unused::Singular);
     }
     if end == End::Unknown {
-        return Err(Unused::Undecided(format!(
-            "after {} instants",
-            instants.len()
-        )));
+        return Err(Unused::Undecided);
     }
+    let is_closed = SolvedInterpreter::new(&system)
+        .is_some_and(|view| !(0..view.block_count()).any(|block| view.is_iterated(block)));
     let task = task(&instants, &scales, times, seed);
     Ok(Known {
         system,
@@ -163,6 +174,7 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
         instants,
         end,
         is_drawn_exactly: mechanism.is_drawn_exactly(),
+        is_closed,
         task,
     })
 }
@@ -172,7 +184,10 @@ fn task(instants: &[Instant], scales: &[f64], times: Vec<f64>, seed: u64) -> Tas
     let mut random = Random::new(seed ^ 0x5ca7_7e4e_d000_0001);
     let pose = |instant: usize| -> Vec<f64> {
         let instant = &instants[instant.min(instants.len() - 1)];
-        instant.exact.levels[0].iter().map(Precise::to_f64).collect()
+        instant.exact.levels[0]
+            .iter()
+            .map(Precise::to_f64)
+            .collect()
     };
     let mut around = |instant: usize, part: f64| -> Vec<f64> {
         let pose = pose(instant);
@@ -193,5 +208,10 @@ fn task(instants: &[Instant], scales: &[f64], times: Vec<f64>, seed: u64) -> Tas
 /// The exact motion through a pose near `found`, wherever that lies; `None` where there is none.
 pub fn elsewhere(known: &Known, instant: usize, found: &[f64]) -> Option<Instant> {
     let found = DVector::from_column_slice(found);
-    self::instant(&known.truth, known.task.times[instant], &found, known.length)
+    self::instant(
+        &known.truth,
+        known.task.times[instant],
+        &found,
+        known.length,
+    )
 }

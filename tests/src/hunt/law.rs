@@ -57,10 +57,7 @@ impl Law {
                 frequency,
             } => format!("{base:?} + {amplitude:?}*sin({frequency:?}*t)"),
             Law::Step { from, to, height } => {
-                format!(
-                    "step(t, {from:?}s, {base:?}, {to:?}s, {:?})",
-                    base + height
-                )
+                format!("step(t, {from:?}s, {base:?}, {to:?}s, {:?})", base + height)
             }
             Law::Decay { height } => format!("{:?} - {height:?}*exp(-t)", base + height),
         }

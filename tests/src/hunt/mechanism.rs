@@ -85,7 +85,10 @@ impl Mechanism {
             let (length, angle) = joint.violation(self, &poses, t);
             (length.abs() / self.size).max(angle.abs())
         });
-        all.fold(0.0, |worst, it| if it > worst || it.is_nan() { it } else { worst })
+        all.fold(
+            0.0,
+            |worst, it| if it > worst || it.is_nan() { it } else { worst },
+        )
     }
 
     /// The description.

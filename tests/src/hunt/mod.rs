@@ -4,6 +4,7 @@
 //! [`known`] (read, followed by [`track`], made exact in 384 bits) → [`interpreted`] and [`compiled`] answers → [`judge`].
 
 pub mod builder;
+pub mod compiled;
 pub mod groups;
 pub mod interpreted;
 pub mod joint;
@@ -11,6 +12,10 @@ pub mod judge;
 pub mod known;
 pub mod law;
 pub mod mechanism;
+pub mod program;
+pub mod report;
+pub mod run;
+pub mod tally;
 pub mod track;
 pub mod ways;
 

@@ -131,7 +131,14 @@ pub struct Tally {
 
 impl Tally {
     /// Counts an outcome.
-    pub fn add(&mut self, specimen: Specimen, view: View, call: Call, instant: usize, outcome: Outcome) {
+    pub fn add(
+        &mut self,
+        specimen: Specimen,
+        view: View,
+        call: Call,
+        instant: usize,
+        outcome: Outcome,
+    ) {
         let counts = self.counts.entry((view, call)).or_default();
         match outcome {
             Outcome::Correct { ratio } => {

@@ -66,7 +66,9 @@ impl Tracker<'_> {
             poses: Vec::new(),
             end: End::Open,
         };
-        let Some(mut state) = self.solved(start, times[0]).and_then(|q| self.state(q, times[0]))
+        let Some(mut state) = self
+            .solved(start, times[0])
+            .and_then(|q| self.state(q, times[0]))
         else {
             path.end = End::Unknown;
             return path;

@@ -151,7 +151,11 @@ where
     let mut answers = Vec::new();
     let mut answer = |call, instant, found: &Result<Frame<T, D>, linkwright::Failure<T>>| {
         let answer = match found {
-            Ok(it) => Ok(levels([it.q.as_slice(), it.qd.as_slice(), it.qdd.as_slice()])),
+            Ok(it) => Ok(levels([
+                it.q.as_slice(),
+                it.qd.as_slice(),
+                it.qdd.as_slice(),
+            ])),
             Err(failure) => Err(named(failure.kind)),
         };
         answers.push(Answered {
