@@ -12,7 +12,7 @@ const SEED: u64 = 5;
 #[test]
 fn no_answer_is_wrong() {
     let mut tally = Tally::default();
-    for number in 0..16 {
+    for number in 0..20 {
         if let Some(hunted) = prepare(SEED, number, &mut tally) {
             interpret(&hunted, &mut tally);
         }

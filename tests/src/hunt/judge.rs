@@ -10,6 +10,10 @@ use crate::stability::verdict::Scalar;
 /// What 384 bits leave of a quantity that is zero, relative to the others, and more.
 const NOISE: f64 = 1e-60;
 
+/// Elimination of n equations leaves errors of up to this many n ε of the largest quantity also in those that are zero (Higham,
+/// *Accuracy and Stability of Numerical Algorithms*, theorem 9.4).
+const MIXED: f64 = 3.0;
+
 /// What a call promises of the pose it finds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Promise {
@@ -94,12 +98,13 @@ fn one(
     mut motion: Motion,
 ) -> (Outcome, Motion) {
     let exact = known.instants.get(answered.instant);
+    let compare = |levels, exact| compare(known, levels, exact, scalar);
     let levels = match (&answered.answer, exact) {
         (Ok(levels), _) => levels,
         (Err(kind), Some(_)) => return (Outcome::Failed(kind.clone()), motion),
         (Err(kind), None) => return (Outcome::Ended(kind.clone()), motion),
     };
-    let missed = exact.map(|exact| compare(levels, exact, scalar));
+    let missed = exact.map(|exact| compare(levels, exact));
     if let Some(Ok(ratio)) = missed {
         motion.on_path = true;
         motion.turned = false;
@@ -113,13 +118,15 @@ fn one(
         let why = why.unwrap_or_else(|| "a pose where there is none".to_string());
         return (Outcome::Wrong(why), motion);
     };
-    if let Err(off) = compare(levels, &found, scalar) {
+    if let Err(off) = compare(levels, &found) {
         let why = why.map_or(off.clone(), |why| {
             format!("{why}; from the next pose {off}")
         });
         return (Outcome::Wrong(why), motion);
     }
-    let promise = if motion.on_path && exact.is_some() {
+    let promise = if answered.instant == 0 && answered.call.moves() {
+        Promise::Pose
+    } else if motion.on_path && exact.is_some() {
         promise(answered.call, known)
     } else {
         Promise::Pose
@@ -176,19 +183,29 @@ fn has_far_turn(known: &Known, before: &[f64], exact: &Instant) -> bool {
 }
 
 /// The largest ratio of error to bound, or what is off by more.
-fn compare(levels: &[Vec<f64>; 3], exact: &Instant, scalar: Scalar) -> Result<f64, String> {
+fn compare(
+    known: &Known,
+    levels: &[Vec<f64>; 3],
+    exact: &Instant,
+    scalar: Scalar,
+) -> Result<f64, String> {
     let bounds = &exact.bounds[usize::from(scalar == Scalar::F32)];
+    let scales = known.truth.scales(known.size);
     let mut ratio = 0.0_f64;
     for (level, found) in levels.iter().enumerate() {
         let wanted = &exact.exact.levels[level];
-        let floor = wanted
-            .iter()
-            .map(|it| it.to_f64().abs())
-            .fold(0.0, f64::max)
-            * NOISE;
+        let sizes = wanted.iter().zip(&bounds[level]).zip(&scales);
+        let sizes = sizes.map(|((wanted, bound), scale)| (wanted.to_f64().abs() + bound) / scale);
+        let largest = sizes.fold(0.0, f64::max);
+        let mixed = if level > 0 {
+            MIXED * found.len() as f64 * scalar.epsilon()
+        } else {
+            0.0
+        };
         for (place, found) in found.iter().enumerate() {
             let off = Precise::from_f64(*found).minus(&wanted[place]);
             let off = off.to_f64().abs();
+            let floor = largest * scales[place] * (NOISE + mixed);
             let limit = bounds[level][place].max(floor);
             // No comparison with NaN holds, so that is wrong too.
             let within = off <= limit;

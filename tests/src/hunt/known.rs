@@ -1,6 +1,7 @@
 //! *A mechanism by construction* → *its equations and what is true of them*: exact motion and bounds at each instant on its path,
 //! or why there is nothing to hunt.
 
+use linkwright::Equations;
 use linkwright_cli::interpreter::Interpreter;
 use linkwright_cli::solved_interpreter::SolvedInterpreter;
 use linkwright_codegen::diagnostic::Source;
@@ -113,17 +114,28 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
     let length = system.mechanism.characteristic_length.max(size);
     let times = times();
     let start = DVector::from_vec(mechanism.coordinates());
-    let tracker = Tracker::new(&interpreter, truth.scales(size));
-    let path = tracker.path(&start, &times);
-    let Some(first) = path.poses.first() else {
-        return Err(Unused::Singular);
-    };
     let scales = truth.scales(size);
     let away = start
         .iter()
         .zip(&scales)
         .map(|(it, scale)| it.abs() / scale);
     let away = away.fold(1.0, f64::max);
+    let mut phi = DVector::zeros(start.len());
+    interpreter.residual(&start, 0.0, &mut phi);
+    let residuals = phi.iter().enumerate();
+    let residual = residuals
+        .map(|(row, it)| it.abs() / interpreter.row_scale(row))
+        .fold(0.0, f64::max);
+    if residual > VIOLATION * away * away {
+        return Err(Unused::Contradiction(format!(
+            "a residual of {residual:.1e} by construction"
+        )));
+    }
+    let tracker = Tracker::new(&interpreter, truth.scales(size));
+    let path = tracker.path(&start, &times);
+    let Some(first) = path.poses.first() else {
+        return Err(Unused::Singular);
+    };
     let off = (first - &start)
         .iter()
         .zip(&scales)

@@ -88,7 +88,7 @@ pub fn compile(hunted: &[Hunted], tally: &mut Tally) -> io::Result<()> {
     Ok(())
 }
 
-/// Everything of one mechanism that is not simply correct, line by line.
+/// What a person may want to look at, line by line: answers that are not those of the path, where it has a pose, and wrong ones.
 pub fn findings(hunted: &Hunted, view: View, answers: &[Answered]) -> Vec<String> {
     let scalar = match view {
         View::Single => Scalar::F32,
@@ -97,7 +97,11 @@ pub fn findings(hunted: &Hunted, view: View, answers: &[Answered]) -> Vec<String
     let outcomes = judge(&hunted.known, answers, scalar);
     let mut lines = Vec::new();
     for (answered, outcome) in answers.iter().zip(outcomes) {
-        if !matches!(outcome, Outcome::Correct { .. }) {
+        let expected = matches!(
+            outcome,
+            Outcome::Correct { .. } | Outcome::Ended(_) | Outcome::Beyond
+        );
+        if !expected {
             lines.push(format!(
                 "{}, {}, instant {}: {outcome:?}",
                 view.words(),

@@ -73,6 +73,14 @@ pub const CALLS: [Call; 11] = [
 ];
 
 impl Call {
+    /// Whether it goes on from its last frame; what it begins with is then its answer at the first instant.
+    pub fn moves(self) -> bool {
+        !matches!(
+            self,
+            Call::Assemble | Call::Afar | Call::SolvedAssemble | Call::SolvedAfar
+        )
+    }
+
     /// What is called, and how.
     pub fn words(self) -> &'static str {
         match self {
@@ -136,9 +144,7 @@ where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
     f64: From<T>,
 {
-    let settings = Settings::<T> {
-        ..default_settings()
-    };
+    let settings = default_settings::<T>();
     let vector = |values: &[f64]| {
         let values = values.iter().map(|it| T::from_f64(*it));
         OVector::<T, D>::from_iterator_generic(equations.dimension(), Const::<1>, values)
@@ -183,6 +189,7 @@ where
         (Call::FollowLong, 1, LONG),
     ] {
         let mut frame = first.clone();
+        answer(call, 0, &Ok(first.clone()));
         for (instant, times) in stops(&task.times, steps, stride) {
             let mut last = Ok(frame.clone());
             for t in times.into_iter().map(T::from_f64) {
@@ -255,6 +262,7 @@ pub fn solved<B: Blocks>(
         (Call::SolvedLong, 1, LONG),
     ] {
         let mut moving = first.clone();
+        answer(call, 0, Ok(first.levels()));
         for (instant, times) in stops(&task.times, steps, stride) {
             let mut last = Ok(());
             for t in times {
