@@ -2,6 +2,7 @@
 //! single precision, a list of the repository's, and all of them once more with what their drivers transmit, and those with
 //! parameters with their sensitivities.
 
+mod described;
 mod registry;
 mod sensing;
 mod single_study;

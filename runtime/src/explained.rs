@@ -15,7 +15,7 @@ use crate::math::Real;
 pub struct BlockName {
     /// The block: `loop F-N-M`.
     pub name: &'static str,
-    /// What can be said of its parts where it is singular or at the end of its reach: `c2 and c8 are in line`.
+    /// What can be said of its parts where it is singular or at the end of its reach: `c2 and the actuator c8-c7 are in line`.
     pub singular: &'static str,
 }
 
@@ -49,7 +49,7 @@ impl<T: Real> fmt::Display for Explained<T> {
             FailureKind::OutOfReach { by } => {
                 write!(
                     formatter,
-                    "out of reach by {by:.1e} m: {singular} where its reach ends"
+                    "out of reach by {by:.1e} m, beyond where {singular}"
                 )?;
             }
             _ => {
@@ -91,7 +91,7 @@ mod tests {
         },
         BlockName {
             name: "loop F-N-M",
-            singular: "c2 and c8 are in line",
+            singular: "c2 and the actuator c8-c7 are in line",
         },
     ];
 
@@ -116,11 +116,11 @@ mod tests {
         };
         assert_eq!(
             text(singular, 1, 0),
-            "loop F-N-M: c2 and c8 are in line (pivot ratio 0.0e0), at t = 0.5 s"
+            "loop F-N-M: c2 and the actuator c8-c7 are in line (pivot ratio 0.0e0), at t = 0.5 s"
         );
         assert_eq!(
             text(FailureKind::OutOfReach { by: 0.25 }, 1, 0),
-            "loop F-N-M: out of reach by 2.5e-1 m: c2 and c8 are in line where its reach ends, at t = 0.5 s"
+            "loop F-N-M: out of reach by 2.5e-1 m, beyond where c2 and the actuator c8-c7 are in line, at t = 0.5 s"
         );
         assert_eq!(
             text(FailureKind::WrongBranch, 1, 4),

@@ -43,10 +43,10 @@ pub enum Command {
 
 /// Solves the motion of a mechanism without a compile step.
 ///
-/// The mechanism is assembled from its drawing at the start and advanced step by step, so that it stays in the assembly mode
-/// in which it is drawn. All quantities are in m, rad and s.
+/// The mechanism is assembled at the start in the mode in which each of its loops is drawn, and advanced step by step, so that
+/// it stays in this mode. All quantities are in m, rad and s.
 ///
-/// This is the textbook view, in which all equations are one dense system.
+/// It moves by the textbook view, in which all equations are one dense system.
 #[derive(Args, Debug)]
 #[command(after_help = SOLVE_EXAMPLES)]
 pub struct Solve {
@@ -106,8 +106,8 @@ This solves the textbook view: all equations together as one dense system, by Ne
 Exit codes: 0 solved, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.
 Frames before the end of a motion that ends early are printed and written all the same.";
 
-/// Says what can go wrong: degrees of freedom, the determinant of each block and what the pose is like where it is zero, every
-/// assembly that the closed forms allow at the start, and where over a range of time each block comes closest to singular.
+/// Says what can go wrong: degrees of freedom, the determinant of each block and what the pose is like where it is zero, the
+/// assemblies at the start, and where over a range of time each block comes closest to singular.
 ///
 /// How close is the determinant of the block divided by the lengths of its columns: the sine of the angle between two links, or
 /// between a link and its slide. The smallest value is located between the frames too, to the last digits of t.

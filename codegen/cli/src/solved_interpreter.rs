@@ -18,7 +18,7 @@ use nalgebra::DVector;
 
 use newton::{Known, Newton};
 
-pub use newton::Sought;
+pub use newton::{SAME, STARTS, Sought};
 
 /// The solved view of a mechanism with nothing left out, in SI units: m, rad, s.
 #[derive(Clone, Debug)]
@@ -182,9 +182,7 @@ impl SolvedInterpreter {
         values: &mut Values,
     ) -> Result<(), Failure<f64>> {
         let block = &self.blocks[index];
-        for (branch, positive) in block.branches.iter().zip(signs) {
-            values.symbols[branch.symbol.index()] = if *positive { 1.0 } else { -1.0 };
-        }
+        set_signs(block, signs, values);
         let mut workspace = Vec::new();
         let number = u16::try_from(index).unwrap_or(u16::MAX);
         for operation in &block.operations {
@@ -198,6 +196,48 @@ impl SolvedInterpreter {
                 _ => run(operation, values.t, &mut values.symbols, &mut workspace),
             };
             done.map_err(|failure| failure.in_block(number))?;
+        }
+        Ok(())
+    }
+
+    /// The poses of one block in the modes with these signs, after those before it: one at most for a closed form; for a block
+    /// without one those that Newton-Raphson finds from the last values, first, and from [`STARTS`] poses at random, of which
+    /// there may be more.
+    pub fn poses(&self, index: usize, signs: &[bool], values: &Values) -> Vec<Values> {
+        let solved_from = |mut start: Values| {
+            start.known[index] = None;
+            let solved = self.solve_block(index, signs, &mut start);
+            solved.ok().map(|()| start)
+        };
+        let Some(newton) = &self.blocks[index].newton else {
+            return solved_from(values.clone()).into_iter().collect();
+        };
+        let mut before = values.clone();
+        if self.run_until_newton(index, signs, &mut before).is_err() {
+            return Vec::new();
+        }
+        let tears = newton.poses(values.t, &before.symbols);
+        let poses = tears.iter().filter_map(|pose| {
+            let mut start = values.clone();
+            newton.place(pose, &mut start.symbols);
+            solved_from(start)
+        });
+        poses.collect()
+    }
+
+    /// Computes what a block's Newton-Raphson is given.
+    fn run_until_newton(
+        &self,
+        index: usize,
+        signs: &[bool],
+        values: &mut Values,
+    ) -> Result<(), Failure<f64>> {
+        let block = &self.blocks[index];
+        set_signs(block, signs, values);
+        let before = |operation: &&Operation| !matches!(operation, Operation::Newton);
+        let mut workspace = Vec::new();
+        for operation in block.operations.iter().take_while(before) {
+            run(operation, values.t, &mut values.symbols, &mut workspace)?;
         }
         Ok(())
     }
@@ -258,6 +298,13 @@ impl SolvedInterpreter {
         for (coordinate, value) in self.system.coordinates.iter().zip(q.iter()) {
             values.symbols[coordinate.position.index()] = *value;
         }
+    }
+}
+
+/// Puts in the assembly modes of a block.
+fn set_signs(block: &Block, signs: &[bool], values: &mut Values) {
+    for (branch, positive) in block.branches.iter().zip(signs) {
+        values.symbols[branch.symbol.index()] = if *positive { 1.0 } else { -1.0 };
     }
 }
 

@@ -107,11 +107,7 @@ fn picture(text: &mut String, shapes: &[Shape], assemblies: &[Assembly]) -> Resu
         .zip(shapes)
         .zip(assemblies)
     {
-        let signs: String = assembly
-            .signs
-            .iter()
-            .map(|positive| if *positive { '+' } else { '−' })
-            .collect();
+        let signs = assembly.label().replace('-', "−");
         let drawn = if assembly.drawn { " as drawn" } else { "" };
         // The title takes from the height: lengths must look the same in x and y.
         let panel = panel.titled(&format!("{signs}{drawn}"), ("sans-serif", 16))?;

@@ -8,7 +8,7 @@
 //! | `closest` there | `{measure, t, times, at_end, rcond}`: the smallest size of the normalised determinant, first when, how often, whether at an end of the range, and the reciprocal condition of the dimensionless Φ_q there |
 //! | `assembly_modes` | how many signs the closed forms have |
 //! | `coordinates` | their names, in the order of `q` |
-//! | `assemblies` | `{signs, drawn, q}` each: those that exist at the start |
+//! | `assemblies` | `{signs, poses, drawn, q}` each: those that exist at the start; `poses` has a number for each block without a closed form, 0 for the pose found from the drawing |
 //! | `assemblies_cut_short` | whether more combinations were left untried |
 //! | `warnings`, `error` | sentences; `error` only where the motion ends early |
 
@@ -58,6 +58,7 @@ struct Closest {
 #[derive(Serialize)]
 struct Assembly<'a> {
     signs: Vec<i8>,
+    poses: &'a [usize],
     drawn: bool,
     q: &'a [f64],
 }
@@ -72,6 +73,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         let sign = |positive: &bool| if *positive { 1 } else { -1 };
         Assembly {
             signs: assembly.signs.iter().map(sign).collect(),
+            poses: &assembly.poses,
             drawn: assembly.drawn,
             q: assembly.frame.q.as_slice(),
         }

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use crate::check::{Check, CheckedStep};
 use crate::diagnosis::time;
 use crate::number::{fixed, scientific};
+use crate::solved_interpreter::STARTS;
 
 /// How many assemblies are listed.
 const LISTED: usize = 64;
@@ -64,17 +65,25 @@ fn assemblies(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         Some(frame) => time(frame.t),
         None => "the start".to_string(),
     };
-    let newton = match check.steps.iter().any(|it| it.solutions.is_none()) {
-        true => "; Newton blocks may allow more",
-        false => "",
+    let combinations = 2_f64.powi(all.modes.min(1000) as i32);
+    let signs = format!(
+        "of 2^{} = {combinations} that the signs of closed forms allow",
+        all.modes
+    );
+    let starts = format!("{STARTS} starts at random find for each block without a closed form");
+    let allowed = match (all.modes, all.iterated) {
+        (_, 0) => signs,
+        (0, _) => format!("that {starts}"),
+        _ => format!("{signs}, times what {starts}"),
     };
     writeln!(
         output,
-        "\nassemblies at t = {start} s: {}{} of 2^{} = {} that the signs of closed forms allow{newton}",
-        if all.cut_short { "at least " } else { "" },
+        "\nassemblies at t = {start} s: {}{} {allowed}",
+        match all.cut_short || all.iterated > 0 {
+            true => "at least ",
+            false => "",
+        },
         all.found.len(),
-        all.modes,
-        2_f64.powi(all.modes.min(1000) as i32),
     )?;
     let system = &check.solution.system;
     let angles: Vec<usize> = (0..system.coordinates.len())
@@ -90,15 +99,11 @@ fn assemblies(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             output,
             "  signs{:width$}{names}",
             "",
-            width = signs_width(all.modes)
+            width = signs_width(all.modes + all.iterated)
         )?;
     }
     for assembly in all.found.iter().take(LISTED) {
-        let signs: String = assembly
-            .signs
-            .iter()
-            .map(|positive| if *positive { '+' } else { '-' })
-            .collect();
+        let signs = assembly.label();
         let values: String = angles
             .iter()
             .map(|&place| {
@@ -107,7 +112,7 @@ fn assemblies(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             })
             .collect();
         let drawn = if assembly.drawn { "  as drawn" } else { "" };
-        let width = 5 + signs_width(all.modes);
+        let width = 5 + signs_width(all.modes + all.iterated);
         writeln!(output, "  {signs:width$}{values}{drawn}")?;
     }
     match all.found.len().saturating_sub(LISTED) {
@@ -116,8 +121,9 @@ fn assemblies(check: &Check, output: &mut dyn Write) -> io::Result<()> {
     }
 }
 
-fn signs_width(modes: usize) -> usize {
-    modes.saturating_sub(5)
+/// How much wider than its heading the column of signs and letters is.
+fn signs_width(characters: usize) -> usize {
+    characters.saturating_sub(5)
 }
 
 fn approaches(check: &Check, output: &mut dyn Write) -> io::Result<()> {

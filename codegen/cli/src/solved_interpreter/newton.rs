@@ -4,12 +4,13 @@
 use std::cell::RefCell;
 use std::f64::consts::PI;
 
-use linkwright::closed_form::failed;
+use linkwright::closed_form::{failed, nearest_turn};
 use linkwright::{
     Branch, Equations, Failure, FailureKind, Frame, Settings, Start, assemble_from_afar, block,
     branch_of,
 };
 use linkwright_codegen::expr::{SymbolId, Tape};
+use linkwright_codegen::joint::Quantity;
 use linkwright_codegen::program::solved::NewtonBlock;
 use linkwright_codegen::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -17,10 +18,13 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use super::{Operation, operations, run};
 
 /// From how many poses at random a mode is looked for, if it is not found from the last values.
-const STARTS: u32 = 200;
+pub const STARTS: u32 = 200;
 
 /// How far these poses are from the last values at most: half a turn, and this many characteristic lengths.
 const SCATTER: f64 = PI;
+
+/// Poses closer than this, in the scale of each unknown, are the same.
+pub const SAME: f64 = 1e-6;
 
 /// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
 struct Random(u64);
@@ -60,8 +64,9 @@ pub(super) struct Newton {
     rates: Vec<SymbolId>,
     accelerations: Vec<SymbolId>,
     scales: Vec<f64>,
-    /// Residuals are lengths, but for angles that a gear or a driver ties.
-    row_scale: f64,
+    /// Which tears are angles, whose whole turns make no other pose.
+    is_angle: Vec<bool>,
+    row_scales: Vec<f64>,
     geometry: Vec<Operation>,
     residuals: Tape,
     jacobian: Tape,
@@ -86,7 +91,15 @@ impl Newton {
                 .iter()
                 .map(|it| system.scale(it.quantity))
                 .collect(),
-            row_scale: system.mechanism.characteristic_length,
+            is_angle: unknowns
+                .iter()
+                .map(|it| it.quantity == Quantity::Angle)
+                .collect(),
+            row_scales: block
+                .quantities
+                .iter()
+                .map(|it| system.scale(*it))
+                .collect(),
             geometry: operations(block.geometry.iter(), system),
             residuals: Tape::new(graph, &block.residuals),
             jacobian: Tape::new(graph, &block.jacobian),
@@ -133,6 +146,63 @@ impl Newton {
     }
 }
 
+impl Newton {
+    /// The poses (tears) that are found from the tears among the symbols and from [`STARTS`] poses at random about them, each
+    /// once, in the order in which they are found. Angles are those nearest to the start.
+    pub(super) fn poses(&self, t: f64, symbols: &[f64]) -> Vec<DVector<f64>> {
+        let equations = At {
+            newton: self,
+            symbols: RefCell::new(symbols.to_vec()),
+        };
+        let last = self.positions.iter().map(|it| symbols[it.index()]);
+        let last = DVector::from_iterator(self.positions.len(), last);
+        let mut found: Vec<DVector<f64>> = Vec::new();
+        let mut random = Random(1);
+        let mut start = last.clone();
+        for _ in 0..=STARTS {
+            let reached = assemble_from_afar(&equations, &start, None, t, &Settings::default());
+            if let Ok(frame) = reached {
+                let mut pose = frame.q;
+                for (place, value) in pose.iter_mut().enumerate() {
+                    if self.is_angle[place] {
+                        *value = nearest_turn(*value, last[place]);
+                    }
+                }
+                if !found.iter().any(|other| self.is_same(other, &pose)) {
+                    found.push(pose);
+                }
+            }
+            self.scatter(&last, &mut random, &mut start);
+        }
+        found
+    }
+
+    /// Whether two poses of the tears differ by rounding alone, or by whole turns.
+    fn is_same(&self, one: &DVector<f64>, other: &DVector<f64>) -> bool {
+        (0..one.len()).all(|place| {
+            let other = match self.is_angle[place] {
+                true => nearest_turn(other[place], one[place]),
+                false => other[place],
+            };
+            (one[place] - other).abs() <= SAME * self.scales[place]
+        })
+    }
+
+    /// A pose at random about another.
+    fn scatter(&self, about: &DVector<f64>, random: &mut Random, start: &mut DVector<f64>) {
+        for (place, scale) in self.scales.iter().enumerate() {
+            start[place] = about[place] + SCATTER * scale * random.next();
+        }
+    }
+
+    /// Puts in a pose of the tears.
+    pub(super) fn place(&self, pose: &DVector<f64>, symbols: &mut [f64]) {
+        for (symbol, value) in self.positions.iter().zip(pose.iter()) {
+            symbols[symbol.index()] = *value;
+        }
+    }
+}
+
 /// The pose of the mode that is known, or else the one near an estimate.
 fn near(
     equations: &At<'_>,
@@ -176,9 +246,7 @@ fn search(
         if let Ok(frame) = assemble_from_afar(equations, &start, Some(branch), t, &settings) {
             return Ok(Known { frame, branch });
         }
-        for (place, scale) in equations.newton.scales.iter().enumerate() {
-            start[place] = last[place] + SCATTER * scale * random.next();
-        }
+        equations.newton.scatter(last, &mut random, &mut start);
     }
     Err(failed(FailureKind::WrongBranch, t, 0))
 }
@@ -244,8 +312,8 @@ impl Equations<f64, Dyn> for At<'_> {
         self.evaluate(&self.newton.gamma, t, q, Some(qd), gamma.as_mut_slice());
     }
 
-    fn row_scale(&self, _: usize) -> f64 {
-        self.newton.row_scale
+    fn row_scale(&self, row: usize) -> f64 {
+        self.newton.row_scales[row]
     }
 
     fn coordinate_scale(&self, column: usize) -> f64 {

@@ -109,9 +109,8 @@ fn the_exam_driven_through_its_singular_pose_ends_there() {
     assert!((time - end).abs() <= 2e-9, "{error}");
     let warnings = found["warnings"].as_array().expect("a list");
     assert!(
-        warnings.iter().any(|it| it
-            .as_str()
-            .is_some_and(|text| text.contains("the link of 2 from P is parallel to the x axis"))),
+        warnings.iter().any(|it| it.as_str().is_some_and(|text| text
+            .contains("the line from P to the origin of body 2 is parallel to the x axis"))),
         "{warnings:?}"
     );
 }
@@ -199,6 +198,67 @@ fn the_excavator_has_sixteen_assemblies_that_all_differ() {
         let t = number(&block["closest"]["t"]);
         assert!((t - std::f64::consts::FRAC_PI_3).abs() < 1e-9, "{block}");
     }
+}
+
+/// How often the platform of three legs closes on its way round. For a given angle two differences of the legs' equations are
+/// linear in its position; what is left is the first leg's equation, whose changes of sign are counted.
+fn poses_of_the_platform() -> usize {
+    let pins = [[-0.8, -0.5], [0.8, -0.5], [0.0, 0.9]];
+    let corners = [[-0.05, -0.3], [0.28, 0.1], [-0.23, 0.2]];
+    let squared: Vec<f64> = (0..3)
+        .map(|leg| {
+            (0..2)
+                .map(|k| f64::powi(corners[leg][k] - pins[leg][k], 2))
+                .sum()
+        })
+        .collect();
+    let excess = |angle: f64| -> f64 {
+        let (sine, cosine) = angle.sin_cos();
+        // |x + w|² = ℓ² with w = R b − a.
+        let w: Vec<[f64; 2]> = (0..3)
+            .map(|leg| {
+                let [x, y] = corners[leg];
+                let [a, b] = pins[leg];
+                [cosine * x - sine * y - a, sine * x + cosine * y - b]
+            })
+            .collect();
+        let square = |v: [f64; 2]| v[0] * v[0] + v[1] * v[1];
+        let difference = |leg: usize| {
+            let row = [w[leg][0] - w[0][0], w[leg][1] - w[0][1]];
+            let right = 0.5 * (squared[leg] - squared[0] - square(w[leg]) + square(w[0]));
+            (row, right)
+        };
+        let ((p, r), (q, s)) = (difference(1), difference(2));
+        let determinant = p[0] * q[1] - p[1] * q[0];
+        // Multiplied by the determinant, so that there is no pole where the legs' differences are parallel.
+        let x = r * q[1] - s * p[1];
+        let y = p[0] * s - q[0] * r;
+        square([x + determinant * w[0][0], y + determinant * w[0][1]])
+            - squared[0] * determinant * determinant
+    };
+    const STEPS: u32 = 100_000;
+    let at = |step: u32| excess(f64::from(step) * std::f64::consts::TAU / f64::from(STEPS) - 3.0);
+    (0..STEPS)
+        .filter(|&step| at(step) * at(step + 1) < 0.0)
+        .count()
+}
+
+#[test]
+fn the_platform_has_as_many_assemblies_as_its_polynomial_roots() {
+    let folder = Folder::new("check_platform", described("platform_3rpr"));
+    let found = object(&folder, "", 0);
+    let all = found["assemblies"].as_array().expect("a list");
+    assert_eq!(all.len(), poses_of_the_platform());
+    assert_eq!(all[0]["drawn"], true);
+    for (place, assembly) in all.iter().enumerate() {
+        assert_eq!(assembly["poses"], serde_json::json!([place]));
+    }
+    let text = folder.run("check a.mech").exits_with(0).stdout;
+    assert!(text.contains("assemblies at t = 0 s: at least"), "{text}");
+    assert!(
+        text.contains("\n  a  ") && text.contains("\n  b  "),
+        "{text}"
+    );
 }
 
 /// The ground link is longer than all others together.

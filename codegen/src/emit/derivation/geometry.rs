@@ -32,15 +32,16 @@ impl Writer<'_> {
             if joint.kind.joins_points() && marks.len() == 2 {
                 pins.extend(self.pin([marks[0], marks[1]]));
             }
-            // x and y of one point are two statements; together they hold it.
-            let partner = |keyword: &str| {
+            // x and y of one point are two statements; together they hold it, or lead it.
+            let partner = |keywords: [&str; 2]| {
                 joints.iter().any(|other| {
-                    other.kind.keyword() == keyword
+                    keywords.contains(&other.kind.keyword())
                         && other.operands.marks[0].local == marks[0].local
                         && other.operands.marks[0].frame.body == marks[0].frame.body
                 })
             };
-            if joint.kind.keyword() == "absolute_x" && partner("absolute_y") {
+            let is_x = ["absolute_x", "x"].contains(&joint.kind.keyword());
+            if is_x && partner(["absolute_y", "y"]) {
                 let ground = self.system.mechanism.bodies[0].frame;
                 let held = Mark {
                     frame: ground,
@@ -169,11 +170,21 @@ impl Writer<'_> {
         position.map(|part| self.drawn(part))
     }
 
-    /// Where a known point is, in words: `on the ground`, `on c3, known from block 2`.
+    /// Where a known point is, in words: `on the ground`, `led by the drivers`, `on c3 (block 2)`.
     pub(super) fn whereabouts(&self, mark: &Mark) -> String {
         let body = mark.frame.body.0;
         if body == 0 {
-            return "on the ground".to_string();
+            let mut joints = self.system.mechanism.joints.iter();
+            let led = joints.any(|joint| {
+                let is_led = ["x", "y"].contains(&joint.kind.keyword());
+                is_led && joint.operands.marks[0].local == mark.local
+            });
+            let place = if led {
+                "led by the drivers"
+            } else {
+                "on the ground"
+            };
+            return place.to_string();
         }
         let name = self.script.word(&self.system.mechanism.bodies[body].name);
         let latest = (3 * body - 3..3 * body).filter_map(|unknown| self.found_in[unknown]);

@@ -6,9 +6,7 @@
 use super::document::{Item, Section};
 use super::writer::Writer;
 use crate::expr::ExprId;
-use crate::joint::geometry::Vector;
-use crate::structure::{Step, determinant};
-use crate::system::Arm;
+use crate::structure::{SolvedBlock, Step, determinant};
 
 /// The longest formula that is shown.
 const LONGEST: usize = 400;
@@ -29,6 +27,8 @@ pub struct SingularPose {
     pub determinant: Option<String>,
     /// What the pose is like where the determinant is zero: `A-B and B-C are in line`. `None` where it never is.
     pub meaning: Option<String>,
+    /// The same of bodies, as a message says it: `crank and coupler are in line`. `None` where it never is.
+    pub said: Option<String>,
 }
 
 impl SingularPose {
@@ -74,7 +74,7 @@ impl Writer<'_> {
         let mut found = Vec::new();
         for (number, block) in plan.blocks.iter().enumerate() {
             for (place, step) in block.steps.iter().enumerate() {
-                found.push(self.singular_pose(number, place, step));
+                found.push(self.singular_pose(number, place, step, block));
                 for unknown in step.unknowns() {
                     self.found(unknown, number, None);
                 }
@@ -87,24 +87,43 @@ impl Writer<'_> {
         found
     }
 
-    fn singular_pose(&mut self, block: usize, place: usize, step: &Step) -> SingularPose {
+    fn singular_pose(
+        &mut self,
+        block: usize,
+        place: usize,
+        step: &Step,
+        solved: &SolvedBlock,
+    ) -> SingularPose {
         let names: Vec<String> = step.unknowns().iter().map(|&it| self.named(it)).collect();
         let value = {
             let graph = &mut self.system.mechanism.graph;
             determinant(step, &self.system.vector_form, graph).value
         };
         let value = value.map(|value| self.with_numbers(value));
+        // What moves a driver for the sake of a derivative is zero.
+        let shifts: Vec<_> = {
+            let directions = self.system.directions.iter();
+            let drivers = directions.filter(|direction| !direction.is_parameter());
+            drivers.map(|direction| direction.symbol).collect()
+        };
+        let value = value.map(|value| {
+            let zero = self.graph().zero();
+            let replaced: Vec<_> = shifts.iter().map(|&symbol| (symbol, zero)).collect();
+            self.graph().substitute(value, &replaced)
+        });
         let never = value.is_some_and(|value| {
             let graph = self.graph();
             graph.is_fixed(value) && value != graph.zero()
         });
+        let words = (!never).then(|| self.singular_words(step, solved));
         SingularPose {
             block,
             step: place,
             unknowns: super::words::enumerated(&names),
             method: step.name(),
             determinant: value.and_then(|value| self.unsigned(value)),
-            meaning: (!never).then(|| self.meaning(step)),
+            meaning: words.as_ref().map(|words| words.points.clone()),
+            said: words.map(|words| words.bodies),
         }
     }
 
@@ -118,133 +137,5 @@ impl Writer<'_> {
             text
         };
         (text.chars().count() <= LONGEST).then(|| self.script.inline(&text))
-    }
-
-    fn meaning(&mut self, step: &Step) -> String {
-        match step {
-            Step::Linear { unknown, .. } => {
-                format!("{} drops out of its equation", self.named(*unknown))
-            }
-            Step::OneAngle {
-                unknown, equation, ..
-            } => self.meaning_of_one_angle(*unknown, *equation),
-            Step::TwoRotations {
-                first,
-                second,
-                p,
-                q,
-                ..
-            } => match self.triangle([*first, *second], [*p, *q]) {
-                Some(triangle) => {
-                    let [a, b] = [0, 1].map(|side| &triangle.outer[side].0.name);
-                    let [a, apex, b] = [a, &triangle.apex.name, b].map(|it| self.script.word(it));
-                    format!("{a}-{apex} and {apex}-{b} are in line")
-                }
-                None => format!(
-                    "{} and {} are in line",
-                    self.turning_vector(*first),
-                    self.turning_vector(*second)
-                ),
-            },
-            Step::RotationAndSlide {
-                angle, slide, p, ..
-            } => {
-                let link = self.link_or_vector(*angle, *p);
-                let slide = self.named(*slide);
-                format!("{link} is perpendicular to the line along which {slide} is measured")
-            }
-            Step::TurningSlide {
-                angle, slide, p, ..
-            } => {
-                let zero = self.graph().zero();
-                let (angle, slide) = (self.named(*angle), self.named(*slide));
-                if *p == [zero, zero] {
-                    format!("the points between which {slide} is measured coincide")
-                } else {
-                    format!(
-                        "the line that {angle} turns is perpendicular to the vector between the two points that {slide} keeps on it"
-                    )
-                }
-            }
-            Step::TwoSlides { first, second, .. } => format!(
-                "the lines along which {} and {} are measured are parallel",
-                self.named(*first),
-                self.named(*second)
-            ),
-            Step::Newton { unknowns, .. } => {
-                let names: Vec<String> = unknowns.iter().map(|&it| self.named(it)).collect();
-                format!(
-                    "{} can move although {} stands still",
-                    super::words::enumerated(&names),
-                    match names.len() {
-                        1 => "everything before it",
-                        _ => "everything before them",
-                    }
-                )
-            }
-        }
-    }
-
-    /// An equation measures a turned vector along one direction; it is stationary where both are parallel.
-    fn meaning_of_one_angle(&mut self, unknown: usize, equation: ExprId) -> String {
-        let arms: Vec<Arm> = self.system.vector_form.arms_of(unknown).cloned().collect();
-        let zero = self.graph().zero();
-        let mut measured = Vec::new();
-        for arm in arms {
-            let slopes = arm
-                .symbols
-                .map(|symbol| self.graph().derivative(equation, symbol));
-            if slopes != [zero, zero] {
-                measured.push((arm.local, slopes));
-            }
-        }
-        let name = self.named(unknown);
-        let &[(local, slopes)] = &measured[..] else {
-            return format!("{name} is at an end of its range, where its two solutions meet");
-        };
-        let link = self.link_or_vector(unknown, local);
-        let direction = match slopes.map(|slope| slope == zero) {
-            [false, true] => "the x axis".to_string(),
-            [true, false] => "the y axis".to_string(),
-            _ => {
-                let slopes = slopes.map(|slope| self.with_numbers(slope));
-                let pair = self.pair_text(slopes);
-                format!("the direction {}", self.script.inline(&pair))
-            }
-        };
-        format!("{link} is parallel to {direction}")
-    }
-
-    /// `K-L`, or what turns with the angle where the ends have no names.
-    fn link_or_vector(&mut self, angle: usize, p: Vector) -> String {
-        match self.link(angle, p, |_, _| true) {
-            Some((link, _, _)) => format!(
-                "{}-{}",
-                self.script.word(&link.from.name),
-                self.script.word(&link.to.name)
-            ),
-            None => match self.known_pins(angle).first() {
-                Some((pin, _)) => {
-                    let pin = self.script.word(&pin.name);
-                    format!("{} from {pin}", self.turning_vector(angle))
-                }
-                None => self.turning_vector(angle),
-            },
-        }
-    }
-
-    /// `the link of crank`.
-    fn turning_vector(&self, angle: usize) -> String {
-        match self.turned_body(angle) {
-            Some(body) => format!("the link of {body}"),
-            None => format!("the link that {} turns", self.named(angle)),
-        }
-    }
-
-    /// The body whose angle an unknown is.
-    fn turned_body(&self, angle: usize) -> Option<String> {
-        let coordinate = self.system.coordinates.get(angle)?;
-        let body = coordinate.describes.body()?;
-        Some(self.script.word(&self.system.mechanism.bodies[body].name))
     }
 }

@@ -15,7 +15,7 @@ use super::literal::float;
 use super::solved;
 use super::solver::{characteristic_length, mechanism, textbook};
 use super::tables::tables;
-use crate::emit::{report, text};
+use crate::emit::{Notation, derivation, report, text};
 use crate::model::Role;
 use crate::program::Program;
 use crate::program::solved::{Action, Output};
@@ -83,11 +83,12 @@ fn identifiers(code: TokenStream) -> HashSet<String> {
 fn solver(system: &System, program: &Program) -> TokenStream {
     match &program.solved {
         Some(blocks) => {
+            let poses = derivation::singular_poses(system, &blocks.plan, Notation::Unicode);
             let branches = solved::branches(system, blocks);
             let newton = solved::newton_blocks(system, program, blocks);
-            let functions = solved::blocks(system, program, blocks);
+            let functions = solved::blocks(system, program, blocks, &poses);
             let mechanism = solved::mechanism(system, program, blocks);
-            let explained = solved::explained(blocks);
+            let explained = solved::explained(blocks, &poses);
             quote!(#branches #explained #newton #functions #mechanism)
         }
         None => mechanism(system, program),

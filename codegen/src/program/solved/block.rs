@@ -4,7 +4,7 @@ use super::builder::Builder;
 use super::evaluation::{evaluated, functions_of_time, note_constants};
 use super::responses::Responses;
 use super::sharing::calls_functions;
-use super::spoken::{singular, spoken};
+use super::spoken::spoken;
 use super::{Action, BlockProgram, Level};
 use crate::expr::ExprId;
 use crate::program::constants::Constants;
@@ -193,7 +193,8 @@ pub(super) fn lower_block(
             Step::Newton {
                 unknowns,
                 residuals,
-            } => newton = Some(builder.newton(unknowns, residuals)),
+                quantities,
+            } => newton = Some(builder.newton(unknowns, residuals, quantities)),
         }
     }
     for definition in &block.definitions {
@@ -247,7 +248,7 @@ pub(super) fn lower_block(
         name: block_name(block, system, &joints),
         title: format!("{}: {}.", capitalized(&how), labels.join(", ")),
         spoken: spoken(block, system),
-        singular: singular(block, system),
+        place: None,
         joints: block.joints.clone(),
         time,
         shared: None,

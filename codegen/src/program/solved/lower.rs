@@ -24,7 +24,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
     let mut blocks = Vec::with_capacity(plan.blocks.len());
     let mut names = Vec::new();
     let mut responses = Responses::new(system);
-    for block in &plan.blocks {
+    for (place, block) in plan.blocks.iter().enumerate() {
         let mut lowered = lower_block(
             system,
             block,
@@ -33,6 +33,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
             &mut responses,
             constants,
         );
+        lowered.place = Some(place);
         set_apart(&mut lowered, &mut names);
         blocks.push(lowered);
     }
@@ -181,6 +182,7 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         transmissions,
         sensitivities,
         report,
+        plan: plan.clone(),
         field_set,
         branch_places,
     }

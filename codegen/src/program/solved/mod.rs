@@ -32,6 +32,8 @@ use std::collections::{HashMap, HashSet};
 
 use super::{Operations, Statement, Straight};
 use crate::expr::{ExprId, SymbolId};
+use crate::joint::Quantity;
+use crate::structure::SolvedPlan;
 use crate::system::System;
 
 /// The functions of the solved view.
@@ -51,6 +53,8 @@ pub struct SolvedProgram {
     pub sensitivities: Vec<Sensitivity>,
     /// What was kept and left out.
     pub report: Report,
+    /// The plan that the blocks carry out.
+    pub plan: SolvedPlan,
     // The same fields and branches by symbol; only looked up.
     field_set: HashSet<SymbolId>,
     branch_places: HashMap<SymbolId, usize>,
@@ -98,8 +102,8 @@ pub struct BlockProgram {
     pub title: String,
     /// What a person calls it: `loop F-N-M`.
     pub spoken: String,
-    /// What a person says of its parts where it is singular: `c2 and c8 are in line`.
-    pub singular: String,
+    /// The block of the plan that it solves, from 0; `None` for what only follows from the blocks.
+    pub place: Option<usize>,
     /// The joints whose equations it uses.
     pub joints: Vec<usize>,
     /// Functions of time alone, computed first.
@@ -307,6 +311,8 @@ pub struct NewtonBlock {
     pub geometry: Vec<Action>,
     /// One residual a row.
     pub residuals: Vec<ExprId>,
+    /// What each residual is measured in.
+    pub quantities: Vec<Quantity>,
     /// Row by row.
     pub jacobian: Vec<ExprId>,
     /// The rates of the residuals with the tears held.

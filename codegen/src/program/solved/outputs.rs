@@ -91,7 +91,7 @@ pub(super) fn outputs(
         name: "outputs".to_string(),
         title: "What is asked for.".to_string(),
         spoken: "what the outputs ask for".to_string(),
-        singular: String::new(),
+        place: None,
         joints: Vec::new(),
         time: Straight::new(Vec::new(), system, constants),
         shared: None,

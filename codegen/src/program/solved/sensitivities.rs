@@ -154,7 +154,7 @@ pub(super) fn sensitivities(
         name: "sensitivity".to_string(),
         title: "How what is asked for depends on parameters.".to_string(),
         spoken: "the sensitivities".to_string(),
-        singular: String::new(),
+        place: None,
         joints: Vec::new(),
         time: Straight::new(Vec::new(), system, constants),
         actions,

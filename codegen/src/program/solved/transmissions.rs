@@ -75,7 +75,7 @@ pub(super) fn transmissions(
         name: "transmission".to_string(),
         title: "What the drivers transmit.".to_string(),
         spoken: "the transmissions".to_string(),
-        singular: String::new(),
+        place: None,
         joints: Vec::new(),
         time: Straight::new(Vec::new(), system, constants),
         actions,

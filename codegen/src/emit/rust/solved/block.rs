@@ -5,8 +5,10 @@ use std::collections::HashSet;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::explained::determinants;
 use super::names::{BlockNames, plain_name};
 use super::newton::reads_frame;
+use crate::emit::derivation::SingularPose;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::{Names, Writer, identifier};
 use crate::emit::rust::given::only;
@@ -149,6 +151,7 @@ pub(in crate::emit::rust) fn blocks(
     system: &System,
     program: &Program,
     solved: &SolvedProgram,
+    poses: &[SingularPose],
 ) -> TokenStream {
     // One function of thousands of blocks would take the compiler longer than all of them alone.
     let inline = if solved.blocks.len() > MOST_INLINED {
@@ -171,7 +174,8 @@ pub(in crate::emit::rust) fn blocks(
         let time = writer.statements(&block.time.for_results(&read, system));
         let actions = block.actions.iter().map(|action| statement(action, index, block, &writer, &names));
         let (name, parameters) = (identifier(&block.name), needs.parameters());
-        let title = docs([block.title.as_str()]);
+        let determinants = determinants(block, poses);
+        let title = docs([block.title.clone()].into_iter().chain(determinants));
         let check = if checks_itself(system) { own_check(index, block, &names) } else { TokenStream::new() };
         // All that a block can be given is one more than a linter takes.
         let many = only(

@@ -1,0 +1,167 @@
+//! What is said of singular poses against the points that it names: a sentence is true where the determinant is zero, and only
+//! there, if what it measures is the determinant at every pose.
+
+use linkwright_cli::solved_interpreter::{SolvedInterpreter, Values};
+use linkwright_codegen::emit::{Notation, derivation};
+use linkwright_codegen::expr::{ExprId, Tape};
+use linkwright_codegen::structure::determinant;
+use linkwright_codegen::system::System;
+use linkwright_tests::description;
+use linkwright_tests::random::Random;
+
+/// Where the points of a mechanism are at one pose.
+struct Points<'a> {
+    system: &'a System,
+    values: &'a Values,
+}
+
+impl Points<'_> {
+    fn value(&self, expr: ExprId) -> f64 {
+        let mut result = [0.0];
+        let mut system = self.system.clone();
+        let form = &self.system.vector_form;
+        let written = form.written_out(expr, &mut system.mechanism.graph);
+        Tape::new(&system.mechanism.graph, &[written]).evaluate(
+            &self.values.symbols,
+            &mut Vec::new(),
+            &mut result,
+        );
+        result[0]
+    }
+
+    /// Every place where a point of this name is: bodies may carry different ones.
+    fn places(&self, name: &str) -> Vec<[f64; 2]> {
+        if let Some(body) = name.strip_prefix("the origin of body ") {
+            let bodies = &self.system.mechanism.bodies;
+            let place = bodies
+                .iter()
+                .position(|it| it.name == body)
+                .expect("a body");
+            let unknowns = &self.system.vector_form.unknowns[3 * place - 3..3 * place - 1];
+            return vec![[0, 1].map(|axis| self.values.symbols[unknowns[axis].position.index()])];
+        }
+        let points = self.system.mechanism.points.iter();
+        let named = points
+            .zip(&self.system.vector_form.points)
+            .filter(|(point, _)| {
+                let body = &self.system.mechanism.bodies[point.mark.frame.body.0];
+                point.name == name || point.name == format!("{name}_{}", body.name)
+            });
+        named
+            .map(|(_, place)| place.map(|part| self.value(part)))
+            .collect()
+    }
+
+    /// What a sentence says is zero, in every reading of its names; `None` where it names no points.
+    fn measures(&self, sentence: &str) -> Option<Vec<f64>> {
+        let vectors = |text: &str| -> Option<Vec<[f64; 2]>> {
+            let origin = text.strip_prefix("the line from ");
+            let (from, to) = match origin {
+                Some(rest) => rest.split_once(" to ")?,
+                None => text.split_once('-')?,
+            };
+            let mut found = Vec::new();
+            for a in self.places(from) {
+                for b in self.places(to) {
+                    found.push([b[0] - a[0], b[1] - a[1]]);
+                }
+            }
+            (!found.is_empty()).then_some(found)
+        };
+        let pairs = |one: &str, other: &str, measure: fn([f64; 2], [f64; 2]) -> f64| {
+            let (one, other) = (vectors(one)?, vectors(other)?);
+            let all = one
+                .iter()
+                .flat_map(|a| other.iter().map(move |b| measure(*a, *b)));
+            Some(all.collect())
+        };
+        let single = |text: &str, axis: usize| {
+            let found = vectors(text)?;
+            Some(found.into_iter().map(|it| it[axis]).collect())
+        };
+        if let Some(links) = sentence.strip_suffix(" are in line") {
+            let (one, other) = links.split_once(" and ")?;
+            return pairs(one, other, |a, b| a[0] * b[1] - a[1] * b[0]);
+        }
+        if let Some(lines) = sentence.strip_prefix("the lines ") {
+            let (one, other) = lines.strip_suffix(" are parallel")?.split_once(" and ")?;
+            return pairs(one, other, |a, b| {
+                (a[0] * b[1] - a[1] * b[0]) / (a[0].hypot(a[1]) * b[0].hypot(b[1]))
+            });
+        }
+        if let Some((link, line)) = sentence.split_once(" is perpendicular to the line ") {
+            return pairs(link, line, |a, b| {
+                (a[0] * b[0] + a[1] * b[1]) / b[0].hypot(b[1])
+            });
+        }
+        if let Some(points) = sentence.strip_suffix(" coincide") {
+            let (one, other) = points.split_once(" and ")?;
+            let found = vectors(&format!("{one}-{other}"))?;
+            return Some(found.into_iter().map(|it| it[0].hypot(it[1])).collect());
+        }
+        if let Some(link) = sentence.strip_suffix(" is parallel to the x axis") {
+            return single(link, 1);
+        }
+        if let Some(link) = sentence.strip_suffix(" is parallel to the y axis") {
+            return single(link, 0);
+        }
+        None
+    }
+}
+
+/// For every mechanism of the repository and of the tests, at random times of its motion, in the modes of the drawing.
+#[test]
+fn what_is_said_to_vanish_is_the_determinant() {
+    let (mut checked, mut silent) = (0, Vec::new());
+    for name in description::whole().into_iter().chain(description::small()) {
+        let system = description::system(&name);
+        let solved = SolvedInterpreter::new(&system).expect("a plan");
+        let poses = derivation::singular_poses(&solved.system, &solved.plan, Notation::Ascii);
+        for pose in poses {
+            let Some(sentence) = pose.meaning else {
+                continue;
+            };
+            let step = &solved.plan.blocks[pose.block].steps[pose.step];
+            let mut graph = solved.system.mechanism.graph.clone();
+            let found = determinant(step, &solved.system.vector_form, &mut graph);
+            let Some(value) = found.value else { continue };
+            let tape = Tape::new(&graph, &[value]);
+            let mut random = Random::new(11);
+            let mut seen = 0;
+            for _ in 0..20 {
+                let t = random.between(0.0, 2.0);
+                let mut values = solved.begin(t);
+                if solved.solve(t, &solved.drawn_signs(), &mut values).is_err() {
+                    continue;
+                }
+                let points = Points {
+                    system: &solved.system,
+                    values: &values,
+                };
+                let Some(said) = points.measures(&sentence) else {
+                    continue;
+                };
+                let mut result = [0.0];
+                tape.evaluate(&values.symbols, &mut Vec::new(), &mut result);
+                let wanted = result[0].abs();
+                let is_said = said
+                    .iter()
+                    .any(|it| (it.abs() - wanted).abs() < 1e-9 * (1.0 + wanted));
+                assert!(
+                    is_said,
+                    "{name}: {sentence}: {said:?} instead of {wanted} at {t}"
+                );
+                seen += 1;
+            }
+            match seen {
+                0 => silent.push(format!("{name}: {sentence}")),
+                _ => checked += 1,
+            }
+        }
+    }
+    for sentence in &silent {
+        println!("names no points: {sentence}");
+    }
+    println!("sentences checked: {checked}");
+    assert!(checked >= 60, "only {checked} sentences");
+}

@@ -1,0 +1,42 @@
+//! What the blocks are called, and what is said of them where they are singular, for every described mechanism.
+
+use linkwright_codegen::emit::{Notation, derivation};
+use linkwright_codegen::{program, structure};
+use linkwright_tests::{description, files};
+
+/// `NAME: block NAME, singular WORDS`, a line for each block that can be singular.
+fn spoken() -> String {
+    let mut text = String::new();
+    let mut names = description::names();
+    names.extend(description::small());
+    for name in names {
+        for mut system in description::motions(&name) {
+            let plan = structure::plan(&mut system).expect("a plan");
+            let mut constants = program::Constants::default();
+            let solved = program::solved::lower(&mut system, &plan, &mut constants);
+            let poses = derivation::singular_poses(&system, &solved.plan, Notation::Ascii);
+            text.push_str(&format!("{}\n", system.mechanism.title()));
+            for block in &solved.blocks {
+                let own = poses.iter().filter(|pose| Some(pose.block) == block.place);
+                for said in own.filter_map(|pose| pose.said.as_ref()) {
+                    // Names of unknowns are those of the generated code, and none for a person.
+                    for unknown in ["psi_", "phi_", "length_", "offset_", " s_"] {
+                        assert!(!said.contains(unknown), "{name}: {said}");
+                    }
+                    text.push_str(&format!("  {}: {said}\n", block.spoken));
+                }
+            }
+        }
+    }
+    text
+}
+
+#[test]
+fn every_block_has_a_name_and_words_for_its_singular_pose() {
+    let text = spoken();
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(files::package("snapshots/messages"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!("spoken", text));
+}
