@@ -8,4 +8,5 @@ mod motions;
 mod plan;
 mod pressure;
 mod set;
+mod singular;
 mod solve;
