@@ -2,6 +2,7 @@
 
 mod branch;
 mod check;
+mod derivatives;
 mod folder;
 mod generate_and_inspect;
 mod motions;
