@@ -3,6 +3,7 @@
 //! [`families`] lists the cases, [`truth`] solves them in 384 bits, [`bounded`], [`dense`] and [`blocks`] predict how far floating
 //! point may be off, [`verdict`] compares, [`cause`] says why there is no answer, [`report`] prints.
 
+mod allowance;
 pub mod blocks;
 pub mod bounded;
 pub mod cause;

@@ -27,7 +27,7 @@ pub struct Truth {
     /// What Φ needs, and what Φ and Φ_q need.
     residual: Vec<ExprId>,
     position: Vec<ExprId>,
-    all: Vec<ExprId>,
+    pub(super) all: Vec<ExprId>,
 }
 
 /// What the equations are given at one instant: parameters, signals and the time.
@@ -65,7 +65,7 @@ pub struct Exact {
     /// q, q̇ and q̈.
     pub levels: Levels<Precise>,
     /// The inverse Jacobian, row by row.
-    inverse: Vec<Vec<f64>>,
+    pub(super) inverse: Vec<Vec<f64>>,
     /// Whether the determinant of Φ_q is negative.
     pub is_negative: bool,
 }
