@@ -5,8 +5,8 @@
 //! pose is as exact as its condition lets it be. But where Φ_q changes by as much as itself a singular pose is among
 //! those that fit the residual, and there may be a second solution, or none. This is the condition of Newton and
 //! Kantorovich, h = ‖Φ_q⁻¹ (Φ_q(q + δ) - Φ_q(q))‖ ≤ 1/2 (Deuflhard, *Newton Methods for Nonlinear Problems*, 2004,
-//! section 2.1), asked of the δ that the residual leaves most uncertain. It does not depend on the choice of coordinates. Half
-//! of it is asked, because the residual is itself known to rounding only: so the condition holds with that too.
+//! section 2.1), asked of the δ that the residual leaves most uncertain. It does not depend on the choice of coordinates. A
+//! quarter of it is asked, because the residual is itself known to rounding only: so the condition holds with that too.
 //!
 //! A pose that is uncertain by more than a thousandth in the scale of a coordinate is refused as well, however little Φ_q
 //! changes: it has not three digits. Far from the origin, or with links of very different lengths, the residual's rounding
@@ -34,7 +34,7 @@ const DOUBT: f64 = 256.0;
 pub const LARGEST_UNCERTAINTY: f64 = 1e-3;
 
 /// The change of the Jacobian, relative to itself, beyond which a pose is not regular.
-const LARGEST_CHANGE: f64 = 0.25;
+const LARGEST_CHANGE: f64 = 0.125;
 
 /// Whether [`require`] should be asked: false for every pose that is safely away from singular ones.
 #[inline]
@@ -86,7 +86,8 @@ where
     });
     let size = scales.step_length(&uncertain);
     // Written so that NaN is rejected too.
-    if !(size <= T::from_f64(LARGEST_UNCERTAINTY)) {
+    let certain = size <= T::from_f64(LARGEST_UNCERTAINTY);
+    if !certain {
         return singular;
     }
     let mut moved = q.clone();

@@ -43,7 +43,7 @@ rounding by running error analysis, and what the solver lets pass as rounding; c
 within the error, and for the rates the roundings of the elimination (`tests/src/stability/dense.rs`). Of the generated view
 it follows statement by statement from the operations that its blocks perform (`tests/src/stability/blocks.rs`); that the
 same statements in 384 bits lead to the exact motion is checked on the way. **What was expected** is the standard deviation
-of the same roundings, independent and evenly distributed.
+of the same roundings, independent and evenly distributed; what the solver lets pass is not counted in it.
 ";
 
 fn main() -> ExitCode {

@@ -272,7 +272,8 @@ impl State<'_> {
                 let scale = scale.fold(0.0, f64::max);
                 let off = self.symbols[symbol.index()].minus(&exact.levels[level][place]);
                 // Written so that NaN differs.
-                if !(off.to_f64().abs() <= LOST * scale) {
+                let same = off.to_f64().abs() <= LOST * scale;
+                if !same {
                     return Err(format!(
                         "the solved view's {} is another at level {level}",
                         coordinate.name

@@ -82,5 +82,5 @@ pub fn cause(
 }
 
 /// The change of the Jacobian within the error from which on a pose may be taken for a singular one. The solver's verdict
-/// falls at a quarter, where it takes the largest singular vector for all errors.
+/// falls at an eighth, where it takes the largest singular vector for all errors.
 const CLOSE: f64 = 1.0 / 16.0;

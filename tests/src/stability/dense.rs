@@ -133,7 +133,8 @@ impl Dense {
                 largest.max(moved.worst / scale / size)
             });
             // Written so that NaN is no bound either.
-            if !(change <= LARGEST_CHANGE) {
+            let regular = change <= LARGEST_CHANGE;
+            if !regular {
                 return Bounds::none(&first);
             }
             for ((margin, first), moved) in pose.iter_mut().zip(&first).zip(moved) {
