@@ -15,6 +15,7 @@ mod joints;
 mod law;
 mod lines;
 mod live;
+mod monitor;
 mod motions;
 mod names;
 mod not_finite;
@@ -76,6 +77,8 @@ pub struct Mechanism {
     /// Along which parameters the motion is differentiated: indices into the parameters, each once, as `sensitivity` statements
     /// name them.
     pub sensitivities: Vec<usize>,
+    /// Whether a `monitor` statement asks how close every loop is to a singular pose.
+    pub monitor: bool,
     /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }

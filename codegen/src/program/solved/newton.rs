@@ -47,6 +47,7 @@ impl Builder<'_> {
             jacobian,
             time_derivative,
             gamma,
+            measure: None,
             shared: None,
         }
     }

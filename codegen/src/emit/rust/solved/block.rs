@@ -355,6 +355,17 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     let places: Vec<_> = (0..q.len()).map(count).collect();
     let equations = equations(block, newton, names);
     let mode = identifier(&block.name);
+    let (found, solve, measured) = match newton.measure {
+        None => (quote!(tears), quote!(solve), TokenStream::new()),
+        Some(both) => {
+            let [determinant, condition] = both.map(|symbol| names.symbol(symbol));
+            let measured = quote! {
+                #determinant = measure.determinant;
+                #condition = measure.reciprocal_condition;
+            };
+            (quote!((tears, measure)), quote!(solve_measured), measured)
+        }
+    };
     quote! {
         let tears = kinematics::Frame {
             t: last.t,
@@ -362,8 +373,9 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
             qd: SVector::from([#(#last_qd),*]),
             qdd: SVector::from([#(#last_qdd),*]),
         };
-        let tears = block::solve(&#equations, &tears, start, &mut branches.#mode, t, settings)
+        let #found = block::#solve(&#equations, &tears, start, &mut branches.#mode, t, settings)
             .map_err(|failure| failure.in_block(#number))?;
+        #measured
         #(#q = tears.q[#places];)*
         #(#qd = tears.qd[#places];)*
         #(#qdd = tears.qdd[#places];)*
