@@ -2,6 +2,7 @@
 //! single precision, a list of the repository's, and all of them once more with what their drivers transmit, and those with
 //! parameters with their sensitivities, and some monitored.
 
+mod described;
 mod monitoring;
 mod registry;
 mod sensing;
@@ -29,7 +30,7 @@ fn main() {
         let target = Path::new(&output).join("linkwright/tables_single.rs");
         fs::write(target, tables.code).expect("the module is written");
     }
-    monitoring::write();
+    monitoring::write(&["descriptions", "../mechanisms"]);
     registry::write("../mechanisms");
     sensing::write("descriptions");
     transmitting::write(&["descriptions", "../mechanisms"]);

@@ -10,55 +10,50 @@ use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::model::type_name;
 use linkwright_codegen::{Options, Scalar, generate_with};
 
-/// What is monitored, with its folder.
-const MONITORED: [(&str, &str); 13] = [
-    ("descriptions", "folding"),
-    ("descriptions", "sensed_four_bar"),
-    ("descriptions", "leveled_slider"),
-    ("descriptions", "turning_guide"),
-    ("descriptions", "two_guides"),
-    ("../mechanisms", "disc_cam"),
-    ("../mechanisms", "double_wishbone"),
-    ("../mechanisms", "excavator"),
-    ("../mechanisms", "excavator_tool"),
-    ("../mechanisms", "four_bar"),
-    ("../mechanisms", "inverted_slider_crank"),
-    ("../mechanisms", "planetary_gear"),
-    ("../mechanisms", "platform_3rpr"),
+use crate::described::{empty_folder, in_folder};
+
+/// What is monitored, by name.
+const MONITORED: [&str; 13] = [
+    "disc_cam",
+    "double_wishbone",
+    "excavator",
+    "excavator_tool",
+    "folding",
+    "four_bar",
+    "inverted_slider_crank",
+    "leveled_slider",
+    "planetary_gear",
+    "platform_3rpr",
+    "sensed_four_bar",
+    "turning_guide",
+    "two_guides",
 ];
 
 /// Each as `monitoring_NAME`, and `monitoring.rs` with a list of them.
-pub fn write() {
+pub fn write(folders: &[&str]) {
     let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
-    let descriptions = output.join("monitoring");
-    fs::create_dir_all(&descriptions).expect("a folder of its own");
+    let descriptions = empty_folder("monitoring");
     let mut list = String::new();
-    for (folder, name) in MONITORED {
-        println!("cargo::rerun-if-changed={folder}/{name}.mech");
-        // A description that is missing is missed by the tests.
-        let Ok(text) = fs::read_to_string(format!("{folder}/{name}.mech")) else {
+    for described in folders.iter().flat_map(|folder| in_folder(folder)) {
+        let name = described.system.mechanism.name.as_str();
+        if !MONITORED.contains(&name) {
             continue;
-        };
-        let renamed = text.replacen(
-            &format!("mechanism {name}"),
-            &format!("mechanism monitoring_{name}"),
-            1,
-        );
-        let end = renamed.rfind('}').expect("a mechanism ends in a brace");
-        let text = format!("{}\n    monitor;\n{}", &renamed[..end], &renamed[end..]);
+        }
+        let own = format!("monitoring_{name}");
+        let text = described.extended(&own, "monitor;");
         if ["folding", "platform_3rpr"].contains(&name) {
             let single = Options {
                 scalar: Scalar::F32,
             };
             if let Ok(module) = generate_with(&Source::new(name, text.clone()), &single) {
-                let target = output.join(format!("linkwright/monitoring_{name}_single.rs"));
+                let target = output.join(format!("linkwright/{own}_single.rs"));
                 fs::write(target, module.code).expect("the module is written");
             }
         }
         fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
         list.push_str(&format!(
-            "monitored!({name}, monitoring_{name}, {});\n",
-            type_name(&format!("monitoring_{name}"))
+            "monitored!({name}, {own}, {});\n",
+            type_name(&own)
         ));
     }
     linkwright_codegen::build(&descriptions);

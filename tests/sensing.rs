@@ -2,30 +2,23 @@
 //!
 //! So every kind of joint whose description can be changed at run time is differentiated without being named anywhere.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::{env, fs};
 
-use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::model::type_name;
+
+use crate::described::{empty_folder, in_folder};
 
 /// Every description with parameters that is not limited by `output`, as `sensing_NAME`, and `sensing.rs` with a list of samples.
 pub fn write(folder: &str) {
     let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
-    let descriptions = output.join("sensing");
-    fs::create_dir_all(&descriptions).expect("a folder of its own");
+    let descriptions = empty_folder("sensing");
     let (mut modules, mut list) = (String::new(), String::new());
-    for path in files(folder) {
-        let text = fs::read_to_string(&path).expect("a description");
-        let source = Source::new(path.display().to_string(), text.clone());
-        // A description with errors is reported where it is built for itself.
-        let Ok(read) = linkwright_codegen::read(&source) else {
-            continue;
-        };
-        let Some(system) = read.only() else {
-            continue;
-        };
-        let mechanism = &system.mechanism;
-        let limited = !mechanism.requests.is_empty() || !mechanism.sensitivities.is_empty();
+    for described in in_folder(folder) {
+        let mechanism = &described.system.mechanism;
+        let limited = described.reads_files
+            || !mechanism.requests.is_empty()
+            || !mechanism.sensitivities.is_empty();
         // Signals would have to be supplied.
         if limited || mechanism.parameters.is_empty() || !mechanism.inputs.is_empty() {
             continue;
@@ -37,14 +30,8 @@ pub fn write(folder: &str) {
             .map(|it| it.name.as_str())
             .collect();
         let points: Vec<&str> = mechanism.points.iter().map(|it| it.name.as_str()).collect();
-        let renamed = text.replacen(
-            &format!("mechanism {name}"),
-            &format!("mechanism sensing_{name}"),
-            1,
-        );
-        let end = renamed.rfind('}').expect("a mechanism ends in a brace");
-        let statement = format!("\n    sensitivity {};\n", parameters.join(", "));
-        let text = format!("{}{statement}{}", &renamed[..end], &renamed[end..]);
+        let statement = format!("sensitivity {};", parameters.join(", "));
+        let text = described.extended(&format!("sensing_{name}"), &statement);
         fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
         modules.push_str(&module(name, &parameters, &points));
         list.push_str(&format!(
@@ -76,14 +63,4 @@ fn module(name: &str, parameters: &[&str], points: &[&str]) -> String {
         motions.join(", "),
         sensitivities.join(", ")
     )
-}
-
-fn files(folder: &str) -> Vec<PathBuf> {
-    let entries = fs::read_dir(Path::new(folder)).expect("a folder");
-    let mut files: Vec<PathBuf> = entries
-        .filter_map(|entry| Some(entry.ok()?.path()))
-        .filter(|path| path.extension().is_some_and(|it| it == "mech"))
-        .collect();
-    files.sort();
-    files
 }

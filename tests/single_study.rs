@@ -1,13 +1,14 @@
 //! *Descriptions of the study of stability* → *the same under other names*, for build scripts: one module has one scalar, and two
 //! modules cannot have one name.
 
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{env, fs};
+
+use crate::described::empty_folder;
 
 /// Writes `study_NAME.mech` of a folder as `single_study_NAME`; gives the folder.
 pub fn write(folder: &str) -> PathBuf {
-    let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it")).join("single_study");
-    fs::create_dir_all(&output).expect("a folder of its own");
+    let output = empty_folder("single_study");
     for entry in fs::read_dir(Path::new(folder)).expect("the folder of descriptions") {
         let path = entry.expect("a listed file").path();
         let name = path.file_name().and_then(|name| name.to_str());

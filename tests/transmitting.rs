@@ -2,33 +2,25 @@
 //!
 //! So every mechanism of the repository is tested for what its drivers transmit without being named anywhere.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::{env, fs};
 
-use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::model::{Role, type_name};
+
+use crate::described::{empty_folder, in_folder};
 
 /// Every description that is not limited by `output`, as `transmitting_NAME`, and `transmitting.rs` with a list of samples.
 pub fn write(folders: &[&str]) {
     let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
-    let descriptions = output.join("transmitting");
-    fs::create_dir_all(&descriptions).expect("a folder of its own");
+    let descriptions = empty_folder("transmitting");
     let (mut modules, mut list) = (String::new(), String::new());
     for folder in folders {
-        for path in descriptions_in(folder) {
-            let Ok(text) = fs::read_to_string(&path) else {
-                continue;
-            };
-            let source = Source::new(path.display().to_string(), text.clone());
-            // A description with errors is reported where it is built for itself.
-            let Ok(read) = linkwright_codegen::read(&source) else {
-                continue;
-            };
-            let Some(system) = read.only() else {
-                continue;
-            };
+        for described in in_folder(folder) {
+            let system = &described.system;
             let mechanism = &system.mechanism;
-            let limited = !mechanism.requests.is_empty() || !mechanism.transmissions.is_empty();
+            let limited = described.reads_files
+                || !mechanism.requests.is_empty()
+                || !mechanism.transmissions.is_empty();
             // An equation that moves with time is no driver of a quantity.
             let mut joints = mechanism.joints.iter();
             let limited =
@@ -54,14 +46,8 @@ pub fn write(folders: &[&str]) {
                 .copied()
                 .chain(angles.iter().map(String::as_str))
                 .collect();
-            let renamed = text.replacen(
-                &format!("mechanism {name}"),
-                &format!("mechanism transmitting_{name}"),
-                1,
-            );
-            let end = renamed.rfind('}').expect("a mechanism ends in a brace");
-            let statement = format!("\n    transmission {};\n", wanted.join(", "));
-            let text = format!("{}{statement}{}", &renamed[..end], &renamed[end..]);
+            let statement = format!("transmission {};", wanted.join(", "));
+            let text = described.extended(&format!("transmitting_{name}"), &statement);
             fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
             modules.push_str(&module(name, &points, &angle_fields));
             let original = if *folder == "descriptions" {
@@ -96,16 +82,4 @@ fn module(name: &str, points: &[&str], angles: &[&str]) -> String {
         type_name(&format!("transmitting_{name}")),
         samples.join(", ")
     )
-}
-
-fn descriptions_in(folder: &str) -> Vec<PathBuf> {
-    let Ok(entries) = fs::read_dir(Path::new(folder)) else {
-        return Vec::new();
-    };
-    let mut files: Vec<PathBuf> = entries
-        .filter_map(|entry| Some(entry.ok()?.path()))
-        .filter(|path| path.extension().is_some_and(|it| it == "mech"))
-        .collect();
-    files.sort();
-    files
 }

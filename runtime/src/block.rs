@@ -60,7 +60,7 @@ where
     }
 }
 
-/// [`solve`], and how far the Jacobian of the block at the new pose is from singular.
+/// [`solve`]; afterwards `measure` says how far the Jacobian of the block at the new pose is from singular.
 ///
 /// # Errors
 /// Those of [`solve`].
@@ -78,13 +78,16 @@ pub fn solve_measured<T: Real, D: Dim, E: Equations<T, D>>(
     branch: &mut Option<Branch>,
     t: T,
     settings: &Settings<T>,
-) -> Result<(Frame<T, D>, Measure<T>), Failure<T>>
+    measure: &mut Measure<T>,
+) -> Result<Frame<T, D>, Failure<T>>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     match (start, *branch) {
-        (Start::LastFrame, Some(branch)) => step_measured(equations, last, branch, t, settings),
-        _ => assemble_measured(equations, last, branch, t, settings),
+        (Start::LastFrame, Some(branch)) => {
+            step_measured(equations, last, branch, t, settings, measure)
+        }
+        _ => assemble_measured(equations, last, branch, t, settings, measure),
     }
 }
 
@@ -95,15 +98,16 @@ fn assemble_measured<T: Real, D: Dim, E: Equations<T, D>>(
     branch: &mut Option<Branch>,
     t: T,
     settings: &Settings<T>,
-) -> Result<(Frame<T, D>, Measure<T>), Failure<T>>
+    measure: &mut Measure<T>,
+) -> Result<Frame<T, D>, Failure<T>>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     let frame = assemble(equations, estimate, branch, t, settings)?;
     let mut jacobian = zero_matrix(equations.dimension());
     equations.jacobian(&frame.q, t, &mut jacobian);
-    let measure = factorize(equations, &frame.q, t, settings)?.measure(&jacobian);
-    Ok((frame, measure))
+    *measure = factorize(equations, &frame.q, t, settings)?.measure(&jacobian);
+    Ok(frame)
 }
 
 #[cold]

@@ -61,7 +61,8 @@ impl<T: Real> Closeness<T> {
     #[inline]
     pub fn is_below(&self, limit: T) -> bool {
         // Written so that NaN warns.
-        !(self.reciprocal_condition >= limit)
+        let is_clear = self.reciprocal_condition >= limit;
+        !is_clear
     }
 }
 

@@ -141,7 +141,7 @@ where
     Ok(next)
 }
 
-/// [`step`], and how far the Jacobian at the new pose is from singular.
+/// [`step`]; afterwards `measure` says how far the Jacobian at the new pose is from singular.
 ///
 /// # Errors
 /// Those of [`step`].
@@ -157,17 +157,17 @@ pub fn step_measured<T: Real, D: Dim, E: Equations<T, D>>(
     branch: Branch,
     t: T,
     settings: &Settings<T>,
-) -> Result<(Frame<T, D>, Measure<T>), Failure<T>>
+    measure: &mut Measure<T>,
+) -> Result<Frame<T, D>, Failure<T>>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let mut measure = Measure::sine(T::ZERO);
-    let watch = Measuring::new(branch, &mut measure);
+    let watch = Measuring::new(branch, measure);
     let next = advance_watched(equations, frame, t, settings, watch)?;
     if !fits(&Scales::of(equations), frame, &next) {
         return Err(no_verdict(FailureKind::StepTooLarge, t));
     }
-    Ok((next, measure))
+    Ok(next)
 }
 
 /// Whether two frames can belong to one path: every coordinate moves as the rates and accelerations at both ends say.

@@ -12,6 +12,7 @@ pub mod jet;
 pub mod law;
 pub mod magnitude;
 pub mod majorant;
+pub mod metamorphic;
 pub mod method;
 pub mod printed;
 pub mod random;

@@ -15,6 +15,9 @@ use nalgebra::DMatrix;
 /// The measures of every loop at these times, or why there are none.
 type Measured = Result<Vec<Vec<Closeness>>, Failure>;
 
+/// A mechanism's function for them.
+type Measures = fn(&[f64]) -> Measured;
+
 macro_rules! monitored {
     ($name:ident, $module:ident, $mechanism:ident) => {
         #[allow(dead_code)]
@@ -60,7 +63,7 @@ fn times() -> Vec<f64> {
 }
 
 /// The measures of a mechanism by its name, and those of the interpreter.
-fn both(name: &str, measures: fn(&[f64]) -> Measured) -> (Vec<Vec<Closeness>>, Monitor) {
+fn both(name: &str, measures: Measures) -> (Vec<Vec<Closeness>>, Monitor) {
     let found = measures(&times()).unwrap_or_else(|failure| panic!("{name}: {failure}"));
     (found, Monitor::over(&description::system(name), &times()))
 }
@@ -68,7 +71,7 @@ fn both(name: &str, measures: fn(&[f64]) -> Measured) -> (Vec<Vec<Closeness>>, M
 /// Blocks with two and more unknowns, and angles that are measured along a line.
 #[test]
 fn what_generated_code_says_is_what_the_interpreter_monitors() {
-    let compared: [(&str, fn(&[f64]) -> Measured); 10] = [
+    let compared: [(&str, Measures); 10] = [
         ("double_wishbone", all::double_wishbone::measures),
         ("excavator", all::excavator::measures),
         ("excavator_tool", all::excavator_tool::measures),
@@ -101,7 +104,7 @@ fn what_generated_code_says_is_what_the_interpreter_monitors() {
 /// Of one equation the interpreter knows the largest slope on the way, so it differs by a factor.
 #[test]
 fn one_equation_has_the_slope_that_the_interpreter_monitors() {
-    let compared: [(&str, fn(&[f64]) -> Measured); 2] = [
+    let compared: [(&str, Measures); 2] = [
         ("disc_cam", all::disc_cam::measures),
         ("leveled_slider", all::leveled_slider::measures),
     ];
@@ -175,7 +178,7 @@ fn a_four_bar_is_as_far_as_the_sine_of_its_transmission_angle() {
 /// The reciprocal condition of Newton blocks by the singular values of the Jacobian that the plan names.
 #[test]
 fn a_newton_block_has_the_condition_of_its_jacobian() {
-    let compared: [(&str, fn(&[f64]) -> Measured); 2] = [
+    let compared: [(&str, Measures); 2] = [
         ("double_wishbone", all::double_wishbone::measures),
         ("platform_3rpr", all::platform_3rpr::measures),
     ];

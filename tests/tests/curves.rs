@@ -18,6 +18,7 @@ macro_rules! modules {
 
 modules!(
     cam_flat,
+    cam_flat_slanted,
     cam_roller,
     cam_polar,
     cam_param,
@@ -49,6 +50,28 @@ fn vertical(motion: &linkwright::Motion) -> [f64; 3] {
 }
 
 const STEPS: i32 = 700;
+
+/// The same across the axes of the drawing: the place of the face follows from three equations that hold one another.
+#[test]
+fn a_slanted_flat_face_is_lifted_as_an_upright_one() {
+    let mut cam = cam_flat_slanted::CamFlatSlanted::assemble(0.0).expect("the drawing assembles");
+    for step in 0..=STEPS {
+        let t = f64::from(step) / 100.0;
+        let frame = cam.advance(t).expect("a turn of the cam");
+        let (sine, cosine) = (2.0 * t).sin_cos();
+        let wanted = [0.03 + 0.01 * cosine, -0.02 * sine, -0.04 * cosine];
+        let face = frame.point_g();
+        for (axis, along) in [-0.8, 0.6].into_iter().enumerate() {
+            let found = [
+                face.position[axis],
+                face.velocity[axis],
+                face.acceleration[axis],
+            ];
+            let wanted = wanted.map(|value| along * value);
+            assert_motion(found, wanted, 0.04, &format!("t = {t}"));
+        }
+    }
+}
 
 /// A flat face rises by r + e sin θ, with θ = π/2 + 2t the angle of the cam (Norton 2009).
 #[test]

@@ -18,6 +18,11 @@ mod ellipse {
     linkwright::include_mechanism!(ellipse);
 }
 
+/// The same a thousand million times as large.
+mod ellipse_large {
+    linkwright::include_mechanism!(ellipse_large);
+}
+
 /// The exam's mechanism with two ways to write its pin.
 mod written_pin {
     linkwright::include_mechanism!(written_pin);
@@ -73,6 +78,30 @@ fn derivatives_of_the_rope_agree_with_differences() {
         let bend = (rate(step) - rate(-step)) / (2.0 * step);
         let found = gamma(&Coordinates::from_array(q), &Coordinates::from_array(qd), t);
         assert!((bend + found).amax() < 1e-8);
+    }
+}
+
+/// The equation of the ellipse is a ratio: judged against the size of the mechanism it would be solved to 1e-3.
+#[test]
+fn a_point_on_a_large_ellipse_stays_there() {
+    let mut ellipse = ellipse_large::EllipseLarge::assemble(0.0).expect("as drawn");
+    for step in 0..=700 {
+        let t = 0.01 * f64::from(step);
+        let frame = *ellipse.advance(t).expect("the point moves");
+        let point = frame.point_p();
+        let (u, rate) = (1.0 + t.sin() / 2.0, t.cos() / 2.0);
+        let (sine, cosine) = u.sin_cos();
+        let bound = 2e-14 * 1e9;
+        assert!((point.position[0] - 3e9 * cosine).abs() <= bound, "{t}");
+        assert!((point.position[1] - 2e9 * sine).abs() <= bound, "{t}");
+        assert!(
+            (point.velocity[0] + 3e9 * sine * rate).abs() <= bound,
+            "{t}"
+        );
+        assert!(
+            (point.velocity[1] - 2e9 * cosine * rate).abs() <= bound,
+            "{t}"
+        );
     }
 }
 

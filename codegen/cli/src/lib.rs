@@ -39,6 +39,7 @@ pub mod command;
 pub mod concerned;
 pub mod condition;
 pub mod counted;
+pub mod dead_end;
 pub mod diagnosis;
 pub mod file;
 pub mod interpreter;

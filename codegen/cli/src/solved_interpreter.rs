@@ -20,6 +20,10 @@ use newton::{Known, Newton};
 
 pub use newton::{SAME, STARTS, Sought};
 
+/// How far a pose of the textbook view may be from one of the solved view, in the scale of each coordinate: at a singular pose
+/// the root of what residuals may be.
+const SAME_POSE: f64 = 1e-4;
+
 /// The solved view of a mechanism with nothing left out, in SI units: m, rad, s.
 #[derive(Clone, Debug)]
 pub struct SolvedInterpreter {
@@ -270,6 +274,34 @@ impl SolvedInterpreter {
                 .map_err(|broken| broken.failure),
             solved => solved,
         }
+    }
+
+    /// The signs of all assembly modes at a pose q (n), and the values there; `None` where the pose is none of the solved view.
+    pub fn modes_of(&self, q: &DVector<f64>, t: f64) -> Option<(Vec<Vec<bool>>, Values)> {
+        let mut values = self.begin(t);
+        self.set_pose(&mut values, q);
+        let mut signs = Vec::with_capacity(self.blocks.len());
+        for (index, block) in self.blocks.iter().enumerate() {
+            let modes = block.branches.len().min(usize::BITS as usize - 2);
+            let (own, solved) = (0..1_usize << modes).find_map(|choice| {
+                let own: Vec<bool> = (0..modes).map(|mode| choice >> mode & 1 == 0).collect();
+                let mut solved = values.clone();
+                self.solve_block(index, &own, &mut solved).ok()?;
+                let pose = self.pose(&solved);
+                let mut pairs = self
+                    .system
+                    .coordinates
+                    .iter()
+                    .zip(pose.iter().zip(q.iter()));
+                let same = pairs.all(|(coordinate, (found, wanted))| {
+                    (found - wanted).abs() <= SAME_POSE * self.system.scale(coordinate.quantity)
+                });
+                same.then_some((own, solved))
+            })?;
+            values = solved;
+            signs.push(own);
+        }
+        Some((signs, values))
     }
 
     /// The coordinates q among the values.

@@ -39,14 +39,19 @@ impl Kind for Flat {
         let start = dot(across, begin.local, graph);
         let tangent = curve.tangent(graph);
         let tangent = curve.rotate(tangent, graph);
-        let row = |residual, component| Row {
+        let row = |residual, quantity, component| Row {
             residual,
-            quantity: Quantity::Length,
+            quantity,
             component,
         };
+        // The tangent is a length per unit of the parameter.
+        let slope = match 1 - curve.quantity.power_of_length() {
+            1 => Quantity::Length,
+            power => Quantity::Power(power),
+        };
         vec![
-            row(graph.subtract(height, start), "face"),
-            row(dot(turned, tangent, graph), "tangent"),
+            row(graph.subtract(height, start), Quantity::Length, "face"),
+            row(dot(turned, tangent, graph), slope, "tangent"),
         ]
     }
 

@@ -86,9 +86,15 @@ impl Resolver<'_> {
             }
         }
         let mut along = Along::new(&self.graph, &drawn.point, drawn.parameter, &symbols);
-        let size = minima(drawn.range, |place| along.square(place))
-            .largest
-            .sqrt();
+        // Half the larger side of the box around it, wherever that is in the frame of its body.
+        let size = [0, 1]
+            .map(|axis| {
+                let found = minima(drawn.range, |place| along.at(place)[axis]);
+                let least = found.first().map_or(found.largest, |least| least.cost);
+                0.5 * (found.largest - least)
+            })
+            .into_iter()
+            .fold(0.0, f64::max);
         let candidates = searched
             .iter()
             .flat_map(|(side, minima)| minima.iter().map(|minimum| (*side, *minimum)));

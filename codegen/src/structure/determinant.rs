@@ -110,6 +110,7 @@ pub fn determinant(step: &Step, form: &VectorForm, graph: &mut Graph) -> Determi
         Step::Newton {
             unknowns,
             residuals,
+            ..
         } => newton(unknowns, residuals, form, graph),
     }
 }

@@ -6,6 +6,7 @@
 //! that each is one short sum.
 
 use crate::expr::{ExprId, Graph, Node};
+use crate::joint::Quantity;
 use crate::system::VectorForm;
 
 /// One eliminated unknown.
@@ -17,13 +18,22 @@ pub struct Definition {
     pub value: ExprId,
 }
 
+/// One equation of a block.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Measured {
+    /// Zero when satisfied.
+    pub residual: ExprId,
+    /// What it is measured in.
+    pub quantity: Quantity,
+}
+
 /// A block after elimination.
 #[derive(Clone, Debug)]
 pub(super) struct Eliminated {
     /// In the order in which they can be computed, once the tears are known.
     pub definitions: Vec<Definition>,
     /// The equations that are left.
-    pub residuals: Vec<ExprId>,
+    pub residuals: Vec<Measured>,
     /// The unknowns that are left.
     pub tears: Vec<usize>,
 }
@@ -33,7 +43,7 @@ pub(super) struct Eliminated {
 /// As by hand, an equation with only one such unknown left defines it, so that positions follow from one another along the
 /// links. Only where a loop has no beginning the first unknown is taken from the first equation that mentions it.
 pub(super) fn eliminate(
-    residuals: Vec<ExprId>,
+    residuals: Vec<Measured>,
     unknowns: &[usize],
     form: &VectorForm,
     graph: &mut Graph,
@@ -43,9 +53,10 @@ pub(super) fn eliminate(
         .partition(|&&unknown| has_constant_coefficients(unknown, &residuals, form, graph));
     let mut rows: Vec<Equation> = residuals
         .into_iter()
-        .map(|residual| Equation {
-            written: residual,
-            reduced: residual,
+        .map(|it| Equation {
+            written: it.residual,
+            reduced: it.residual,
+            quantity: it.quantity,
         })
         .collect();
     let (mut forward, mut stuck) = (Vec::new(), Vec::new());
@@ -84,11 +95,17 @@ pub(super) fn eliminate(
         if alone.is_some() {
             // The equation as written names unknowns that are defined by now, so it stays short; but not where it names one that
             // was taken out of a loop with this one, and is defined by it.
-            let written = solve_linear(row.written, symbol, graph);
-            let circular = leads_to(written, unknown, &backward, form, graph);
+            // Nor where it names this one only by what was taken out of a loop.
+            let mut short = value;
+            if graph.depends_on(row.written, symbol) {
+                let written = solve_linear(row.written, symbol, graph);
+                if !leads_to(written, unknown, &backward, form, graph) {
+                    short = written;
+                }
+            }
             forward.push(Definition {
                 unknown,
-                value: if circular { value } else { written },
+                value: short,
             });
         } else {
             backward.push(Definition { unknown, value });
@@ -107,7 +124,13 @@ pub(super) fn eliminate(
     tears.sort_unstable();
     Eliminated {
         definitions,
-        residuals: rows.iter().map(|row| row.reduced).collect(),
+        residuals: rows
+            .iter()
+            .map(|row| Measured {
+                residual: row.reduced,
+                quantity: row.quantity,
+            })
+            .collect(),
         tears,
     }
 }
@@ -117,6 +140,7 @@ pub(super) fn eliminate(
 struct Equation {
     written: ExprId,
     reduced: ExprId,
+    quantity: Quantity,
 }
 
 /// Whether a value mentions an unknown, itself or through these definitions.
@@ -147,12 +171,12 @@ fn leads_to(
 /// Whether an unknown is multiplied by a number wherever it occurs, and turns nothing.
 fn has_constant_coefficients(
     unknown: usize,
-    residuals: &[ExprId],
+    residuals: &[Measured],
     form: &VectorForm,
     graph: &mut Graph,
 ) -> bool {
     let symbol = form.unknowns[unknown].position;
-    residuals.iter().all(|&residual| {
+    residuals.iter().all(|&Measured { residual, .. }| {
         let slope = graph.derivative(residual, symbol);
         matches!(graph.node(slope), Node::Number(_)) && !turned_by(residual, unknown, form, graph)
     })

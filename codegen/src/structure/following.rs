@@ -5,7 +5,7 @@
 //! equation defines φ_j, and the others do not mention it any more. Deliberately not done: φ_j = 2 φ_i, whose sine and cosine are
 //! no longer linear in those of φ_i.
 
-use super::elimination::{Definition, mentions, turned_by};
+use super::elimination::{Definition, Measured, mentions, turned_by};
 use crate::expr::{ExprId, Graph, Node};
 use crate::joint::Quantity;
 use crate::joint::geometry::turned;
@@ -17,7 +17,7 @@ pub(super) struct Followed {
     /// The angles that follow, in terms of the unknowns that are left.
     pub definitions: Vec<Definition>,
     /// The equations that are left.
-    pub residuals: Vec<ExprId>,
+    pub residuals: Vec<Measured>,
     /// The unknowns that are left.
     pub unknowns: Vec<usize>,
 }
@@ -33,7 +33,7 @@ struct Relation {
 
 /// Takes all angles out of a block that follow another one of it.
 pub(super) fn follow(
-    mut residuals: Vec<ExprId>,
+    mut residuals: Vec<Measured>,
     unknowns: &[usize],
     form: &mut VectorForm,
     graph: &mut Graph,
@@ -41,8 +41,12 @@ pub(super) fn follow(
     let mut unknowns = unknowns.to_vec();
     let mut definitions = Vec::new();
     loop {
-        let found = (0..residuals.len())
-            .find_map(|at| Some((at, relation(residuals[at], &unknowns, form, graph)?)));
+        let found = (0..residuals.len()).find_map(|at| {
+            Some((
+                at,
+                relation(residuals[at].residual, &unknowns, form, graph)?,
+            ))
+        });
         let Some((at, relation)) = found else {
             break;
         };
@@ -50,9 +54,9 @@ pub(super) fn follow(
         let arms: Vec<_> = form.arms_of(relation.follower).cloned().collect();
         let mut replacements = Vec::new();
         for arm in arms {
-            if residuals.iter().any(|&residual| {
-                graph.depends_on(residual, arm.symbols[0])
-                    || graph.depends_on(residual, arm.symbols[1])
+            if residuals.iter().any(|it| {
+                graph.depends_on(it.residual, arm.symbols[0])
+                    || graph.depends_on(it.residual, arm.symbols[1])
             }) {
                 let [x, y] = arm.local;
                 let local = if relation.opposite {
@@ -78,8 +82,8 @@ pub(super) fn follow(
             graph.add(leader, relation.offset)
         };
         replacements.push((form.unknowns[relation.follower].position, value));
-        for residual in &mut residuals {
-            *residual = graph.substitute(*residual, &replacements);
+        for it in &mut residuals {
+            it.residual = graph.substitute(it.residual, &replacements);
         }
         unknowns.retain(|&unknown| unknown != relation.follower);
         definitions.push(Definition {

@@ -2,11 +2,12 @@
 
 use std::collections::HashMap;
 
-use super::elimination::{Definition, eliminate, mentions};
+use super::elimination::{Definition, Measured, eliminate, mentions};
 use super::following::follow;
-use super::recognition::recognize;
+use super::recognition::{newton, recognize};
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
+use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
 use crate::system::{SymbolRole, System, VectorForm};
 
@@ -109,6 +110,8 @@ pub enum Step {
         unknowns: Vec<usize>,
         /// As many equations.
         residuals: Vec<ExprId>,
+        /// What each of them is measured in.
+        quantities: Vec<Quantity>,
     },
 }
 
@@ -188,7 +191,10 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
             .max();
         let residuals = rows
             .iter()
-            .map(|&row| with_constants(form.rows[row].residual, &constants, graph))
+            .map(|&row| Measured {
+                residual: with_constants(form.rows[row].residual, &constants, graph),
+                quantity: form.rows[row].quantity,
+            })
             .collect();
         let mut block = block(residuals, &unknowns, joints, form, graph);
         for definition in &block.definitions {
@@ -278,7 +284,7 @@ fn incidence(form: &VectorForm, graph: &Graph) -> Incidence {
 
 /// Eliminates what can be, takes the rest apart once more, and recognises each part.
 fn block(
-    residuals: Vec<ExprId>,
+    residuals: Vec<Measured>,
     unknowns: &[usize],
     joints: Vec<usize>,
     form: &mut VectorForm,
@@ -294,20 +300,17 @@ fn block(
             .collect()
     };
     let incidence = Incidence {
-        rows: residuals.iter().map(|&residual| row(residual)).collect(),
+        rows: residuals.iter().map(|it| row(it.residual)).collect(),
         columns: tears.len(),
     };
     let matching = maximum_matching(&incidence);
     let mut steps = Vec::new();
     if matching.column_of.iter().any(Option::is_none) {
         // Elimination made an equation lose its unknown: the block is singular in every pose, which Newton will report.
-        steps.push(Step::Newton {
-            unknowns: tears,
-            residuals,
-        });
+        steps.push(newton(&residuals, tears));
     } else {
         for rows in components(&incidence, &matching) {
-            let part: Vec<ExprId> = rows.iter().map(|&row| residuals[row]).collect();
+            let part: Vec<Measured> = rows.iter().map(|&row| residuals[row]).collect();
             let mut found: Vec<usize> = rows
                 .iter()
                 .filter_map(|&row| matching.column_of[row])

@@ -3,6 +3,7 @@
 //! The forms are recognised from the equations alone, whatever mechanism they come from: the coefficients of the cosine and the
 //! sine of each angle tell whether a vector is turned, and a displacement occurs linearly or not at all.
 
+use super::elimination::Measured;
 use super::plan::Step;
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::Vector;
@@ -18,20 +19,26 @@ struct Turned {
 
 /// The step that solves these equations for these unknowns.
 pub(super) fn recognize(
-    residuals: &[ExprId],
+    equations: &[Measured],
     unknowns: &[usize],
     form: &VectorForm,
     graph: &mut Graph,
 ) -> Step {
-    let found = match (residuals, unknowns) {
-        (&[residual], &[unknown]) => single(residual, unknown, form, graph),
-        (&[first, second], &[a, b]) => pair([first, second], [a, b], form, graph),
+    let found = match (equations, unknowns) {
+        (&[equation], &[unknown]) => single(equation.residual, unknown, form, graph),
+        (&[first, second], &[a, b]) => pair([first.residual, second.residual], [a, b], form, graph),
         _ => None,
     };
-    found.unwrap_or_else(|| Step::Newton {
-        unknowns: unknowns.to_vec(),
-        residuals: residuals.to_vec(),
-    })
+    found.unwrap_or_else(|| newton(equations, unknowns.to_vec()))
+}
+
+/// Newton-Raphson on these equations.
+pub(super) fn newton(equations: &[Measured], unknowns: Vec<usize>) -> Step {
+    Step::Newton {
+        unknowns,
+        residuals: equations.iter().map(|it| it.residual).collect(),
+        quantities: equations.iter().map(|it| it.quantity).collect(),
+    }
 }
 
 fn is_angle(unknown: usize, form: &VectorForm) -> bool {

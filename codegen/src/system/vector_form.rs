@@ -60,6 +60,8 @@ pub struct VectorRow {
     pub joint: usize,
     /// Zero when satisfied.
     pub residual: ExprId,
+    /// What the residual is measured in.
+    pub quantity: Quantity,
 }
 
 /// A local vector turned with a body or a link: a = R(φ) s.
@@ -130,6 +132,7 @@ impl VectorForm {
             form.rows.extend(rows.iter().map(|row| VectorRow {
                 joint: index,
                 residual: row.residual,
+                quantity: row.quantity,
             }));
         }
         for point in points.iter() {

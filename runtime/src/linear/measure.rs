@@ -85,7 +85,7 @@ where
         for ((k, column), (length, distance)) in factors.zip(sizes) {
             if let Some(pivot) = column.get(k) {
                 let part = *pivot / *length;
-                determinant = determinant * if *distance == 0 { part } else { -part };
+                determinant *= if *distance == 0 { part } else { -part };
             }
         }
         let mut square = T::ZERO;

@@ -48,9 +48,6 @@ fn power(base: Bounded, factor: &Factor, ulp: f64) -> Bounded {
 }
 
 /// The values of the nodes in `order` (operands first), by the node's index, where one rounding is the part `ulp` of a value.
-///
-/// # Panics
-/// Where a table occurs: no mechanism of the study has one.
 pub fn bounds(graph: &Graph, order: &[ExprId], symbols: &[Bounded], ulp: f64) -> Vec<Bounded> {
     let mut all = vec![Bounded::exact(f64::NAN); graph.node_count()];
     for &id in order {
@@ -103,7 +100,24 @@ pub fn bounds(graph: &Graph, order: &[ExprId], symbols: &[Bounded], ulp: f64) ->
             } else {
                 otherwise
             }),
-            other @ Node::Spline { .. } => panic!("no bound of {other:?}"),
+            Node::Spline {
+                spline,
+                order,
+                argument,
+            } => {
+                let (spline, order) = (graph.spline_of(*spline), usize::from(*order));
+                let at = at(argument);
+                let found = spline.at(at.value);
+                // A piece is the sum of four terms, along a distance that is the difference of two places.
+                let size = spline.pieces.iter().flatten().chain(&found);
+                let size = size.fold(0.0_f64, |size, it| size.max(it.abs()));
+                let slope = found.get(order + 1).copied().unwrap_or(0.0);
+                let place = at.error + 4.0 * ulp * at.value.abs();
+                Bounded {
+                    value: found[order],
+                    error: place * slope.abs() + 8.0 * ulp * size,
+                }
+            }
         };
     }
     all

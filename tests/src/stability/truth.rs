@@ -8,6 +8,7 @@
 
 use linkwright_codegen::expr::ExprId;
 use linkwright_codegen::system::System;
+use nalgebra::DMatrix;
 
 use super::bounded::{Bounded, bounds};
 use super::precise::{Factors, Precise, values};
@@ -204,6 +205,55 @@ impl Truth {
             inverse,
             is_negative: factors.is_negative,
         }
+    }
+
+    /// What [`Truth::bounds`] needs at a pose that is known to rounding, which is taken for the exact one; `None` where its Jacobian
+    /// has no inverse. Unlike [`Truth::solve`] this takes no arithmetic of high precision.
+    pub fn around(&self, given: &Given, levels: Levels<f64>) -> Option<Exact> {
+        let graph = &self.system.mechanism.graph;
+        let mut symbols = self.symbols(given, |number| number);
+        for (coordinate, value) in self.system.coordinates.iter().zip(&levels[0]) {
+            symbols[coordinate.position.index()] = *value;
+        }
+        let values = crate::magnitude::values(graph, &self.position, &symbols);
+        let coordinates = self.system.coordinates.iter();
+        let columns: Vec<f64> = coordinates
+            .map(|it| self.system.scale(it.quantity))
+            .collect();
+        let rows = self.system.rows.iter();
+        let rows: Vec<f64> = rows.map(|it| self.system.scale(it.quantity)).collect();
+        let n = self.count();
+        let mut matrix = DMatrix::zeros(n, n);
+        for (index, row) in self.system.rows.iter().enumerate() {
+            for entry in &row.jacobian {
+                let scale = columns[entry.coordinate] / rows[index];
+                matrix[(index, entry.coordinate)] = values[entry.value.index()] * scale;
+            }
+        }
+        let lu = matrix.lu();
+        let is_negative = lu.determinant() < 0.0;
+        let inverse = lu.try_inverse()?;
+        let entry =
+            |row: usize, column: usize| inverse[(row, column)].abs() * columns[row] / rows[column];
+        let inverse = (0..n).map(|row| (0..n).map(|column| entry(row, column)).collect());
+        Some(Exact {
+            levels: levels.map(|level| level.into_iter().map(Precise::from_f64).collect()),
+            inverse: inverse.collect(),
+            is_negative,
+        })
+    }
+
+    /// The largest rounding error of a residual at a pose, in the scales of the rows: below it no solver can tell poses apart.
+    pub fn rounding(&self, given: &Given, q: &[f64], epsilon: f64) -> f64 {
+        let mut symbols = self.symbols(given, Bounded::exact);
+        for (coordinate, value) in self.system.coordinates.iter().zip(q) {
+            symbols[coordinate.position.index()] = Bounded::exact(*value);
+        }
+        let graph = &self.system.mechanism.graph;
+        let found = bounds(graph, &self.residual, &symbols, epsilon);
+        let rows = self.system.rows.iter();
+        rows.map(|row| found[row.residual.index()].error / self.system.scale(row.quantity))
+            .fold(0.0, f64::max)
     }
 
     /// By how much q, q̇ and q̈ may be off in a scalar with this ε. `length` is what residuals in m are judged against.

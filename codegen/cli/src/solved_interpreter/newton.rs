@@ -66,8 +66,7 @@ pub(super) struct Newton {
     scales: Vec<f64>,
     /// Which tears are angles, whose whole turns make no other pose.
     is_angle: Vec<bool>,
-    /// Residuals are lengths, but for angles that a gear or a driver ties.
-    row_scale: f64,
+    row_scales: Vec<f64>,
     geometry: Vec<Operation>,
     residuals: Tape,
     jacobian: Tape,
@@ -96,7 +95,11 @@ impl Newton {
                 .iter()
                 .map(|it| it.quantity == Quantity::Angle)
                 .collect(),
-            row_scale: system.mechanism.characteristic_length,
+            row_scales: block
+                .quantities
+                .iter()
+                .map(|it| system.scale(*it))
+                .collect(),
             geometry: operations(block.geometry.iter(), system),
             residuals: Tape::new(graph, &block.residuals),
             jacobian: Tape::new(graph, &block.jacobian),
@@ -309,8 +312,8 @@ impl Equations<f64, Dyn> for At<'_> {
         self.evaluate(&self.newton.gamma, t, q, Some(qd), gamma.as_mut_slice());
     }
 
-    fn row_scale(&self, _: usize) -> f64 {
-        self.newton.row_scale
+    fn row_scale(&self, row: usize) -> f64 {
+        self.newton.row_scales[row]
     }
 
     fn coordinate_scale(&self, column: usize) -> f64 {

@@ -53,6 +53,7 @@ impl Writer<'_> {
                 Step::Newton {
                     unknowns,
                     residuals,
+                    ..
                 } => self.newton(unknowns, residuals),
             });
             for unknown in step.unknowns() {

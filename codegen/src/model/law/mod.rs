@@ -16,7 +16,7 @@ use crate::expr::ExprId;
 use crate::syntax::{Expression, Name};
 use rise::Rise;
 
-/// Every law of motion, for help lines.
+/// Every law of motion, for help lines: first the rises, which a sequence may be made of.
 pub(super) const LAWS: &[&str] = &[
     "step",
     "havsin",

@@ -9,25 +9,13 @@
 
 use super::super::expression::{Value, listed};
 use super::super::resolve::Resolver;
+use super::LAWS;
 use super::rise::Rise;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Graph};
 use crate::syntax::{Expression, ExpressionKind};
 
 const FORM: &str = "sequence(x, cycloidal, (x0, h0), (x1, h1), …)";
-
-/// The laws that a sequence may be made of, for help lines.
-const RISES: &[&str] = &[
-    "step",
-    "havsin",
-    "step5",
-    "cycloidal",
-    "poly345",
-    "poly4567",
-    "modified_trapezoid",
-    "modified_sine",
-    "simple_harmonic",
-];
 
 /// One station: the place and the height, as written and as values.
 type Station<'a> = [(&'a Expression, Value); 2];
@@ -51,6 +39,8 @@ impl Resolver<'_> {
         }
         let law = word(written_law).and_then(Rise::named);
         if law.is_none() {
+            let rises = LAWS.iter().filter(|law| Rise::named(law).is_some());
+            let rises: Vec<&str> = rises.copied().collect();
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::WrongForm,
@@ -58,7 +48,7 @@ impl Resolver<'_> {
                     "the second argument of `sequence` names a law of motion",
                 )
                 .label("no law of this name")
-                .help(format!("the laws are {}", listed(RISES))),
+                .help(format!("the laws are {}", listed(&rises))),
             );
         }
         let x = self.value(written_x);

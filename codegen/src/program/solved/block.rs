@@ -207,7 +207,8 @@ pub(super) fn lower_block(
             Step::Newton {
                 unknowns,
                 residuals,
-            } => newton = Some(builder.newton(unknowns, residuals)),
+                quantities,
+            } => newton = Some(builder.newton(unknowns, residuals, quantities)),
         }
         if builder.system.mechanism.monitor {
             match &mut newton {

@@ -34,6 +34,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::{Operations, Statement, Straight};
 use crate::expr::{ExprId, SymbolId};
+use crate::joint::Quantity;
 use crate::structure::SolvedPlan;
 use crate::system::System;
 
@@ -314,6 +315,8 @@ pub struct NewtonBlock {
     pub geometry: Vec<Action>,
     /// One residual a row.
     pub residuals: Vec<ExprId>,
+    /// What each residual is measured in.
+    pub quantities: Vec<Quantity>,
     /// Row by row.
     pub jacobian: Vec<ExprId>,
     /// The rates of the residuals with the tears held.

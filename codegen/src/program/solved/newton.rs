@@ -6,10 +6,16 @@
 use super::builder::Builder;
 use super::{Action, NewtonBlock};
 use crate::expr::{ExprId, SymbolId};
+use crate::joint::Quantity;
 
 impl Builder<'_> {
     /// The equations of the block, and the action that solves them.
-    pub(super) fn newton(&mut self, unknowns: &[usize], residuals: &[ExprId]) -> NewtonBlock {
+    pub(super) fn newton(
+        &mut self,
+        unknowns: &[usize],
+        residuals: &[ExprId],
+        quantities: &[Quantity],
+    ) -> NewtonBlock {
         let rates: Vec<(SymbolId, SymbolId)> = unknowns
             .iter()
             .map(|&unknown| self.rates_of(unknown))
@@ -44,6 +50,7 @@ impl Builder<'_> {
             unknowns: unknowns.to_vec(),
             geometry,
             residuals: residuals.to_vec(),
+            quantities: quantities.to_vec(),
             jacobian,
             time_derivative,
             gamma,

@@ -13,6 +13,7 @@ use crate::emit::rust::given::only;
 use crate::emit::rust::literal::count;
 use crate::emit::rust::solver::scale;
 use crate::expr::{ExprId, SymbolId};
+use crate::joint::Quantity;
 use crate::program::Program;
 use crate::program::solved::{Action, BlockProgram, NewtonBlock, SolvedProgram};
 use crate::system::{SymbolRole, System};
@@ -189,6 +190,7 @@ fn equations(
     let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
     let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
     let column_scales = unknowns.iter().map(|unknown| scale(unknown.quantity));
+    let row_scale = row_scale(newton);
     let given = Needs::given(newton, system);
     let parameters = only(given.parameters, quote!(parameters: &'a Parameters,));
     let inputs = only(given.inputs, quote!(inputs: &'a Inputs,));
@@ -242,14 +244,32 @@ fn equations(
                 *right_hand_side = SVector::from([#(#gamma),*]);
             }
 
-            fn row_scale(&self, _row: usize) -> f64 {
-                CHARACTERISTIC_LENGTH
-            }
+            #row_scale
 
             fn coordinate_scale(&self, column: usize) -> f64 {
                 const SCALES: [f64; #size] = [#(#column_scales),*];
                 SCALES.get(column).copied().unwrap_or(1.0)
             }
+        }
+    }
+}
+
+/// What each residual is judged against.
+fn row_scale(newton: &NewtonBlock) -> TokenStream {
+    let quantities = &newton.quantities;
+    if quantities.iter().all(|it| *it == Quantity::Length) {
+        return quote! {
+            fn row_scale(&self, _row: usize) -> f64 {
+                CHARACTERISTIC_LENGTH
+            }
+        };
+    }
+    let size = count(quantities.len());
+    let scales = quantities.iter().map(|it| scale(*it));
+    quote! {
+        fn row_scale(&self, row: usize) -> f64 {
+            const SCALES: [f64; #size] = [#(#scales),*];
+            SCALES.get(row).copied().unwrap_or(1.0)
         }
     }
 }

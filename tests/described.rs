@@ -1,0 +1,62 @@
+//! *A folder* → *its descriptions*, and a description with one more statement, for build scripts.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::system::System;
+
+/// A description without errors, of one motion.
+pub struct Described {
+    /// Its text.
+    pub text: String,
+    /// Its equations.
+    pub system: System,
+    /// Whether it names files, which a copy in another folder would not find.
+    pub reads_files: bool,
+}
+
+/// An empty folder of the build script's own; what an earlier run has left in it is gone.
+pub fn empty_folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it")).join(name);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).expect("a folder of its own");
+    }
+    fs::create_dir_all(&folder).expect("a folder of its own");
+    folder
+}
+
+/// The descriptions in a folder, by the names of their files. Those with errors are left out: generating their modules reports
+/// them.
+pub fn in_folder(folder: &str) -> Vec<Described> {
+    let entries = fs::read_dir(Path::new(folder)).expect("the folder of descriptions");
+    let mut paths: Vec<_> = entries
+        .map(|entry| entry.expect("a listed file").path())
+        .filter(|path| path.extension().is_some_and(|it| it == "mech"))
+        .collect();
+    paths.sort();
+    let described = paths.iter().filter_map(|path| {
+        let text = fs::read_to_string(path).ok()?;
+        let source = Source::new(path.display().to_string(), text.clone());
+        let reads_files = linkwright_codegen::read(&source).is_err();
+        let source = linkwright_codegen::attach_files(source, path.parent()?);
+        let read = linkwright_codegen::read(&source).ok()?;
+        let system = read.only()?;
+        Some(Described {
+            text,
+            system,
+            reads_files,
+        })
+    });
+    described.collect()
+}
+
+impl Described {
+    /// The text with another name and one more statement.
+    pub fn extended(&self, name: &str, statement: &str) -> String {
+        let own = format!("mechanism {}", self.system.mechanism.name);
+        let renamed = self.text.replacen(&own, &format!("mechanism {name}"), 1);
+        let end = renamed.rfind('}').expect("a mechanism ends in a brace");
+        format!("{}\n    {statement}\n{}", &renamed[..end], &renamed[end..])
+    }
+}

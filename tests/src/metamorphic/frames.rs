@@ -1,0 +1,165 @@
+//! *The equations of a mechanism* → *its motion in both views*, each value with what rounding may make of it.
+
+use linkwright::{Failure, Frame, Settings, advance, assemble, assemble_from_afar};
+use linkwright_cli::interpreter::Interpreter;
+use linkwright_cli::solved_interpreter::SolvedInterpreter;
+use linkwright_codegen::structure::{Step, plan_of_motion};
+use linkwright_codegen::system::System;
+use nalgebra::Dyn;
+
+use crate::stability::sample::named;
+use crate::stability::truth::{Given, Levels, Truth};
+
+/// The times (s); the mechanism is assembled at the first and moved to the others.
+pub const TIMES: [f64; 4] = [0.0, 0.01, 0.02, 0.03];
+
+/// The view that is assembled with least squares first.
+pub const FROM_AFAR: &str = "textbook from afar";
+
+/// Values of q, q̇ and q̈ with the bounds of their errors.
+#[derive(Clone, Debug)]
+pub struct Instant {
+    /// The values.
+    pub values: Levels<f64>,
+    /// By how much each may be off.
+    pub bounds: Levels<f64>,
+}
+
+/// What a view makes of a motion: an instant for each time, up to the first failure.
+pub type Moved = Vec<Result<Instant, String>>;
+
+/// The motion as each view has it, with the name of the view.
+pub fn motions(system: &System) -> Vec<(&'static str, Moved)> {
+    let judge = Judge {
+        truth: Truth::new(system),
+        given: given(system),
+        length: system.mechanism.characteristic_length,
+    };
+    let mut all = textbook(system, &judge);
+    all.push(("solved", solved(system, &judge)));
+    all
+}
+
+/// The steps of the plan that find something by more than a division, as kinds with their numbers. Whether a coefficient is divided
+/// by in a step of its own depends on whether it is a number.
+pub fn plan(system: &System) -> Vec<(String, usize)> {
+    let Some(plan) = plan_of_motion(&mut system.clone()) else {
+        return Vec::new();
+    };
+    let mut names: Vec<String> = plan
+        .blocks
+        .iter()
+        .flat_map(|block| block.steps.iter())
+        .filter(|step| !matches!(step, Step::Linear { .. }))
+        .map(|step| step.name())
+        .collect();
+    names.sort();
+    let mut counted: Vec<(String, usize)> = Vec::new();
+    for name in names {
+        match counted.last_mut() {
+            Some((last, count)) if *last == name => *count += 1,
+            _ => counted.push((name, 1)),
+        }
+    }
+    counted
+}
+
+/// Whether the residuals at a pose are rounded by more than they must be solved to.
+pub fn is_rounded_away(system: &System, t: f64, q: &[f64]) -> bool {
+    let given = Given { t, ..given(system) };
+    let tolerance = Settings::<f64>::default().tolerance;
+    Truth::new(system).rounding(&given, q, f64::EPSILON) > tolerance
+}
+
+struct Judge {
+    truth: Truth,
+    given: Given,
+    length: f64,
+}
+
+impl Judge {
+    fn instant(&self, t: f64, values: Levels<f64>) -> Result<Instant, String> {
+        let given = Given {
+            t,
+            ..self.given.clone()
+        };
+        let exact = self.truth.around(&given, values.clone());
+        let exact = exact.ok_or("no bound: the Jacobian has no inverse")?;
+        let bounds = self.truth.bounds(&given, &exact, self.length, f64::EPSILON);
+        Ok(Instant { values, bounds })
+    }
+}
+
+/// Parameters and signals as they are where nobody gives any.
+fn given(system: &System) -> Given {
+    let mechanism = &system.mechanism;
+    let value = |id| {
+        let value = mechanism.graph.constant_value(id);
+        value.expect("a constant")
+    };
+    Given {
+        parameters: mechanism
+            .parameters
+            .iter()
+            .map(|it| value(it.nominal))
+            .collect(),
+        signals: mechanism
+            .inputs
+            .iter()
+            .map(|it| [value(it.initial), 0.0, 0.0])
+            .collect(),
+        t: 0.0,
+    }
+}
+
+fn textbook(system: &System, judge: &Judge) -> Vec<(&'static str, Moved)> {
+    let interpreter = Interpreter::new(system);
+    let settings = Settings::default();
+    let instant = |found: Result<Frame<f64, Dyn>, Failure<f64>>| {
+        let frame = found.map_err(|failure| named(failure.kind).to_string())?;
+        let values = [&frame.q, &frame.qd, &frame.qdd].map(|it| it.as_slice().to_vec());
+        Ok((judge.instant(frame.t, values)?, frame))
+    };
+    let estimate = interpreter.estimate();
+    let mut moved = Vec::new();
+    let mut last: Option<Frame<f64, Dyn>> = None;
+    for t in TIMES {
+        let found = match &last {
+            None => assemble(&interpreter, estimate, t, &settings),
+            Some(frame) => advance(&interpreter, frame, t, &settings),
+        };
+        match instant(found) {
+            Ok((instant, frame)) => {
+                moved.push(Ok(instant));
+                last = Some(frame);
+            }
+            Err(kind) => {
+                moved.push(Err(kind));
+                break;
+            }
+        }
+    }
+    let afar = assemble_from_afar(&interpreter, estimate, None, TIMES[0], &settings);
+    vec![
+        ("textbook", moved),
+        (FROM_AFAR, vec![instant(afar).map(|it| it.0)]),
+    ]
+}
+
+fn solved(system: &System, judge: &Judge) -> Moved {
+    let Some(solved) = SolvedInterpreter::new(system) else {
+        return vec![Err("no plan".to_string())];
+    };
+    let signs = solved.drawn_signs();
+    let mut values = solved.begin(TIMES[0]);
+    let mut moved = Vec::new();
+    for t in TIMES {
+        if let Err(failure) = solved.solve(t, &signs, &mut values) {
+            moved.push(Err(named(failure.kind).to_string()));
+            break;
+        }
+        let levels = solved.levels(&values).map(|it| it.as_slice().to_vec());
+        moved.push(judge.instant(t, levels));
+    }
+    moved
+}

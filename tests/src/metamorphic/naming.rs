@@ -1,0 +1,223 @@
+//! *A description* → *the same mechanism with other names* for everything that it names.
+
+use std::collections::BTreeMap;
+
+use linkwright_codegen::syntax::{
+    Document, Drive, Expression, ExpressionKind, Joint, Member, Name, Orientation, Origin,
+    OutputItem, Reference, Shape, Statement,
+};
+
+use super::edits::Edits;
+use super::roles::each_formula;
+use crate::random::Random;
+
+/// Other names for what is declared, one for each text whatever it names. Their order is another one.
+pub fn renamed(text: &str, document: &Document, seed: u64) -> String {
+    let mut names = Vec::new();
+    declared(&document.mechanism.statements, &mut names);
+    names.push(document.mechanism.name.text.clone());
+    names.sort();
+    names.dedup();
+    let mut random = Random::new(seed);
+    let mut numbers: Vec<usize> = (0..names.len()).collect();
+    for place in (1..numbers.len()).rev() {
+        numbers.swap(place, (random.bits() % (place as u64 + 1)) as usize);
+    }
+    let other: BTreeMap<String, String> = names
+        .into_iter()
+        .zip(numbers)
+        .map(|(name, number)| (name, format!("it_{number}_is")))
+        .collect();
+    let mut renaming = Renaming {
+        other,
+        edits: Edits::default(),
+    };
+    renaming.name(&document.mechanism.name);
+    renaming.statements(&document.mechanism.statements);
+    each_formula(&document.mechanism.statements, &mut |formula, live| {
+        renaming.formula(formula, live);
+    });
+    renaming.edits.apply(text)
+}
+
+/// The names that statements declare.
+fn declared(statements: &[Statement], names: &mut Vec<String>) {
+    for statement in statements {
+        let mut found: Vec<&Name> = Vec::new();
+        match statement {
+            Statement::Constant(it) | Statement::Parameter(it) | Statement::Input(it) => {
+                found.push(&it.name);
+            }
+            Statement::Table(it) => found.push(&it.name),
+            Statement::Points(it) => found.extend(it.points.iter().map(|point| &point.name)),
+            Statement::Body(body) => {
+                found.push(&body.name);
+                found.extend(body.members.iter().filter_map(|member| match member {
+                    Member::Local { name, .. } => Some(name),
+                    Member::Carried { .. } => None,
+                }));
+            }
+            Statement::Joint(it) => found.extend(&it.name),
+            Statement::Drive(it) => found.extend(&it.name),
+            Statement::Equation(it) => found.extend(&it.name),
+            Statement::Curve(it) => found.extend([&it.name, &it.parameter]),
+            Statement::Motion(motion) => {
+                found.push(&motion.name);
+                declared(&motion.statements, names);
+            }
+            Statement::Output(_)
+            | Statement::Transmission(_)
+            | Statement::Sensitivity(_)
+            | Statement::Monitor(_) => {}
+        }
+        names.extend(found.into_iter().map(|name| name.text.clone()));
+    }
+}
+
+struct Renaming {
+    other: BTreeMap<String, String>,
+    edits: Edits,
+}
+
+impl Renaming {
+    fn name(&mut self, name: &Name) {
+        if let Some(other) = self.other.get(&name.text) {
+            self.edits.replace(name.span, other.clone());
+        }
+    }
+
+    fn reference(&mut self, reference: &Reference) {
+        if let Some(body) = &reference.body {
+            self.name(body);
+        }
+        self.name(&reference.name);
+    }
+
+    fn statements(&mut self, statements: &[Statement]) {
+        for statement in statements {
+            match statement {
+                Statement::Constant(it) | Statement::Parameter(it) | Statement::Input(it) => {
+                    self.name(&it.name);
+                }
+                Statement::Table(it) => self.name(&it.name),
+                Statement::Points(it) => it.points.iter().for_each(|point| self.name(&point.name)),
+                Statement::Body(it) => {
+                    self.name(&it.name);
+                    if let Origin::Point(reference) = &it.origin {
+                        self.reference(reference);
+                    }
+                    if let Orientation::Facing(direction) = &it.orientation {
+                        self.reference(&direction.from);
+                        self.reference(&direction.to);
+                    }
+                    for member in &it.members {
+                        let (Member::Local { name, .. } | Member::Carried { name, .. }) = member;
+                        self.name(name);
+                    }
+                }
+                Statement::Joint(it) => self.joint(it),
+                Statement::Drive(it) => self.drive(it),
+                Statement::Equation(it) => it.name.iter().for_each(|name| self.name(name)),
+                Statement::Curve(it) => {
+                    self.name(&it.name);
+                    self.name(&it.parameter);
+                    self.name(&it.body);
+                    // Its formulas are visited with all others.
+                    let (Shape::Parametric(_) | Shape::Polar(_)) = it.shape;
+                }
+                Statement::Output(it) => self.items(&it.items),
+                Statement::Transmission(it) => self.items(&it.items),
+                Statement::Sensitivity(it) => it.names.iter().for_each(|name| self.name(name)),
+                Statement::Monitor(_) => {}
+                Statement::Motion(it) => {
+                    self.name(&it.name);
+                    self.statements(&it.statements);
+                }
+            }
+        }
+    }
+
+    fn joint(&mut self, joint: &Joint) {
+        joint.name.iter().for_each(|name| self.name(name));
+        joint.operands.iter().for_each(|it| self.reference(it));
+        if let Some(direction) = &joint.along {
+            self.reference(&direction.from);
+            self.reference(&direction.to);
+        }
+    }
+
+    fn drive(&mut self, drive: &Drive) {
+        drive.name.iter().for_each(|name| self.name(name));
+        drive.operands.iter().for_each(|it| self.reference(it));
+    }
+
+    fn items(&mut self, items: &[OutputItem]) {
+        for item in items {
+            match item {
+                OutputItem::Point(reference) => self.reference(reference),
+                OutputItem::Coordinate { bodies, .. } => {
+                    bodies.iter().for_each(|it| self.reference(it));
+                }
+            }
+        }
+    }
+
+    fn formula(&mut self, formula: &Expression, live: bool) {
+        match &formula.kind {
+            ExpressionKind::Number { .. } => {}
+            ExpressionKind::Reference(reference) => {
+                // The component of a point is no name.
+                match (&reference.body, live) {
+                    (Some(point), true) if ["x", "y"].contains(&reference.name.text.as_str()) => {
+                        self.name(point);
+                    }
+                    _ => self.reference(reference),
+                }
+            }
+            ExpressionKind::Component(component) => self.reference(&component.point),
+            ExpressionKind::Sum(terms) => {
+                terms.iter().for_each(|(_, term)| self.formula(term, live))
+            }
+            ExpressionKind::Product(factors) => factors
+                .iter()
+                .for_each(|(_, factor)| self.formula(factor, live)),
+            ExpressionKind::Negative(inner) => self.formula(inner, live),
+            ExpressionKind::Power(base, exponent) => {
+                self.formula(base, live);
+                self.formula(exponent, live);
+            }
+            ExpressionKind::Call {
+                function,
+                arguments,
+            } => {
+                let of_a_body = live && ["x", "y", "phi"].contains(&function.text.as_str());
+                self.name(function);
+                for argument in arguments {
+                    match &argument.kind {
+                        // A body may be called by a number.
+                        ExpressionKind::Number { digits, unit: None } if of_a_body => {
+                            if let Some(other) = self.other.get(digits) {
+                                self.edits.replace(argument.span, other.clone());
+                            }
+                        }
+                        _ => self.formula(argument, live),
+                    }
+                }
+            }
+            ExpressionKind::Pair(pair) => {
+                self.formula(&pair.x, live);
+                self.formula(&pair.y, live);
+            }
+            ExpressionKind::Choice(choice) => {
+                for part in [
+                    &choice.left,
+                    &choice.right,
+                    &choice.holds,
+                    &choice.otherwise,
+                ] {
+                    self.formula(part, live);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! *A description* → *the same mechanism with its bodies and joints in another order*.
+
+use linkwright_codegen::syntax::{
+    Body, Document, Drive, Orientation, Origin, Reference, Statement,
+};
+
+use crate::random::Random;
+
+/// Its bodies, and its joints, drivers and equations, in an order that follows from `seed`; what is declared stays above its use.
+pub fn reordered(text: &str, document: &Document, seed: u64) -> String {
+    let mut random = Random::new(seed);
+    let mechanism = &document.mechanism;
+    let inside = ordered(text, &mechanism.statements, &mut random);
+    let name = &mechanism.name.text;
+    format!("mechanism {name} {{\n{inside}}}\n")
+}
+
+fn shuffled<'a, T>(items: impl Iterator<Item = &'a T>, random: &mut Random) -> Vec<&'a T> {
+    let mut items: Vec<&T> = items.collect();
+    for place in (1..items.len()).rev() {
+        items.swap(place, (random.bits() % (place as u64 + 1)) as usize);
+    }
+    items
+}
+
+/// The items in an order in which none comes before what it needs. `needs(a, b)` where a needs b.
+fn settled<T>(mut waiting: Vec<&T>, needs: impl Fn(&T, &T) -> bool) -> Vec<&T> {
+    let mut done = Vec::new();
+    while !waiting.is_empty() {
+        let free = |item: &&T| !waiting.iter().any(|other| needs(item, other));
+        let next = waiting
+            .iter()
+            .position(free)
+            .expect("what is declared above its use has no cycles");
+        done.push(waiting.remove(next));
+    }
+    done
+}
+
+fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String {
+    let mut written = String::new();
+    let mut write = |statement: &Statement| {
+        written.push_str("    ");
+        written.push_str(&text[statement.span().range()]);
+        written.push('\n');
+    };
+    let is_declaration = |it: &&Statement| {
+        matches!(
+            it,
+            Statement::Constant(_)
+                | Statement::Parameter(_)
+                | Statement::Input(_)
+                | Statement::Table(_)
+                | Statement::Points(_)
+        )
+    };
+    let is_body = |it: &&Statement| matches!(it, Statement::Body(_));
+    let is_curve = |it: &&Statement| matches!(it, Statement::Curve(_));
+    let is_constraint = |it: &&Statement| {
+        matches!(
+            it,
+            Statement::Joint(_) | Statement::Drive(_) | Statement::Equation(_)
+        )
+    };
+    statements
+        .iter()
+        .filter(is_declaration)
+        .for_each(&mut write);
+    let bodies = shuffled(statements.iter().filter(is_body), random);
+    let bodies = settled(bodies, |item, other| match (item, other) {
+        (Statement::Body(item), Statement::Body(other)) => mentions(item, &other.name.text),
+        _ => false,
+    });
+    bodies.into_iter().for_each(&mut write);
+    statements.iter().filter(is_curve).for_each(&mut write);
+    let constraints = shuffled(statements.iter().filter(is_constraint), random);
+    let constraints = settled(constraints, |item, other| match (item, other) {
+        (Statement::Drive(drive), Statement::Joint(joint)) => {
+            drive.quantity.text == "length"
+                && joint
+                    .along
+                    .as_ref()
+                    .is_some_and(|along| measures(text, drive, &along.from, &along.to))
+        }
+        _ => false,
+    });
+    constraints.into_iter().for_each(&mut write);
+    let is_last = |it: &&Statement| {
+        matches!(
+            it,
+            Statement::Output(_) | Statement::Transmission(_) | Statement::Sensitivity(_)
+        )
+    };
+    statements.iter().filter(is_last).for_each(&mut write);
+    for statement in statements {
+        if let Statement::Motion(motion) = statement {
+            let inside = ordered(text, &motion.statements, random);
+            written.push_str(&format!("motion {} {{\n{inside}}}\n", motion.name.text));
+        }
+    }
+    written
+}
+
+/// Whether the drawing of a body names a point of another one.
+fn mentions(body: &Body, name: &str) -> bool {
+    let of = |reference: &Reference| reference.body.as_ref().is_some_and(|it| it.text == name);
+    let origin = matches!(&body.origin, Origin::Point(reference) if of(reference));
+    let facing = matches!(&body.orientation, Orientation::Facing(it) if of(&it.from) || of(&it.to));
+    origin || facing
+}
+
+fn measures(text: &str, drive: &Drive, from: &Reference, to: &Reference) -> bool {
+    let written = |reference: &Reference| &text[reference.span.range()];
+    let [first, second] = &drive.operands[..] else {
+        return false;
+    };
+    written(first) == written(from) && written(second) == written(to)
+}

@@ -1,0 +1,270 @@
+//! *A document* → *what each of its formulas says*: the places where a length or an angle is given to the mechanism, and those where
+//! one is taken from it.
+//!
+//! Everything between the two is left alone, so a rewriting needs to know nothing about constants, laws, tables and units.
+
+use linkwright_codegen::syntax::{
+    Body, Curve, Document, Drive, Equation, Expression, ExpressionKind, Joint, Member, Orientation,
+    Origin, Pair, Shape, Statement,
+};
+
+/// What a formula gives to the mechanism.
+#[derive(Clone, Copy, Debug)]
+pub enum Given<'a> {
+    /// Where something is in the global frame.
+    Place(&'a Pair),
+    /// Where something is in the frame of a body, or how far apart.
+    Vector(&'a Pair),
+    /// A global abscissa.
+    X(&'a Expression),
+    /// A global ordinate.
+    Y(&'a Expression),
+    /// A difference of two global coordinates.
+    Component(&'a Expression),
+    /// The angle of a body.
+    Angle(&'a Expression),
+    /// A body that is not turned in the drawing: its orientation is left out after this place.
+    Aligned(&'a Body),
+    /// A distance.
+    Length(&'a Expression),
+    /// Both sides of an equation of the user's own.
+    Sides(&'a Equation),
+}
+
+/// What a formula takes from the mechanism or its drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Taken {
+    /// A distance.
+    Distance,
+    /// An abscissa.
+    X,
+    /// An ordinate.
+    Y,
+    /// The angle of a body.
+    Angle,
+}
+
+/// Calls `visit` with everything that is given, in written order.
+pub fn each_given<'a>(document: &'a Document, visit: &mut dyn FnMut(Given<'a>)) {
+    statements(&document.mechanism.statements, visit);
+}
+
+fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
+    for statement in all {
+        match statement {
+            Statement::Points(points) => {
+                for point in &points.points {
+                    visit(Given::Place(&point.position));
+                }
+            }
+            Statement::Body(body) => of_body(body, visit),
+            Statement::Joint(joint) => of_joint(joint, visit),
+            Statement::Drive(drive) => of_drive(drive, visit),
+            Statement::Equation(equation) => visit(Given::Sides(equation)),
+            Statement::Curve(curve) => of_curve(curve, visit),
+            Statement::Motion(motion) => statements(&motion.statements, visit),
+            Statement::Constant(_)
+            | Statement::Parameter(_)
+            | Statement::Input(_)
+            | Statement::Table(_)
+            | Statement::Output(_)
+            | Statement::Transmission(_)
+            | Statement::Sensitivity(_)
+            | Statement::Monitor(_) => {}
+        }
+    }
+}
+
+fn of_body<'a>(body: &'a Body, visit: &mut dyn FnMut(Given<'a>)) {
+    if let Origin::Coordinates(place) = &body.origin {
+        visit(Given::Place(place));
+    }
+    match &body.orientation {
+        Orientation::Aligned => visit(Given::Aligned(body)),
+        Orientation::Angle(angle) => visit(Given::Angle(angle)),
+        Orientation::Facing(_) => {}
+    }
+    for member in &body.members {
+        if let Member::Local { position, .. } = member {
+            visit(Given::Vector(position));
+        }
+    }
+}
+
+fn of_joint<'a>(joint: &'a Joint, visit: &mut dyn FnMut(Given<'a>)) {
+    let Some(value) = &joint.value else { return };
+    visit(match joint.kind.text.as_str() {
+        "absolute_x" => Given::X(value),
+        "absolute_y" => Given::Y(value),
+        "absolute_angle" => Given::Angle(value),
+        "relative_x" | "relative_y" => Given::Component(value),
+        "absolute_distance"
+        | "relative_distance"
+        | "revolute_revolute"
+        | "revolute_translational"
+        | "rack"
+        | "roller" => Given::Length(value),
+        "relative_angle" | "external_gear" | "internal_gear" | "belt" | "crossed_belt" => return,
+        other => panic!("what the value of `{other}` says is not known here"),
+    });
+}
+
+fn of_drive<'a>(drive: &'a Drive, visit: &mut dyn FnMut(Given<'a>)) {
+    let value = &drive.value;
+    visit(match drive.quantity.text.as_str() {
+        "x" => Given::X(value),
+        "y" => Given::Y(value),
+        "phi" => Given::Angle(value),
+        "relative_x" | "relative_y" => Given::Component(value),
+        "length" | "distance" => Given::Length(value),
+        "relative_angle" => return,
+        other => panic!("what `drive {other}` says is not known here"),
+    });
+}
+
+fn of_curve<'a>(curve: &'a Curve, visit: &mut dyn FnMut(Given<'a>)) {
+    match &curve.shape {
+        // The frame of the ground is the global one.
+        Shape::Parametric(pair) if curve.body.text == "ground" => visit(Given::Place(pair)),
+        Shape::Parametric(pair) => visit(Given::Vector(pair)),
+        Shape::Polar(radius) => {
+            assert_ne!(
+                curve.body.text, "ground",
+                "a polar curve turns about the origin"
+            );
+            visit(Given::Length(radius));
+        }
+    }
+}
+
+/// Calls `visit` with everything that a formula takes. `live` where it stands in an equation, which may mention coordinates.
+pub fn each_taken<'a>(
+    expression: &'a Expression,
+    live: bool,
+    visit: &mut dyn FnMut(&'a Expression, Taken),
+) {
+    let axis = |text: &str| match text {
+        "x" => Some(Taken::X),
+        "y" => Some(Taken::Y),
+        "phi" => Some(Taken::Angle),
+        _ => None,
+    };
+    match &expression.kind {
+        ExpressionKind::Number { .. } => {}
+        ExpressionKind::Reference(reference) => {
+            if live
+                && reference.body.is_some()
+                && let Some(taken) = axis(&reference.name.text)
+            {
+                visit(expression, taken);
+            }
+        }
+        ExpressionKind::Component(component) => {
+            if let Some(taken) = axis(&component.axis.text) {
+                visit(expression, taken);
+            }
+        }
+        ExpressionKind::Sum(terms) => {
+            for (_, term) in terms {
+                each_taken(term, live, visit);
+            }
+        }
+        ExpressionKind::Product(factors) => {
+            for (_, factor) in factors {
+                each_taken(factor, live, visit);
+            }
+        }
+        ExpressionKind::Negative(inner) => each_taken(inner, live, visit),
+        ExpressionKind::Power(base, exponent) => {
+            each_taken(base, live, visit);
+            each_taken(exponent, live, visit);
+        }
+        ExpressionKind::Call {
+            function,
+            arguments,
+        } => match function.text.as_str() {
+            "distance" => visit(expression, Taken::Distance),
+            name if live && axis(name).is_some() => {
+                visit(expression, axis(name).expect("just seen"));
+            }
+            _ => {
+                for argument in arguments {
+                    each_taken(argument, live, visit);
+                }
+            }
+        },
+        ExpressionKind::Pair(pair) => {
+            each_taken(&pair.x, live, visit);
+            each_taken(&pair.y, live, visit);
+        }
+        ExpressionKind::Choice(choice) => {
+            for part in [
+                &choice.left,
+                &choice.right,
+                &choice.holds,
+                &choice.otherwise,
+            ] {
+                each_taken(part, live, visit);
+            }
+        }
+    }
+}
+
+/// Calls `visit` with every formula of a document as a whole, and whether it stands in an equation.
+pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expression, bool)) {
+    let pair = |pair: &'a Pair, visit: &mut dyn FnMut(&'a Expression, bool)| {
+        visit(&pair.x, false);
+        visit(&pair.y, false);
+    };
+    for statement in all {
+        match statement {
+            Statement::Constant(it) | Statement::Parameter(it) | Statement::Input(it) => {
+                visit(&it.value, false);
+            }
+            Statement::Points(points) => {
+                for point in &points.points {
+                    pair(&point.position, visit);
+                }
+            }
+            Statement::Body(body) => {
+                if let Origin::Coordinates(place) = &body.origin {
+                    pair(place, visit);
+                }
+                if let Orientation::Angle(angle) = &body.orientation {
+                    visit(angle, false);
+                }
+                for member in &body.members {
+                    if let Member::Local { position, .. } = member {
+                        pair(position, visit);
+                    }
+                }
+            }
+            Statement::Joint(joint) => {
+                if let Some(value) = &joint.value {
+                    visit(value, false);
+                }
+            }
+            Statement::Drive(drive) => visit(&drive.value, false),
+            Statement::Equation(equation) => {
+                visit(&equation.left, true);
+                visit(&equation.right, true);
+            }
+            Statement::Curve(curve) => {
+                for end in curve.range.iter().flatten() {
+                    visit(end, false);
+                }
+                match &curve.shape {
+                    Shape::Parametric(place) => pair(place, visit),
+                    Shape::Polar(radius) => visit(radius, false),
+                }
+            }
+            Statement::Motion(motion) => each_formula(&motion.statements, visit),
+            // Their points are numbers.
+            Statement::Table(_)
+            | Statement::Output(_)
+            | Statement::Transmission(_)
+            | Statement::Sensitivity(_)
+            | Statement::Monitor(_) => {}
+        }
+    }
+}
