@@ -217,12 +217,17 @@ fn imports(system: &System, program: &Program, has_newton: bool, has_tables: boo
             use ::linkwright::scale::largest_length;
         ),
     );
+    let monitored = program.solved.is_some() && system.mechanism.monitor;
+    let measures = program.solved.iter().flat_map(|solved| &solved.blocks);
+    let measures = measures.flat_map(|block| &block.measured).next().is_some();
+    let closeness = only(monitored, quote!(Closeness,));
+    let measure = only(monitored && measures, quote!(Measure,));
     quote! {
         #closed
         #math
         #matrices
         #length
-        use ::linkwright::{#branch #explained #equations Failure, #kind #motion Settings, #signal #start #step #table #block #in_steps #kinematics};
+        use ::linkwright::{#branch #closeness #explained #equations Failure, #kind #measure #motion Settings, #signal #start #step #table #block #in_steps #kinematics};
     }
 }
 
