@@ -242,22 +242,24 @@ impl Dense {
             .collect();
         let mut order: Vec<usize> = (0..n).collect();
         for k in 0..n {
-            let pivot = (k..n).fold(k, |best, row| {
+            let larger = |best: usize, row: usize| {
                 if scaled[row][k].abs() > scaled[best][k].abs() {
                     row
                 } else {
                     best
                 }
-            });
+            };
+            let pivot = (k..n).fold(k, larger);
             scaled.swap(k, pivot);
             order.swap(k, pivot);
-            for row in k + 1..n {
-                let multiplier = scaled[row][k] / scaled[k][k];
-                scaled[row][k] = multiplier;
-                if multiplier != 0.0 {
-                    for column in k + 1..n {
-                        scaled[row][column] -= multiplier * scaled[k][column];
-                    }
+            let (above, below) = scaled.split_at_mut(k + 1);
+            let pivot_row = &above[k];
+            for row in below {
+                let multiplier = row[k] / pivot_row[k];
+                row[k] = multiplier;
+                let entries = row.iter_mut().zip(pivot_row).skip(k + 1);
+                for (entry, upper) in entries.filter(|_| multiplier != 0.0) {
+                    *entry -= multiplier * upper;
                 }
             }
         }

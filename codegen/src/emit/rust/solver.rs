@@ -61,7 +61,7 @@ pub(super) fn scales_by_length(
     let arms = powers.iter().filter(|power| **power != 0).map(|power| {
         let own = quantities.iter().enumerate();
         let own = own.filter(|(_, it)| it.power_of_length() == *power);
-        let places = own.map(|(place, _)| count(place));
+        let places = patterns(own.map(|(place, _)| place));
         let value = scale(Quantity::Power(*power), &length);
         quote!(#(#places)|* => #value,)
     });
@@ -70,6 +70,26 @@ pub(super) fn scales_by_length(
             match #place { #(#arms)* _ => 1.0 }
         }
     }
+}
+
+/// Patterns for these ascending numbers: those that follow one another as a range.
+fn patterns(places: impl Iterator<Item = usize>) -> Vec<TokenStream> {
+    let mut runs: Vec<(usize, usize)> = Vec::new();
+    for place in places {
+        match runs.last_mut() {
+            Some((_, last)) if *last + 1 == place => *last = place,
+            _ => runs.push((place, place)),
+        }
+    }
+    let pattern = |(first, last): (usize, usize)| {
+        let (from, to) = (count(first), count(last));
+        match last - first {
+            0 => quote!(#from),
+            1 => quote!(#from | #to),
+            _ => quote!(#from..=#to),
+        }
+    };
+    runs.into_iter().map(pattern).collect()
 }
 
 /// `struct Textbook`: the dense system as the runtime solves it.
