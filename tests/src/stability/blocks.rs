@@ -193,14 +193,15 @@ impl State<'_> {
             .map(|row| row.iter().map(Precise::to_f64).collect());
         let jacobian = jacobian.collect();
         let factors = Factors::new(rows).ok_or("the block is singular")?;
-        let mut inverse = vec![vec![0.0; n]; n];
-        for column in 0..n {
-            let unit = (0..n).map(|row| Precise::from_f64(if row == column { 1.0 } else { 0.0 }));
-            let solved = factors.solve(&unit.collect::<Vec<_>>());
-            for (row, entry) in solved.iter().enumerate() {
-                inverse[row][column] = entry.to_f64();
-            }
-        }
+        let columns: Vec<Vec<Precise>> = (0..n)
+            .map(|column| {
+                let unit = (0..n).map(|row| f64::from(u8::from(row == column)));
+                factors.solve(&unit.map(Precise::from_f64).collect::<Vec<_>>())
+            })
+            .collect();
+        let inverse = (0..n)
+            .map(|row| columns.iter().map(|it| it[row].to_f64()).collect())
+            .collect();
         let power =
             |quantity: linkwright_codegen::joint::Quantity| length.powi(quantity.power_of_length());
         let dense = Dense {
