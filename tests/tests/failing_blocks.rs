@@ -55,7 +55,7 @@ fn the_textbook_view_diverges() {
     let settings = Settings::default();
     let equations = square_slider::Textbook;
     let start = assemble(&equations, &textbook_at(1.0), 0.0, &settings).expect("as drawn");
-    let before = start.clone();
+    let before = start;
     let t = predicted_at(1e-7);
     let failure = advance(&equations, &start, t, &settings).expect_err("the step is too long");
     assert_eq!(failure.kind, FailureKind::Diverged);
