@@ -8,6 +8,7 @@ pub mod deviation;
 pub mod dyad_chain;
 pub mod files;
 pub mod generated;
+pub mod hunt;
 pub mod jet;
 pub mod law;
 pub mod magnitude;

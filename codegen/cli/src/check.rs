@@ -10,7 +10,7 @@ use crate::assemblies::{Assemblies, assemblies};
 use crate::closeness::{Approach, Closeness};
 use crate::condition::{Condition, dimensionless, jacobian};
 use crate::diagnosis::time;
-use crate::number::fixed;
+use crate::number::scientific;
 use crate::schedule::Schedule;
 use crate::solution::Solution;
 use crate::solved_interpreter::SolvedInterpreter;
@@ -90,9 +90,10 @@ impl CheckedStep {
     fn warning(&self) -> Option<String> {
         let approach = self.approach.as_ref().filter(|it| it.measure < CLOSE)?;
         Some(format!(
-            "{} comes within {} of a singular pose at t = {} s: {}",
+            "block {}, {}: only {} from a singular pose at t = {} s; {}",
+            self.pose.block + 1,
             self.pose.unknowns,
-            fixed(approach.measure, 6),
+            scientific(approach.measure, 2),
             time(approach.t),
             self.pose.sentence()
         ))

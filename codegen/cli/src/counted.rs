@@ -5,9 +5,8 @@
 
 use std::cell::Cell;
 
-use linkwright::closed_form::failed;
-use linkwright::path::fits;
-use linkwright::{Equations, Failure, FailureKind, Frame, Scales, Settings};
+use linkwright::path::{LARGEST_MISS, fits, step};
+use linkwright::{Branch, Equations, Failure, Frame, Scales, Settings, branch_of};
 use nalgebra::{DMatrix, DVector, Dyn};
 
 /// Equations that count the Newton-Raphson steps taken on them.
@@ -52,22 +51,48 @@ impl<'a, E: Equations<f64, Dyn>> Counted<'a, E> {
         linkwright::assemble(self, estimate, t, settings)
     }
 
-    /// [`linkwright::advance`], counted, and refused where the motion does not fit both frames ([`fits`]).
+    /// [`linkwright::path::step`], counted.
     ///
     /// # Errors
     /// Every [`linkwright::FailureKind`].
-    pub fn advance(
+    pub fn step(
         &self,
         frame: &Frame<f64, Dyn>,
+        branch: Branch,
         t: f64,
         settings: &Settings<f64>,
     ) -> Result<Frame<f64, Dyn>, Failure<f64>> {
         self.begun.set(false);
-        let next = linkwright::advance(self, frame, t, settings)?;
-        match fits(&Scales::of(self), frame, &next) {
-            true => Ok(next),
-            false => Err(failed(FailureKind::StepTooLarge, t, 0)),
-        }
+        step(self, frame, branch, t, settings)
+    }
+
+    /// The frame at `t` on the far side of a singular pose through which the motion passes straight: the determinant has
+    /// changed its sign from that of `branch`, and poses and velocities on both sides fit one motion. `None` where there is
+    /// none: at a dead point the velocity is reversed.
+    pub fn pass(
+        &self,
+        frame: &Frame<f64, Dyn>,
+        branch: Branch,
+        t: f64,
+        settings: &Settings<f64>,
+    ) -> Option<Frame<f64, Dyn>> {
+        self.begun.set(false);
+        let next = linkwright::advance(self, frame, t, settings).ok()?;
+        let passed = branch_of(self.equations, &next.q, t, settings).ok()? == branch.opposite();
+        let scales = Scales::of(self);
+        let h = t - frame.t;
+        let rates = || frame.qd.iter().zip(next.qd.iter());
+        let change = &frame.qdd + &next.qdd;
+        let largest = rates()
+            .zip(scales.columns.iter())
+            .map(|((one, other), scale)| one.abs().max(other.abs()) / scale)
+            .fold(0.0, f64::max);
+        let smooth = rates().zip(&change).zip(scales.columns.iter()).all(
+            |(((one, other), change), scale)| {
+                (other - one - 0.5 * h * change).abs() <= LARGEST_MISS * largest * scale
+            },
+        );
+        (passed && smooth && fits(&scales, frame, &next)).then_some(next)
     }
 }
 

@@ -9,9 +9,11 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::concerned::Concerned;
 use crate::condition::{Condition, Weakness, dimensionless, jacobian};
+use crate::dead_end::dead_end;
 use crate::interpreter::Interpreter;
 use crate::number::{fixed, scientific};
 use crate::singularity::{ABSOLUTE, Candidate, Event};
+use crate::solved_interpreter::SolvedInterpreter;
 use crate::trajectory::{Stop, Trajectory};
 
 /// The last frame of a motion is called singular where its reciprocal condition is this fraction of the largest on the
@@ -42,18 +44,14 @@ pub fn warnings(
     let mut groups: Vec<(String, Vec<f64>, String)> = Vec::new();
     for candidate in found.iter().take(WORKED_OUT) {
         let what = match candidate.event {
-            Event::Jump => "the mechanism leaves its assembly mode (take a smaller `--step`)",
             Event::Crossing => "Φ_q is singular",
             Event::Minimum if candidate.reciprocal < ABSOLUTE => "Φ_q is singular",
             Event::Minimum => "Φ_q is close to singular",
         };
-        let who = match candidate.event {
-            Event::Jump if !candidate.is_weak(largest) => String::new(),
-            _ => format!(
-                "; {}",
-                concerned(system, interpreter, &candidate.q, candidate.t)
-            ),
-        };
+        let who = format!(
+            "; {}",
+            concerned(system, interpreter, &candidate.q, candidate.t)
+        );
         match groups
             .iter_mut()
             .find(|(same, _, whom)| same == what && *whom == who)
@@ -91,17 +89,24 @@ pub fn end(
     let limit = (NEAR_END * trajectory.largest_reciprocal).max(ABSOLUTE);
     let already_said = matches!(stop.failure.kind, FailureKind::Singular { .. });
     let singular = reciprocal < limit || already_said;
+    let in_the_way = stop.last.as_ref().filter(|_| singular).and_then(|last| {
+        let solved = SolvedInterpreter::new(system)?;
+        dead_end(&solved, last, stop.failure.time)
+    });
     let mut sentence = match &stop.last {
         Some(_) => format!("cannot be solved beyond t = {} s", time(t)),
         None => format!("cannot be assembled at t = {} s", time(t)),
     };
     sentence.push_str(": ");
-    sentence.push_str(&reason(system, interpreter, stop));
+    match &in_the_way {
+        Some(block) => sentence.push_str(block),
+        None => sentence.push_str(&reason(system, interpreter, stop)),
+    }
     if stop.last.is_none() && reciprocal.is_finite() {
         sentence.push_str(&drawing(system, interpreter, t));
     }
     if singular {
-        if !already_said {
+        if !already_said || in_the_way.is_some() {
             sentence.push_str("; Φ_q is singular there");
         }
         sentence.push_str("; ");

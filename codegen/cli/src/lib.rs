@@ -39,6 +39,8 @@ pub mod command;
 pub mod concerned;
 pub mod condition;
 pub mod counted;
+pub mod dead_end;
+pub mod derivatives;
 pub mod diagnosis;
 pub mod file;
 pub mod interpreter;

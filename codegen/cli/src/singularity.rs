@@ -1,8 +1,7 @@
 //! *Frames one after another → where Φ_q is singular or close to it, also between frames.*
 //!
 //! What is watched is the reciprocal condition r(t) of the dimensionless Φ_q and the sign of its determinant:
-//! - a change of sign between two frames is located by bisection. Where the pose is continuous there, the mechanism passes
-//!   a singular pose; where it is not, the solver has left the assembly mode of the drawing;
+//! - a change of sign between two frames is located by bisection: there the motion passes straight through a singular pose;
 //! - a local minimum of r over three frames is refined by golden-section search (Kiefer 1953) between the outer two. Minima
 //!   that cannot matter are not refined: r falls to zero linearly at worst, so with a zero between the frames the middle one
 //!   is at most a third of the larger neighbor;
@@ -31,10 +30,6 @@ const DIP: f64 = 0.5;
 /// How closely times are located (s), where `f64` can.
 const LOCATED: f64 = 1e-9;
 
-/// How accurate a pose is at a singular one, in coordinate scales: ten times the square root of the tolerance, because
-/// residuals are of second order there.
-const ACCURACY: f64 = 1e-5;
-
 /// What happens at the time of a candidate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
@@ -42,8 +37,6 @@ pub enum Event {
     Minimum,
     /// The determinant passes through zero.
     Crossing,
-    /// The determinant changes its sign because the pose jumps to another assembly mode.
-    Jump,
 }
 
 /// A pose that is possibly close to a singular one.
@@ -167,28 +160,14 @@ impl<'a, E: Equations<f64, Dyn>> Watch<'a, E> {
                 Some(reached) => far = reached,
             }
         }
-        let event = match self.continuous(&near.frame, &far.frame) {
-            true => Event::Crossing,
-            false => Event::Jump,
-        };
         let smaller = match near.condition.reciprocal <= far.condition.reciprocal {
             true => near,
             false => far,
         };
         Candidate {
-            event,
+            event: Event::Crossing,
             ..minimum(&smaller)
         }
-    }
-
-    /// Whether two frames next to each other differ by no more than velocities and the accuracy of poses explain.
-    fn continuous(&self, near: &Frame<f64, Dyn>, far: &Frame<f64, Dyn>) -> bool {
-        let h = (far.t - near.t).abs();
-        (0..near.q.len()).all(|k| {
-            let scale = self.equations.coordinate_scale(k);
-            let moved = 10.0 * h * (near.qd[k].abs() + far.qd[k].abs());
-            (far.q[k] - near.q[k]).abs() <= moved + ACCURACY * scale
-        })
     }
 
     /// The smallest reciprocal condition between `before` and `next`, around the last frame.

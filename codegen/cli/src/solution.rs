@@ -12,6 +12,7 @@ use nalgebra::{DVector, Dyn};
 
 use crate::branches;
 use crate::condition::{Condition, dimensionless, jacobian};
+use crate::derivatives::Derivatives;
 use crate::diagnosis;
 use crate::interpreter::Interpreter;
 use crate::monitor::Monitor;
@@ -40,6 +41,8 @@ pub struct Solution {
     pub residuals: Residuals,
     /// The largest pressure angle of every contact.
     pub pressure_angles: Vec<LargestPressureAngle>,
+    /// What transmissions and sensitivities ask for, at each frame.
+    pub derivatives: Derivatives,
     /// How close each block is to singular at each frame, where it is asked for.
     pub monitor: Option<Monitor>,
     /// One sentence for each thing to look at.
@@ -91,6 +94,7 @@ impl Solution {
             condition: Condition::of(&matrix),
             dimensionless_condition: Condition::of(&dimensionless(&interpreter, matrix)),
             residuals: Residuals::over(&interpreter, &trajectory.frames),
+            derivatives: Derivatives::over(&system, &interpreter, &trajectory.frames),
             pressure_angles: pressure::largest(&system, &interpreter, &trajectory.frames),
             warnings,
             error: trajectory

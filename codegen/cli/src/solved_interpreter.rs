@@ -7,9 +7,9 @@
 //! for them is divided. The module does not know how modes are chosen, nor what a determinant means.
 
 mod newton;
+mod operation;
 
-use linkwright::closed_form::{angle_near, failed, no_span, spans};
-use linkwright::{Failure, FailureKind, Settings, in_steps};
+use linkwright::{Failure, Settings, in_steps};
 use linkwright_codegen::expr::{ExprId, SymbolId, Tape};
 use linkwright_codegen::program::solved::{Action, Branch, Level, whole};
 use linkwright_codegen::structure::{self, SolvedPlan};
@@ -17,8 +17,13 @@ use linkwright_codegen::system::{Coordinate, System};
 use nalgebra::DVector;
 
 use newton::{Known, Newton};
+use operation::{Operation, operations, run};
 
 pub use newton::{SAME, STARTS, Sought};
+
+/// How far a pose of the textbook view may be from one of the solved view, in the scale of each coordinate: at a singular pose
+/// the root of what residuals may be.
+const SAME_POSE: f64 = 1e-4;
 
 /// The solved view of a mechanism with nothing left out, in SI units: m, rad, s.
 #[derive(Clone, Debug)]
@@ -41,19 +46,6 @@ struct Block {
     operations: Vec<Operation>,
     newton: Option<Newton>,
     branches: Vec<Branch>,
-}
-
-#[derive(Clone, Debug)]
-enum Operation {
-    Let(SymbolId, Tape),
-    SineCosine([SymbolId; 2], Tape),
-    Angle(SymbolId, Tape),
-    /// Fails unless the first value is safely positive beside the second; the others are the distance, and the longest and
-    /// the shortest that is reached.
-    Reach(Tape),
-    /// Fails unless the square of the first value is safely positive beside that of the second.
-    Nonzero(Tape),
-    Newton,
 }
 
 /// The values of all symbols: what has been computed so far.
@@ -271,6 +263,34 @@ impl SolvedInterpreter {
         }
     }
 
+    /// The signs of all assembly modes at a pose q (n), and the values there; `None` where the pose is none of the solved view.
+    pub fn modes_of(&self, q: &DVector<f64>, t: f64) -> Option<(Vec<Vec<bool>>, Values)> {
+        let mut values = self.begin(t);
+        self.set_pose(&mut values, q);
+        let mut signs = Vec::with_capacity(self.blocks.len());
+        for (index, block) in self.blocks.iter().enumerate() {
+            let modes = block.branches.len().min(usize::BITS as usize - 2);
+            let (own, solved) = (0..1_usize << modes).find_map(|choice| {
+                let own: Vec<bool> = (0..modes).map(|mode| choice >> mode & 1 == 0).collect();
+                let mut solved = values.clone();
+                self.solve_block(index, &own, &mut solved).ok()?;
+                let pose = self.pose(&solved);
+                let mut pairs = self
+                    .system
+                    .coordinates
+                    .iter()
+                    .zip(pose.iter().zip(q.iter()));
+                let same = pairs.all(|(coordinate, (found, wanted))| {
+                    (found - wanted).abs() <= SAME_POSE * self.system.scale(coordinate.quantity)
+                });
+                same.then_some((own, solved))
+            })?;
+            values = solved;
+            signs.push(own);
+        }
+        Some((signs, values))
+    }
+
     /// The coordinates q among the values.
     pub fn pose(&self, values: &Values) -> DVector<f64> {
         let [q, _, _] = self.levels(values);
@@ -306,90 +326,4 @@ fn set_signs(block: &Block, signs: &[bool], values: &mut Values) {
     for (branch, positive) in block.branches.iter().zip(signs) {
         values.symbols[branch.symbol.index()] = if *positive { 1.0 } else { -1.0 };
     }
-}
-
-/// Actions as operations; comments and sections do nothing.
-fn operations<'a>(actions: impl Iterator<Item = &'a Action>, system: &System) -> Vec<Operation> {
-    let tape = |roots: &[ExprId]| Tape::new(&system.mechanism.graph, roots);
-    actions
-        .filter_map(|action| {
-            Some(match action {
-                Action::Let { target, value } => Operation::Let(*target, tape(&[*value])),
-                Action::SineCosine {
-                    sine,
-                    cosine,
-                    angle,
-                } => Operation::SineCosine([*sine, *cosine], tape(&[*angle])),
-                Action::Angle {
-                    unknown,
-                    sine,
-                    cosine,
-                } => Operation::Angle(
-                    system.vector_form.unknowns[*unknown].position,
-                    tape(&[*sine, *cosine]),
-                ),
-                Action::Reach { .. } => Operation::Reach(tape(&action.values())),
-                Action::Nonzero { value, scale } => Operation::Nonzero(tape(&[*value, *scale])),
-                Action::Newton => Operation::Newton,
-                // Shared values are evaluated where they occur; nothing is factorized without directions.
-                _ => return None,
-            })
-        })
-        .collect()
-}
-
-/// Runs one operation of a closed form at `t`.
-fn run(
-    operation: &Operation,
-    t: f64,
-    symbols: &mut [f64],
-    workspace: &mut Vec<f64>,
-) -> Result<(), Failure<f64>> {
-    let mut evaluated = |tape: &Tape, results: &mut [f64], symbols: &[f64]| {
-        tape.evaluate(symbols, workspace, results);
-    };
-    let refused = |kind| Err(failed(kind, t, 0));
-    match operation {
-        Operation::Let(target, tape) => {
-            let mut value = [0.0];
-            evaluated(tape, &mut value, symbols);
-            symbols[target.index()] = value[0];
-            if !value[0].is_finite() {
-                return refused(FailureKind::NotFinite);
-            }
-        }
-        Operation::SineCosine([sine, cosine], tape) => {
-            let mut angle = [0.0];
-            evaluated(tape, &mut angle, symbols);
-            (symbols[sine.index()], symbols[cosine.index()]) = angle[0].sin_cos();
-        }
-        Operation::Angle(target, tape) => {
-            let mut direction = [0.0; 2];
-            evaluated(tape, &mut direction, symbols);
-            let near = symbols[target.index()];
-            symbols[target.index()] = angle_near(direction[0], direction[1], near);
-        }
-        Operation::Reach(tape) => {
-            let mut values = [0.0; 5];
-            evaluated(tape, &mut values, symbols);
-            let [excess, scale, distance, longest, shortest] = values;
-            if !spans(excess, scale) {
-                return Err(no_span(distance, longest, shortest, t, 0));
-            }
-        }
-        Operation::Nonzero(tape) => {
-            let mut values = [0.0; 2];
-            evaluated(tape, &mut values, symbols);
-            let [value, scale] = values;
-            if !spans(value * value, scale * scale) {
-                return refused(FailureKind::Singular {
-                    pivot_ratio: value / scale,
-                    column: 0,
-                });
-            }
-        }
-        // What has no closed form is not solved by evaluation.
-        Operation::Newton => return refused(FailureKind::IterationLimit),
-    }
-    Ok(())
 }

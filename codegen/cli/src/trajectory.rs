@@ -1,14 +1,15 @@
 //! *Equations, a drawing and a schedule → the frames at the wanted times, or how far the motion goes.*
 //!
-//! The mechanism is assembled from the drawing at the start and then advanced from time to time, so that it stays in the
-//! assembly mode in which it is drawn. A step that fails is retried with sub-steps down to 1/[`FINEST`] of it; a motion that
-//! ends is followed to within [`END`] of its end. Work per step is bounded: at most [`FINEST`] sub-steps and the ten
-//! refinements before, each at most [`Settings::iterations`] Newton-Raphson steps.
+//! The mechanism is assembled at the start and then advanced from time to time on its branch, so that it stays in its assembly
+//! mode. A step that fails is retried with sub-steps down to 1/[`FINEST`] of it; a motion that passes straight through a
+//! singular pose is followed to the branch beyond; one that ends is followed to within [`END`] of its end. Work per step is
+//! bounded: at most [`FINEST`] sub-steps and the ten refinements before, each with at most two attempts to pass, each of
+//! these at most [`Settings::iterations`] Newton-Raphson steps.
 //!
 //! Afterwards `frames` holds every wanted time up to the end of the motion, ascending. The module does not know what a
 //! failure means in terms of joints: see [`crate::diagnosis`].
 
-use linkwright::{Equations, Failure, Frame, Settings};
+use linkwright::{Branch, Equations, Failure, Frame, Settings, branch_of};
 use nalgebra::{DVector, Dyn};
 
 use crate::counted::Counted;
@@ -109,11 +110,19 @@ fn follow_leg<E: Equations<f64, Dyn>>(
 ) {
     let mut watch = Watch::new(equations.inner(), settings, start);
     let mut frame = start.clone();
+    let mut branch = match branch_of(equations.inner(), &start.q, start.t, settings) {
+        Ok(branch) => branch,
+        Err(failure) => {
+            let last = Some(frame);
+            trajectory.stop = Some(Stop { last, failure });
+            return;
+        }
+    };
     for visit in leg {
-        match advance_finely(equations, &frame, visit.t, settings) {
+        match advance_finely(equations, &frame, &mut branch, visit.t, settings) {
             Ok(next) => frame = next,
             Err(stuck) => {
-                trajectory.stop = Some(approach(equations, *stuck, settings));
+                trajectory.stop = Some(approach(equations, *stuck, branch, settings));
                 break;
             }
         }
@@ -138,45 +147,56 @@ struct Stuck {
     failure: Failure<f64>,
 }
 
-/// Advances to `t` in one step, or after a failure in two sub-steps, four, … up to [`FINEST`].
+/// Advances to `t` in one step, or after a failure in two sub-steps, four, … up to [`FINEST`]. Where a sub-step of the finest
+/// size fails, the motion may pass through a singular pose on it or the next one, to the other `branch`.
 ///
 /// # Errors
-/// [`Stuck`] when a sub-step of the finest size fails.
+/// [`Stuck`] when a sub-step of the finest size fails, and the motion does not pass.
 fn advance_finely(
     equations: &Counted<impl Equations<f64, Dyn>>,
     frame: &Frame<f64, Dyn>,
+    branch: &mut Branch,
     t: f64,
     settings: &Settings<f64>,
 ) -> Result<Frame<f64, Dyn>, Box<Stuck>> {
     let (begin, length) = (frame.t, t - frame.t);
     let mut last = frame.clone();
     let (mut done, mut parts) = (0_u32, 1_u32);
-    loop {
-        let next = match done + 1 == parts {
+    while done < parts {
+        let at = |place: u32| match place == parts {
             true => t,
-            false => begin + length * (f64::from(done + 1) / f64::from(parts)),
+            false => begin + length * (f64::from(place) / f64::from(parts)),
         };
-        match equations.advance(&last, next, settings) {
+        match equations.step(&last, *branch, at(done + 1), settings) {
             Ok(reached) => {
                 last = reached;
                 done += 1;
-                if done == parts {
-                    return Ok(last);
-                }
             }
-            Err(failure) if parts == FINEST => return Err(Box::new(Stuck { last, failure })),
+            Err(failure) if parts == FINEST => {
+                let mut beyond = (done + 1..=parts.min(done + 2)).filter_map(|place| {
+                    let passed = equations.pass(&last, *branch, at(place), settings);
+                    passed.map(|frame| (place, frame))
+                });
+                let Some((place, reached)) = beyond.next() else {
+                    return Err(Box::new(Stuck { last, failure }));
+                };
+                (done, last) = (place, reached);
+                *branch = branch.opposite();
+            }
             Err(_) => {
                 parts *= 2;
                 done *= 2;
             }
         }
     }
+    Ok(last)
 }
 
 /// Moves the last good frame to within [`END`] of the time that cannot be reached, by bisection.
 fn approach(
     equations: &Counted<impl Equations<f64, Dyn>>,
     stuck: Stuck,
+    branch: Branch,
     settings: &Settings<f64>,
 ) -> Stop {
     let Stuck {
@@ -188,7 +208,7 @@ fn approach(
         if middle == last.t || middle == failure.time {
             break;
         }
-        match equations.advance(&last, middle, settings) {
+        match equations.step(&last, branch, middle, settings) {
             Ok(frame) => last = frame,
             Err(earlier) => failure = earlier,
         }

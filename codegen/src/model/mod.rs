@@ -4,6 +4,7 @@
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
 //! determine the motion.
 
+mod call;
 mod choice;
 mod contact;
 mod curve;
@@ -15,6 +16,7 @@ mod joints;
 mod law;
 mod lines;
 mod live;
+mod marks;
 mod motions;
 mod names;
 mod not_finite;

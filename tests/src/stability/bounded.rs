@@ -42,7 +42,11 @@ fn power(base: Bounded, factor: &Factor, ulp: f64) -> Bounded {
     let value = base.value.powf(exponent);
     let mut error = ulp * value.abs() * exponent.abs().max(1.0);
     if base.error > 0.0 {
-        error += base.error * (exponent * base.value.powf(exponent - 1.0)).abs();
+        // The slope of a power above one is largest at the far end of where the base may be: the square of a rate that is
+        // zero but for rounding is not zero.
+        let margin = if exponent > 1.0 { base.error } else { 0.0 };
+        let slope = exponent * (base.value.abs() + margin).powf(exponent - 1.0);
+        error += base.error * slope.abs();
     }
     Bounded { value, error }
 }

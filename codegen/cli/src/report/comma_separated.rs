@@ -1,7 +1,8 @@
 //! *Solution → CSV:* a line per frame, every number with the 17 significant digits that restore it exactly.
 //!
 //! The columns are `t`; the coordinates by name (`x1`), their rates (`x1_d`) and accelerations (`x1_dd`); for each point `K`
-//! its position, velocity and acceleration `K_x, K_y, K_vx, K_vy, K_ax, K_ay`. Units are m, rad and s. Where it is asked for,
+//! its position, velocity and acceleration `K_x, K_y, K_vx, K_vy, K_ax, K_ay`. Units are m, rad and s. What `transmission` and
+//! `sensitivity` statements ask for follows, `K_x per phi(1)`, empty where Φ_q is singular. Where it is asked for,
 //! `closeness_phi2` and the like follow, dimensionless and empty where the block cannot be solved.
 
 use std::io::{self, Write};
@@ -26,11 +27,12 @@ pub fn write(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
             let values = [motion.position, motion.velocity, motion.acceleration];
             fields.extend(values.into_iter().flatten().map(number));
         }
+        let derivatives = &solution.derivatives;
+        let values = derivatives.values.get(index).and_then(Option::as_deref);
+        extend(&mut fields, &derivatives.names, values);
         if let Some(monitor) = &solution.monitor {
-            match &monitor.measures[index] {
-                Some(measures) => fields.extend(measures.iter().map(|it| number(*it))),
-                None => fields.extend(monitor.names.iter().map(|_| String::new())),
-            }
+            let measures = monitor.measures[index].as_deref();
+            extend(&mut fields, &monitor.names, measures);
         }
         table.write_record(&fields).map_err(cause)?;
     }
@@ -47,10 +49,19 @@ fn header(solution: &Solution) -> Vec<String> {
         let name = solution.point_name(*point);
         names.extend(["x", "y", "vx", "vy", "ax", "ay"].map(|it| format!("{name}_{it}")));
     }
+    names.extend(solution.derivatives.names.iter().cloned());
     if let Some(monitor) = &solution.monitor {
         names.extend(monitor.names.iter().cloned());
     }
     names
+}
+
+/// A field for each name: its value, or nothing.
+fn extend(fields: &mut Vec<String>, names: &[String], values: Option<&[f64]>) {
+    match values {
+        Some(values) => fields.extend(values.iter().map(|value| number(*value))),
+        None => fields.extend(names.iter().map(|_| String::new())),
+    }
 }
 
 /// The error of the output itself, whose kind the conversion of the standard library would hide.

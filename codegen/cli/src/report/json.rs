@@ -8,7 +8,8 @@
 //! | `degrees_of_freedom` | before drivers |
 //! | `det`, `rcond` | determinant and reciprocal condition (1-norm) of Φ_q at the start, in SI units |
 //! | `rcond_dimensionless` | the latter with lengths divided by the characteristic length |
-//! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y) |
+//! | `derivatives` | the names of what `transmission` and `sensitivity` statements ask for, if any |
+//! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y); and `derivatives`, null where Φ_q is singular |
 //! | `residuals` | the largest over all frames: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` where equations are redundant |
 //! | `pressure_angles` | where bodies touch along curves: `{joint, angle, t}` each, the largest angle in rad and when; null at rest |
 //! | `newton_steps` | how many were taken in all |
@@ -37,6 +38,8 @@ struct Object<'a> {
     det: f64,
     rcond: f64,
     rcond_dimensionless: f64,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    derivatives: &'a [String],
     frames: Frames<'a>,
     residuals: &'a Residuals,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
@@ -52,13 +55,14 @@ struct Frames<'a>(&'a Solution);
 
 impl Serialize for Frames<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let frames = self.0.frames().iter();
-        serializer.collect_seq(frames.map(|frame| Instant {
+        let frames = self.0.frames().iter().enumerate();
+        serializer.collect_seq(frames.map(|(index, frame)| Instant {
             t: frame.t,
             q: frame.q.as_slice(),
             qd: frame.qd.as_slice(),
             qdd: frame.qdd.as_slice(),
             points: Points(self.0, frame),
+            derivatives: self.0.derivatives.values.get(index).map(Option::as_deref),
         }))
     }
 }
@@ -70,6 +74,9 @@ struct Instant<'a> {
     qd: &'a [f64],
     qdd: &'a [f64],
     points: Points<'a>,
+    /// None where nothing is asked for; the inner one where there is no answer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    derivatives: Option<Option<&'a [f64]>>,
 }
 
 struct Points<'a>(&'a Solution, &'a Frame<f64, Dyn>);
@@ -117,6 +124,7 @@ pub fn write(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
         det: solution.condition.determinant,
         rcond: solution.condition.reciprocal,
         rcond_dimensionless: solution.dimensionless_condition.reciprocal,
+        derivatives: &solution.derivatives.names,
         frames: Frames(solution),
         residuals: &solution.residuals,
         pressure_angles: &solution.pressure_angles,

@@ -15,7 +15,7 @@ use linkwright_codegen::program::solved::NewtonBlock;
 use linkwright_codegen::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use super::{Operation, operations, run};
+use super::operation::{Operation, operations, run};
 
 /// From how many poses at random a mode is looked for, if it is not found from the last values.
 pub const STARTS: u32 = 200;

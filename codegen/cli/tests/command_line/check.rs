@@ -319,7 +319,7 @@ fn text_pictures_and_exit_codes_follow_the_options() {
     near.run("check a.mech").exits_with(0);
     let ran = near.run("check a.mech --deny-warnings").exits_with(1);
     assert!(
-        ran.stderr.contains("warning: phi2 comes within"),
+        ran.stderr.contains("warning: block 2, phi2: only "),
         "{}",
         ran.stderr
     );

@@ -2,10 +2,12 @@
 
 mod branch;
 mod check;
+mod derivatives;
 mod folder;
 mod generate_and_inspect;
 mod motions;
 mod plan;
 mod pressure;
 mod set;
+mod singular;
 mod solve;

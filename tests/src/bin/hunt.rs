@@ -1,0 +1,150 @@
+//! Hunts for wrong answers among random mechanisms with known truth: `tests/reports/hunt.md`.
+
+use std::error::Error;
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use clap::Parser;
+use linkwright_tests::files;
+use linkwright_tests::hunt::known::{Unused, known};
+use linkwright_tests::hunt::run::{self, Hunted, LARGEST};
+use linkwright_tests::hunt::tally::{Tally, View};
+use linkwright_tests::hunt::{compiled, interpreted, mechanism, report, seed_of};
+use linkwright_tests::study::environment::Environment;
+
+/// Solves random mechanisms with known truth in every way and writes a report
+#[derive(Parser)]
+struct Arguments {
+    /// What the random numbers begin with
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// How many mechanisms are constructed
+    #[arg(long, default_value_t = 1000)]
+    count: u64,
+    /// How many of those that can be hunted are also compiled, in f64 and in f32
+    #[arg(long, default_value_t = 100)]
+    compile: usize,
+    /// Only this mechanism, compiled too; no report is written
+    #[arg(long)]
+    only: Option<u64>,
+    /// With --only: print its description
+    #[arg(long, requires = "only")]
+    print: bool,
+    /// The commit that is measured [default: what git says]
+    #[arg(long)]
+    commit: Option<String>,
+    /// Where the report is written [default: tests/reports]
+    #[arg(long)]
+    output: Option<PathBuf>,
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let wrong = match arguments.only {
+        Some(number) => only(&arguments, number),
+        None => all(&arguments),
+    };
+    match wrong {
+        Ok(0) => ExitCode::SUCCESS,
+        Ok(wrong) => {
+            eprintln!("error: {wrong} wrong answers");
+            ExitCode::FAILURE
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// One mechanism, with all that is not simply correct.
+fn only(arguments: &Arguments, number: u64) -> Result<usize, Box<dyn Error>> {
+    let constructed = mechanism(arguments.seed, number, LARGEST);
+    if arguments.print {
+        print!("{}", constructed.text());
+    }
+    eprintln!("groups: {}", constructed.groups.join(", "));
+    if let Err(unused) = known(&constructed, seed_of(arguments.seed, number)) {
+        match unused {
+            Unused::Refused(_, rendered) => println!("{rendered}"),
+            other => println!("{other:?}"),
+        }
+        return Ok(0);
+    }
+    let mut tally = Tally::default();
+    let Some(hunted) = run::prepare(arguments.seed, number, &mut tally) else {
+        return Ok(0);
+    };
+    println!(
+        "{} of {} instants on the path",
+        hunted.known.instants.len(),
+        hunted.known.task.times.len()
+    );
+    let views = interpreted::answers(&hunted.known).map(|it| (View::Interpreted, it));
+    let texts = [hunted.mechanism.text()];
+    let folder = compiled::folder()?;
+    let answers = compiled::answers(&folder, &texts, &[&hunted.known.task])?;
+    let generated = answers
+        .into_iter()
+        .flat_map(|[double, single]| [(View::Double, double), (View::Single, single)]);
+    for (view, answers) in views.into_iter().chain(generated) {
+        run::count(&hunted, view, &answers, &mut tally);
+        for line in run::findings(&hunted, view, &answers) {
+            println!("{line}");
+        }
+    }
+    print!("{}", report::outcomes(&tally));
+    Ok(tally.total().wrong)
+}
+
+fn all(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
+    let start = Instant::now();
+    let mut tally = Tally::default();
+    let mut hunted: Vec<Hunted> = Vec::new();
+    for number in 0..arguments.count {
+        if let Some(found) = run::prepare(arguments.seed, number, &mut tally) {
+            run::interpret(&found, &mut tally);
+            if hunted.len() < arguments.compile {
+                hunted.push(found);
+            }
+        }
+        if number % 50 == 49 {
+            let solves = tally.total().total();
+            eprintln!(
+                "{} mechanisms, {solves} solves, {} wrong, {:.0} s",
+                number + 1,
+                tally.total().wrong,
+                start.elapsed().as_secs_f64()
+            );
+        }
+    }
+    if !hunted.is_empty() {
+        eprintln!("compiling {} mechanisms twice", hunted.len());
+        run::compile(&hunted, &mut tally)?;
+    }
+    let total = tally.total();
+    let contradictions = tally
+        .unused
+        .keys()
+        .filter(|it| it.starts_with("CONTRADICTION"))
+        .count();
+    let seconds = start.elapsed().as_secs_f64();
+    let summary = report::summary(&tally, arguments.count, hunted.len(), seconds);
+    println!("{summary}");
+    print!("{}", report::wrong(&tally, arguments.seed, 40));
+    let environment = Environment::here(arguments.commit.as_deref());
+    let folder = arguments
+        .output
+        .clone()
+        .unwrap_or_else(|| files::package("reports"));
+    fs::create_dir_all(&folder)?;
+    let file = folder.join("hunt.md");
+    fs::write(
+        &file,
+        report::report(&tally, arguments.seed, &environment.lines(), &summary),
+    )?;
+    println!("wrote {}", file.display());
+    Ok(total.wrong + contradictions)
+}

@@ -1,0 +1,353 @@
+//! *A joint or driver between points and bodies of a constructed mechanism* → *what it says in geometric terms*.
+//!
+//! [`Joint::violation`] is written from what each statement means, on global points, and shares no code with the generator: so
+//! a pose that violates nothing is one of the mechanism that was constructed.
+
+use super::law::Law;
+use super::mechanism::{GROUND, Mechanism, Pose, difference, dot, length, rotated};
+
+/// A joint or driver. Points and bodies are indices into the mechanism.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Joint {
+    /// Two points coincide.
+    Revolute(usize, usize),
+    /// The second point's body slides along the line from the first point to the second.
+    Translational(usize, usize),
+    /// Two bodies are one.
+    Weld(usize, usize),
+    /// A point keeps its x (0) or y (1).
+    Absolute(usize, usize),
+    /// A body keeps its angle.
+    AbsoluteAngle(usize),
+    /// The second point keeps its x (0) or y (1) relative to the first.
+    Relative(usize, usize, usize),
+    /// Two bodies keep the angle between them.
+    RelativeAngle(usize, usize),
+    /// Two points keep their distance; the second may be on the ground.
+    Distance(usize, usize),
+    /// The first point keeps its distance from the line through the others, which is zero or not.
+    Line(usize, [usize; 2]),
+    /// Wheels i and j on a carrier turn in this ratio; `opposite` senses or not.
+    Gear {
+        /// The wheels.
+        wheels: [usize; 2],
+        /// What holds their axes.
+        carrier: usize,
+        /// r_i / r_j.
+        ratio: f64,
+        /// Whether they turn against one another.
+        opposite: bool,
+        /// Whether a belt or teeth.
+        belt: bool,
+    },
+    /// A pinion with this centre rolls on a line of another body.
+    Rack {
+        /// The centre, on the pinion.
+        centre: usize,
+        /// Two points of the line.
+        line: [usize; 2],
+        /// The radius.
+        radius: f64,
+    },
+    /// The angle of a body is driven.
+    DrivePhi(usize, Law),
+    /// The angle between two bodies is driven.
+    DriveRelativeAngle(usize, usize, Law),
+    /// The length along a translational joint that was written before, from its first to its second point.
+    DriveLength(usize, usize, Law),
+    /// The x (0) or y (1) of a point is driven.
+    Drive(usize, usize, Law),
+    /// The x (0) or y (1) of the second point relative to the first is driven.
+    DriveRelative(usize, usize, usize, Law),
+    /// The distance of two points is driven.
+    DriveDistance(usize, usize, Law),
+}
+
+impl Joint {
+    /// How many equations it adds.
+    pub fn equations(&self) -> usize {
+        match self {
+            Joint::Revolute(..) | Joint::Translational(..) => 2,
+            Joint::Weld(..) => 3,
+            _ => 1,
+        }
+    }
+
+    /// The bodies whose drawn poses have a part in what it says.
+    pub fn drawn(&self, mechanism: &Mechanism) -> Vec<usize> {
+        let of = |point: usize| mechanism.points[point].body;
+        match *self {
+            Joint::Translational(p, q) => vec![of(p), of(q)],
+            Joint::Weld(i, j) => vec![i, j],
+            Joint::Gear {
+                wheels: [i, j],
+                carrier,
+                ..
+            } => vec![i, j, carrier],
+            Joint::Rack { centre, line, .. } => vec![of(centre), of(line[0])],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The bodies and points it mentions.
+    pub fn mentions(&self) -> (Vec<usize>, Vec<usize>) {
+        match *self {
+            Joint::Revolute(p, q)
+            | Joint::Translational(p, q)
+            | Joint::Relative(p, q, _)
+            | Joint::Distance(p, q)
+            | Joint::DriveLength(p, q, _)
+            | Joint::DriveRelative(p, q, _, _)
+            | Joint::DriveDistance(p, q, _) => (vec![], vec![p, q]),
+            Joint::Absolute(p, _) | Joint::Drive(p, _, _) => (vec![], vec![p]),
+            Joint::Line(p, [a, b]) => (vec![], vec![p, a, b]),
+            Joint::Rack { centre, line, .. } => (vec![], vec![centre, line[0], line[1]]),
+            Joint::Weld(i, j) | Joint::RelativeAngle(i, j) | Joint::DriveRelativeAngle(i, j, _) => {
+                (vec![i, j], vec![])
+            }
+            Joint::AbsoluteAngle(i) | Joint::DrivePhi(i, _) => (vec![i], vec![]),
+            Joint::Gear {
+                wheels: [i, j],
+                carrier,
+                ..
+            } => (vec![i, j, carrier], vec![]),
+        }
+    }
+
+    /// The law of a driver.
+    pub fn law_mut(&mut self) -> Option<&mut Law> {
+        match self {
+            Joint::DrivePhi(_, law)
+            | Joint::DriveRelativeAngle(_, _, law)
+            | Joint::DriveLength(_, _, law)
+            | Joint::Drive(_, _, law)
+            | Joint::DriveRelative(_, _, _, law)
+            | Joint::DriveDistance(_, _, law) => Some(law),
+            _ => None,
+        }
+    }
+
+    /// By how much it is violated at time `t` in these poses of all bodies: lengths in m and angles in rad.
+    pub fn violation(&self, mechanism: &Mechanism, poses: &[Pose], t: f64) -> (f64, f64) {
+        let now = |point: usize| mechanism.place(point, poses);
+        let first = |point: usize| mechanism.points[point].place;
+        let of = |point: usize| mechanism.points[point].body;
+        let turned = |body: usize| poses[body][2] - mechanism.bodies[body][2];
+        let along = |p: usize, q: usize| difference(first(q), first(p));
+        let distance = |a: [f64; 2], b: [f64; 2]| length(difference(a, b));
+        // A direction that is fixed in a body, now.
+        let carried = |direction: [f64; 2], body: usize| rotated(direction, turned(body));
+        let across = |d: [f64; 2]| {
+            let l = length(d);
+            [-d[1] / l, d[0] / l]
+        };
+        match *self {
+            Joint::Revolute(p, q) => (distance(now(p), now(q)), 0.0),
+            Joint::Translational(p, q) => {
+                let normal = carried(across(along(p, q)), of(p));
+                let lateral = dot(normal, difference(now(q), now(p)));
+                (lateral, turned(of(p)) - turned(of(q)))
+            }
+            Joint::Weld(i, j) => {
+                let offset = difference(
+                    [mechanism.bodies[j][0], mechanism.bodies[j][1]],
+                    [mechanism.bodies[i][0], mechanism.bodies[i][1]],
+                );
+                let offset = carried(offset, i);
+                let found = difference([poses[j][0], poses[j][1]], [poses[i][0], poses[i][1]]);
+                (distance(found, offset), turned(i) - turned(j))
+            }
+            Joint::Absolute(p, axis) => (now(p)[axis] - first(p)[axis], 0.0),
+            Joint::AbsoluteAngle(i) => (0.0, turned(i)),
+            Joint::Relative(p, q, axis) => {
+                (difference(now(q), now(p))[axis] - along(p, q)[axis], 0.0)
+            }
+            Joint::RelativeAngle(i, j) => (0.0, turned(i) - turned(j)),
+            Joint::Distance(p, q) => (distance(now(p), now(q)) - distance(first(p), first(q)), 0.0),
+            Joint::Line(p, [a, b]) => {
+                let normal = across(along(a, b));
+                let before = dot(normal, along(a, p));
+                let normal = carried(normal, of(a));
+                (dot(normal, difference(now(p), now(a))) - before, 0.0)
+            }
+            Joint::Gear {
+                wheels: [i, j],
+                carrier,
+                ratio,
+                opposite,
+                ..
+            } => {
+                let sign = if opposite { 1.0 } else { -1.0 };
+                let on_carrier = |wheel: usize| turned(wheel) - turned(carrier);
+                (0.0, on_carrier(j) + sign * ratio * on_carrier(i))
+            }
+            Joint::Rack {
+                centre,
+                line: [a, b],
+                radius,
+            } => {
+                // The pinion rolls: what its rim turns by is what its centre moves along the line.
+                let rack = of(a);
+                let direction = along(a, b);
+                let l = length(direction);
+                let direction = [direction[0] / l, direction[1] / l];
+                let side = dot(across(along(a, b)), along(a, centre)).signum();
+                let before = dot(direction, along(a, centre));
+                let after = dot(carried(direction, rack), difference(now(centre), now(a)));
+                let rolled = side * radius * (turned(of(centre)) - turned(rack));
+                (after - before + rolled, 0.0)
+            }
+            Joint::DrivePhi(i, law) => (0.0, turned(i) - law.at(t)),
+            Joint::DriveRelativeAngle(i, j, law) => (0.0, turned(j) - turned(i) - law.at(t)),
+            Joint::DriveLength(p, q, law) => {
+                let l = length(along(p, q));
+                let direction = carried([along(p, q)[0] / l, along(p, q)[1] / l], of(p));
+                (
+                    dot(direction, difference(now(q), now(p))) - l - law.at(t),
+                    0.0,
+                )
+            }
+            Joint::Drive(p, axis, law) => (now(p)[axis] - first(p)[axis] - law.at(t), 0.0),
+            Joint::DriveRelative(p, q, axis, law) => (
+                difference(now(q), now(p))[axis] - along(p, q)[axis] - law.at(t),
+                0.0,
+            ),
+            Joint::DriveDistance(p, q, law) => (
+                distance(now(p), now(q)) - distance(first(p), first(q)) - law.at(t),
+                0.0,
+            ),
+        }
+    }
+
+    /// The statement.
+    pub fn text(&self, mechanism: &Mechanism) -> String {
+        let point = |p: usize| {
+            let body = mechanism.points[p].body;
+            format!("{}.P{p}", name(body))
+        };
+        let first = |p: usize| mechanism.points[p].place;
+        let gap = |p: usize, q: usize| difference(first(q), first(p));
+        let axis_name = |axis: usize| ["x", "y"][axis];
+        match *self {
+            Joint::Revolute(p, q) => format!("revolute ({}, {})", point(p), point(q)),
+            Joint::Translational(p, q) => {
+                let bodies = [p, q].map(|it| name(mechanism.points[it].body));
+                format!(
+                    "translational ({}, {}) along {} -> {}",
+                    bodies[0],
+                    bodies[1],
+                    point(p),
+                    point(q)
+                )
+            }
+            Joint::Weld(i, j) => format!("weld ({}, {})", name(i), name(j)),
+            Joint::Absolute(p, axis) => {
+                let value = first(p)[axis];
+                format!("absolute_{}({}) = {value:?}", axis_name(axis), point(p))
+            }
+            Joint::AbsoluteAngle(i) => {
+                format!("absolute_angle({}) = {:?}", name(i), mechanism.bodies[i][2])
+            }
+            Joint::Relative(p, q, axis) => format!(
+                "relative_{} ({}, {}) = {:?}",
+                axis_name(axis),
+                point(p),
+                point(q),
+                gap(p, q)[axis]
+            ),
+            Joint::RelativeAngle(i, j) => format!(
+                "relative_angle ({}, {}) = {:?}",
+                name(i),
+                name(j),
+                mechanism.bodies[j][2] - mechanism.bodies[i][2]
+            ),
+            Joint::Distance(p, q) => {
+                let value = length(gap(p, q));
+                // Only a drawn point of the ground has a circle about it.
+                if mechanism.points[q].body == GROUND {
+                    format!("absolute_distance ({}, P{q}) = {value:?}", point(p))
+                } else {
+                    format!("relative_distance ({}, {}) = {value:?}", point(p), point(q))
+                }
+            }
+            Joint::Line(p, [a, b]) => {
+                let body = name(mechanism.points[a].body);
+                let direction = gap(a, b);
+                let offset =
+                    (direction[0] * gap(a, p)[1] - direction[1] * gap(a, p)[0]) / length(direction);
+                let along = format!("along {} -> {}", point(a), point(b));
+                format!(
+                    "revolute_translational ({body}, {}) {along} = {offset:?}",
+                    point(p)
+                )
+            }
+            Joint::Gear {
+                wheels: [i, j],
+                carrier,
+                ratio,
+                opposite,
+                belt,
+            } => {
+                let word = match (belt, opposite) {
+                    (false, true) => "external_gear",
+                    (false, false) => "internal_gear",
+                    (true, true) => "crossed_belt",
+                    (true, false) => "belt",
+                };
+                let carrier = if carrier == GROUND {
+                    String::new()
+                } else {
+                    format!(", {}", name(carrier))
+                };
+                format!("{word} ({}, {}{carrier}) = {ratio:?}", name(i), name(j))
+            }
+            Joint::Rack {
+                centre,
+                line: [a, b],
+                radius,
+            } => {
+                let body = name(mechanism.points[a].body);
+                format!(
+                    "rack ({}, {body}) along {} -> {} = {radius:?}",
+                    point(centre),
+                    point(a),
+                    point(b)
+                )
+            }
+            Joint::DrivePhi(i, law) => {
+                let law = law.text(mechanism.bodies[i][2]);
+                format!("drive phi({}) = {law}", name(i))
+            }
+            Joint::DriveRelativeAngle(i, j, law) => {
+                let law = law.text(mechanism.bodies[j][2] - mechanism.bodies[i][2]);
+                format!("drive relative_angle({}, {}) = {law}", name(i), name(j))
+            }
+            Joint::DriveLength(p, q, law) => {
+                let law = law.text(length(gap(p, q)));
+                format!("drive length({}, {}) = {law}", point(p), point(q))
+            }
+            Joint::Drive(p, axis, law) => {
+                let law = law.text(first(p)[axis]);
+                format!("drive {}({}) = {law}", axis_name(axis), point(p))
+            }
+            Joint::DriveRelative(p, q, axis, law) => {
+                let law = law.text(gap(p, q)[axis]);
+                let (p, q, axis) = (point(p), point(q), axis_name(axis));
+                format!("drive relative_{axis}({p}, {q}) = {law}")
+            }
+            Joint::DriveDistance(p, q, law) => {
+                let law = law.text(length(gap(p, q)));
+                format!("drive distance({}, {}) = {law}", point(p), point(q))
+            }
+        }
+    }
+}
+
+/// The name of a body.
+pub fn name(body: usize) -> String {
+    if body == GROUND {
+        "ground".to_string()
+    } else {
+        format!("b{body}")
+    }
+}

@@ -1,0 +1,225 @@
+//! *What a call has made of an instant, and what is true* → *an outcome*, by what the call promises.
+
+use std::f64::consts::{PI, TAU};
+
+use super::known::{Instant, Known, elsewhere};
+use super::ways::{Answered, Call};
+use crate::stability::precise::Precise;
+use crate::stability::verdict::Scalar;
+
+/// What 384 bits leave of a quantity that is zero, relative to the others, and more.
+const NOISE: f64 = 1e-60;
+
+/// Elimination of n equations leaves errors of up to this many n ε of the largest quantity also in those that are zero (Higham,
+/// *Accuracy and Stability of Numerical Algorithms*, theorem 9.4).
+const MIXED: f64 = 3.0;
+
+/// What a call promises of the pose it finds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Promise {
+    /// That it is one.
+    Pose,
+    /// That its determinant has the sign of the branch.
+    Branch,
+    /// That it is on the path.
+    Path,
+    /// The same, each angle within half a turn of its last value.
+    PathButTurns,
+}
+
+/// What a call promises, whose motion has been on the path so far.
+pub fn promise(call: Call, known: &Known) -> Promise {
+    match call {
+        Call::Assemble | Call::AdvanceFine | Call::Advance => Promise::Pose,
+        Call::Afar => Promise::Branch,
+        Call::Follow | Call::FollowLong => Promise::Path,
+        // The modes of closed forms are those of the drawing, which are those of the path where it is the pose.
+        Call::SolvedAssemble | Call::SolvedAfar if known.is_drawn_exactly && known.is_closed => {
+            Promise::Branch
+        }
+        Call::SolvedAssemble | Call::SolvedAfar => Promise::Pose,
+        Call::SolvedFine | Call::Solved | Call::SolvedLong => Promise::PathButTurns,
+    }
+}
+
+/// What became of an instant.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// On the path, within the bound; the ratio of error to bound.
+    Correct {
+        /// The largest ratio of all coordinates and levels.
+        ratio: f64,
+    },
+    /// A pose of the equations, within its bound, but another one than that on the path; the call promises nothing else.
+    Other,
+    /// The same, where the path has ended.
+    Beyond,
+    /// A typed failure where the path has a pose.
+    Failed(String),
+    /// A typed failure where the path has ended.
+    Ended(String),
+    /// Anything else.
+    Wrong(String),
+}
+
+/// Judges the answers of one scalar, each motion in order.
+pub fn judge(known: &Known, answers: &[Answered], scalar: Scalar) -> Vec<Outcome> {
+    let mut last: Option<(Call, Motion)> = None;
+    let mut outcomes = Vec::new();
+    for answered in answers {
+        let motion = match last.take() {
+            Some((call, motion)) if call == answered.call => motion,
+            _ => Motion {
+                on_path: true,
+                turned: false,
+                q: known.task.start.clone(),
+            },
+        };
+        let (outcome, motion) = one(known, answered, scalar, motion);
+        outcomes.push(outcome);
+        last = Some((answered.call, motion));
+    }
+    outcomes
+}
+
+/// A motion so far.
+struct Motion {
+    on_path: bool,
+    /// Whether an angle is whole turns away from the path.
+    turned: bool,
+    /// The last pose.
+    q: Vec<f64>,
+}
+
+fn one(
+    known: &Known,
+    answered: &Answered,
+    scalar: Scalar,
+    mut motion: Motion,
+) -> (Outcome, Motion) {
+    let exact = known.instants.get(answered.instant);
+    let compare = |levels, exact| compare(known, levels, exact, scalar);
+    let levels = match (&answered.answer, exact) {
+        (Ok(levels), _) => levels,
+        (Err(kind), Some(_)) => return (Outcome::Failed(kind.clone()), motion),
+        (Err(kind), None) => return (Outcome::Ended(kind.clone()), motion),
+    };
+    let missed = exact.map(|exact| compare(levels, exact));
+    if let Some(Ok(ratio)) = missed {
+        motion.on_path = true;
+        motion.turned = false;
+        motion.q.clone_from(&levels[0]);
+        return (Outcome::Correct { ratio }, motion);
+    }
+    // Another pose, if it is one.
+    let found = elsewhere(known, answered.instant, &levels[0]);
+    let why = missed.and_then(Result::err);
+    let Some(found) = found else {
+        let why = why.unwrap_or_else(|| "a pose where there is none".to_string());
+        return (Outcome::Wrong(why), motion);
+    };
+    if let Err(off) = compare(levels, &found) {
+        let why = why.map_or(off.clone(), |why| {
+            format!("{why}; from the next pose {off}")
+        });
+        return (Outcome::Wrong(why), motion);
+    }
+    let promise = if answered.instant == 0 && answered.call.moves() {
+        Promise::Pose
+    } else if motion.on_path && exact.is_some() {
+        promise(answered.call, known)
+    } else {
+        Promise::Pose
+    };
+    let kept = match (promise, exact) {
+        (Promise::Pose, _) => Ok(()),
+        (Promise::Branch, _) if found.exact.is_negative == known.task.is_negative => Ok(()),
+        (Promise::Branch, _) => Err("a pose of the other branch"),
+        (Promise::PathButTurns, Some(exact)) => {
+            if !is_turned(known, &levels[0], exact) {
+                Err("another assembly than that of the path")
+            } else if motion.turned || has_far_turn(known, &motion.q, exact) {
+                motion.turned = true;
+                Ok(())
+            } else {
+                Err("an angle off by whole turns, although it has moved by less than half a turn")
+            }
+        }
+        _ => Err("another pose than that of the path"),
+    };
+    motion.on_path = motion.turned && exact.is_some();
+    motion.q.clone_from(&levels[0]);
+    let outcome = match (kept, exact) {
+        (Err(what), _) => Outcome::Wrong(format!("{what}: {}", why.unwrap_or_default())),
+        (Ok(()), Some(_)) => Outcome::Other,
+        (Ok(()), None) => Outcome::Beyond,
+    };
+    (outcome, motion)
+}
+
+fn is_angle(known: &Known, place: usize) -> bool {
+    known.system.coordinates[place].quantity.power_of_length() == 0
+}
+
+/// Whether the pose is that on the path but for whole turns.
+fn is_turned(known: &Known, q: &[f64], exact: &Instant) -> bool {
+    let near = |place: usize| {
+        let off = q[place] - exact.exact.levels[0][place].to_f64();
+        if is_angle(known, place) {
+            (off - (off / TAU).round() * TAU).abs() < 1e-2
+        } else {
+            off.abs() < 1e-2 * known.size + exact.bounds[1][0][place]
+        }
+    };
+    (0..q.len()).all(near)
+}
+
+/// Whether an angle has moved by half a turn or more since the last pose.
+fn has_far_turn(known: &Known, before: &[f64], exact: &Instant) -> bool {
+    (0..before.len()).any(|place| {
+        let moved = exact.exact.levels[0][place].to_f64() - before[place];
+        is_angle(known, place) && moved.abs() > 0.99 * PI
+    })
+}
+
+/// The largest ratio of error to bound, or what is off by more.
+fn compare(
+    known: &Known,
+    levels: &[Vec<f64>; 3],
+    exact: &Instant,
+    scalar: Scalar,
+) -> Result<f64, String> {
+    let bounds = &exact.bounds[usize::from(scalar == Scalar::F32)];
+    let scales = known.truth.scales(known.size);
+    let mut ratio = 0.0_f64;
+    for (level, found) in levels.iter().enumerate() {
+        let wanted = &exact.exact.levels[level];
+        let sizes = wanted.iter().zip(&bounds[level]).zip(&scales);
+        let sizes = sizes.map(|((wanted, bound), scale)| (wanted.to_f64().abs() + bound) / scale);
+        let largest = sizes.fold(0.0, f64::max);
+        let mixed = if level > 0 {
+            MIXED * found.len() as f64 * scalar.epsilon()
+        } else {
+            0.0
+        };
+        for (place, found) in found.iter().enumerate() {
+            let off = Precise::from_f64(*found).minus(&wanted[place]);
+            let off = off.to_f64().abs();
+            let floor = largest * scales[place] * (NOISE + mixed);
+            let limit = bounds[level][place].max(floor);
+            // No comparison with NaN holds, so that is wrong too.
+            let within = off <= limit;
+            if !within {
+                let name = ["q", "q̇", "q̈"][level];
+                let wanted = wanted[place].to_f64();
+                return Err(format!(
+                    "{name}[{place}] = {found:e} instead of {wanted:e}, off by {off:.1e} where {limit:.1e} is allowed"
+                ));
+            }
+            if limit > 0.0 {
+                ratio = ratio.max(off / limit);
+            }
+        }
+    }
+    Ok(ratio)
+}

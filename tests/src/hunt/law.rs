@@ -1,0 +1,87 @@
+//! *The shape of a driver's motion* → *its value at a time, and its text*. Every shape is zero at t = 0.
+
+/// How a driven quantity moves away from where it is at t = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Law {
+    /// rate · t.
+    Ramp {
+        /// Per second.
+        rate: f64,
+    },
+    /// amplitude · sin(frequency · t).
+    Harmonic {
+        /// The amplitude.
+        amplitude: f64,
+        /// In rad/s.
+        frequency: f64,
+    },
+    /// The cubic rise from 0 at `from` to `height` at `to`.
+    Step {
+        /// Where it begins (s).
+        from: f64,
+        /// Where it ends (s).
+        to: f64,
+        /// What it rises by.
+        height: f64,
+    },
+    /// height · (1 - exp(-t)).
+    Decay {
+        /// What it approaches.
+        height: f64,
+    },
+}
+
+impl Law {
+    /// The value at `t`.
+    pub fn at(self, t: f64) -> f64 {
+        match self {
+            Law::Ramp { rate } => rate * t,
+            Law::Harmonic {
+                amplitude,
+                frequency,
+            } => amplitude * (frequency * t).sin(),
+            Law::Step { from, to, height } => {
+                let s = ((t - from) / (to - from)).clamp(0.0, 1.0);
+                height * s * s * (3.0 - 2.0 * s)
+            }
+            Law::Decay { height } => -height * (-t).exp_m1(),
+        }
+    }
+
+    /// The text of `base` plus the law.
+    pub fn text(self, base: f64) -> String {
+        match self {
+            Law::Ramp { rate } => format!("{base:?} + {rate:?}*t"),
+            Law::Harmonic {
+                amplitude,
+                frequency,
+            } => format!("{base:?} + {amplitude:?}*sin({frequency:?}*t)"),
+            Law::Step { from, to, height } => {
+                format!("step(t, {from:?}s, {base:?}, {to:?}s, {:?})", base + height)
+            }
+            Law::Decay { height } => format!("{:?} - {height:?}*exp(-t)", base + height),
+        }
+    }
+
+    /// The same with all numbers through `round`.
+    pub fn map(self, round: impl Fn(f64) -> f64) -> Law {
+        match self {
+            Law::Ramp { rate } => Law::Ramp { rate: round(rate) },
+            Law::Harmonic {
+                amplitude,
+                frequency,
+            } => Law::Harmonic {
+                amplitude: round(amplitude),
+                frequency: round(frequency),
+            },
+            Law::Step { from, to, height } => Law::Step {
+                from: round(from),
+                to: round(to),
+                height: round(height),
+            },
+            Law::Decay { height } => Law::Decay {
+                height: round(height),
+            },
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! *Bodies in exact poses, points, joints* → *a description, all of whose numbers follow from these poses*.
+//!
+//! Because every length, offset and angle is measured in the poses, these satisfy the equations at t = 0, up to rounding.
+
+use std::fmt::Write as _;
+
+use super::joint::{Joint, name};
+
+/// The body that does not move.
+pub const GROUND: usize = 0;
+
+/// x, y (m) and angle (rad).
+pub type Pose = [f64; 3];
+
+/// A point that a body carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// The body.
+    pub body: usize,
+    /// Where it is at t = 0, in global coordinates (m).
+    pub place: [f64; 2],
+}
+
+/// A mechanism by construction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mechanism {
+    /// Its size (m).
+    pub size: f64,
+    /// The poses at t = 0; the first is that of the ground.
+    pub bodies: Vec<Pose>,
+    /// By how much each body is drawn elsewhere.
+    pub drawn_off: Vec<Pose>,
+    /// The points.
+    pub points: Vec<Point>,
+    /// The joints and drivers, and the group of each.
+    pub joints: Vec<(Joint, usize)>,
+    /// What each group is called.
+    pub groups: Vec<&'static str>,
+    /// The bodies in the order in which they are written.
+    pub body_order: Vec<usize>,
+    /// The joints in the order in which they are written.
+    pub joint_order: Vec<usize>,
+}
+
+impl Mechanism {
+    /// Where a point is in these poses of all bodies.
+    pub fn place(&self, point: usize, poses: &[Pose]) -> [f64; 2] {
+        let body = self.points[point].body;
+        let [x, y, angle] = poses[body];
+        let carried = rotated(self.local(point), angle);
+        [x + carried[0], y + carried[1]]
+    }
+
+    /// A point in the frame of its body.
+    pub fn local(&self, point: usize) -> [f64; 2] {
+        let Point { body, place } = self.points[point];
+        let [x, y, angle] = self.bodies[body];
+        rotated(difference(place, [x, y]), -angle)
+    }
+
+    /// The poses of all bodies among coordinates in written order.
+    pub fn poses(&self, q: &[f64]) -> Vec<Pose> {
+        let mut poses = self.bodies.clone();
+        for (values, body) in q.chunks_exact(3).zip(&self.body_order) {
+            poses[*body] = [values[0], values[1], values[2]];
+        }
+        poses
+    }
+
+    /// The coordinates at t = 0, in written order.
+    pub fn coordinates(&self) -> Vec<f64> {
+        let bodies = self.body_order.iter();
+        bodies.flat_map(|body| self.bodies[*body]).collect()
+    }
+
+    /// Whether the drawing is the pose at t = 0.
+    pub fn is_drawn_exactly(&self) -> bool {
+        self.drawn_off.iter().all(|it| *it == [0.0; 3])
+    }
+
+    /// The largest violation of any joint at time `t`, in sizes of the mechanism and rad.
+    pub fn violation(&self, q: &[f64], t: f64) -> f64 {
+        let poses = self.poses(q);
+        let all = self.joints.iter().map(|(joint, _)| {
+            let (length, angle) = joint.violation(self, &poses, t);
+            (length.abs() / self.size).max(angle.abs())
+        });
+        all.fold(
+            0.0,
+            |worst, it| if it > worst || it.is_nan() { it } else { worst },
+        )
+    }
+
+    /// The description.
+    pub fn text(&self) -> String {
+        let mut text = String::from("mechanism found {\n");
+        for (index, point) in self.points.iter().enumerate() {
+            if point.body == GROUND {
+                let [x, y] = point.place;
+                let _ = writeln!(text, "    point P{index} = ({x:?}, {y:?});");
+            }
+        }
+        for &body in &self.body_order {
+            let pose: Vec<String> = (0..3)
+                .map(|axis| format!("{:?}", self.bodies[body][axis] + self.drawn_off[body][axis]))
+                .collect();
+            let mut members = Vec::new();
+            for (index, point) in self.points.iter().enumerate() {
+                if point.body == body {
+                    let [x, y] = self.local(index);
+                    members.push(format!("P{index}: ({x:?}, {y:?})"));
+                }
+            }
+            let pose = pose.join(", ");
+            let _ = match members.as_slice() {
+                [] => writeln!(text, "    body {} at ({pose});", name(body)),
+                members => writeln!(
+                    text,
+                    "    body {} at ({pose}) {{ {} }}",
+                    name(body),
+                    members.join(", ")
+                ),
+            };
+        }
+        for &joint in &self.joint_order {
+            let _ = writeln!(text, "    {};", self.joints[joint].0.text(self));
+        }
+        text + "}\n"
+    }
+}
+
+/// A vector turned by an angle.
+pub fn rotated([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sine, cosine) = angle.sin_cos();
+    [cosine * x - sine * y, sine * x + cosine * y]
+}
+
+/// a - b.
+pub fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// The scalar product.
+pub fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// The length of a vector.
+pub fn length(vector: [f64; 2]) -> f64 {
+    vector[0].hypot(vector[1])
+}

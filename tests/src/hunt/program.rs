@@ -1,0 +1,119 @@
+//! *Generated modules* → *the package that runs them*: a `main.rs` beside them that is given tasks and prints answers.
+
+use std::fmt::Write as _;
+
+/// What the package needs beside the generated modules and `ways.rs`.
+const MACRO: &str = r#"mod ways;
+
+use std::fmt::Write as _;
+
+use ways::{Answered, Task};
+
+macro_rules! runner {
+    ($module:ident, $scalar:ident, $file:literal) => {
+        mod $module {
+            #[allow(dead_code, missing_docs)]
+            mod generated {
+                include!($file);
+            }
+
+            use crate::ways::{Answered, Blocks, Task, named, solved, textbook};
+            use generated::{Coordinates, Found, Textbook};
+
+            impl Blocks for Found {
+                fn moved(&mut self, t: f64) -> Result<(), String> {
+                    match self.advance(t as $scalar) {
+                        Ok(_) => Ok(()),
+                        Err(failure) => Err(named(failure.kind)),
+                    }
+                }
+
+                fn levels(&self) -> [Vec<f64>; 3] {
+                    let frame = self.frame();
+                    let levels = [frame.q.to_array(), frame.qd.to_array(), frame.qdd.to_array()];
+                    levels.map(|level| level.iter().map(|it| f64::from(*it)).collect())
+                }
+            }
+
+            pub fn run(task: &Task) -> Vec<Answered> {
+                let mut answers = textbook(&Textbook::default(), task);
+                let assembled = |estimate: &[f64], t: f64| {
+                    let q = Coordinates::from_array(std::array::from_fn(|it| estimate[it] as $scalar));
+                    Found::assemble_from(&q, t as $scalar, linkwright::Settings::default())
+                        .map_err(|failure| named(failure.kind))
+                };
+                answers.extend(solved(assembled, task));
+                answers
+            }
+        }
+    };
+}
+
+/// The numbers of a line, each as its bits.
+fn numbers(line: &str) -> Vec<f64> {
+    let words = line.split_whitespace();
+    words.map(|word| f64::from_bits(u64::from_str_radix(word, 16).expect("bits"))).collect()
+}
+
+/// A task, as it is written by whoever starts the program.
+fn task<'a>(lines: &mut impl Iterator<Item = &'a str>) -> Option<Task> {
+    let is_negative = lines.next()? == "negative";
+    let mut line = || numbers(lines.next().expect("another line"));
+    let (times, start) = (line(), line());
+    let near = times.iter().map(|_| line()).collect();
+    let scattered = times.iter().map(|_| line()).collect();
+    Some(Task { times, start, near, scattered, is_negative })
+}
+
+fn print(answers: Vec<Answered>) {
+    let mut text = String::new();
+    for Answered { call, instant, answer } in answers {
+        let _ = write!(text, "{} {instant}", call as usize);
+        match answer {
+            Ok(levels) => {
+                for value in levels.iter().flatten() {
+                    let _ = write!(text, " {:x}", value.to_bits());
+                }
+            }
+            Err(kind) => {
+                let _ = write!(text, " {kind}");
+            }
+        }
+        text.push('\n');
+    }
+    print!("{text}\n");
+}
+"#;
+
+/// The name of the module of a mechanism in a scalar.
+pub fn module(index: usize, scalar: &str) -> String {
+    format!("found_{index}_{scalar}")
+}
+
+/// `main.rs` for as many mechanisms.
+pub fn main(count: usize) -> String {
+    let mut text = MACRO.to_string();
+    let mut calls = String::new();
+    for index in 0..count {
+        for scalar in ["f64", "f32"] {
+            let module = module(index, scalar);
+            let _ = writeln!(text, "runner!({module}, {scalar}, \"{module}.rs\");");
+            let _ = writeln!(calls, "        {module}::run,");
+        }
+    }
+    let _ = write!(
+        text,
+        "\nfn main() {{
+    let runs: [fn(&Task) -> Vec<Answered>; {}] = [\n{calls}    ];
+    let path = std::env::args().nth(1).expect(\"the file of the tasks\");
+    let tasks = std::fs::read_to_string(path).expect(\"the tasks\");
+    let mut lines = tasks.lines();
+    for pair in runs.chunks(2) {{
+        let task = task(&mut lines).expect(\"a task\");
+        pair.iter().for_each(|run| print(run(&task)));
+    }}
+}}\n",
+        2 * count
+    );
+    text
+}

@@ -1,0 +1,43 @@
+//! The hunt in short, without a compiler: no wrong answer, and mechanisms of every kind in it.
+
+use std::collections::BTreeSet;
+
+use linkwright_tests::hunt::mechanism;
+use linkwright_tests::hunt::run::{LARGEST, interpret, prepare};
+use linkwright_tests::hunt::tally::Tally;
+
+/// Another seed than that of the report.
+const SEED: u64 = 5;
+
+#[test]
+fn no_answer_is_wrong() {
+    let mut tally = Tally::default();
+    for number in 0..20 {
+        if let Some(hunted) = prepare(SEED, number, &mut tally) {
+            interpret(&hunted, &mut tally);
+        }
+    }
+    assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
+    let reasons: Vec<&String> = tally.unused.keys().collect();
+    assert!(
+        !reasons.iter().any(|it| it.starts_with("CONTRADICTION")),
+        "{reasons:?}"
+    );
+    // Otherwise nothing would have been looked at.
+    let total = tally.total();
+    assert!(
+        total.total() > 2000 && total.correct > 10 * total.failed && total.ended > 0,
+        "{total:?}"
+    );
+}
+
+#[test]
+fn mechanisms_of_every_kind_are_constructed() {
+    let groups: BTreeSet<&str> = (0..200)
+        .flat_map(|number| mechanism(SEED, number, LARGEST).groups)
+        .collect();
+    assert_eq!(groups.len(), 18, "{groups:?}");
+    let text = |number| mechanism(SEED, number, LARGEST).text();
+    assert_eq!(text(3), text(3));
+    assert_ne!(text(3), text(4));
+}
