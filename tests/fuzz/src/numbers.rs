@@ -71,17 +71,14 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<()> {
     ];
     let angle = f64::from(input.int_in_range(-4000..=4000_i32)?) / 1000.0;
     let end = if slides {
-        format!(
-            "body slider at (x + a + b, y + c) {{ C: (0, 0) }}
+        "body slider at (x + a + b, y + c) { C: (0, 0) }
     revolute C(coupler, slider);
     absolute_y(slider) = y + c;
     absolute_angle(slider) = 0;"
-        )
     } else {
         "body rocker at D turned 1 { D: (0, 0), C: (c, 0) }
     revolute C(coupler, rocker);
     revolute D(ground, rocker);"
-            .to_string()
     };
     let text = format!(
         "mechanism fuzzed {{
