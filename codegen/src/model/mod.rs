@@ -17,6 +17,7 @@ mod law;
 mod lines;
 mod live;
 mod marks;
+mod monitor;
 mod motions;
 mod names;
 mod not_finite;
@@ -78,6 +79,8 @@ pub struct Mechanism {
     /// Along which parameters the motion is differentiated: indices into the parameters, each once, as `sensitivity` statements
     /// name them.
     pub sensitivities: Vec<usize>,
+    /// Whether a `monitor` statement asks how close every loop is to a singular pose.
+    pub monitor: bool,
     /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }
