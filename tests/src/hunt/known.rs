@@ -78,8 +78,8 @@ fn instant(truth: &Truth, t: f64, start: &DVector<f64>, length: f64) -> Option<I
     };
     let start: Vec<Precise> = start.iter().map(|it| Precise::from_f64(*it)).collect();
     let exact = truth.solve(&given, &start)?;
-    let bounds = [Scalar::F64, Scalar::F32]
-        .map(|scalar| truth.bounds(&given, &exact, length, scalar.epsilon()));
+    let bounds =
+        [Scalar::F64, Scalar::F32].map(|scalar| truth.allowance(&given, &exact, length, scalar));
     Some(Instant { exact, bounds })
 }
 
