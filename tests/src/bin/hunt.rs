@@ -32,6 +32,9 @@ struct Arguments {
     /// With --only: print its description
     #[arg(long, requires = "only")]
     print: bool,
+    /// With --only: print the smallest mechanism of which an interpreted view makes the same
+    #[arg(long, requires = "only")]
+    shrink: bool,
     /// The commit that is measured [default: what git says]
     #[arg(long)]
     commit: Option<String>,
@@ -64,6 +67,13 @@ fn only(arguments: &Arguments, number: u64) -> Result<usize, Box<dyn Error>> {
     let constructed = mechanism(arguments.seed, number, LARGEST);
     if arguments.print {
         print!("{}", constructed.text());
+    }
+    if arguments.shrink {
+        match run::shrink(arguments.seed, number) {
+            Some(small) => print!("{}", small.text()),
+            None => println!("nothing to look at"),
+        }
+        return Ok(0);
     }
     eprintln!("groups: {}", constructed.groups.join(", "));
     if let Err(unused) = known(&constructed, seed_of(arguments.seed, number)) {

@@ -14,6 +14,9 @@ const NOISE: f64 = 1e-60;
 /// *Accuracy and Stability of Numerical Algorithms*, theorem 9.4).
 const MIXED: f64 = 3.0;
 
+/// The bound of a coordinate, in its scale, beyond which it is said to have no digits.
+const NO_DIGITS: f64 = 1e-2;
+
 /// What a call promises of the pose it finds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Promise {
@@ -54,7 +57,7 @@ pub enum Outcome {
     Other,
     /// The same, where the path has ended.
     Beyond,
-    /// A typed failure where the path has a pose.
+    /// A typed failure where the path has a pose: its kind, and whether the bound leaves no digits.
     Failed(String),
     /// A typed failure where the path has ended.
     Ended(String),
@@ -82,6 +85,16 @@ pub fn judge(known: &Known, answers: &[Answered], scalar: Scalar) -> Vec<Outcome
     outcomes
 }
 
+/// Whether the bound of the pose leaves two digits.
+fn has_digits(known: &Known, exact: &Instant, scalar: Scalar) -> bool {
+    let [bounds, _, _] = &exact.bounds[usize::from(scalar == Scalar::F32)];
+    let scales = known.truth.scales(known.size);
+    bounds
+        .iter()
+        .zip(scales)
+        .all(|(bound, scale)| bound / scale < NO_DIGITS)
+}
+
 /// A motion so far.
 struct Motion {
     on_path: bool,
@@ -101,7 +114,10 @@ fn one(
     let compare = |levels, exact| compare(known, levels, exact, scalar);
     let levels = match (&answered.answer, exact) {
         (Ok(levels), _) => levels,
-        (Err(kind), Some(_)) => return (Outcome::Failed(kind.clone()), motion),
+        (Err(kind), Some(exact)) if has_digits(known, exact, scalar) => {
+            return (Outcome::Failed(kind.clone()), motion);
+        }
+        (Err(kind), Some(_)) => return (Outcome::Failed(format!("{kind}, no digits")), motion),
         (Err(kind), None) => return (Outcome::Ended(kind.clone()), motion),
     };
     let missed = exact.map(|exact| compare(levels, exact));

@@ -15,6 +15,7 @@ pub mod mechanism;
 pub mod program;
 pub mod report;
 pub mod run;
+pub mod shrink;
 pub mod tally;
 pub mod track;
 pub mod ways;

@@ -147,6 +147,24 @@ angle that has moved by half a turn in one step; by `assemble_from_afar` on a br
 all of whose blocks are in closed form: the modes of the drawing; by `assemble` and `advance` of the textbook view: a pose.
 ";
 
+/// What the groups of failures are, as their examples show.
+const BEHIND: &str = "\
+- *no digits*: the bound itself is more than 1 % of the size. In f32 a place 1e5 sizes off the origin is known to 0.6 % of the size and
+  worse, so the Jacobian at any such pose cannot be told from a singular one, and Newton-Raphson does not settle.
+- *poor estimate*: every coordinate of every body is off by up to half a size or half a radian, independently. `WrongBranch`: all
+  attempts ended at poses of the other sign, which are exact poses, but not what was asked for. `Diverged`, `IterationLimit`: none of them
+  ended anywhere. Such a start is refused and not answered by another assembly.
+- `advance` of the textbook view: the motion begins, or comes, so near to a singular pose that rates and accelerations are large, and the Taylor
+  polynomial over a whole step leaves the basin of the pose. `follow` and the motion of generated mechanisms go there in shorter
+  steps from the same frame.
+- f32 with digits, `Singular`, `StepTooLarge`, `Stalled`, `IterationLimit`: the pose is within the rounding of f32 of one that is singular, or the
+  tolerance of 1e-5 is below the rounding of its rows; f64 solves the same instants.
+
+A description is refused where joints at random say too much of one body and too little of another (K32, K33), repeat one another in every
+pose (K34) or can hold only at t = 0 (K36). Where the tracker gives up, a path comes to a singular pose by less than the factor at which it is
+called one.
+";
+
 /// The report.
 pub fn report(tally: &Tally, seed: u64, environment: &str, summary: &str) -> String {
     let mut text = format!(
@@ -161,6 +179,7 @@ pub fn report(tally: &Tally, seed: u64, environment: &str, summary: &str) -> Str
         "\n## Typed failures where the path has a pose\n\nEach mechanism is repeated by `cargo run --release -p linkwright-tests --bin hunt --` and what stands in the column.\n\n{}",
         failures(tally, seed)
     );
+    let _ = write!(text, "\n## What is behind them\n\n{BEHIND}");
     let _ = write!(
         text,
         "\n## Mechanisms that are not hunted\n\n{}",
