@@ -1,8 +1,9 @@
 //! Generates the mechanisms that only tests need, the repository's, one with tables and those of the study of stability in
 //! single precision, a list of the repository's, and all of them once more with what their drivers transmit, and those with
-//! parameters with their sensitivities.
+//! parameters with their sensitivities, and some monitored.
 
 mod described;
+mod monitoring;
 mod registry;
 mod sensing;
 mod single_study;
@@ -29,6 +30,7 @@ fn main() {
         let target = Path::new(&output).join("linkwright/tables_single.rs");
         fs::write(target, tables.code).expect("the module is written");
     }
+    monitoring::write(&["descriptions", "../mechanisms"]);
     registry::write("../mechanisms");
     sensing::write("descriptions");
     transmitting::write(&["descriptions", "../mechanisms"]);

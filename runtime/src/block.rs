@@ -13,10 +13,12 @@ use crate::assembly::assemble_from_afar;
 use crate::closed_form::Branch;
 use crate::equations::Equations;
 use crate::failure::Failure;
-use crate::kinematics::Frame;
+use crate::kinematics::{Frame, factorize};
+use crate::linear::Measure;
 use crate::math::Real;
-use crate::path::{branch_of, step};
+use crate::path::{branch_of, step, step_measured};
 use crate::settings::Settings;
+use crate::vector::zero_matrix;
 
 /// What the frame is from which a block is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +58,56 @@ where
         (Start::LastFrame, Some(branch)) => step(equations, last, branch, t, settings),
         _ => assemble(equations, last, branch, t, settings),
     }
+}
+
+/// [`solve`]; afterwards `measure` says how far the Jacobian of the block at the new pose is from singular.
+///
+/// # Errors
+/// Those of [`solve`].
+///
+/// # Work
+/// That of [`solve`] and of [`Factorization::measure`](crate::Factorization::measure); after an assembly also one Jacobian.
+///
+/// # Panics
+/// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
+#[inline]
+pub fn solve_measured<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    last: &Frame<T, D>,
+    start: Start,
+    branch: &mut Option<Branch>,
+    t: T,
+    settings: &Settings<T>,
+    measure: &mut Measure<T>,
+) -> Result<Frame<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    match (start, *branch) {
+        (Start::LastFrame, Some(branch)) => {
+            step_measured(equations, last, branch, t, settings, measure)
+        }
+        _ => assemble_measured(equations, last, branch, t, settings, measure),
+    }
+}
+
+#[cold]
+fn assemble_measured<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    estimate: &Frame<T, D>,
+    branch: &mut Option<Branch>,
+    t: T,
+    settings: &Settings<T>,
+    measure: &mut Measure<T>,
+) -> Result<Frame<T, D>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let frame = assemble(equations, estimate, branch, t, settings)?;
+    let mut jacobian = zero_matrix(equations.dimension());
+    equations.jacobian(&frame.q, t, &mut jacobian);
+    *measure = factorize(equations, &frame.q, t, settings)?.measure(&jacobian);
+    Ok(frame)
 }
 
 #[cold]

@@ -191,6 +191,9 @@ where
     let factorization = Factorization::new(&jacobian, &Scales::of(equations), settings.pivot_ratio)
         .map_err(fail)?;
     watch.arrival(&factorization).map_err(fail)?;
+    if W::MEASURES {
+        watch.measure(&factorization, &jacobian);
+    }
     if regularity::is_doubtful(&factorization, convergence.residual) {
         let residual = convergence.residual;
         regularity::require(equations, &q, t, residual, &jacobian, &factorization).map_err(fail)?;

@@ -24,8 +24,10 @@
 //! The module does not know Newton-Raphson, nor what the matrix is the Jacobian of.
 
 mod condition;
+mod measure;
 
 pub(crate) use condition::position_of_largest;
+pub use measure::Measure;
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};

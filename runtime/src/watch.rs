@@ -4,11 +4,11 @@
 //! from, nor what is done when a solve is given up.
 
 use nalgebra::allocator::Allocator;
-use nalgebra::{DefaultAllocator, Dim, OVector};
+use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 
 use crate::closed_form::Branch;
 use crate::failure::FailureKind;
-use crate::linear::Factorization;
+use crate::linear::{Factorization, Measure};
 use crate::math::Real;
 use crate::scale::Scales;
 
@@ -29,6 +29,13 @@ where
     fn arrival(&mut self, factorization: &Factorization<T, D>) -> Result<(), FailureKind<T>> {
         self.jacobian(factorization)
     }
+
+    /// Whether it wants to see that Jacobian.
+    const MEASURES: bool = false;
+
+    /// Takes note of that Jacobian (n × n), which passed.
+    #[inline]
+    fn measure(&mut self, _: &Factorization<T, D>, _: &OMatrix<T, D, D>) {}
 
     /// Judges a step, which has not been taken yet.
     fn step(&mut self, scales: &Scales<T, D>, update: &OVector<T, D>)
@@ -91,6 +98,42 @@ where
             return Err(FailureKind::StepTooLarge);
         }
         Ok(())
+    }
+}
+
+/// Asks the same, and measures how far the Jacobian at the pose that is found is from singular.
+pub(crate) struct Measuring<'a, T> {
+    on_branch: OnBranch<T>,
+    found: &'a mut Measure<T>,
+}
+
+impl<'a, T: Real> Measuring<'a, T> {
+    pub(crate) fn new(branch: Branch, found: &'a mut Measure<T>) -> Self {
+        let on_branch = OnBranch::new(branch);
+        Self { on_branch, found }
+    }
+}
+
+impl<T: Real, D: Dim> Watch<T, D> for Measuring<'_, T>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    fn jacobian(&mut self, factorization: &Factorization<T, D>) -> Result<(), FailureKind<T>> {
+        self.on_branch.jacobian(factorization)
+    }
+
+    fn step(
+        &mut self,
+        scales: &Scales<T, D>,
+        update: &OVector<T, D>,
+    ) -> Result<(), FailureKind<T>> {
+        self.on_branch.step(scales, update)
+    }
+
+    const MEASURES: bool = true;
+
+    fn measure(&mut self, factorization: &Factorization<T, D>, jacobian: &OMatrix<T, D, D>) {
+        *self.found = factorization.measure(jacobian);
     }
 }
 

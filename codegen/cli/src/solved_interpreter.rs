@@ -66,6 +66,7 @@ impl SolvedInterpreter {
         // What is asked for would leave other things out.
         system.mechanism.requests.clear();
         system.mechanism.transmissions.clear();
+        system.mechanism.monitor = false;
         system.directions.clear();
         let plan = structure::plan_of_motion(&mut system)?;
         let lowered = whole(&mut system, &plan);

@@ -4,6 +4,7 @@
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
 //! determine the motion.
 
+mod call;
 mod choice;
 mod contact;
 mod curve;
@@ -15,6 +16,8 @@ mod joints;
 mod law;
 mod lines;
 mod live;
+mod marks;
+mod monitor;
 mod motions;
 mod names;
 mod not_finite;
@@ -76,6 +79,8 @@ pub struct Mechanism {
     /// Along which parameters the motion is differentiated: indices into the parameters, each once, as `sensitivity` statements
     /// name them.
     pub sensitivities: Vec<usize>,
+    /// Whether a `monitor` statement asks how close every loop is to a singular pose.
+    pub monitor: bool,
     /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }

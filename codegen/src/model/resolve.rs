@@ -129,7 +129,8 @@ pub(super) fn resolve_statements(
             // Points are known once all bodies are, and parameters may follow.
             syntax::Statement::Output(_)
             | syntax::Statement::Transmission(_)
-            | syntax::Statement::Sensitivity(_) => {}
+            | syntax::Statement::Sensitivity(_)
+            | syntax::Statement::Monitor(_) => {}
             // Its statements come by themselves.
             syntax::Statement::Motion(_) => {}
         }
@@ -154,6 +155,7 @@ pub(super) fn resolve_statements(
         .collect();
     let transmissions = resolver.transmissions(statements, &points);
     let sensitivities = resolver.sensitivities(statements, &points);
+    let monitor = resolver.monitor(statements);
     resolver.note_used();
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
@@ -181,6 +183,7 @@ pub(super) fn resolve_statements(
         requests,
         transmissions,
         sensitivities,
+        monitor,
         characteristic_length,
     }
 }

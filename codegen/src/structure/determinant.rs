@@ -24,6 +24,8 @@ pub struct Determinant {
     /// the sine of the angle between them, dimensionless, at most 1 in size. `None` where `jacobian` has to be evaluated
     /// instead, or where nothing says how large a coefficient is at most.
     pub normalized: Option<ExprId>,
+    /// What it is divided by for that, in unknowns and arms; `None` where it is not.
+    pub size: Option<ExprId>,
     /// ∂residual/∂unknown of a Newton step, row by row; empty for closed forms.
     pub jacobian: Vec<Vec<ExprId>>,
 }
@@ -34,6 +36,7 @@ pub fn determinant(step: &Step, form: &VectorForm, graph: &mut Graph) -> Determi
         let ratio = graph.divide(value, size);
         Determinant {
             value: Some(form.written_out(value, graph)),
+            size: Some(size),
             normalized: Some(form.written_out(ratio, graph)),
             jacobian: Vec::new(),
         }
@@ -44,6 +47,7 @@ pub fn determinant(step: &Step, form: &VectorForm, graph: &mut Graph) -> Determi
             let one = graph.one();
             Determinant {
                 value: Some(value),
+                size: None,
                 normalized: graph.is_fixed(value).then_some(one),
                 jacobian: Vec::new(),
             }
@@ -238,6 +242,7 @@ fn newton(
     let written = jacobian.len() <= LARGEST_WRITTEN_OUT && unknowns.len() == jacobian.len();
     Determinant {
         value: written.then(|| expanded(&jacobian, graph)),
+        size: None,
         normalized: None,
         jacobian,
     }

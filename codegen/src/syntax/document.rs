@@ -67,6 +67,8 @@ pub enum Statement {
     Transmission(Transmission),
     /// `sensitivity L2, L3;`
     Sensitivity(Sensitivity),
+    /// `monitor;`
+    Monitor(Monitor),
     /// `motion NAME { statements }`
     Motion(Motion),
 }
@@ -100,6 +102,7 @@ impl Statement {
             Statement::Output(statement) => statement.span,
             Statement::Transmission(statement) => statement.span,
             Statement::Sensitivity(statement) => statement.span,
+            Statement::Monitor(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }
     }
@@ -501,6 +504,15 @@ pub struct Sensitivity {
     pub docs: Vec<String>,
     /// The parameters; at least one.
     pub names: Vec<Name>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `monitor;`: how close the mechanism is to a singular pose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Monitor {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }

@@ -47,7 +47,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 14] = [
+pub const KEYWORDS: [&str; 15] = [
     "const",
     "param",
     "input",
@@ -61,6 +61,7 @@ pub const KEYWORDS: [&str; 14] = [
     "output",
     "transmission",
     "sensitivity",
+    "monitor",
     "motion",
 ];
 

@@ -1,10 +1,10 @@
-//! *Tokens → what a mechanism is asked for:* `output K;`, `output velocity K, phi(c1);`, `transmission K;`, `sensitivity L;`.
+//! *Tokens → what a mechanism is asked for:* `output K;`, `output velocity K, phi(c1);`, `transmission K;`, `sensitivity L;`, `monitor;`.
 
 use proc_macro2::Delimiter;
 
-use super::document::{Output, OutputItem, Sensitivity, Statement, Transmission};
+use super::document::{Monitor, Output, OutputItem, Sensitivity, Statement, Transmission};
 use super::reference::{identifier, operands, reference};
-use super::statement::semicolon_after_operands;
+use super::statement::{semicolon, semicolon_after_operands};
 use super::tokens::{Outcome, Tokens};
 use crate::diagnostic::Span;
 
@@ -66,6 +66,16 @@ pub(super) fn sensitivity(
     }
     let span = start.to(semicolon_after_operands(tokens, start)?);
     Ok(Statement::Sensitivity(Sensitivity { docs, names, span }))
+}
+
+/// The statement after its first word.
+pub(super) fn monitor(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+) -> Outcome<Statement> {
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Monitor(Monitor { docs, span }))
 }
 
 /// One or more quantities; a comma may follow the last one.

@@ -11,7 +11,7 @@ use super::document::{Constant, DrawnPoint, Drive, Joint, Name, Points, Statemen
 use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
 use super::motion::motion;
-use super::output::{output, sensitivity, transmission};
+use super::output::{monitor, output, sensitivity, transmission};
 use super::reference::{body_name, direction, driven_coordinate, identifier, operands, separator};
 use super::table::table;
 use super::tokens::{Outcome, Tokens};
@@ -40,6 +40,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "output" => output(tokens, docs, first.span),
         "transmission" => transmission(tokens, docs, first.span),
         "sensitivity" => sensitivity(tokens, docs, first.span),
+        "monitor" => monitor(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),
         _ => joint(tokens, docs, None, first),
     }

@@ -65,7 +65,10 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
                 found.push(&motion.name);
                 declared(&motion.statements, names);
             }
-            Statement::Output(_) | Statement::Transmission(_) | Statement::Sensitivity(_) => {}
+            Statement::Output(_)
+            | Statement::Transmission(_)
+            | Statement::Sensitivity(_)
+            | Statement::Monitor(_) => {}
         }
         names.extend(found.into_iter().map(|name| name.text.clone()));
     }
@@ -125,6 +128,7 @@ impl Renaming {
                 Statement::Output(it) => self.items(&it.items),
                 Statement::Transmission(it) => self.items(&it.items),
                 Statement::Sensitivity(it) => it.names.iter().for_each(|name| self.name(name)),
+                Statement::Monitor(_) => {}
                 Statement::Motion(it) => {
                     self.name(&it.name);
                     self.statements(&it.statements);

@@ -69,7 +69,8 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Table(_)
             | Statement::Output(_)
             | Statement::Transmission(_)
-            | Statement::Sensitivity(_) => {}
+            | Statement::Sensitivity(_)
+            | Statement::Monitor(_) => {}
         }
     }
 }
@@ -262,7 +263,8 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
             Statement::Table(_)
             | Statement::Output(_)
             | Statement::Transmission(_)
-            | Statement::Sensitivity(_) => {}
+            | Statement::Sensitivity(_)
+            | Statement::Monitor(_) => {}
         }
     }
 }

@@ -151,6 +151,8 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
     let pressure_angles = system.pressures.iter().zip(&program.pressures);
     let pressure_angles = pressure_angles
         .map(|(pressure, straight)| pressure_angle(system, program, pressure, straight));
+    let solved_view = program.solved.as_ref();
+    let closeness = solved_view.map(|solved| solved::closeness(system, solved));
     let (shared, drawn, transmissions, sensitivities, structures, responded) = match &program.solved
     {
         Some(solved) => (
@@ -203,6 +205,7 @@ pub(super) fn frame(system: &System, program: &Program) -> TokenStream {
             #(#methods)*
             #transmissions
             #sensitivities
+            #closeness
             #(#pressure_angles)*
             #private
         }

@@ -207,11 +207,16 @@ fn imports(system: &System, program: &Program, has_newton: bool, has_tables: boo
     let explained = only(program.solved.is_some(), quote!(BlockName, Explained,));
     let in_steps = only(program.solved.is_some(), quote!(in_steps,));
     let table = only(has_tables, quote!(Table,));
+    let monitored = program.solved.is_some() && system.mechanism.monitor;
+    let measures = program.solved.iter().flat_map(|solved| &solved.blocks);
+    let measures = measures.flat_map(|block| &block.measured).next().is_some();
+    let closeness = only(monitored, quote!(Closeness,));
+    let measure = only(monitored && measures, quote!(Measure,));
     quote! {
         #closed
         #math
         #matrices
-        use ::linkwright::{#branch #explained #equations Failure, #kind #motion Settings, #signal #start #step #table #block #in_steps #kinematics};
+        use ::linkwright::{#branch #closeness #explained #equations Failure, #kind #measure #motion Settings, #signal #start #step #table #block #in_steps #kinematics};
     }
 }
 

@@ -17,7 +17,15 @@ pub enum Scalar {
 }
 
 /// The runtime's types that have the scalar as a parameter with a default.
-const WITH_DEFAULT: [&str; 5] = ["Explained", "Failure", "Motion", "Settings", "Signal"];
+const WITH_DEFAULT: [&str; 7] = [
+    "Closeness",
+    "Explained",
+    "Failure",
+    "Measure",
+    "Motion",
+    "Settings",
+    "Signal",
+];
 
 /// The tokens with the scalar put in.
 pub(super) fn in_scalar(tokens: TokenStream, scalar: Scalar) -> TokenStream {
@@ -62,7 +70,9 @@ fn single(tokens: TokenStream) -> TokenStream {
                     (_, true) => quote!(#name::<f32>),
                     // A structure's literal infers its scalar from its values.
                     _ if is_value
-                        && (name == "Motion" || name == "Signal" || name == "Explained")
+                        && ["Explained", "Measure", "Motion", "Signal"]
+                            .iter()
+                            .any(|inferred| name == inferred)
                         && !out_ends_with_arrow(&out) =>
                     {
                         quote!(#name)

@@ -4,21 +4,19 @@
 //! once; so its points are numbers: neither t nor a parameter moves them. Deliberately unknown here: what depends on it.
 
 mod csv;
+mod ends;
+mod file;
 mod pieces;
 
 use self::pieces::{Ends, spline};
+use super::call::FUNCTIONS;
 use super::dimension::Dimension;
-use super::expression::{FUNCTIONS, Value};
+use super::expression::Value;
 use super::law::LAWS;
 use super::resolve::Resolver;
 use super::{Table, field_name};
-use crate::diagnostic::{Attachment, Code, Diagnostic, Span};
-use crate::expr::{ExprId, Number};
-use crate::syntax::{self, Expression, Name, Pair, TablePoints, is_relative};
-
-/// How a table may end, for help lines.
-const ENDS: &str =
-    "a table ends in `;` or `natural;`, in `clamped(SLOPE, SLOPE);`, or in `periodic;`";
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::syntax::{self, Expression, Name, Pair, TablePoints};
 
 /// A number that is written in the description, and what it measures.
 type Entry<'a> = (&'a Expression, f64, Dimension);
@@ -178,84 +176,6 @@ impl Resolver<'_> {
         sound.then_some(Columns { points, dimensions })
     }
 
-    /// The points of a file, each column in its unit.
-    fn in_file(&mut self, path: &Name, units: Option<&[Name; 2]>) -> Option<Columns> {
-        let one = (self.graph.one(), Dimension::Number);
-        let units = match units {
-            Some(units) => {
-                let found = [0, 1].map(|column| match units[column].text.as_str() {
-                    "1" => Some(one),
-                    _ => self.unit(&units[column]),
-                });
-                let [x, y] = found;
-                [x?, y?]
-            }
-            None => [one, one],
-        };
-        let attachments = self.attachments;
-        let text = match file_of(attachments, path) {
-            Ok(text) => text,
-            Err((message, help)) => {
-                self.report_file(path, message, help);
-                return None;
-            }
-        };
-        let rows = match csv::rows(text) {
-            Ok(rows) => rows,
-            Err(faults) => {
-                for fault in faults {
-                    let message =
-                        format!("line {} of `{}`: {}", fault.line, path.text, fault.message);
-                    self.report_file(path, message, fault.help);
-                }
-                return None;
-            }
-        };
-        let mut points = Vec::new();
-        for row in rows {
-            let [x, y] = [0, 1].map(|column| self.cell(row.cells[column], units[column].0));
-            let (Some(x), Some(y)) = (x, y) else {
-                let message = format!(
-                    "line {} of `{}` holds a number that is too large",
-                    row.line, path.text
-                );
-                self.report_file(path, message, "is its unit or its exponent wrong?");
-                return None;
-            };
-            points.push(Point {
-                values: [x, y],
-                spans: [path.span; 2],
-                line: Some(row.line),
-            });
-        }
-        Some(Columns {
-            points,
-            dimensions: units.map(|unit| unit.1),
-        })
-    }
-
-    /// The number in a cell, in SI units, rounded once: the same that a listed point would have.
-    fn cell(&mut self, cell: &str, unit: ExprId) -> Option<f64> {
-        let unsigned = cell.strip_prefix(['-', '+']).unwrap_or(cell);
-        let number = match unsigned.starts_with('.') {
-            true => Number::parse(&format!("0{unsigned}")),
-            false => Number::parse(unsigned),
-        };
-        let number = self.graph.number(number?);
-        let value = self.graph.multiply(number, unit);
-        let value = self.graph.constant_value(value)?;
-        let signed = if cell.starts_with('-') { -value } else { value };
-        signed.is_finite().then_some(signed)
-    }
-
-    fn report_file(&mut self, path: &Name, message: String, help: &str) {
-        self.diagnostics.push(
-            Diagnostic::error(Code::UnreadableTable, path.span, message)
-                .label("the points of this table")
-                .help(help),
-        );
-    }
-
     /// Whether a point stands behind another one; an error where not.
     fn increases_to(&mut self, before: &Point, point: &Point) -> bool {
         if point.values[0] > before.values[0] {
@@ -321,71 +241,6 @@ impl Resolver<'_> {
         false
     }
 
-    /// The end conditions; the slopes of clamped ends are checked where it is known what the columns measure.
-    fn ends(
-        &mut self,
-        written: &syntax::Table,
-        dimensions: Option<[Dimension; 2]>,
-    ) -> Option<Ends> {
-        let Some(ends) = &written.ends else {
-            return Some(Ends::Natural);
-        };
-        match (ends.word.text.as_str(), &ends.slopes[..]) {
-            ("natural", []) => return Some(Ends::Natural),
-            ("periodic", []) => return Some(Ends::Periodic),
-            ("clamped", []) => return Some(Ends::Clamped([0.0; 2])),
-            ("clamped", [first, last]) => {
-                let slopes = [first, last].map(|slope| self.slope(slope, dimensions));
-                let [first, last] = slopes;
-                return Some(Ends::Clamped([first?, last?]));
-            }
-            (word @ ("natural" | "periodic" | "clamped"), slopes) => {
-                let wanted = if word == "clamped" {
-                    "two slopes"
-                } else {
-                    "no slopes"
-                };
-                self.diagnostics.push(
-                    Diagnostic::error(
-                        Code::WrongArgumentCount,
-                        ends.span,
-                        format!("`{word}` takes {wanted}, not {}", slopes.len()),
-                    )
-                    .label(format!("{} given", slopes.len()))
-                    .help(ENDS),
-                );
-            }
-            (word, _) => self.diagnostics.push(
-                Diagnostic::error(
-                    Code::WrongForm,
-                    ends.word.span,
-                    format!("no table ends in `{word}`"),
-                )
-                .label("not an end condition")
-                .help(ENDS),
-            ),
-        }
-        None
-    }
-
-    fn slope(&mut self, written: &Expression, columns: Option<[Dimension; 2]>) -> Option<f64> {
-        let (_, slope, found) = self.entry(written)?;
-        let expected = columns.map_or(Dimension::Number, |[x, y]| y.times(x, -1));
-        if found.fits(expected) {
-            return Some(slope);
-        }
-        self.diagnostics.push(
-            Diagnostic::error(
-                Code::WrongDimension,
-                written.span,
-                format!("expected {}, found {}", expected.name(), found.name()),
-            )
-            .label(format!("this is {}", found.name()))
-            .help("a slope is a value over a place, such as `12mm/90deg`"),
-        );
-        None
-    }
-
     /// `lift(x)`: the value of a declared table.
     pub(super) fn look_up(
         &mut self,
@@ -433,33 +288,5 @@ impl Resolver<'_> {
             return None;
         }
         Some((self.graph.spline(spline, 0, argument), value))
-    }
-}
-
-/// The text of the file that a table names, or what is wrong with it and what to do.
-fn file_of<'a>(
-    attachments: &'a [Attachment],
-    path: &Name,
-) -> Result<&'a str, (String, &'static str)> {
-    let name = &path.text;
-    if !is_relative(name) {
-        let message = format!("`{name}` is no path relative to the description");
-        return Err((
-            message,
-            "name a file beside the description: `table lift = \"lift.csv\";`",
-        ));
-    }
-    match attachments.iter().find(|file| file.path == *name) {
-        Some(Attachment { text: Ok(text), .. }) => Ok(text),
-        Some(Attachment {
-            text: Err(cause), ..
-        }) => Err((
-            format!("cannot read `{name}`: {cause}"),
-            "paths are relative to the folder of the description",
-        )),
-        None => Err((
-            format!("`{name}` was not given together with the description"),
-            "whoever reads a description attaches the files that it names",
-        )),
     }
 }

@@ -5,14 +5,14 @@ use super::evaluation::{evaluated, functions_of_time, note_constants};
 use super::responses::Responses;
 use super::sharing::calls_functions;
 use super::spoken::spoken;
-use super::{Action, BlockProgram, Level};
+use super::{Action, BlockProgram, Level, Measured, NewtonBlock};
 use crate::expr::ExprId;
 use crate::program::constants::Constants;
 use crate::structure::{SolvedBlock, Step};
 use crate::system::System;
 
 /// What a step's rates are found from, kept until all positions of the block are.
-enum Pending {
+pub(super) enum Pending {
     TwoRotations(super::two_rotations::Triangle),
     OneAngle(super::one_angle::Root),
     Slide(super::slides::Slide),
@@ -22,6 +22,19 @@ enum Pending {
         coefficient: ExprId,
         equation: ExprId,
     },
+}
+
+impl Pending {
+    /// The determinant of the step up to its sign, as it was computed on the way.
+    pub(super) fn determinant(&self) -> ExprId {
+        match self {
+            Pending::TwoRotations(triangle) => triangle.determinant(),
+            Pending::OneAngle(root) => root.determinant(),
+            Pending::Slide(slide) => slide.determinant(),
+            Pending::TwoSlides(lines) => lines.determinant(),
+            Pending::Linear { coefficient, .. } => *coefficient,
+        }
+    }
 }
 
 /// The same with what all levels share.
@@ -97,7 +110,8 @@ pub(super) fn lower_block(
         stretched: 0,
     };
     let mut pending = Vec::new();
-    let mut newton = None;
+    let mut newton: Option<NewtonBlock> = None;
+    let mut measured = Vec::new();
     for step in &block.steps {
         let names: Vec<String> = step
             .unknowns()
@@ -196,6 +210,19 @@ pub(super) fn lower_block(
                 quantities,
             } => newton = Some(builder.newton(unknowns, residuals, quantities)),
         }
+        if builder.system.mechanism.monitor {
+            match &mut newton {
+                Some(newton) if matches!(step, Step::Newton { .. }) => {
+                    let measure = builder.measured_block(step);
+                    newton.measure = Some(measure);
+                    measured.push(Measured::Block(measure));
+                }
+                _ => {
+                    let found = pending.last();
+                    measured.extend(found.and_then(|found| builder.measured(step, found)));
+                }
+            }
+        }
     }
     for definition in &block.definitions {
         let symbol = builder.system.vector_form.unknowns[definition.unknown].position;
@@ -255,6 +282,7 @@ pub(super) fn lower_block(
         actions,
         newton,
         reads_branch: branches.len() > first_branch,
+        measured,
     }
 }
 

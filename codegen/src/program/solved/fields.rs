@@ -35,6 +35,9 @@ pub(super) fn fields(
                 _ => {}
             }
         }
+        if let Some(newton) = &block.newton {
+            newton.measure.into_iter().flatten().for_each(&mut define);
+        }
         for &unknown in block.newton.iter().flat_map(|newton| &newton.unknowns) {
             let unknown = &system.vector_form.unknowns[unknown];
             [unknown.position, unknown.rate, unknown.acceleration]

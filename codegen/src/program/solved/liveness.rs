@@ -49,7 +49,9 @@ pub(super) fn needed(
             Action::Angle { unknown, .. } => wanted(system.vector_form.unknowns[*unknown].position),
             Action::Newton => {
                 let found = newton.into_iter().flat_map(|newton| &newton.unknowns);
+                let measure = newton.and_then(|newton| newton.measure);
                 remains
+                    || measure.into_iter().flatten().any(wanted)
                     || found.into_iter().any(|&unknown| {
                         let unknown = &system.vector_form.unknowns[unknown];
                         [unknown.position, unknown.rate, unknown.acceleration]

@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::block::lower_block;
+use super::closeness::measured_fields;
 use super::evaluation::{evaluated, note_constants, operations};
 use super::fields::fields;
 use super::liveness::prune;
@@ -61,6 +62,9 @@ pub fn lower(system: &mut System, plan: &SolvedPlan, constants: &mut Constants) 
         .flat_map(Transmission::fields)
         .collect();
     responded.extend(sensitivities.iter().flat_map(Sensitivity::fields));
+    responded.extend(measured_fields(
+        blocks.iter().flat_map(|block| &block.measured),
+    ));
     let mut asked_for: HashSet<SymbolId> = wanted
         .iter()
         .flat_map(|(outputs, _)| outputs)

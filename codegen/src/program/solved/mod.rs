@@ -6,6 +6,7 @@
 
 mod block;
 mod builder;
+mod closeness;
 mod evaluation;
 mod fields;
 mod liveness;
@@ -22,6 +23,7 @@ mod transmissions;
 mod two_rotations;
 mod whole;
 
+pub use closeness::Measured;
 pub use lower::lower;
 pub use outputs::Output;
 pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};
@@ -117,6 +119,8 @@ pub struct BlockProgram {
     pub newton: Option<NewtonBlock>,
     /// Whether it reads an assembly mode.
     pub reads_branch: bool,
+    /// How far its steps are from singular, where a `monitor` statement asks for it, in their order.
+    pub measured: Vec<Measured>,
 }
 
 impl BlockProgram {
@@ -319,6 +323,8 @@ pub struct NewtonBlock {
     pub time_derivative: Vec<ExprId>,
     /// Minus the second rates of the residuals with the tears' accelerations zero.
     pub gamma: Vec<ExprId>,
+    /// The fields for its determinant and reciprocal condition, where they are asked for.
+    pub measure: Option<[SymbolId; 2]>,
     /// What its functions compute once, beside the functions of time. Nothing where they evaluate no function of an unknown.
     pub shared: Option<Straight>,
 }

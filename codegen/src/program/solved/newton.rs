@@ -54,6 +54,7 @@ impl Builder<'_> {
             jacobian,
             time_derivative,
             gamma,
+            measure: None,
             shared: None,
         }
     }

@@ -17,6 +17,13 @@ pub(super) struct Root {
     equation: ExprId,
 }
 
+impl Root {
+    /// Minus the derivative of the equation.
+    pub(super) fn determinant(&self) -> ExprId {
+        self.root
+    }
+}
+
 impl Builder<'_> {
     /// The position: `equation` is the same as c cos φ + s sin φ + rest, in arms.
     pub(super) fn one_angle(

@@ -98,6 +98,7 @@ pub(super) fn outputs(
         actions,
         newton: None,
         reads_branch: false,
+        measured: Vec::new(),
     };
     Some((found, block))
 }

@@ -161,6 +161,7 @@ pub(super) fn sensitivities(
         newton: None,
         shared: None,
         reads_branch: false,
+        measured: Vec::new(),
     };
     Some((found, block))
 }

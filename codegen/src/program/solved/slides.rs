@@ -22,6 +22,20 @@ pub(super) struct Slide {
     stretch: Option<Stretch>,
 }
 
+impl Slide {
+    /// w · d, minus the determinant.
+    pub(super) fn determinant(&self) -> ExprId {
+        self.k
+    }
+}
+
+impl Lines {
+    /// d_a × d_b.
+    pub(super) fn determinant(&self) -> ExprId {
+        self.determinant
+    }
+}
+
 impl Builder<'_> {
     /// coefficient · u + rest = 0.
     pub(super) fn linear(&mut self, unknown: usize, coefficient: ExprId, rest: ExprId) -> ExprId {

@@ -82,6 +82,7 @@ pub(super) fn transmissions(
         newton: None,
         shared: None,
         reads_branch: false,
+        measured: Vec::new(),
     };
     Some((found, block))
 }

@@ -22,6 +22,13 @@ pub(super) struct Triangle {
     cross: ExprId,
 }
 
+impl Triangle {
+    /// w_a × w_b.
+    pub(super) fn determinant(&self) -> ExprId {
+        self.cross
+    }
+}
+
 impl Builder<'_> {
     /// The position of the dyad.
     pub(super) fn two_rotations(

@@ -355,15 +355,32 @@ fn newton_call(index: usize, block: &BlockProgram, names: &BlockNames<'_>) -> To
     let places: Vec<_> = (0..q.len()).map(count).collect();
     let equations = equations(block, newton, names);
     let mode = identifier(&block.name);
+    let (solve, measure, measured) = match newton.measure {
+        None => (quote!(solve), TokenStream::new(), TokenStream::new()),
+        Some(both) => {
+            let [determinant, condition] = both.map(|symbol| names.symbol(symbol));
+            let measured = quote! {
+                #determinant = measure.determinant;
+                #condition = measure.reciprocal_condition;
+            };
+            (quote!(solve_measured), quote!(, &mut measure), measured)
+        }
+    };
+    let declared = only(
+        newton.measure.is_some(),
+        quote!(let mut measure = Measure::sine(0.0);),
+    );
     quote! {
+        #declared
         let tears = kinematics::Frame {
             t: last.t,
             q: SVector::from([#(#last_q),*]),
             qd: SVector::from([#(#last_qd),*]),
             qdd: SVector::from([#(#last_qdd),*]),
         };
-        let tears = block::solve(&#equations, &tears, start, &mut branches.#mode, t, settings)
+        let tears = block::#solve(&#equations, &tears, start, &mut branches.#mode, t, settings #measure)
             .map_err(|failure| failure.in_block(#number))?;
+        #measured
         #(#q = tears.q[#places];)*
         #(#qd = tears.qd[#places];)*
         #(#qdd = tears.qdd[#places];)*

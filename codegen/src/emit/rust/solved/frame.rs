@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::closeness::closeness;
 use super::names::plain_name;
 use super::newton::listed;
 use super::sensitivity::{sensitivities, structures};
@@ -118,6 +119,7 @@ pub(in crate::emit::rust) fn output_frame(
     });
     let checked = checked.chain(responded(system, solved));
     let transmissions = transmissions(system, solved);
+    let closeness = closeness(system, solved);
     let (sensitivities, structures) = (sensitivities(system, solved), structures(solved));
     let implementation = quote! {
         impl Frame {
@@ -125,6 +127,7 @@ pub(in crate::emit::rust) fn output_frame(
 
             #transmissions
             #sensitivities
+            #closeness
 
             /// The drawing at rest, which the solution starts from.
             const DRAWN: Self = Self { t: 0.0, #drawn };

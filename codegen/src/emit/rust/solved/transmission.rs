@@ -8,7 +8,7 @@ use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::identifier;
 use crate::emit::rust::literal::count;
 use crate::joint::Quantity;
-use crate::program::solved::{Sensitivity, SolvedProgram, Transmission};
+use crate::program::solved::{Measured, Sensitivity, SolvedProgram, Transmission};
 use crate::system::System;
 
 /// The functions of all transmissions, and the list of the drivers; nothing where there are none.
@@ -33,15 +33,17 @@ pub(in crate::emit::rust) fn transmissions(system: &System, solved: &SolvedProgr
     }
 }
 
-/// The values of transmissions and sensitivities, which must be numbers.
+/// The values of transmissions, sensitivities and measures, which must be numbers.
 pub(in crate::emit::rust) fn responded(
     system: &System,
     solved: &SolvedProgram,
 ) -> Vec<TokenStream> {
     let transmitted = solved.transmissions.iter().flat_map(Transmission::fields);
     let sensitivities = solved.sensitivities.iter().flat_map(Sensitivity::fields);
+    let measured = solved.blocks.iter().flat_map(|block| &block.measured);
     transmitted
         .chain(sensitivities)
+        .chain(measured.flat_map(Measured::fields))
         .map(|symbol| {
             let name = plain_name(symbol, system);
             quote!(self.#name)

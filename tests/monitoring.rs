@@ -1,0 +1,61 @@
+//! *Descriptions* → *the same, monitored*, for build scripts.
+//!
+//! One of each kind of block, also with parameters and with outputs. The platform and the exam are written in single precision
+//! too.
+
+use std::path::PathBuf;
+use std::{env, fs};
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::model::type_name;
+use linkwright_codegen::{Options, Scalar, generate_with};
+
+use crate::described::{empty_folder, in_folder};
+
+/// What is monitored, by name.
+const MONITORED: [&str; 13] = [
+    "disc_cam",
+    "double_wishbone",
+    "excavator",
+    "excavator_tool",
+    "folding",
+    "four_bar",
+    "inverted_slider_crank",
+    "leveled_slider",
+    "planetary_gear",
+    "platform_3rpr",
+    "sensed_four_bar",
+    "turning_guide",
+    "two_guides",
+];
+
+/// Each as `monitoring_NAME`, and `monitoring.rs` with a list of them.
+pub fn write(folders: &[&str]) {
+    let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
+    let descriptions = empty_folder("monitoring");
+    let mut list = String::new();
+    for described in folders.iter().flat_map(|folder| in_folder(folder)) {
+        let name = described.system.mechanism.name.as_str();
+        if !MONITORED.contains(&name) {
+            continue;
+        }
+        let own = format!("monitoring_{name}");
+        let text = described.extended(&own, "monitor;");
+        if ["folding", "platform_3rpr"].contains(&name) {
+            let single = Options {
+                scalar: Scalar::F32,
+            };
+            if let Ok(module) = generate_with(&Source::new(name, text.clone()), &single) {
+                let target = output.join(format!("linkwright/{own}_single.rs"));
+                fs::write(target, module.code).expect("the module is written");
+            }
+        }
+        fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
+        list.push_str(&format!(
+            "monitored!({name}, {own}, {});\n",
+            type_name(&own)
+        ));
+    }
+    linkwright_codegen::build(&descriptions);
+    fs::write(output.join("monitoring.rs"), list).expect("a new file");
+}
