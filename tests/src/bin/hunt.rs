@@ -26,7 +26,7 @@ struct Arguments {
     /// How many of those that can be hunted are also compiled, in f64 and in f32
     #[arg(long, default_value_t = 100)]
     compile: usize,
-    /// Only this mechanism, compiled too; no report is written
+    /// Only this mechanism, compiled too unless --compile is 0; no report is written
     #[arg(long)]
     only: Option<u64>,
     /// With --only: print its description
@@ -94,8 +94,11 @@ fn only(arguments: &Arguments, number: u64) -> Result<usize, Box<dyn Error>> {
     );
     let views = interpreted::answers(&hunted.known).map(|it| (View::Interpreted, it));
     let texts = [hunted.mechanism.text()];
-    let folder = compiled::folder()?;
-    let answers = compiled::answers(&folder, &texts, &[&hunted.known.task])?;
+    let answers = if arguments.compile > 0 {
+        compiled::answers(&compiled::folder()?, &texts, &[&hunted.known.task])?
+    } else {
+        Vec::new()
+    };
     let generated = answers
         .into_iter()
         .flat_map(|[double, single]| [(View::Double, double), (View::Single, single)]);

@@ -10,8 +10,7 @@ use crate::stability::verdict::Scalar;
 /// What 384 bits leave of a quantity that is zero, relative to the others, and more.
 const NOISE: f64 = 1e-60;
 
-/// Elimination of n equations leaves errors of up to this many n ε of the largest quantity also in those that are zero (Higham,
-/// *Accuracy and Stability of Numerical Algorithms*, theorem 9.4).
+/// The roundings of an elimination per equation: see [`super::mixing`].
 const MIXED: f64 = 3.0;
 
 /// The bound of a coordinate, in its scale, beyond which it is said to have no digits.
@@ -111,7 +110,7 @@ fn one(
     mut motion: Motion,
 ) -> (Outcome, Motion) {
     let exact = known.instants.get(answered.instant);
-    let compare = |levels, exact| compare(known, levels, exact, scalar);
+    let compare = |levels, exact| compare(levels, exact, scalar);
     let levels = match (&answered.answer, exact) {
         (Ok(levels), _) => levels,
         (Err(kind), Some(exact)) if has_digits(known, exact, scalar) => {
@@ -199,30 +198,24 @@ fn has_far_turn(known: &Known, before: &[f64], exact: &Instant) -> bool {
 }
 
 /// The largest ratio of error to bound, or what is off by more.
-fn compare(
-    known: &Known,
-    levels: &[Vec<f64>; 3],
-    exact: &Instant,
-    scalar: Scalar,
-) -> Result<f64, String> {
+fn compare(levels: &[Vec<f64>; 3], exact: &Instant, scalar: Scalar) -> Result<f64, String> {
     let bounds = &exact.bounds[usize::from(scalar == Scalar::F32)];
-    let scales = known.truth.scales(known.size);
     let mut ratio = 0.0_f64;
     for (level, found) in levels.iter().enumerate() {
         let wanted = &exact.exact.levels[level];
-        let sizes = wanted.iter().zip(&bounds[level]).zip(&scales);
-        let sizes = sizes.map(|((wanted, bound), scale)| (wanted.to_f64().abs() + bound) / scale);
-        let largest = sizes.fold(0.0, f64::max);
-        let mixed = if level > 0 {
-            MIXED * found.len() as f64 * scalar.epsilon()
-        } else {
-            0.0
-        };
+        let largest = wanted
+            .iter()
+            .map(|it| it.to_f64().abs())
+            .fold(0.0, f64::max);
+        let roundings = MIXED * found.len() as f64 * scalar.epsilon();
         for (place, found) in found.iter().enumerate() {
             let off = Precise::from_f64(*found).minus(&wanted[place]);
             let off = off.to_f64().abs();
-            let floor = largest * scales[place] * (NOISE + mixed);
-            let limit = bounds[level][place].max(floor);
+            let mixed = match level {
+                0 => 0.0,
+                _ => roundings * exact.mixed[level - 1][place],
+            };
+            let limit = bounds[level][place].max(mixed).max(NOISE * largest);
             // No comparison with NaN holds, so that is wrong too.
             let within = off <= limit;
             if !within {

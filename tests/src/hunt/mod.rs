@@ -12,6 +12,7 @@ pub mod judge;
 pub mod known;
 pub mod law;
 pub mod mechanism;
+pub mod mixing;
 pub mod program;
 pub mod report;
 pub mod run;

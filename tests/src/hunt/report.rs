@@ -140,7 +140,7 @@ follows the path from the constructed pose; Newton-Raphson in 384 bits makes eac
 what the joints say in geometric terms, without the equations of the generator. A path ends at a singular pose, also where other
 poses exist beyond it.
 
-**An outcome** is *correct* if q, q̇ and q̈ are within condition × rounding of the exact motion on the path (the bound of `stability.md`). A pose
+**An outcome** is *correct* if q, q̇ and q̈ are within condition × rounding of the exact motion on the path (the bound of `stability.md`; a rate may also be off by what elimination mixes into it, 3 n ε |A⁻¹| |L| |U| |x|). A pose
 elsewhere must be within the bound of an exact pose of the same equations; it is *another pose* where the call does not promise which one, and wrong
 otherwise. What is promised: by `follow`, by the motion of a generated mechanism: the path, in the latter case but for whole turns of an
 angle that has moved by half a turn in one step; by `assemble_from_afar` on a branch: the sign of the determinant; by an assembly of a generated mechanism
@@ -161,8 +161,8 @@ const BEHIND: &str = "\
   tolerance of 1e-5 is below the rounding of its rows; f64 solves the same instants.
 
 A description is refused where joints at random say too much of one body and too little of another (K32, K33), repeat one another in every
-pose (K34) or can hold only at t = 0 (K36). Where the tracker gives up, a path comes to a singular pose by less than the factor at which it is
-called one.
+pose (K34) or can hold only at t = 0 (K36). Where the tracker gives up, or
+calls the first pose singular, places or frames are as a rule 1e5 sizes off, and its own f64 does not suffice.
 ";
 
 /// The report.
