@@ -68,9 +68,10 @@ impl<T: Real> fmt::Display for Explained<T> {
             }
         }
         if iterations > 0 {
+            let several = if iterations == 1 { "" } else { "s" };
             write!(
                 formatter,
-                ", after {iterations} iterations with a scaled residual of {residual:.1e}"
+                ", after {iterations} iteration{several} with a scaled residual of {residual:.1e}"
             )?;
         }
         write!(formatter, ", at t = {time} s")

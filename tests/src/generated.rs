@@ -2,7 +2,7 @@
 //!
 //! Modules have no names at run time, so the build script writes the list from the descriptions.
 
-use linkwright::{Frame, Motion, Step};
+use linkwright::{Failure, Frame, Motion, Settings, Step};
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::solver::{Functions, Solver};
@@ -15,6 +15,8 @@ pub struct Module {
     pub points: &'static [&'static str],
     /// Makes a solver that is not yet assembled.
     pub make: fn() -> Box<dyn Solver>,
+    /// The pose to which the mechanism is assembled from an estimate at a time, in the modes of the drawing.
+    pub assemble_from: fn(&[f64], f64) -> Result<Vec<f64>, Failure>,
 }
 
 /// The module of a mechanism.
@@ -35,6 +37,7 @@ macro_rules! registry {
             name: stringify!($module),
             points: &[$($point),+],
             make: || Box::new($module::Generated::default()),
+            assemble_from: $module::assemble_from,
         }),+];
 
         $(mod $module {
@@ -52,6 +55,11 @@ macro_rules! registry {
 
             fn named(values: &[f64]) -> Coordinates {
                 Coordinates::from_array(values.try_into().expect("a value per coordinate"))
+            }
+
+            pub fn assemble_from(estimate: &[f64], t: f64) -> Result<Vec<f64>, Failure> {
+                let mechanism = $mechanism::assemble_from(&named(estimate), t, Settings::default())?;
+                Ok(mechanism.frame().q.to_array().to_vec())
             }
 
             impl Generated {

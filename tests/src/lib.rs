@@ -22,6 +22,7 @@ pub mod sample;
 pub mod single;
 pub mod solver;
 pub mod stability;
+pub mod starts;
 pub mod stencil;
 pub mod study;
 pub mod table;

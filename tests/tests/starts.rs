@@ -7,6 +7,9 @@ use std::f64::consts::TAU;
 
 use linkwright::nalgebra::SVector;
 use linkwright::{Failure, FailureKind, Frame, Settings, assemble, assemble_from_afar, branch_of};
+use linkwright_tests::description;
+use linkwright_tests::starts::measure::measure;
+use linkwright_tests::starts::perturbation::SEED;
 
 /// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
 struct Sequence(u64);
@@ -121,5 +124,44 @@ fn twice_as_far_most_lead_to_the_drawing_and_none_to_the_other_branch() {
             10 * outcomes.drawn >= 9 * starts,
             "{outcomes:?} of {starts}"
         );
+    }
+}
+
+/// The short form of `tests/reports/starts.md`: no start of any mechanism ends at a wrong answer, and the work is bounded.
+#[test]
+fn no_start_of_any_mechanism_is_answered_wrongly() {
+    println!("seed {SEED:#x}");
+    for name in description::names() {
+        for system in description::motions(&name) {
+            // The matrices of a large mechanism cost more than its starts tell.
+            let starts = if system.coordinates.len() <= 12 {
+                200
+            } else {
+                20
+            };
+            let measured = measure(&system, starts);
+            println!(
+                "{}: {} from afar, {} plain, of {starts}",
+                measured.name, measured.afar.drawn, measured.plain.drawn
+            );
+            let ways = [
+                Some(&measured.plain),
+                Some(&measured.afar),
+                measured.generated.as_ref(),
+            ];
+            for outcomes in ways.into_iter().flatten() {
+                assert_eq!(outcomes.wrong, 0, "{}: {outcomes:?}", measured.name);
+            }
+            let iterations = u32::from(Settings::<f64>::default().iterations);
+            let bounds = [5 * iterations + 79, 13 * iterations + 70];
+            let counts = [&measured.afar.jacobians, &measured.afar.residuals];
+            for (counts, bound) in counts.into_iter().zip(bounds) {
+                assert!(
+                    counts.iter().all(|count| *count <= bound),
+                    "{}",
+                    measured.name
+                );
+            }
+        }
     }
 }

@@ -1,0 +1,240 @@
+//! *A formula of t* → *a driver whose value and rate are those computed here*, or one that is refused.
+//!
+//! The formula is evaluated a second time in dual numbers, each with a running bound of its error.
+
+use arbitrary::{Result, Unstructured};
+use linkwright::Equations;
+use linkwright_cli::interpreter::Interpreter;
+use linkwright_codegen::diagnostic::Source;
+use nalgebra::DVector;
+
+use linkwright::nalgebra;
+
+/// When the formula is evaluated (s).
+const TIME: f64 = 0.375;
+
+/// One rounding, with room for those that the library makes where this file makes one.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// What may be lost beside that, in shares of a value: the library evaluates other formulas than this file, such as
+/// x/sqrt(1 + x^2) for sin(atan(x)), whose rate is the difference of two terms.
+const LOST: f64 = 1e-9;
+
+/// A value and its rate, and by how much both may be off.
+#[derive(Clone, Copy, Debug)]
+struct Dual {
+    value: f64,
+    rate: f64,
+    value_error: f64,
+    rate_error: f64,
+}
+
+impl Dual {
+    fn new(value: f64, rate: f64) -> Dual {
+        Dual {
+            value,
+            rate,
+            value_error: ROUNDING * value.abs(),
+            rate_error: ROUNDING * rate.abs(),
+        }
+    }
+
+    fn sum(self, other: Dual, sign: f64) -> Dual {
+        let value = self.value + sign * other.value;
+        let rate = self.rate + sign * other.rate;
+        Dual {
+            value,
+            rate,
+            value_error: self.value_error
+                + other.value_error
+                + ROUNDING * (self.value.abs() + other.value.abs()),
+            rate_error: self.rate_error
+                + other.rate_error
+                + ROUNDING * (self.rate.abs() + other.rate.abs()),
+        }
+    }
+
+    fn product(self, other: Dual) -> Dual {
+        let value = self.value * other.value;
+        let rate = self.rate * other.value + self.value * other.rate;
+        let cross = |a: f64, ea: f64, b: f64, eb: f64| a.abs() * eb + b.abs() * ea + ea * eb;
+        Dual {
+            value,
+            rate,
+            value_error: cross(self.value, self.value_error, other.value, other.value_error)
+                + ROUNDING * value.abs(),
+            rate_error: cross(self.rate, self.rate_error, other.value, other.value_error)
+                + cross(self.value, self.value_error, other.rate, other.rate_error)
+                + ROUNDING * ((self.rate * other.value).abs() + (self.value * other.rate).abs()),
+        }
+    }
+
+    /// A function with this value and these first two derivatives at the value.
+    fn map(self, value: f64, slope: f64, bend: f64) -> Dual {
+        let rate = slope * self.rate;
+        Dual {
+            value,
+            rate,
+            value_error: slope.abs() * self.value_error + ROUNDING * value.abs(),
+            rate_error: slope.abs() * self.rate_error
+                + (bend * self.rate).abs() * self.value_error
+                + ROUNDING * rate.abs(),
+        }
+    }
+
+    /// Whether the bounds are small enough that first order in them says everything.
+    fn is_sure(self) -> bool {
+        let small = |value: f64, error: f64| error <= 1e-6 * value.abs().max(1e-3);
+        small(self.value, self.value_error)
+            && small(self.rate, self.rate_error)
+            && self.value.abs() < 1e12
+            && self.rate.abs() < 1e12
+    }
+}
+
+/// A formula as it is written, and what it is; `None` where this file is not sure.
+struct Formula {
+    text: String,
+    dual: Option<Dual>,
+}
+
+fn number(input: &mut Unstructured<'_>) -> Result<Formula> {
+    let digits = input.int_in_range(0..=99_999_u32)?;
+    let exponent = match input.int_in_range(0..=7)? {
+        0 => input.int_in_range(-330..=320)?,
+        1..=3 => input.int_in_range(-6..=3)?,
+        _ => -3,
+    };
+    let text = format!("{digits}e{exponent}");
+    let value: f64 = text.parse().expect("a decimal number");
+    let is_normal = value == 0.0 || value.is_normal();
+    Ok(Formula {
+        dual: is_normal.then(|| Dual::new(value, 0.0)),
+        text,
+    })
+}
+
+fn formula(input: &mut Unstructured<'_>, depth: usize) -> Result<Formula> {
+    let kinds = if depth == 0 { 3 } else { 13 };
+    let kind = input.int_in_range(0..=kinds - 1)?;
+    let mut part = || formula(input, depth.saturating_sub(1));
+    let binary = |one: &Formula, other: &Formula, f: fn(Dual, Dual) -> Dual| {
+        one.dual.zip(other.dual).map(|(a, b)| f(a, b))
+    };
+    Ok(match kind {
+        0 => number(input)?,
+        1 => Formula {
+            text: "t".to_string(),
+            dual: Some(Dual {
+                value_error: 0.0,
+                rate_error: 0.0,
+                ..Dual::new(TIME, 1.0)
+            }),
+        },
+        2 => Formula {
+            text: "pi".to_string(),
+            dual: Some(Dual::new(std::f64::consts::PI, 0.0)),
+        },
+        3 | 4 => {
+            let (one, other) = (part()?, part()?);
+            let sign = if kind == 3 { '+' } else { '-' };
+            Formula {
+                text: format!("({} {sign} {})", one.text, other.text),
+                dual: if kind == 3 {
+                    binary(&one, &other, |a, b| a.sum(b, 1.0))
+                } else {
+                    binary(&one, &other, |a, b| a.sum(b, -1.0))
+                },
+            }
+        }
+        5 => {
+            let (one, other) = (part()?, part()?);
+            Formula {
+                text: format!("({}*{})", one.text, other.text),
+                dual: binary(&one, &other, Dual::product),
+            }
+        }
+        6 => {
+            let (one, other) = (part()?, part()?);
+            Formula {
+                text: format!("({}/{})", one.text, other.text),
+                dual: binary(&one, &other, |a, b| {
+                    let x = b.value;
+                    a.product(b.map(1.0 / x, -1.0 / (x * x), 2.0 / (x * x * x)))
+                }),
+            }
+        }
+        _ => {
+            let inner = part()?;
+            let of = |name: &str, f: fn(f64) -> [f64; 3]| Formula {
+                text: format!("{name}({})", inner.text),
+                dual: inner.dual.map(|x| {
+                    let [value, slope, bend] = f(x.value);
+                    x.map(value, slope, bend)
+                }),
+            };
+            match kind {
+                7 => of("sin", |x| [x.sin(), x.cos(), -x.sin()]),
+                8 => of("cos", |x| [x.cos(), -x.sin(), -x.cos()]),
+                9 => of("exp", |x| [x.exp(), x.exp(), x.exp()]),
+                10 => of("ln", |x| [x.ln(), 1.0 / x, -1.0 / (x * x)]),
+                11 => of("sqrt", |x| {
+                    let root = x.sqrt();
+                    [root, 0.5 / root, -0.25 / (x * root)]
+                }),
+                _ => of("atan", |x| {
+                    let square = 1.0 + x * x;
+                    [x.atan(), 1.0 / square, -2.0 * x / (square * square)]
+                }),
+            }
+        }
+    })
+    .map(|formula| Formula {
+        dual: formula.dual.filter(|dual| dual.is_sure()),
+        ..formula
+    })
+}
+
+/// Drives a crank by the formula, and compares value and rate.
+///
+/// # Panics
+/// Where the library does, or where a value is wrong.
+pub fn run(bytes: &[u8]) {
+    let _ = attempt(&mut Unstructured::new(bytes));
+}
+
+fn attempt(input: &mut Unstructured<'_>) -> Result<()> {
+    let formula = formula(input, 5)?;
+    let text = format!(
+        "mechanism fuzzed {{
+    body 1 at (0, 0);
+    absolute_x(1) = 0;
+    absolute_y(1) = 0;
+    drive phi(1) = {};
+}}",
+        formula.text
+    );
+    let source = Source::new("fuzzed.mech", text);
+    let system = match linkwright_codegen::read(&source) {
+        Ok(read) => read.only().expect("one motion"),
+        Err(findings) => {
+            assert!(!findings.render(&source).is_empty());
+            return Ok(());
+        }
+    };
+    let equations = Interpreter::new(&system);
+    let q = DVector::zeros(3);
+    let (mut phi, mut rates) = (DVector::zeros(3), DVector::zeros(3));
+    equations.residual(&q, TIME, &mut phi);
+    equations.time_derivative(&q, TIME, &mut rates);
+    let Some(dual) = formula.dual else {
+        return Ok(());
+    };
+    let off = (-phi[2] - dual.value).abs();
+    let within = off <= dual.value_error + LOST * dual.value.abs();
+    assert!(within, "value {} and {dual:?}\n{}", -phi[2], source.text);
+    let off = (-rates[2] - dual.rate).abs();
+    let within = off <= dual.rate_error + LOST * dual.rate.abs();
+    assert!(within, "rate {} and {dual:?}\n{}", -rates[2], source.text);
+    Ok(())
+}

@@ -1,0 +1,60 @@
+//! *Any bytes* → *a description that is read or refused*. Neither panics, and whatever is said can be printed.
+
+use linkwright_codegen::diagnostic::{Diagnostics, Source};
+
+/// The largest number of coordinates for which the code is generated too: what is larger only takes longer.
+const LARGEST: usize = 12;
+
+/// Reads, checks and generates.
+///
+/// # Panics
+/// Where the library does, or where a finding cannot be printed.
+pub fn run(bytes: &[u8]) {
+    let source = match Source::from_bytes("fuzzed.mech", bytes) {
+        Ok(source) => source,
+        Err(unreadable) => {
+            printed(&unreadable.1, &unreadable.0);
+            return;
+        }
+    };
+    let read = match linkwright_codegen::read(&source) {
+        Ok(read) => read,
+        Err(findings) => {
+            assert!(findings.has_errors(), "refused without an error");
+            printed(&findings, &source);
+            return;
+        }
+    };
+    assert!(!read.motions.is_empty());
+    printed(&read.warnings, &source);
+    if let Err(findings) = linkwright_codegen::check_all(&read.motions) {
+        assert!(findings.has_errors(), "refused without an error");
+        printed(&findings, &source);
+        return;
+    }
+    if read
+        .motions
+        .iter()
+        .all(|it| it.coordinates.len() <= LARGEST)
+    {
+        let generated = linkwright_codegen::generate(&source);
+        let generated = generated.expect("what is checked can be generated");
+        assert!(!generated.code.contains("NAN"), "a value that is no number");
+    }
+}
+
+fn printed(findings: &Diagnostics, source: &Source) {
+    let text = findings.render(source);
+    assert_eq!(text.is_empty(), findings.is_empty(), "{text}");
+    for finding in findings.iter() {
+        let place = finding.primary.span.range();
+        assert!(
+            place.end <= source.text.len(),
+            "a place outside of the text"
+        );
+        assert!(
+            source.text.get(place).is_some(),
+            "a place within a character"
+        );
+    }
+}

@@ -1,0 +1,224 @@
+//! *A mechanism and starts* → *where each ends*: at the pose of the drawing, at another one, or at a typed failure, with the number of
+//! evaluations.
+//!
+//! The truth is the pose to which the drawing itself leads; angles count but for whole turns. A frame that is reported as solved is
+//! judged by a residual of its own evaluation.
+
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use linkwright::{Equations, Failure, Frame, Settings, assemble, assemble_from_afar, branch_of};
+use linkwright_cli::interpreter::Interpreter;
+use linkwright_codegen::joint::Quantity;
+use linkwright_codegen::system::System;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use super::perturbation::{estimate, reach};
+use crate::generated::MODULES;
+use crate::stability::sample::named;
+
+/// How far a pose may be from the truth, in scales: the tolerance is 1e-12.
+const SAME: f64 = 1e-9;
+
+/// The largest scaled residual of what is called solved.
+const SOLVED: f64 = 1e-11;
+
+/// Where starts ended, and what they cost.
+#[derive(Clone, Debug, Default)]
+pub struct Outcomes {
+    /// How many starts there were.
+    pub starts: u32,
+    /// At the pose of the drawing.
+    pub drawn: u32,
+    /// At another pose with the same sign of the determinant.
+    pub another: u32,
+    /// At a pose with the other sign, where no sign was asked for.
+    pub other_branch: u32,
+    /// At no pose, or at one of the other sign although this one was asked for.
+    pub wrong: u32,
+    /// Typed failures by kind.
+    pub failed: BTreeMap<&'static str, u32>,
+    /// Evaluations of the Jacobian, one for each start.
+    pub jacobians: Vec<u32>,
+    /// Evaluations of the residual, one for each start.
+    pub residuals: Vec<u32>,
+}
+
+impl Outcomes {
+    fn fail(&mut self, failure: &Failure<f64>) {
+        *self.failed.entry(named(failure.kind)).or_default() += 1;
+    }
+
+    /// The share of the starts that ended at the pose of the drawing, in percent.
+    pub fn success(&self) -> f64 {
+        100.0 * f64::from(self.drawn) / f64::from(self.starts.max(1))
+    }
+}
+
+/// One motion of a mechanism, by every way to assemble it.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// The mechanism, with its motion where it has several.
+    pub name: String,
+    /// How many coordinates it has.
+    pub coordinates: usize,
+    /// `assemble` of the textbook view.
+    pub plain: Outcomes,
+    /// `assemble_from_afar` of the textbook view on the branch of the drawing.
+    pub afar: Outcomes,
+    /// `assemble_from` of the generated mechanism, where its frames hold all coordinates and it is given nothing.
+    pub generated: Option<Outcomes>,
+}
+
+/// Equations that count their evaluations.
+struct Counted<'a> {
+    inner: &'a Interpreter,
+    residuals: Cell<u32>,
+    jacobians: Cell<u32>,
+}
+
+impl Equations<f64, Dyn> for Counted<'_> {
+    fn dimension(&self) -> Dyn {
+        self.inner.dimension()
+    }
+
+    fn residual(&self, q: &DVector<f64>, t: f64, phi: &mut DVector<f64>) {
+        self.residuals.set(self.residuals.get() + 1);
+        self.inner.residual(q, t, phi);
+    }
+
+    fn jacobian(&self, q: &DVector<f64>, t: f64, phi_q: &mut DMatrix<f64>) {
+        self.jacobians.set(self.jacobians.get() + 1);
+        self.inner.jacobian(q, t, phi_q);
+    }
+
+    fn time_derivative(&self, q: &DVector<f64>, t: f64, phi_t: &mut DVector<f64>) {
+        self.inner.time_derivative(q, t, phi_t);
+    }
+
+    fn gamma(&self, q: &DVector<f64>, qd: &DVector<f64>, t: f64, gamma: &mut DVector<f64>) {
+        self.inner.gamma(q, qd, t, gamma);
+    }
+
+    fn row_scale(&self, row: usize) -> f64 {
+        self.inner.row_scale(row)
+    }
+
+    fn coordinate_scale(&self, column: usize) -> f64 {
+        self.inner.coordinate_scale(column)
+    }
+}
+
+/// Assembles a motion from this many estimates.
+///
+/// # Panics
+/// If the drawing itself does not lead to a pose.
+pub fn measure(system: &System, starts: u32) -> Measured {
+    let mechanism = &system.mechanism;
+    let motion = mechanism.motion.as_ref();
+    let name = match motion {
+        Some(motion) => format!("{}, {}", mechanism.name, motion.name),
+        None => mechanism.name.clone(),
+    };
+    let interpreter = Interpreter::new(system);
+    let settings = Settings::default();
+    let drawn = interpreter.estimate();
+    let truth = assemble(&interpreter, drawn, 0.0, &settings)
+        .unwrap_or_else(|failure| panic!("{name}: {failure}"))
+        .q;
+    let branch = branch_of(&interpreter, &truth, 0.0, &settings)
+        .unwrap_or_else(|failure| panic!("{name}: {failure}"));
+    let reach = reach(system);
+    let judge = Judge {
+        system,
+        interpreter: &interpreter,
+        truth: &truth,
+    };
+    let module = MODULES.iter().find(|module| module.name == name);
+    let mut measured = Measured {
+        name,
+        coordinates: drawn.len(),
+        plain: Outcomes::default(),
+        afar: Outcomes::default(),
+        generated: module.map(|_| Outcomes::default()),
+    };
+    for number in 0..starts {
+        let start = estimate(drawn, &reach, number);
+        for (outcomes, from_afar) in [(&mut measured.plain, false), (&mut measured.afar, true)] {
+            let counted = Counted {
+                inner: &interpreter,
+                residuals: Cell::new(0),
+                jacobians: Cell::new(0),
+            };
+            let found: Result<Frame<f64, Dyn>, _> = if from_afar {
+                assemble_from_afar(&counted, &start, Some(branch), 0.0, &settings)
+            } else {
+                assemble(&counted, &start, 0.0, &settings)
+            };
+            outcomes.starts += 1;
+            outcomes.jacobians.push(counted.jacobians.get());
+            outcomes.residuals.push(counted.residuals.get());
+            match found {
+                Ok(frame) => {
+                    let is_branch = branch_of(&interpreter, &frame.q, 0.0, &settings) == Ok(branch);
+                    judge.judge(&frame.q, is_branch, from_afar, outcomes);
+                }
+                Err(failure) => outcomes.fail(&failure),
+            }
+        }
+        if let (Some(module), Some(outcomes)) = (module, &mut measured.generated) {
+            outcomes.starts += 1;
+            match (module.assemble_from)(start.as_slice(), 0.0) {
+                Ok(q) => {
+                    let q = DVector::from_vec(q);
+                    let is_branch = branch_of(&interpreter, &q, 0.0, &settings) == Ok(branch);
+                    // Its modes are those of its blocks, so that the sign of the whole says nothing more.
+                    judge.judge(&q, is_branch, true, outcomes);
+                }
+                Err(failure) => outcomes.fail(&failure),
+            }
+        }
+    }
+    measured
+}
+
+struct Judge<'a> {
+    system: &'a System,
+    interpreter: &'a Interpreter,
+    truth: &'a DVector<f64>,
+}
+
+impl Judge<'_> {
+    fn judge(&self, q: &DVector<f64>, is_branch: bool, is_asked: bool, outcomes: &mut Outcomes) {
+        let mut phi = DVector::zeros(q.len());
+        self.interpreter.residual(q, 0.0, &mut phi);
+        let scaled = phi.iter().zip(&self.system.rows);
+        // Written so that NaN is no pose.
+        let is_solved = scaled
+            .map(|(value, row)| value.abs() / self.system.scale(row.quantity))
+            .all(|value| value <= SOLVED);
+        if !is_solved || (is_asked && !is_branch) {
+            outcomes.wrong += 1;
+        } else if self.is_drawn(q) {
+            outcomes.drawn += 1;
+        } else if is_branch {
+            outcomes.another += 1;
+        } else {
+            outcomes.other_branch += 1;
+        }
+    }
+
+    fn is_drawn(&self, q: &DVector<f64>) -> bool {
+        let pairs = q.iter().zip(self.truth.iter());
+        pairs
+            .zip(&self.system.coordinates)
+            .all(|((found, wanted), coordinate)| {
+                let mut difference = found - wanted;
+                if coordinate.quantity == Quantity::Angle {
+                    difference -= TAU * (difference / TAU).round();
+                }
+                difference.abs() <= SAME * self.system.scale(coordinate.quantity)
+            })
+    }
+}
