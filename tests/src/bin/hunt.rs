@@ -21,10 +21,10 @@ struct Arguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// How many mechanisms are constructed
-    #[arg(long, default_value_t = 1000)]
+    #[arg(long, default_value_t = 540)]
     count: u64,
     /// How many of those that can be hunted are also compiled, in f64 and in f32
-    #[arg(long, default_value_t = 100)]
+    #[arg(long, default_value_t = 20)]
     compile: usize,
     /// Only this mechanism, compiled too unless --compile is 0; no report is written
     #[arg(long)]

@@ -157,12 +157,10 @@ const BEHIND: &str = "\
 - `advance` of the textbook view: the motion begins, or comes, so near to a singular pose that rates and accelerations are large, and the Taylor
   polynomial over a whole step leaves the basin of the pose. `follow` and the motion of generated mechanisms go there in shorter
   steps from the same frame.
-- f32 with digits, `Singular`, `StepTooLarge`, `Stalled`, `IterationLimit`: the pose is within the rounding of f32 of one that is singular, or the
-  tolerance of 1e-5 is below the rounding of its rows; f64 solves the same instants.
 
 A description is refused where joints at random say too much of one body and too little of another (K32, K33), repeat one another in every
 pose (K34) or can hold only at t = 0 (K36). Where the tracker gives up, or
-calls the first pose singular, places or frames are as a rule 1e5 sizes off, and its own f64 does not suffice.
+calls the first pose singular, its own f64 does not suffice, as with places or frames 1e5 sizes off.
 ";
 
 /// The report.
