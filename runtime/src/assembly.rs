@@ -32,7 +32,7 @@ use crate::watch::EndsOn;
 /// that of the solve after the least squares.
 ///
 /// # Work
-/// With N for [`Settings::iterations`] at most 13 N + 70 evaluations of the residual, 5 N + 79 of the Jacobian, and 3 each of
+/// With N for [`Settings::iterations`] at most 13 N + 74 evaluations of the residual, 5 N + 79 of the Jacobian, and 3 each of
 /// Φ_t and γ.
 ///
 /// # Panics

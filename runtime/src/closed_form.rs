@@ -42,10 +42,14 @@ impl Branch {
 /// (f64) are in line.
 pub const FOLD: f64 = 16.0;
 
-/// Whether the square of a half chord is safely positive beside `scale`. False for NaN.
+/// The multiple of the smallest normal number below which the square of a half chord is no longer rounded in proportion: the
+/// fourth powers of the links have left the range of the scalar.
+pub const UNDERFLOW: f64 = 8.0;
+
+/// Whether the square of a half chord is safely positive beside `scale`, and a normal number. False for NaN.
 #[inline]
 pub fn spans<T: Real>(excess: T, scale: T) -> bool {
-    excess > T::from_f64(FOLD) * T::EPSILON * scale
+    excess > T::from_f64(FOLD) * T::EPSILON * scale + T::from_f64(UNDERFLOW) * T::SMALLEST
 }
 
 /// Why the links of a closed-form block do not span the distance (m) between their far pins; `longest` and `shortest` are what
@@ -162,5 +166,8 @@ mod tests {
         assert!(matches!(by(2.5, 2.5, 0.5), FailureKind::Singular { .. }));
         assert_eq!(by(f64::NAN, 2.5, 0.5), FailureKind::NotFinite);
         assert!(!spans(f64::NAN, 1.0) && !spans(1e-16, 1.0) && spans(1e-14, 1.0));
+        // The product of subnormal squares has lost its digits.
+        assert!(spans(1e-306, 1e-306) && !spans(1e-310, 1e-310));
+        assert!(spans(1e-36_f32, 1e-36) && !spans(1e-38_f32, 1e-38));
     }
 }

@@ -35,7 +35,7 @@ const NEAR: f64 = 0.25;
 /// The pose is as good as that of [`newton::solve`], which does the rest of the way.
 ///
 /// # Work
-/// With N for [`Settings::iterations`] at most N (1 + [`SHORTENINGS`]) + N + 3 evaluations of the residual and 2 N + 3 of the
+/// With N for [`Settings::iterations`] at most N (1 + [`SHORTENINGS`]) + N + 4 evaluations of the residual and 2 N + 3 of the
 /// Jacobian.
 ///
 /// # Errors

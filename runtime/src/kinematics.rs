@@ -89,7 +89,7 @@ where
 /// that, at the price of looking at every step.
 ///
 /// # Work
-/// With N for [`Settings::iterations`] at most N + 2 evaluations of the residual, N + 5 of the Jacobian, and one each of Φ_t
+/// With N for [`Settings::iterations`] at most N + 3 evaluations of the residual, N + 5 of the Jacobian, and one each of Φ_t
 /// and γ.
 ///
 /// # Errors

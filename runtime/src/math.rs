@@ -48,6 +48,8 @@ pub trait Real:
     const HALF: Self;
     /// The distance from 1 to the next larger number.
     const EPSILON: Self;
+    /// The smallest positive normal number.
+    const SMALLEST: Self;
 
     /// The scalar nearest to `value`.
     fn from_f64(value: f64) -> Self;
@@ -100,6 +102,7 @@ macro_rules! implement_real {
             const ONE: Self = 1.0;
             const HALF: Self = 0.5;
             const EPSILON: Self = $scalar::EPSILON;
+            const SMALLEST: Self = $scalar::MIN_POSITIVE;
 
             #[inline]
             fn from_f64(value: f64) -> Self {

@@ -125,17 +125,19 @@ where
 ///
 /// Solved means that no scaled residual |Φ_i| / scale_i exceeds [`Settings::tolerance`]. With [`Settings::polish`] one
 /// more step follows, unless the residual is at rounding level already; it reuses the newest factorization, whose
-/// error is of the order of the last update and so too small to matter, and it is taken back if the residual grows.
+/// error is of the order of the last update and so as a rule too small to matter, and it is taken back if the residual grows.
+/// Where this does not bring the residual to rounding level, steps with Jacobians at the pose itself follow until one leaves
+/// more than the part [`NOISE`] of it: then only the rounding of the equations is left.
 ///
-/// The step also tells whether the pose itself has settled, for a small residual alone does not: x² = 1e-12 says little
-/// about x. What the step has left of the residual it has left of the error, so twice the length of the step times this part
-/// estimates the error that remains; the factor two is for the older Jacobian. Where it exceeds the tolerance, in coordinate
-/// scales, and the residual is not at rounding level, the iteration goes on. Without the polishing step, and for an estimate
+/// A small residual alone does not tell whether the pose itself has settled, for x² = 1e-12 says little about x. What a
+/// polishing step has left of the residual it has left of the error, so twice the length of the step times this part
+/// estimates the error that remains; the factor two is for the older Jacobian. Where that exceeds the tolerance, in coordinate
+/// scales, and the steps are used up, the pose is not returned. Without the polishing step, and for an estimate
 /// that has a residual at rounding level already, the residual alone decides; [`crate::assemble`] and [`crate::advance`]
 /// judge such poses by their Jacobian.
 ///
 /// # Work
-/// With N for [`Settings::iterations`] at most N + 2 evaluations of the residual and N + 3 of the Jacobian.
+/// With N for [`Settings::iterations`] at most N + 3 evaluations of the residual and N + 3 of the Jacobian.
 ///
 /// # Errors
 /// Every [`FailureKind`]; `q` is then as it was.
@@ -249,20 +251,29 @@ where
         equations.residual(&update, t, &mut phi);
         let after = scales.residual(&phi);
         let better = after.magnitude <= residual.magnitude && all_finite(update.as_slice());
+        let rounding = after.magnitude <= T::from_f64(ROUNDING) * T::EPSILON;
+        // Written so that a residual that is no number is not an improvement.
+        let improves = after.magnitude < T::from_f64(NOISE) * residual.magnitude;
+        unsettled = better
+            && !rounding
+            && improves
+            && !scales.close(
+                pose,
+                &update,
+                T::HALF * settings.tolerance * (residual.magnitude / after.magnitude),
+            );
+        // Only the step of a Jacobian at this very pose says that nothing but noise is left.
+        let again = !rounding && (improves || !solved) && iterations < settings.iterations;
         if better {
-            unsettled = after.magnitude > T::from_f64(ROUNDING) * T::EPSILON
-                && after.magnitude < T::from_f64(NOISE) * residual.magnitude
-                && !scales.close(
-                    pose,
-                    &update,
-                    T::HALF * settings.tolerance * (residual.magnitude / after.magnitude),
-                );
             pose.clone_from(&update);
             residual = after;
-            if unsettled {
-                iterations += 1;
-                continue;
+        }
+        if unsettled || again {
+            iterations += 1;
+            if !better {
+                equations.residual(pose, t, &mut phi);
             }
+            continue;
         }
         return Ok(convergence(iterations, residual, better));
     }

@@ -77,7 +77,7 @@ where
 /// - [`FailureKind::StepTooLarge`] where the budget [`Settings::substeps`] has ended before any of this was clear.
 ///
 /// # Work
-/// With S for [`Settings::substeps`] and N for [`Settings::iterations`] at most S (N + 2) evaluations of the residual,
+/// With S for [`Settings::substeps`] and N for [`Settings::iterations`] at most S (N + 3) evaluations of the residual,
 /// S (N + 5) + 3 of the Jacobian, S of Φ_t and S of γ.
 ///
 /// # Panics

@@ -5,7 +5,12 @@
 //! pose is as exact as its condition lets it be. But where Φ_q changes by as much as itself a singular pose is among
 //! those that fit the residual, and there may be a second solution, or none. This is the condition of Newton and
 //! Kantorovich, h = ‖Φ_q⁻¹ (Φ_q(q + δ) - Φ_q(q))‖ ≤ 1/2 (Deuflhard, *Newton Methods for Nonlinear Problems*, 2004,
-//! section 2.1), asked of the δ that the residual leaves most uncertain. It does not depend on the choice of coordinates.
+//! section 2.1), asked of the δ that the residual leaves most uncertain. It does not depend on the choice of coordinates. A
+//! quarter of it is asked, because the residual is itself known to rounding only: so the condition holds with that too.
+//!
+//! A pose that is uncertain by more than a thousandth in the scale of a coordinate is refused as well, however little Φ_q
+//! changes: it has not three digits. Far from the origin, or with links of very different lengths, the residual's rounding
+//! alone leaves that much.
 //!
 //! The module does not know how the pose was found.
 
@@ -25,8 +30,11 @@ use crate::vector::{add, zero_matrix, zero_vector};
 /// curvatures above 1 and for pivots that are larger than the singular value.
 const DOUBT: f64 = 256.0;
 
+/// The uncertainty of a coordinate, in its scale, beyond which a pose is refused: it would have less than three digits.
+pub const LARGEST_UNCERTAINTY: f64 = 1e-3;
+
 /// The change of the Jacobian, relative to itself, beyond which a pose is not regular.
-const LARGEST_CHANGE: f64 = 0.5;
+const LARGEST_CHANGE: f64 = 0.125;
 
 /// Whether [`require`] should be asked: false for every pose that is safely away from singular ones.
 #[inline]
@@ -72,6 +80,16 @@ where
     for (entry, scale) in entries.zip(scales.columns.as_slice()) {
         *entry *= reach * *scale;
     }
+    let singular = Err(FailureKind::Singular {
+        pivot_ratio: factorization.pivot_ratio(),
+        column: index(column),
+    });
+    let size = scales.step_length(&uncertain);
+    // Written so that NaN is rejected too.
+    let certain = size <= T::from_f64(LARGEST_UNCERTAINTY);
+    if !certain {
+        return singular;
+    }
     let mut moved = q.clone();
     add(&mut moved, &uncertain);
     let mut changed = zero_matrix(dimension);
@@ -91,11 +109,8 @@ where
     factorization.solve(&mut image);
     let change = scales.step_length(&image);
     // Written so that NaN is rejected too.
-    if change <= T::from_f64(LARGEST_CHANGE) * scales.step_length(&uncertain) {
+    if change <= T::from_f64(LARGEST_CHANGE) * size {
         return Ok(());
     }
-    Err(FailureKind::Singular {
-        pivot_ratio: factorization.pivot_ratio(),
-        column: index(column),
-    })
+    singular
 }

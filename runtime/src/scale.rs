@@ -23,6 +23,19 @@ where
     pub columns: OVector<T, D>,
 }
 
+/// The largest magnitude of these lengths (m), or `otherwise` where that is zero or no number: what residuals in m are judged
+/// against where parameters decide how large a mechanism is.
+pub fn largest_length<T: Real, const N: usize>(lengths: &[T; N], otherwise: T) -> T {
+    let largest = lengths
+        .iter()
+        .fold(T::ZERO, |largest, length| largest.max(length.abs()));
+    if largest > T::ZERO && largest.is_finite() {
+        largest
+    } else {
+        otherwise
+    }
+}
+
 /// The scaled residual of a pose.
 #[derive(Clone, Copy)]
 pub(crate) struct Residual<T> {

@@ -24,9 +24,10 @@ pub struct Settings<T = f64> {
     pub iterations: u16,
     /// The smallest pivot ratio, as [`crate::Factorization`] defines it, of a Jacobian that is not called singular.
     pub pivot_ratio: T,
-    /// Whether a pose that has met the tolerance gets one more step, towards rounding level.
+    /// Whether a pose that has met the tolerance is brought to rounding level.
     ///
-    /// Convergence is quadratic, so this step usually removes all that the tolerance left.
+    /// Convergence is quadratic, so one step more, with the newest factorization, as a rule removes all that the tolerance
+    /// left.
     pub polish: bool,
     /// The largest number of attempts of [`crate::follow`] to move on, and the least that it makes is one.
     ///

@@ -232,7 +232,7 @@ fn work_is_bounded<E: Equations<f64, D>, D: linkwright::nalgebra::DimName>(
             for branch in [None, Some(Branch::Positive), Some(Branch::Negative)] {
                 let _ = assemble_from_afar(&equations, start, branch, 0.3, &settings);
                 let count = equations.take();
-                assert!(count.residuals <= 13 * n + 70, "{count:?}");
+                assert!(count.residuals <= 13 * n + 74, "{count:?}");
                 assert!(count.jacobians <= 5 * n + 79, "{count:?}");
                 assert!(
                     count.time_derivatives <= 3 && count.gammas <= 3,

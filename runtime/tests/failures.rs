@@ -274,9 +274,10 @@ fn polishing_removes_what_the_tolerance_left() {
     )
     .expect("converges");
     assert!(!without.polished && with.polished);
-    assert_eq!(without.iterations, with.iterations);
+    // From 1e-3 one step with the older slope leaves more than rounding, so another one follows.
+    assert_eq!(without.iterations + 1, with.iterations);
     let root = 2.0_f64.sqrt();
-    assert!((fine - root).abs() < 1e-2 * (rough - root).abs());
+    assert!((rough - root).abs() > 1e-6 && (fine - root).abs() <= f64::EPSILON);
     assert_eq!(with.residual, (fine * fine - 2.0).abs());
     assert_eq!(without.residual, (rough * rough - 2.0).abs());
 }

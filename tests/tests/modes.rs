@@ -4,6 +4,7 @@
 use linkwright::{Failure, FailureKind, Settings, Signal};
 use linkwright_mechanisms::excavator_motions::reach;
 use linkwright_mechanisms::{platform_3rpr, stephenson};
+use linkwright_tests::random::Random;
 
 mod folding {
     linkwright::include_mechanism!(folding);
@@ -13,21 +14,9 @@ mod platform_given {
     linkwright::include_mechanism!(platform_given);
 }
 
-/// A reproducible sequence of numbers in [0, 1) (xorshift64*, Vigna 2016).
-struct Sequence(u64);
-
-impl Sequence {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        let bits = self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11;
-        bits as f64 / (1_u64 << 53) as f64
-    }
-
-    fn place(&mut self, count: usize) -> usize {
-        (self.next() * count as f64) as usize
-    }
+/// One of a thousand.
+fn place(random: &mut Random) -> usize {
+    random.between(0.0, 1000.0) as usize
 }
 
 /// Takes random ways within ten seconds in one step each; returns how many were refused. The truth is a motion in steps of 10 ms.
@@ -40,10 +29,10 @@ macro_rules! refused {
             $advance.expect("a short step");
             states.push($mechanism);
         }
-        let mut sequence = Sequence(5);
+        let mut random = Random::new(5);
         let mut refused = 0;
         for _ in 0..1000 {
-            let (from, to) = (sequence.place(1000), sequence.place(1000));
+            let (from, to) = (place(&mut random), place(&mut random));
             let mut $mechanism = states[from];
             let end = states[to].frame();
             let $t = end.t;
@@ -145,13 +134,13 @@ macro_rules! starts {
     ($module:ident::$mechanism:ident, link $link:literal) => {{
         use $module::{Coordinates, $mechanism};
         let drawn = $mechanism::assemble(0.0).expect("as drawn");
-        let mut sequence = Sequence(99);
+        let mut random = Random::new(99);
         let mut counts = [0; 3];
         for _ in 0..10_000 {
             let mut estimate = Coordinates::DRAWN.to_array();
             for (place, value) in estimate.iter_mut().enumerate() {
                 let reach = if place % 3 == 2 { 0.5 } else { 0.5 * $link };
-                *value += reach * (2.0 * sequence.next() - 1.0);
+                *value += reach * random.between(-1.0, 1.0);
             }
             let estimate = Coordinates::from_array(estimate);
             let (modes, settings) = (drawn.branches(), Settings::default());

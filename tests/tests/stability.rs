@@ -6,7 +6,7 @@ use linkwright_tests::stability::precise::{Precise, pi};
 use linkwright_tests::stability::report::{Counts, judged};
 use linkwright_tests::stability::texts;
 use linkwright_tests::stability::truth::{Given, Truth};
-use linkwright_tests::stability::verdict::Verdict;
+use linkwright_tests::stability::verdict::{Scalar, Verdict};
 
 #[test]
 fn every_cell_is_within_its_bound_or_a_typed_failure() {
@@ -17,7 +17,7 @@ fn every_cell_is_within_its_bound_or_a_typed_failure() {
         let judged = judged(family, 3);
         for (sample, verdicts) in judged.family.samples.iter().zip(&judged.verdicts) {
             for (way, verdict) in judged.ways().iter().zip(verdicts) {
-                counts.add(verdict);
+                counts.add(verdict, Scalar::F64);
                 if let Verdict::Wrong { why } = verdict {
                     wrong.push(format!(
                         "{}, {:e}, {way}: {why}",
@@ -30,18 +30,44 @@ fn every_cell_is_within_its_bound_or_a_typed_failure() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     // Otherwise nothing would have been looked at.
     assert!(
-        counts.solved > 2 * counts.failed && counts.failed > 0,
+        counts.solved > 2 * counts.failures() && counts.failures() > 0,
         "{counts:?}"
     );
+}
+
+/// Sizes that are set by parameters, far from the default ones, which are about 1 m.
+#[test]
+fn every_size_from_a_nanometer_to_a_million_kilometers_is_solved_in_every_way() {
+    let sizes = families()
+        .into_iter()
+        .filter(|family| family.title.starts_with("Sizes: "));
+    let mut looked_at = 0;
+    for family in sizes {
+        let judged = judged(family, 6);
+        for (sample, verdicts) in judged.family.samples.iter().zip(&judged.verdicts) {
+            for (way, verdict) in judged.ways().iter().zip(verdicts) {
+                let Verdict::Solved(answer) = verdict else {
+                    panic!(
+                        "{}, {:e} m, {way}: {verdict:?}",
+                        judged.family.title, sample.x
+                    );
+                };
+                let digits = if way.ends_with("f64") { 1e-12 } else { 1e-3 };
+                assert!(answer.bound < digits, "{:e} m, {way}: {answer:?}", sample.x);
+                looked_at += 1;
+            }
+        }
+    }
+    assert_eq!(looked_at, 3 * 4 * 6);
 }
 
 #[test]
 fn no_number_in_a_text_is_answered_wrongly() {
     let mut solved = 0;
     for (name, text) in texts::cases() {
-        let (words, verdict) = texts::judged(&text);
-        assert!(!verdict.is_wrong(), "{name}: {words}");
-        solved += usize::from(matches!(verdict, Verdict::Solved { .. }));
+        let (verdict, _) = texts::judged(&text);
+        assert!(!verdict.is_wrong(), "{name}: {verdict:?}");
+        solved += usize::from(matches!(verdict, Verdict::Solved(_)));
     }
     assert!(solved >= 10, "{solved}");
 }

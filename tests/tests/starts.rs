@@ -8,21 +8,9 @@ use std::f64::consts::TAU;
 use linkwright::nalgebra::SVector;
 use linkwright::{Failure, FailureKind, Frame, Settings, assemble, assemble_from_afar, branch_of};
 use linkwright_tests::description;
+use linkwright_tests::random::Random;
 use linkwright_tests::starts::measure::measure;
 use linkwright_tests::starts::perturbation::SEED;
-
-/// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
-struct Sequence(u64);
-
-impl Sequence {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        let bits = self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11;
-        bits as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
 
 /// How many of the starts ended where.
 #[derive(Debug, Default, PartialEq)]
@@ -55,12 +43,12 @@ macro_rules! outcomes {
             .expect("as drawn")
             .q;
         let branch = branch_of(&Textbook, &truth, 0.0, &settings).expect("regular");
-        let mut sequence = Sequence(99);
+        let mut random = Random::new(99);
         let mut outcomes = Outcomes::default();
         for _ in 0..$starts {
             let start = SVector::from_fn(|place, _| {
                 let reach = if place % 3 == 2 { 0.5 } else { 0.5 * $link };
-                drawn[place] + $factor * reach * sequence.next()
+                drawn[place] + $factor * reach * random.between(-1.0, 1.0)
             });
             let found: Result<Frame<_, _>, Failure> =
                 assemble_from_afar(&Textbook, &start, Some(branch), 0.0, &settings);

@@ -33,6 +33,10 @@ pub fn lower(system: &mut System, solved_plan: Option<&SolvedPlan>) -> Program {
         })
         .collect();
     let drawn = drawn(system, &mut constants);
+    let lengths = (!system.lengths.is_empty()).then(|| {
+        let results = system.lengths.iter().map(|&expr| (expr, Vec::new()));
+        Straight::new(results.collect(), system, &mut constants)
+    });
     let pressures = system
         .pressures
         .iter()
@@ -48,6 +52,7 @@ pub fn lower(system: &mut System, solved_plan: Option<&SolvedPlan>) -> Program {
         constants,
         textbook,
         drawn,
+        lengths,
         points,
         pressures,
     }

@@ -30,6 +30,8 @@ pub struct Program {
     pub textbook: Option<Textbook>,
     /// The drawing's value of every unknown of the vector form, where parameters change it.
     pub drawn: Option<Straight>,
+    /// The lengths of [`crate::system::System::lengths`], where there are any.
+    pub lengths: Option<Straight>,
     /// The motion of each point: position, velocity, acceleration, x and y each. Empty where single outputs are asked for.
     pub points: Vec<Straight>,
     /// What each pressure angle follows from: the velocity along and across the normal, and the square of the sliding speed.

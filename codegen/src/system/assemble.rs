@@ -1,6 +1,7 @@
 //! The rows of every joint, and their derivatives.
 
 use super::direction::{directions, rate_jacobian};
+use super::length::lengths;
 use super::pressure::pressures;
 use super::row_name::RowNames;
 use super::{Coordinate, Described, Entry, Output, Row, SymbolRole, System, VectorForm};
@@ -89,6 +90,7 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
     let directions = directions(&mut mechanism, &rows, &coordinates);
     let rate_jacobian = rate_jacobian(&mut mechanism, &rows, &coordinates);
     let pressures = pressures(&mut mechanism, &coordinates);
+    let lengths = lengths(&mut mechanism, &rows);
     let vector_form = VectorForm::new(&mut mechanism, &coordinates, &dropped);
     let mut roles = roles(&mechanism, &coordinates);
     vector_form.note_roles(&mut roles, coordinates.len());
@@ -102,6 +104,7 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
         rate_jacobian,
         pressures,
         vector_form,
+        lengths,
         roles,
     }
 }

@@ -9,6 +9,7 @@
 mod assemble;
 mod auxiliary;
 mod direction;
+mod length;
 mod orientation;
 mod pressure;
 mod row_name;
@@ -48,6 +49,9 @@ pub struct System {
     pub pressures: Vec<Pressure>,
     /// The same constraints in vector form.
     pub vector_form: VectorForm,
+    /// The lengths whose largest is what lengths are judged against, where parameters change one of them; else none, and it is
+    /// the drawing's largest coordinate.
+    pub lengths: Vec<ExprId>,
     /// What each symbol of the graph is, by [`SymbolId::index`].
     pub roles: Vec<SymbolRole>,
 }
@@ -213,12 +217,5 @@ impl System {
     pub fn local_name(&self, symbol: SymbolId) -> &str {
         let name = self.mechanism.graph.symbol_name(symbol);
         name.split(' ').next().unwrap_or(name)
-    }
-
-    /// What values of a quantity are judged against: the characteristic length to the power of metres, 1 rad for angles.
-    pub fn scale(&self, quantity: Quantity) -> f64 {
-        self.mechanism
-            .characteristic_length
-            .powi(quantity.power_of_length())
     }
 }

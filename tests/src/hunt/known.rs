@@ -87,8 +87,8 @@ fn instant(
     };
     let start: Vec<Precise> = start.iter().map(|it| Precise::from_f64(*it)).collect();
     let exact = truth.solve(&given, &start)?;
-    let bounds = [Scalar::F64, Scalar::F32]
-        .map(|scalar| truth.bounds(&given, &exact, length, scalar.epsilon()));
+    let bounds =
+        [Scalar::F64, Scalar::F32].map(|scalar| truth.allowance(&given, &exact, length, scalar));
     let q: Vec<f64> = exact.levels[0].iter().map(Precise::to_f64).collect();
     // What is computed may be larger than the exact value by its bound.
     let [qd, qdd] = [1, 2].map(|level| -> Vec<f64> {

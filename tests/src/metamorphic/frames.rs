@@ -9,6 +9,7 @@ use nalgebra::Dyn;
 
 use crate::stability::sample::named;
 use crate::stability::truth::{Given, Levels, Truth};
+use crate::stability::verdict::Scalar;
 
 /// The times (s); the mechanism is assembled at the first and moved to the others.
 pub const TIMES: [f64; 4] = [0.0, 0.01, 0.02, 0.03];
@@ -33,7 +34,7 @@ pub fn motions(system: &System) -> Vec<(&'static str, Moved)> {
     let judge = Judge {
         truth: Truth::new(system),
         given: given(system),
-        length: system.mechanism.characteristic_length,
+        length: system.characteristic_length(),
     };
     let mut all = textbook(system, &judge);
     all.push(("solved", solved(system, &judge)));
@@ -68,7 +69,7 @@ pub fn plan(system: &System) -> Vec<(String, usize)> {
 pub fn is_rounded_away(system: &System, t: f64, q: &[f64]) -> bool {
     let given = Given { t, ..given(system) };
     let tolerance = Settings::<f64>::default().tolerance;
-    Truth::new(system).rounding(&given, q, f64::EPSILON) > tolerance
+    Truth::new(system).rounding(&given, q, Scalar::F64) > tolerance
 }
 
 struct Judge {
@@ -85,7 +86,7 @@ impl Judge {
         };
         let exact = self.truth.around(&given, values.clone());
         let exact = exact.ok_or("no bound: the Jacobian has no inverse")?;
-        let bounds = self.truth.bounds(&given, &exact, self.length, f64::EPSILON);
+        let bounds = self.truth.bounds_around(&given, &exact, self.length);
         Ok(Instant { values, bounds })
     }
 }

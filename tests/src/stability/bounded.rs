@@ -1,128 +1,238 @@
-//! *Expressions and values of their symbols with errors* → *values and bounds of their errors* in floating point.
+//! *Expressions, their exact values and the errors of their symbols* → *how far each may be off in floating point*.
 //!
-//! Running error analysis (Higham, *Accuracy and Stability of Numerical Algorithms*, section 3.3), to first order in the errors
-//! of the symbols.
+//! Running error analysis (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., section 3.3): every operation
+//! adds its own rounding, and passes on the errors of its operands. Two sizes are kept of each error: the [`Margin::worst`] that
+//! it can have, and the [`Margin::expected`] root of its mean square. Sums are bounded for
+//! every order of their terms. A rounding is half an ε of the result; sine, cosine and exponential are within one ε of it,
+//! which is the promise of the mathematical libraries; numbers that the scalar holds exactly have no error.
 
-use linkwright_codegen::expr::{ExprId, Factor, Graph, Node};
+use linkwright_codegen::expr::{ExprId, Factor, Graph, Node, Number};
 
-/// A value and by how much its computed value may be off.
-#[derive(Clone, Copy, Debug)]
-pub struct Bounded {
-    /// The value.
-    pub value: f64,
-    /// The bound of the error.
-    pub error: f64,
+use super::precise::{Precise, of_number};
+use super::verdict::Scalar;
+
+/// How far a computed value may be off.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Margin {
+    /// What no error exceeds.
+    pub worst: f64,
+    /// The standard deviation where roundings are independent and evenly distributed.
+    pub expected: f64,
 }
 
-impl Bounded {
-    /// A number without error.
-    pub fn exact(value: f64) -> Bounded {
-        Bounded { value, error: 0.0 }
-    }
+impl Margin {
+    /// No error.
+    pub const NONE: Margin = Margin {
+        worst: 0.0,
+        expected: 0.0,
+    };
 
-    fn times(self, other: Bounded, ulp: f64) -> Bounded {
-        let value = self.value * other.value;
-        let error = self.error * other.value.abs() + self.value.abs() * other.error;
-        Bounded {
-            value,
-            error: error + self.error * other.error + ulp * value.abs(),
+    /// One error of at most this size, every one being as likely.
+    pub fn even(size: f64) -> Margin {
+        Margin {
+            worst: size.abs(),
+            expected: size.abs() / 3.0_f64.sqrt(),
         }
     }
 
-    fn of(self, value: f64, slope: f64, ulp: f64) -> Bounded {
-        Bounded {
-            value,
-            error: self.error * slope.abs() + ulp * value.abs(),
+    /// Both errors together.
+    pub fn plus(self, other: Margin) -> Margin {
+        Margin {
+            worst: self.worst + other.worst,
+            expected: self.expected.hypot(other.expected),
+        }
+    }
+
+    /// The error of a multiple; nothing times anything is nothing.
+    pub fn times(self, factor: f64) -> Margin {
+        if factor == 0.0 {
+            return Margin::NONE;
+        }
+        Margin {
+            worst: self.worst * factor.abs(),
+            expected: self.expected * factor.abs(),
         }
     }
 }
 
-fn power(base: Bounded, factor: &Factor, ulp: f64) -> Bounded {
+/// A product in which nothing times anything, also infinity, is nothing.
+pub fn product_of(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
+}
+
+/// How far a number is off in the scalar.
+fn literal(number: &Number, scalar: Scalar) -> Margin {
+    let kept = Precise::from_f64(scalar.round(number.to_f64()));
+    Margin::even(of_number(number).minus(&kept).to_f64())
+}
+
+/// The error of base ^ exponent, and how many roundings it takes.
+fn power(base: f64, error: Margin, factor: &Factor) -> (f64, Margin, f64) {
     let exponent = factor.exponent.to_f64();
-    let value = base.value.powf(exponent);
-    let mut error = ulp * value.abs() * exponent.abs().max(1.0);
-    if base.error > 0.0 {
-        // The slope of a power above one is largest at the far end of where the base may be: the square of a rate that is
-        // zero but for rounding is not zero.
-        let margin = if exponent > 1.0 { base.error } else { 0.0 };
-        let slope = exponent * (base.value.abs() + margin).powf(exponent - 1.0);
-        error += base.error * slope.abs();
+    let value = base.powf(exponent);
+    let steps = factor.exponent.numerator().unsigned_abs() as f64;
+    let roots = if factor.exponent.denominator() == 1 {
+        0.0
+    } else {
+        1.0
+    };
+    let roundings = (steps - 1.0) + roots + if exponent < 0.0 { 1.0 } else { 0.0 };
+    if error.worst == 0.0 {
+        return (value, Margin::NONE, roundings);
     }
-    Bounded { value, error }
+    let slope = exponent * base.powf(exponent - 1.0);
+    // The slope is largest at one end of where the base can be; beyond zero it has no bound unless the power is whole.
+    let (low, high) = (base.abs() - error.worst, base.abs() + error.worst);
+    let steepest = |at: f64| (exponent * at.powf(exponent - 1.0)).abs();
+    let worst = if exponent >= 1.0 {
+        steepest(high)
+    } else if low > 0.0 {
+        steepest(low)
+    } else {
+        f64::INFINITY
+    };
+    let margin = Margin {
+        worst: worst * error.worst,
+        expected: error.expected * slope.abs(),
+    };
+    (value, margin, roundings)
 }
 
-/// The values of the nodes in `order` (operands first), by the node's index, where one rounding is the part `ulp` of a value.
-pub fn bounds(graph: &Graph, order: &[ExprId], symbols: &[Bounded], ulp: f64) -> Vec<Bounded> {
-    let mut all = vec![Bounded::exact(f64::NAN); graph.node_count()];
+/// The errors of the nodes in `order` (operands first), by the node's index. `values` are the exact values of the nodes,
+/// `symbols` the errors of the symbols.
+pub fn errors(
+    graph: &Graph,
+    order: &[ExprId],
+    values: &[f64],
+    symbols: &[Margin],
+    scalar: Scalar,
+) -> Vec<Margin> {
+    let epsilon = scalar.epsilon();
+    let unit = epsilon / 2.0;
+    let rounding = |size: f64| scalar.rounding(size);
+    let mut all = vec![Margin::NONE; graph.node_count()];
     for &id in order {
-        let at = |id: &ExprId| all[id.index()];
-        let rounded = |value: f64| Bounded {
-            value,
-            error: ulp * value.abs(),
-        };
+        let error = |id: &ExprId| all[id.index()];
+        let value = |id: &ExprId| values[id.index()];
+        let own = values[id.index()];
         all[id.index()] = match graph.node(id) {
-            Node::Number(number) => rounded(number.to_f64()),
-            Node::Pi => rounded(std::f64::consts::PI),
+            Node::Number(number) => literal(number, scalar),
+            Node::Pi => Margin::even(unit * own),
             Node::Symbol(symbol) => symbols[symbol.index()],
             Node::Sum(terms) => {
-                let mut sum = Bounded::exact(0.0);
+                let (mut sum, mut sizes, mut count) = (Margin::NONE, 0.0, 0.0_f64);
                 for term in terms {
-                    let coefficient = rounded(term.coefficient.to_f64());
-                    let addend = coefficient.times(at(&term.expr), ulp);
-                    sum.value += addend.value;
-                    sum.error += addend.error + terms.len() as f64 * ulp * addend.value.abs();
+                    let coefficient = term.coefficient.to_f64();
+                    let addend = coefficient * value(&term.expr);
+                    sum = sum.plus(error(&term.expr).times(coefficient));
+                    // A factor that is a power of two rounds nothing.
+                    if coefficient.abs().log2().fract() != 0.0 && value(&term.expr) != 1.0 {
+                        let factor = literal(&term.coefficient, scalar).times(value(&term.expr));
+                        sum = sum.plus(factor).plus(rounding(addend));
+                    } else if value(&term.expr) == 1.0 {
+                        sum = sum.plus(literal(&term.coefficient, scalar));
+                    }
+                    if addend != 0.0 {
+                        sizes += addend.abs();
+                        count += 1.0;
+                    }
+                }
+                // The last addition rounds the result, each of the others at most the sum of all sizes.
+                if count >= 2.0 {
+                    let result = own.abs() + sum.worst;
+                    sum = sum.plus(rounding(result.min(sizes)));
+                    for _ in 2..count as u32 {
+                        sum = sum.plus(rounding(sizes));
+                    }
                 }
                 sum
             }
-            Node::Product(factors) => factors.iter().fold(Bounded::exact(1.0), |product, it| {
-                product.times(power(at(&it.base), it, ulp), ulp)
-            }),
-            Node::Sin(angle) => at(angle).of(at(angle).value.sin(), at(angle).value.cos(), ulp),
-            Node::Cos(angle) => at(angle).of(at(angle).value.cos(), at(angle).value.sin(), ulp),
-            Node::Atan2(y, x) => {
-                let (y, x) = (at(y), at(x));
-                let angle = y.value.atan2(x.value);
-                Bounded {
-                    value: angle,
-                    error: (y.error + x.error) / y.value.hypot(x.value) + ulp * angle.abs(),
+            Node::Product(factors) => {
+                let (mut product, mut margin, mut roundings) = (1.0, Margin::NONE, -1.0);
+                for factor in factors {
+                    let (power, off, own) = power(value(&factor.base), error(&factor.base), factor);
+                    let both = product_of(margin.worst, off.worst);
+                    margin = margin.times(power).plus(off.times(product));
+                    margin.worst += both;
+                    product *= power;
+                    roundings += 1.0 + own;
                 }
+                for _ in 0..roundings as u32 {
+                    margin = margin.plus(rounding(own.abs() + margin.worst));
+                }
+                margin
+            }
+            Node::Sin(angle) | Node::Cos(angle) => {
+                let (sine, cosine) = value(angle).sin_cos();
+                let slope = if matches!(graph.node(id), Node::Sin(_)) {
+                    cosine
+                } else {
+                    sine
+                };
+                function(error(angle), slope, 1.0, epsilon * own)
+            }
+            Node::Atan2(y, x) => {
+                let size = value(y).hypot(value(x));
+                let moved = error(y).plus(error(x)).times(1.0 / size);
+                moved.plus(Margin::even(epsilon * own))
             }
             Node::Exp(exponent) => {
-                let value = at(exponent).value.exp();
-                at(exponent).of(value, value, ulp)
+                let largest = own * error(exponent).worst.exp();
+                function(error(exponent), own, largest, epsilon * own)
             }
             Node::Ln(argument) => {
-                at(argument).of(at(argument).value.ln(), 1.0 / at(argument).value, ulp)
+                let off = error(argument);
+                let least = value(argument) - off.worst;
+                let largest = if least > 0.0 {
+                    1.0 / least
+                } else {
+                    f64::INFINITY
+                };
+                function(off, 1.0 / value(argument), largest, epsilon * own)
             }
-            Node::Floor(argument) => Bounded::exact(at(argument).value.floor()),
+            // At a step, or where pieces meet, there is no bound; the study's motions do not stand there.
+            Node::Floor(_) => Margin::NONE,
             Node::Choose {
                 condition,
                 below,
                 otherwise,
-            } => at(if at(condition).value < 0.0 {
-                below
-            } else {
-                otherwise
-            }),
+            } => {
+                let piece = if value(condition) < 0.0 {
+                    below
+                } else {
+                    otherwise
+                };
+                error(piece)
+            }
             Node::Spline {
                 spline,
                 order,
                 argument,
             } => {
                 let (spline, order) = (graph.spline_of(*spline), usize::from(*order));
-                let at = at(argument);
-                let found = spline.at(at.value);
+                let found = spline.at(value(argument));
                 // A piece is the sum of four terms, along a distance that is the difference of two places.
                 let size = spline.pieces.iter().flatten().chain(&found);
                 let size = size.fold(0.0_f64, |size, it| size.max(it.abs()));
                 let slope = found.get(order + 1).copied().unwrap_or(0.0);
-                let place = at.error + 4.0 * ulp * at.value.abs();
-                Bounded {
-                    value: found[order],
-                    error: place * slope.abs() + 8.0 * ulp * size,
-                }
+                let place = error(argument).plus(Margin::even(4.0 * unit * value(argument)));
+                place.times(slope).plus(Margin::even(8.0 * unit * size))
             }
         };
     }
     all
+}
+
+/// The error of a function with this slope, nowhere steeper than `steepest`, and its own rounding.
+fn function(argument: Margin, slope: f64, steepest: f64, rounding: f64) -> Margin {
+    if argument.worst == 0.0 {
+        return Margin::even(rounding);
+    }
+    // The slope itself changes by no more than the argument, as all these functions have second derivatives below it.
+    let slope_there = (slope.abs() + argument.worst * steepest).min(steepest);
+    let moved = Margin {
+        worst: argument.worst * slope_there,
+        expected: argument.expected * slope.abs(),
+    };
+    moved.plus(Margin::even(rounding))
 }

@@ -26,6 +26,9 @@ const SMALLEST: f64 = 1e-18;
 /// What is off by more than the whole size is drawn there.
 const LARGEST: f64 = 1e2;
 
+/// The end of the axis: the legend stands above everything that is drawn.
+const END: f64 = 1e9;
+
 /// Draws the chart of a family; false where no point has a place on a logarithmic axis.
 ///
 /// # Errors
@@ -61,7 +64,7 @@ pub fn draw(
             .y_label_area_size(60)
             .build_cartesian_2d(
                 (low / 2.0..high * 2.0).log_scale(),
-                (SMALLEST..LARGEST).log_scale(),
+                (SMALLEST..END).log_scale(),
             )?;
         let power = |value: &f64| format!("1e{:.0}", value.log10());
         chart
@@ -87,6 +90,7 @@ pub fn draw(
         }
         chart
             .configure_series_labels()
+            .position(SeriesLabelPosition::UpperLeft)
             .label_font(("sans-serif", 13))
             .background_style(WHITE.mix(0.8))
             .draw()?;

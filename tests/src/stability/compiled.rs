@@ -2,14 +2,14 @@
 
 use super::sample::Runner;
 
-/// A compiled mechanism, solved in four ways.
+/// A compiled mechanism, solved in three ways in each scalar.
 pub struct Compiled {
     /// The name of its description.
     pub name: &'static str,
     /// What the solved view does.
     pub solved: &'static str,
-    /// Textbook and solved view in f64, then in f32.
-    pub runners: [Runner; 4],
+    /// The textbook view on its path and plain, and the solved view, in f64, then in f32.
+    pub runners: [Runner; 6],
 }
 
 macro_rules! scalar {
@@ -60,10 +60,7 @@ macro_rules! scalar {
 
         impl Moving<'_> {
             fn at(&self, t: $scalar) -> Textbook {
-                Textbook {
-                    parameters: self.parameters,
-                    inputs: inputs(self.sample, t),
-                }
+                Textbook::new(&self.parameters, &inputs(self.sample, t))
             }
         }
 
@@ -95,30 +92,52 @@ macro_rules! scalar {
             }
 
             fn row_scale(&self, row: usize) -> $scalar {
-                Textbook::default().row_scale(row)
+                self.at(0.0).row_scale(row)
             }
 
             fn coordinate_scale(&self, column: usize) -> $scalar {
-                Textbook::default().coordinate_scale(column)
+                self.at(0.0).coordinate_scale(column)
             }
         }
 
-        pub(super) fn textbook(sample: &Sample, negative: bool) -> Outcomes {
+        pub(super) fn followed(sample: &Sample, negative: bool) -> Outcomes {
+            let branch = if negative { Branch::Negative } else { Branch::Positive };
+            textbook(
+                sample,
+                |equations, start, t, settings| {
+                    linkwright::assemble_from_afar(equations, start, Some(branch), t, settings)
+                },
+                |equations, frame, t, settings| linkwright::follow(equations, frame, branch, t, settings),
+            )
+        }
+
+        pub(super) fn plain(sample: &Sample, _: bool) -> Outcomes {
+            textbook(
+                sample,
+                |equations, start, t, settings| linkwright::assemble(equations, start, t, settings),
+                |equations, frame, t, settings| linkwright::advance(equations, frame, t, settings),
+            )
+        }
+
+        type Moved = linkwright::Frame<$scalar, Const<N>>;
+        type Solved = Result<Moved, linkwright::Failure<$scalar>>;
+
+        fn textbook(
+            sample: &Sample,
+            assemble: impl Fn(&Moving<'_>, &SVector<$scalar, N>, $scalar, &Settings<$scalar>) -> Solved,
+            advance: impl Fn(&Moving<'_>, &Moved, $scalar, &Settings<$scalar>) -> Solved,
+        ) -> Outcomes {
             let equations = Moving {
                 sample,
                 parameters: parameters(sample),
             };
-            let branch = if negative { Branch::Negative } else { Branch::Positive };
             let settings = Settings::default();
             let mut outcomes = Outcomes::new();
-            let mut last = None;
+            let mut last: Option<Moved> = None;
             for t in sample.times.iter().map(|t| *t as $scalar) {
                 let solved = match &last {
-                    None => {
-                        let start = SVector::from(estimate(sample));
-                        linkwright::assemble_from_afar(&equations, &start, Some(branch), t, &settings)
-                    }
-                    Some(frame) => linkwright::follow(&equations, frame, branch, t, &settings),
+                    None => assemble(&equations, &SVector::from(estimate(sample)), t, &settings),
+                    Some(frame) => advance(&equations, frame, t, &settings),
                 };
                 match solved {
                     Ok(frame) => {
@@ -189,7 +208,10 @@ macro_rules! compiled {
             pub const $constant: Compiled = Compiled {
                 name: stringify!($double),
                 solved: $solved,
-                runners: [$double::textbook, $double::solved, $single::textbook, $single::solved],
+                runners: [
+                    $double::followed, $double::plain, $double::solved,
+                    $single::followed, $single::plain, $single::solved,
+                ],
             };
         )+
     };

@@ -24,6 +24,12 @@ pub struct Precise(BigFloat);
 impl Precise {
     /// The number that a float is, exactly.
     pub fn from_f64(value: f64) -> Precise {
+        if value.is_subnormal() {
+            // `from_f64` of astro-float-num 0.3.7 makes half of these.
+            const LIFT: f64 = 1.329_227_995_784_916e36;
+            let lifted = BigFloat::from_f64(value * LIFT, BITS);
+            return Precise(lifted.div(&BigFloat::from_f64(LIFT, BITS), BITS, ROUNDING));
+        }
         Precise(BigFloat::from_f64(value, BITS))
     }
 
@@ -112,7 +118,8 @@ pub fn pi() -> Precise {
     with_constants(|constants| Precise(constants.pi(BITS, ROUNDING)))
 }
 
-fn of_number(number: &Number) -> Precise {
+/// A number of a description.
+pub(super) fn of_number(number: &Number) -> Precise {
     match *number {
         Number::Exact { rational, radicand } => {
             let whole = |value| Precise(BigFloat::from_i128(value, BITS));
@@ -150,52 +157,103 @@ fn power(base: &Precise, factor: &Factor) -> Precise {
 /// # Panics
 /// Where a table occurs: no mechanism of the study has one.
 pub fn values(graph: &Graph, order: &[ExprId], symbols: &[Precise]) -> Vec<Precise> {
-    let zero = Precise::from_f64(0.0);
-    let mut all = vec![zero.clone(); graph.node_count()];
+    let mut all = vec![Precise::from_f64(0.0); graph.node_count()];
     for &id in order {
-        let at = |id: &ExprId| &all[id.index()];
-        all[id.index()] = match graph.node(id) {
-            Node::Number(number) => of_number(number),
-            Node::Pi => pi(),
-            Node::Symbol(symbol) => symbols[symbol.index()].clone(),
-            Node::Sum(terms) => terms.iter().fold(zero.clone(), |sum, term| {
-                sum.plus(&of_number(&term.coefficient).times(at(&term.expr)))
-            }),
-            Node::Product(factors) => {
-                let one = Precise::from_f64(1.0);
-                let powers = factors.iter().map(|factor| power(at(&factor.base), factor));
-                powers.fold(one, |product, value| product.times(&value))
-            }
-            Node::Sin(angle) => at(angle).sin(),
-            Node::Cos(angle) => at(angle).cos(),
-            Node::Atan2(y, x) => arctangent(at(y), at(x)),
-            Node::Exp(exponent) => {
-                let exponent = &at(exponent).0;
-                with_constants(|constants| Precise(exponent.exp(BITS, ROUNDING, constants)))
-            }
-            Node::Ln(argument) => {
-                let argument = &at(argument).0;
-                with_constants(|constants| Precise(argument.ln(BITS, ROUNDING, constants)))
-            }
-            Node::Floor(argument) => Precise(at(argument).0.floor()),
-            Node::Choose {
-                condition,
-                below,
-                otherwise,
-            } => at(if at(condition).is_negative() {
-                below
-            } else {
-                otherwise
-            })
-            .clone(),
-            other @ Node::Spline { .. } => panic!("no precise value of {other:?}"),
-        };
+        let at = |id: ExprId| &all[id.index()];
+        all[id.index()] = value(graph, id, &at, symbols);
     }
     all
 }
 
+/// The value of a node whose operands have the values `at`.
+fn value<'a>(
+    graph: &Graph,
+    id: ExprId,
+    at: &dyn Fn(ExprId) -> &'a Precise,
+    symbols: &[Precise],
+) -> Precise {
+    match graph.node(id) {
+        Node::Number(number) => of_number(number),
+        Node::Pi => pi(),
+        Node::Symbol(symbol) => symbols[symbol.index()].clone(),
+        Node::Sum(terms) => terms.iter().fold(Precise::from_f64(0.0), |sum, term| {
+            sum.plus(&of_number(&term.coefficient).times(at(term.expr)))
+        }),
+        Node::Product(factors) => {
+            let one = Precise::from_f64(1.0);
+            let powers = factors.iter().map(|factor| power(at(factor.base), factor));
+            powers.fold(one, |product, value| product.times(&value))
+        }
+        Node::Sin(angle) => at(*angle).sin(),
+        Node::Cos(angle) => at(*angle).cos(),
+        Node::Atan2(y, x) => arctangent(at(*y), at(*x)),
+        Node::Exp(exponent) => {
+            let exponent = &at(*exponent).0;
+            with_constants(|constants| Precise(exponent.exp(BITS, ROUNDING, constants)))
+        }
+        Node::Ln(argument) => {
+            let argument = &at(*argument).0;
+            with_constants(|constants| Precise(argument.ln(BITS, ROUNDING, constants)))
+        }
+        Node::Floor(argument) => Precise(at(*argument).0.floor()),
+        Node::Choose {
+            condition,
+            below,
+            otherwise,
+        } => at(if at(*condition).is_negative() {
+            *below
+        } else {
+            *otherwise
+        })
+        .clone(),
+        other @ Node::Spline { .. } => panic!("no precise value of {other:?}"),
+    }
+}
+
+/// The values of nodes at symbols that do not change any more once a node has been evaluated with them.
+pub struct Nodes {
+    precise: Vec<Option<Precise>>,
+    /// The same rounded, by the node's index; NaN for nodes that have not been evaluated.
+    pub rounded: Vec<f64>,
+}
+
+impl Nodes {
+    /// Nothing is known yet.
+    pub fn new(graph: &Graph) -> Nodes {
+        Nodes {
+            precise: vec![None; graph.node_count()],
+            rounded: vec![f64::NAN; graph.node_count()],
+        }
+    }
+
+    /// Evaluates the nodes in `order` (operands first) that have no value yet.
+    ///
+    /// # Panics
+    /// As [`values`].
+    pub fn evaluate(&mut self, graph: &Graph, order: &[ExprId], symbols: &[Precise]) {
+        for &id in order {
+            if self.precise[id.index()].is_none() {
+                let at = |id: ExprId| self.of(id);
+                let found = value(graph, id, &at, symbols);
+                self.rounded[id.index()] = found.to_f64();
+                self.precise[id.index()] = Some(found);
+            }
+        }
+    }
+
+    /// The value of a node.
+    ///
+    /// # Panics
+    /// Where it has not been evaluated.
+    pub fn of(&self, id: ExprId) -> &Precise {
+        self.precise[id.index()]
+            .as_ref()
+            .expect("operands come first")
+    }
+}
+
 /// The angle of the vector (x, y), in (-π, π].
-fn arctangent(y: &Precise, x: &Precise) -> Precise {
+pub(super) fn arctangent(y: &Precise, x: &Precise) -> Precise {
     let zero = Precise::from_f64(0.0);
     if x.0.is_zero() {
         let quarter = pi().over(&Precise::from_f64(2.0));
@@ -295,6 +353,16 @@ mod tests {
     fn floats_come_back_as_they_were() {
         for value in [1.0, -0.1, 1e300, -3.5e-300, 123_456_789.123_456_78, 0.0] {
             assert_eq!(Precise::from_f64(value).to_f64(), value);
+        }
+    }
+
+    #[test]
+    fn subnormal_numbers_are_multiples_of_the_smallest() {
+        let smallest = Precise::from_f64(f64::MIN_POSITIVE).times(&Precise::from_f64(f64::EPSILON));
+        for count in [1.0, 3.0, 12_345.0, 2_f64.powi(40) + 1.0] {
+            let subnormal = Precise::from_f64(f64::from_bits(count as u64));
+            let ratio = subnormal.over(&smallest).to_f64();
+            assert_eq!(ratio, count);
         }
     }
 

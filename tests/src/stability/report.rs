@@ -1,54 +1,118 @@
 //! *Families* → *verdicts of every sample in every way*, as tables in Markdown.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use super::blocks::Blocks;
+use super::cause::{Cause, NO_DIGITS};
 use super::chart::Series;
 use super::families::Family;
 use super::truth::Truth;
-use super::verdict::{Scalar, Verdict, exact, judge};
+use super::verdict::{Judge, Scalar, Verdict, Way, exact};
 use crate::description;
 
-/// A family with the verdicts of its samples: textbook and solved view in f64, then in f32.
+/// How many ways each sample is solved in: three in each scalar.
+pub const WAYS: usize = 6;
+
+/// A family with the verdicts of its samples.
 pub struct Judged {
     /// The family.
     pub family: Family,
-    /// Four verdicts for each sample.
-    pub verdicts: Vec<[Verdict; 4]>,
+    /// A verdict for each sample and way, those in f64 first.
+    pub verdicts: Vec<[Verdict; WAYS]>,
 }
 
 /// How many cells ended how.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Counts {
     /// Solved within the bound.
     pub solved: usize,
-    /// Of these, where the bound leaves less than three digits.
-    pub without_digits: usize,
+    /// Of these, at another pose than the one on the path, in the way that does not promise it.
+    pub elsewhere: usize,
+    /// Of these, where the bound leaves less than three digits: in f64 and in f32.
+    pub without_digits: [usize; 2],
     /// Of these, those that are really off by more than that.
-    pub far_off: usize,
-    /// A typed failure where there is a pose.
-    pub failed: usize,
+    pub far_off: [usize; 2],
+    /// A typed failure where there is a pose, by its cause, in f64 and in f32.
+    pub failed: BTreeMap<Cause, [usize; 2]>,
     /// A typed failure where there is none.
     pub impossible: usize,
     /// Wrong answers.
     pub wrong: usize,
+    /// Of every cell that was solved the largest ratio of error to bound, and of error to what was expected.
+    pub ratios: Vec<[f64; 2]>,
 }
-
-/// The bound of a pose beyond which it has less than three digits.
-const NO_DIGITS: f64 = 1e-3;
 
 impl Counts {
     /// Counts a cell.
-    pub fn add(&mut self, verdict: &Verdict) {
+    pub fn add(&mut self, verdict: &Verdict, scalar: Scalar) {
+        let side = usize::from(scalar == Scalar::F32);
         match verdict {
-            Verdict::Solved { error, bound, .. } => {
+            Verdict::Solved(answer) => {
                 self.solved += 1;
-                self.far_off += usize::from(*error > NO_DIGITS);
-                self.without_digits += usize::from(*bound > NO_DIGITS);
+                self.elsewhere += usize::from(answer.elsewhere);
+                self.far_off[side] += usize::from(answer.error > NO_DIGITS);
+                self.without_digits[side] += usize::from(answer.bound > NO_DIGITS);
+                self.ratios.push([answer.ratio, answer.deviations]);
             }
-            Verdict::Failed { exists: true, .. } => self.failed += 1,
-            Verdict::Failed { exists: false, .. } => self.impossible += 1,
+            Verdict::Failed {
+                cause: Some(cause), ..
+            } => self.failed.entry(*cause).or_default()[side] += 1,
+            Verdict::Failed { cause: None, .. } => self.impossible += 1,
             Verdict::Wrong { .. } => self.wrong += 1,
         }
+    }
+
+    /// How many failures there are where there is a pose.
+    pub fn failures(&self) -> usize {
+        self.failed.values().flatten().sum()
+    }
+
+    /// How many cells there are.
+    pub fn total(&self) -> usize {
+        self.solved + self.failures() + self.impossible + self.wrong
+    }
+
+    /// The summary: how many cells ended how, why there is no answer, and how tight the bounds are.
+    pub fn summary(&self) -> String {
+        let mut text = format!(
+            "{} cells:\n\n| outcome | f64 and f32 |\n|---|---|\n| within the bound | {} |\n| a typed failure where there is a pose | {} |\n| a typed failure where there is none, or the description is refused | {} |\n| **wrong** | **{}** |\n",
+            self.total(),
+            self.solved,
+            self.failures(),
+            self.impossible,
+            self.wrong
+        );
+        let _ = write!(
+            text,
+            "\nOf the answers {} are another pose than the one on the path, all of plain `assemble` and `advance`, which promise no more. \
+             The bound leaves less than three digits in {} answers in f64 and {} in f32; {} and {} are really off by more than 1e-3.\n",
+            self.elsewhere,
+            self.without_digits[0],
+            self.without_digits[1],
+            self.far_off[0],
+            self.far_off[1]
+        );
+        text +=
+            "\n| why there is no answer although there is a pose | f64 | f32 |\n|---|---|---|\n";
+        for cause in Cause::ALL {
+            let [double, single] = self.failed.get(&cause).copied().unwrap_or_default();
+            let _ = writeln!(text, "| {} | {double} | {single} |", cause.words());
+        }
+        text += "\n| largest error of a cell, as a part of | under 0.001 | to 0.01 | to 0.05 | to 0.2 | to 1 | to 3 | above |\n|---|---|---|---|---|---|---|---|\n";
+        for (name, place) in [("its bound", 0), ("what was expected", 1)] {
+            let limits = [0.001, 0.01, 0.05, 0.2, 1.0, 3.0, f64::INFINITY];
+            let _ = write!(text, "| {name} |");
+            let mut below = 0.0;
+            for limit in limits {
+                let within =
+                    |it: &&[f64; 2]| (it[place] > below || below == 0.0) && it[place] <= limit;
+                let _ = write!(text, " {} |", self.ratios.iter().filter(within).count());
+                below = limit;
+            }
+            text.push('\n');
+        }
+        text
     }
 }
 
@@ -57,56 +121,55 @@ pub fn judged(mut family: Family, stride: usize) -> Judged {
     family.samples = family.samples.into_iter().step_by(stride).collect();
     let system = description::system(family.compiled.name);
     let truth = Truth::new(&system);
-    let characteristic = system.mechanism.characteristic_length;
+    let blocks = Blocks::new(&system).expect("the study's mechanisms have a plan");
     let verdicts = family.samples.iter().map(|sample| {
-        let doubles = exact(&truth, sample, Scalar::F64);
-        let singles = exact(&truth, sample, Scalar::F32);
+        let exact = [Scalar::F64, Scalar::F32].map(|scalar| exact(&truth, sample, scalar));
         std::array::from_fn(|way| {
-            let (scalar, exact) = if way < 2 {
-                (Scalar::F64, &doubles)
-            } else {
-                (Scalar::F32, &singles)
-            };
-            // Residuals are judged against the drawing's length at the default values of the parameters; closed forms have none.
-            let iterates = way % 2 == 0 || family.compiled.solved != "closed form";
-            let length = if iterates {
-                characteristic.max(sample.length)
-            } else {
-                sample.length
+            let side = way / Way::ALL.len();
+            let judge = Judge {
+                truth: &truth,
+                blocks: &blocks,
+                scalar: [Scalar::F64, Scalar::F32][side],
             };
             let runner = family.compiled.runners[way];
-            judge(&truth, sample, exact, scalar, runner, length)
+            judge.judge(sample, &exact[side], Way::ALL[way % Way::ALL.len()], runner)
         })
     });
     let verdicts = verdicts.collect();
     Judged { family, verdicts }
 }
 
-fn cell(verdict: &Verdict) -> String {
+/// What a cell says of a verdict.
+pub fn cell(verdict: &Verdict) -> String {
     match verdict {
-        Verdict::Solved {
-            error,
-            bound,
-            ratio,
-        } => {
-            let remark = if *bound > NO_DIGITS {
-                " (no digits)"
-            } else {
-                ""
-            };
-            format!("{error:.0e} of {bound:.0e}, {ratio:.2}{remark}")
+        Verdict::Solved(answer) => {
+            let mut text = format!(
+                "{:.0e} ({:.0e}) ≤ {:.0e}, {:.2}",
+                answer.error, answer.expected, answer.bound, answer.ratio
+            );
+            if answer.bound > NO_DIGITS {
+                text += " no digits";
+            }
+            if answer.elsewhere {
+                text += ", another pose";
+            }
+            text
         }
         Verdict::Failed {
             kind,
             solved,
-            exists,
+            cause,
         } => {
             let after = if *solved > 0 {
                 format!(" after {solved}")
             } else {
                 String::new()
             };
-            let remark = if *exists { "" } else { ", no pose" };
+            let remark = match cause {
+                None => ", no pose".to_string(),
+                Some(Cause::Other) => " **(other)**".to_string(),
+                Some(cause) => format!(" ({cause:?})").to_lowercase(),
+            };
             format!("{kind}{after}{remark}")
         }
         Verdict::Wrong { why } => format!("**WRONG**: {why}"),
@@ -114,15 +177,14 @@ fn cell(verdict: &Verdict) -> String {
 }
 
 impl Judged {
-    /// The names of the four ways.
-    pub fn ways(&self) -> [String; 4] {
+    /// The names of the ways.
+    pub fn ways(&self) -> [String; WAYS] {
         let solved = self.family.compiled.solved;
-        [
-            "textbook f64".to_string(),
-            format!("{solved} f64"),
-            "textbook f32".to_string(),
-            format!("{solved} f32"),
-        ]
+        let name =
+            |scalar: &str| ["followed", "plain", solved].map(|way| format!("{way} {scalar}"));
+        let [a, b, c] = name("f64");
+        let [d, e, f] = name("f32");
+        [a, b, c, d, e, f]
     }
 
     /// The table of the family.
@@ -131,7 +193,7 @@ impl Judged {
         for way in self.ways() {
             let _ = write!(text, " {way} |");
         }
-        text += "\n|---|---|---|---|---|\n";
+        text += "\n|---|---|---|---|---|---|---|\n";
         for (sample, verdicts) in self.family.samples.iter().zip(&self.verdicts) {
             let _ = write!(text, "| {:e} |", sample.x);
             for verdict in verdicts {
@@ -145,10 +207,12 @@ impl Judged {
     /// What a chart shows.
     pub fn series(&self) -> Vec<Series> {
         let ways = self.ways().into_iter().enumerate();
+        // The two textbook ways would hide one another.
+        let ways = ways.filter(|(way, _)| Way::ALL[way % Way::ALL.len()] != Way::Plain);
         ways.map(|(way, label)| {
             let samples = self.family.samples.iter().zip(&self.verdicts);
             let points = samples.filter_map(|(sample, verdicts)| match &verdicts[way] {
-                Verdict::Solved { error, bound, .. } => Some((sample.x, *error, *bound)),
+                Verdict::Solved(answer) => Some((sample.x, answer.error, answer.bound)),
                 _ => None,
             });
             Series {

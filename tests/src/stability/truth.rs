@@ -1,25 +1,18 @@
 //! *A description's equations, and a start* → *pose, velocity and acceleration in 384 bits, and what floating point may make of
 //! them*.
 //!
-//! The pose is found by Newton-Raphson in high precision. The bound is condition × rounding: the magnitudes of the inverse
-//! Jacobian times the rounding errors of the rows, which are those of evaluating each row at the pose ([`super::bounded`]) and
-//! what the solver lets pass as rounding, four ε of the row's scale; and ε of the largest coordinate. The bounds of the velocity contain the error of the pose,
-//! those of the acceleration both.
+//! The pose is found by Newton-Raphson in high precision. [`Truth::bounds`] says how far the textbook view may be off
+//! ([`super::dense`]); what the solved view's own statements may be off says [`super::blocks`].
 
-use linkwright_codegen::expr::ExprId;
-use linkwright_codegen::system::System;
+use linkwright_codegen::expr::{ExprId, Tape};
+use linkwright_codegen::system::{Row, System};
 use nalgebra::DMatrix;
 
-use super::bounded::{Bounded, bounds};
-use super::precise::{Factors, Precise, values};
+use super::bounded::{Margin, errors};
+use super::dense::{Bounds, Dense, Evaluated};
+use super::precise::{Factors, Nodes, Precise, values};
+use super::verdict::Scalar;
 use crate::magnitude::needed;
-
-/// The factor for what a first-order analysis of each row does not see: the order of operations inside of closed forms, the
-/// elimination, and the sines and cosines that are computed once more from rounded ones.
-pub const FACTOR: f64 = 16.0;
-
-/// What the solver takes for rounding in a scaled residual, in ε.
-const LEVEL: f64 = 4.0;
 
 /// Newton-Raphson steps in high precision: near a double root each one gains one bit.
 const STEPS: usize = 200;
@@ -29,11 +22,12 @@ pub type Levels<T> = [Vec<T>; 3];
 
 /// The equations of a mechanism, to be solved exactly.
 pub struct Truth {
-    system: System,
+    /// The system.
+    pub system: System,
     /// What Φ needs, and what Φ and Φ_q need.
     residual: Vec<ExprId>,
     position: Vec<ExprId>,
-    all: Vec<ExprId>,
+    pub(super) all: Vec<ExprId>,
 }
 
 /// What the equations are given at one instant: parameters, signals and the time.
@@ -47,13 +41,31 @@ pub struct Given {
     pub t: f64,
 }
 
+impl Given {
+    /// A value for each symbol, those of the coordinates not yet.
+    pub fn symbols<T: Clone>(&self, system: &System, number: impl Fn(f64) -> T) -> Vec<T> {
+        let mechanism = &system.mechanism;
+        let mut symbols = vec![number(0.0); mechanism.graph.symbol_count()];
+        for (parameter, value) in mechanism.parameters.iter().zip(&self.parameters) {
+            symbols[parameter.symbol.index()] = number(*value);
+        }
+        for (input, signal) in mechanism.inputs.iter().zip(&self.signals) {
+            for (symbol, value) in input.symbols.iter().zip(signal) {
+                symbols[symbol.index()] = number(*value);
+            }
+        }
+        symbols[mechanism.time.index()] = number(self.t);
+        symbols
+    }
+}
+
 /// The exact motion at one instant.
 #[derive(Clone, Debug)]
 pub struct Exact {
     /// q, q̇ and q̈.
     pub levels: Levels<Precise>,
-    /// The magnitude of the inverse Jacobian's entries, row by row.
-    inverse: Vec<Vec<f64>>,
+    /// The inverse Jacobian, row by row.
+    pub(super) inverse: Vec<Vec<f64>>,
     /// Whether the determinant of Φ_q is negative.
     pub is_negative: bool,
 }
@@ -91,20 +103,20 @@ impl Truth {
             .collect()
     }
 
-    /// A value for each symbol, those of the coordinates not yet.
-    fn symbols<T: Clone>(&self, given: &Given, number: impl Fn(f64) -> T) -> Vec<T> {
-        let mechanism = &self.system.mechanism;
-        let mut symbols = vec![number(0.0); mechanism.graph.symbol_count()];
-        for (parameter, value) in mechanism.parameters.iter().zip(&given.parameters) {
-            symbols[parameter.symbol.index()] = number(*value);
+    /// What lengths are judged against with these parameters (m).
+    pub fn length(&self, given: &Given) -> f64 {
+        let symbols = given.symbols(&self.system, |value| value);
+        let mut lengths = vec![0.0; self.system.lengths.len()];
+        let tape = Tape::new(&self.system.mechanism.graph, &self.system.lengths);
+        tape.evaluate(&symbols, &mut Vec::new(), &mut lengths);
+        let largest = lengths
+            .iter()
+            .fold(0.0_f64, |largest, it| largest.max(it.abs()));
+        if largest > 0.0 && largest.is_finite() {
+            largest
+        } else {
+            self.system.mechanism.characteristic_length
         }
-        for (input, signal) in mechanism.inputs.iter().zip(&given.signals) {
-            for (symbol, value) in input.symbols.iter().zip(signal) {
-                symbols[symbol.index()] = number(*value);
-            }
-        }
-        symbols[mechanism.time.index()] = number(given.t);
-        symbols
     }
 
     fn matrix(&self, values: &[Precise]) -> Vec<Vec<Precise>> {
@@ -138,7 +150,7 @@ impl Truth {
         limit: f64,
     ) -> Option<(Vec<Precise>, Vec<Precise>, Factors)> {
         let graph = &self.system.mechanism.graph;
-        let mut symbols = self.symbols(given, Precise::from_f64);
+        let mut symbols = given.symbols(&self.system, Precise::from_f64);
         let mut q = start.to_vec();
         let mut first_sign = None;
         let mut settled = false;
@@ -197,7 +209,7 @@ impl Truth {
             let mut unit = vec![zero.clone(); n];
             unit[column] = Precise::from_f64(1.0);
             for (row, entry) in factors.solve(&unit).iter().enumerate() {
-                inverse[row][column] = entry.to_f64().abs();
+                inverse[row][column] = entry.to_f64();
             }
         }
         Exact {
@@ -211,7 +223,7 @@ impl Truth {
     /// has no inverse. Unlike [`Truth::solve`] this takes no arithmetic of high precision.
     pub fn around(&self, given: &Given, levels: Levels<f64>) -> Option<Exact> {
         let graph = &self.system.mechanism.graph;
-        let mut symbols = self.symbols(given, |number| number);
+        let mut symbols = given.symbols(&self.system, |number| number);
         for (coordinate, value) in self.system.coordinates.iter().zip(&levels[0]) {
             symbols[coordinate.position.index()] = *value;
         }
@@ -234,7 +246,7 @@ impl Truth {
         let is_negative = lu.determinant() < 0.0;
         let inverse = lu.try_inverse()?;
         let entry =
-            |row: usize, column: usize| inverse[(row, column)].abs() * columns[row] / rows[column];
+            |row: usize, column: usize| inverse[(row, column)] * columns[row] / rows[column];
         let inverse = (0..n).map(|row| (0..n).map(|column| entry(row, column)).collect());
         Some(Exact {
             levels: levels.map(|level| level.into_iter().map(Precise::from_f64).collect()),
@@ -244,93 +256,99 @@ impl Truth {
     }
 
     /// The largest rounding error of a residual at a pose, in the scales of the rows: below it no solver can tell poses apart.
-    pub fn rounding(&self, given: &Given, q: &[f64], epsilon: f64) -> f64 {
-        let mut symbols = self.symbols(given, Bounded::exact);
-        for (coordinate, value) in self.system.coordinates.iter().zip(q) {
-            symbols[coordinate.position.index()] = Bounded::exact(*value);
-        }
+    pub fn rounding(&self, given: &Given, q: &[f64], scalar: Scalar) -> f64 {
         let graph = &self.system.mechanism.graph;
-        let found = bounds(graph, &self.residual, &symbols, epsilon);
+        let mut symbols = given.symbols(&self.system, |number| number);
+        for (coordinate, value) in self.system.coordinates.iter().zip(q) {
+            symbols[coordinate.position.index()] = *value;
+        }
+        let values = crate::magnitude::values(graph, &self.residual, &symbols);
+        let margins = vec![Margin::NONE; graph.symbol_count()];
+        let found = errors(graph, &self.residual, &values, &margins, scalar);
         let rows = self.system.rows.iter();
-        rows.map(|row| found[row.residual.index()].error / self.system.scale(row.quantity))
+        rows.map(|row| found[row.residual.index()].worst / self.system.scale(row.quantity))
             .fold(0.0, f64::max)
     }
 
-    /// By how much q, q̇ and q̈ may be off in a scalar with this ε. `length` is what residuals in m are judged against.
-    pub fn bounds(&self, given: &Given, exact: &Exact, length: f64, epsilon: f64) -> Levels<f64> {
+    /// By how much q, q̇ and q̈ of the textbook view may be off in a scalar. `length` is what residuals in m are judged against.
+    pub fn bounds(&self, given: &Given, exact: &Exact, length: f64, scalar: Scalar) -> Bounds {
         let graph = &self.system.mechanism.graph;
-        let scales = self.scales(length);
-        let mut symbols = self.symbols(given, Bounded::exact);
-        let at = |level: usize| -> Vec<f64> {
-            exact.levels[level].iter().map(Precise::to_f64).collect()
+        let mut symbols = given.symbols(&self.system, Precise::from_f64);
+        self.place(&mut symbols, 0, &exact.levels[0]);
+        self.place(&mut symbols, 1, &exact.levels[1]);
+        let mut nodes = Nodes::new(graph);
+        nodes.evaluate(graph, &self.all, &symbols);
+        self.bounds_at(&nodes.rounded, exact, length, scalar)
+    }
+
+    /// The same around a pose from [`Truth::around`], in f64: by how much each value may be off.
+    pub fn bounds_around(&self, given: &Given, exact: &Exact, length: f64) -> Levels<f64> {
+        let graph = &self.system.mechanism.graph;
+        let mut symbols = given.symbols(&self.system, |number| number);
+        for (place, coordinate) in self.system.coordinates.iter().enumerate() {
+            let own = [coordinate.position, coordinate.rate];
+            for (level, symbol) in own.into_iter().enumerate() {
+                symbols[symbol.index()] = exact.levels[level][place].to_f64();
+            }
+        }
+        let values = crate::magnitude::values(graph, &self.all, &symbols);
+        let found = self.bounds_at(&values, exact, length, Scalar::F64);
+        found
+            .levels
+            .map(|level| level.into_iter().map(|margin| margin.worst).collect())
+    }
+
+    /// The bounds with these values of the nodes.
+    fn bounds_at(&self, values: &[f64], exact: &Exact, length: f64, scalar: Scalar) -> Bounds {
+        let graph = &self.system.mechanism.graph;
+        let n = self.count();
+        let rows = || self.system.rows.iter();
+        let mut jacobian = vec![vec![0.0; n]; n];
+        for (row, entries) in rows().zip(&mut jacobian) {
+            for entry in &row.jacobian {
+                entries[entry.coordinate] = values[entry.value.index()];
+            }
+        }
+        let dense = Dense {
+            jacobian,
+            inverse: exact.inverse.clone(),
+            rows: rows()
+                .map(|row| length.powi(row.quantity.power_of_length()))
+                .collect(),
+            columns: self.scales(length),
+            levels: [0, 1, 2]
+                .map(|level: usize| exact.levels[level].iter().map(Precise::to_f64).collect()),
         };
-        let (q, qd, qdd) = (at(0), at(1), at(2));
-        let place = |symbols: &mut Vec<Bounded>, level: usize, values: &[f64], errors: &[f64]| {
-            for (index, coordinate) in self.system.coordinates.iter().enumerate() {
-                let symbol = [coordinate.position, coordinate.rate][level];
-                symbols[symbol.index()] = Bounded {
-                    value: values[index],
-                    error: errors[index],
-                };
+        let evaluate = |pose: &[Margin], rates: &[Margin]| {
+            let mut margins = vec![Margin::NONE; graph.symbol_count()];
+            let coordinates = self.system.coordinates.iter();
+            for ((coordinate, pose), rate) in coordinates.zip(pose).zip(rates) {
+                margins[coordinate.position.index()] = *pose;
+                margins[coordinate.rate.index()] = *rate;
+            }
+            let found = errors(graph, &self.all, values, &margins, scalar);
+            let of = |pick: fn(&Row) -> ExprId| -> Vec<Margin> {
+                rows().map(|row| found[pick(row).index()]).collect()
+            };
+            let mut jacobian = vec![vec![Margin::NONE; n]; n];
+            for (row, entries) in rows().zip(&mut jacobian) {
+                for entry in &row.jacobian {
+                    entries[entry.coordinate] = found[entry.value.index()];
+                }
+            }
+            Evaluated {
+                residuals: of(|row| row.residual),
+                jacobian,
+                drift: of(|row| row.time_derivative),
+                gamma: of(|row| row.gamma),
             }
         };
-        let spread = |rows: &[f64], own: &[f64]| -> Vec<f64> {
-            let sums = exact.inverse.iter().map(|row| {
-                let terms = row.iter().zip(rows).filter(|(_, error)| **error > 0.0);
-                terms.map(|(entry, error)| entry * error).sum::<f64>()
-            });
-            // Elimination and Newton-Raphson mix the coordinates: none is more exact than the largest, measured in their scales.
-            let largest = own
-                .iter()
-                .zip(&scales)
-                .map(|(value, scale)| value.abs() / scale);
-            let largest = largest.fold(0.0, f64::max);
-            let own = scales.iter().map(|scale| epsilon * scale * largest);
-            sums.zip(own)
-                .map(|(sum, own)| FACTOR * (sum + own))
-                .collect()
-        };
-        let n = self.count();
-        place(&mut symbols, 0, &q, &vec![0.0; n]);
-        let found = bounds(graph, &self.all, &symbols, epsilon);
-        let rows = self.system.rows.iter();
-        let errors: Vec<f64> = rows
-            .map(|row| {
-                let scale = length.powi(row.quantity.power_of_length());
-                found[row.residual.index()].error + LEVEL * epsilon * scale
-            })
-            .collect();
-        let position = spread(&errors, &q);
-        place(&mut symbols, 0, &q, &position);
-        let found = bounds(graph, &self.all, &symbols, epsilon);
-        let linear = |found: &[Bounded], right: ExprId, row: usize, rates: &[f64]| {
-            let entries = self.system.rows[row].jacobian.iter();
-            let matrix: f64 = entries
-                .map(|entry| {
-                    let value = found[entry.value.index()];
-                    let rounding = n as f64 * epsilon * value.value.abs();
-                    (value.error + rounding) * rates[entry.coordinate].abs()
-                })
-                .sum();
-            matrix + found[right.index()].error
-        };
-        let rows = || self.system.rows.iter().enumerate();
-        let errors: Vec<f64> = rows()
-            .map(|(index, row)| linear(&found, row.time_derivative, index, &qd))
-            .collect();
-        let velocity = spread(&errors, &qd);
-        place(&mut symbols, 1, &qd, &velocity);
-        let found = bounds(graph, &self.all, &symbols, epsilon);
-        let errors: Vec<f64> = rows()
-            .map(|(index, row)| linear(&found, row.gamma, index, &qdd))
-            .collect();
-        let acceleration = spread(&errors, &qdd);
-        [position, velocity, acceleration]
+        dense.bounds(scalar, &evaluate)
     }
 
     /// The largest scaled residual of an exact pose, in f64: what is left in 384 bits.
     pub fn residual(&self, given: &Given, q: &[Precise]) -> f64 {
-        let mut symbols = self.symbols(given, Precise::from_f64);
+        let mut symbols = given.symbols(&self.system, Precise::from_f64);
         self.place(&mut symbols, 0, q);
         let values = values(&self.system.mechanism.graph, &self.residual, &symbols);
         let rows = self.system.rows.iter();

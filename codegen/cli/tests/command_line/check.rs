@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use crate::folder::{EXAM, Folder};
+use crate::printed::{json, number};
 
 /// The object that is printed for the options.
 #[track_caller]
@@ -10,14 +11,7 @@ fn object(folder: &Folder, options: &str, code: i32) -> Value {
     let ran = folder
         .run(&format!("check a.mech --json {options}"))
         .exits_with(code);
-    serde_json::from_str(&ran.stdout).expect("one JSON object")
-}
-
-#[track_caller]
-fn number(value: &Value) -> f64 {
-    value
-        .as_f64()
-        .unwrap_or_else(|| panic!("{value} is no number"))
+    json(&ran.stdout)
 }
 
 #[track_caller]

@@ -1,7 +1,7 @@
 //! What `transmission` and `sensitivity` statements ask for, as `linkwright solve` writes it.
 
 use crate::folder::Folder;
-use serde_json::Value;
+use crate::printed::json;
 
 /// A slider-crank with a crank of changeable length.
 const ASKED: &str = "mechanism asked {
@@ -79,7 +79,7 @@ fn transmissions_and_sensitivities_are_columns() {
 fn json_has_the_same_under_one_key() {
     let folder = Folder::new("derivatives_json", ASKED);
     let ran = folder.run("solve a.mech --at 0.5 --json").exits_with(0);
-    let object: Value = serde_json::from_str(&ran.stdout).expect("an object");
+    let object = json(&ran.stdout);
     let names = object["derivatives"].as_array().expect("names");
     let values = object["frames"][0]["derivatives"]
         .as_array()

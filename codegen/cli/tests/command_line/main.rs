@@ -8,6 +8,7 @@ mod generate_and_inspect;
 mod motions;
 mod plan;
 mod pressure;
+mod printed;
 mod set;
 mod singular;
 mod solve;

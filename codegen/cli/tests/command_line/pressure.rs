@@ -1,7 +1,7 @@
 //! The pressure angle that `linkwright solve` reports.
 
 use crate::folder::Folder;
-use serde_json::Value;
+use crate::printed::json;
 
 /// A disc of radius 30 mm, 10 mm off its axle, under a roller of 8 mm: sin α is at most 10/38, when the disc has turned by a
 /// quarter from its highest place.
@@ -24,7 +24,7 @@ fn the_largest_pressure_angle_is_printed() {
     let text = "\nlargest pressure angles\n  roller wheel(follower.P, rim)  15.26° at t = 1 s\n";
     assert!(printed.contains(text), "{printed}");
     let ran = folder.run("solve a.mech --to 2 --json").exits_with(0);
-    let object: Value = serde_json::from_str(&ran.stdout).expect("JSON");
+    let object = json(&ran.stdout);
     let found = &object["pressure_angles"][0];
     assert_eq!(found["joint"], "roller wheel(follower.P, rim)");
     assert_eq!(found["t"], 1.0);

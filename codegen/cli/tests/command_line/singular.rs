@@ -1,17 +1,8 @@
 //! `linkwright solve` where a motion ends or comes close to a singular pose.
 
 use crate::folder::{EXAM, Folder, driven_by};
+use crate::printed::{json, number};
 use serde_json::Value;
-
-fn json(text: &str) -> Value {
-    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error} in {text}"))
-}
-
-fn number(value: &Value) -> f64 {
-    value
-        .as_f64()
-        .unwrap_or_else(|| panic!("{value} is no number"))
-}
 
 #[test]
 fn the_rod_that_folds_ends_the_motion() {

@@ -1,17 +1,8 @@
 //! `linkwright solve` from the outside: exit codes, output and files.
 
 use crate::folder::{EXAM, Folder};
+use crate::printed::{json, number};
 use serde_json::Value;
-
-fn json(text: &str) -> Value {
-    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error} in {text}"))
-}
-
-fn number(value: &Value) -> f64 {
-    value
-        .as_f64()
-        .unwrap_or_else(|| panic!("{value} is no number"))
-}
 
 fn assert_close(value: &Value, expected: &[f64]) {
     let values = value.as_array().expect("an array");

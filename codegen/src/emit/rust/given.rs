@@ -19,6 +19,8 @@ use crate::system::{SymbolRole, System};
 pub(super) struct Given {
     pub parameters: bool,
     pub inputs: bool,
+    /// Whether parameters change what lengths are judged against.
+    pub lengths: bool,
 }
 
 impl Given {
@@ -27,6 +29,7 @@ impl Given {
         Given {
             parameters: !system.mechanism.parameters.is_empty(),
             inputs: !system.mechanism.inputs.is_empty(),
+            lengths: !system.lengths.is_empty(),
         }
     }
 
@@ -88,15 +91,23 @@ impl Given {
                 pub inputs: Inputs,
             },
         );
-        quote!(#parameters #inputs)
+        let length = only(
+            self.lengths,
+            quote! {
+                /// What lengths are judged against (m), as it follows from the parameters.
+                pub length: f64,
+            },
+        );
+        quote!(#parameters #inputs #length)
     }
 
-    /// What follows the name of such a structure in its literal, from references.
-    pub(super) fn copied(self) -> TokenStream {
+    /// What follows the name of such a structure in its literal, from references and the characteristic length.
+    pub(super) fn copied(self, length: TokenStream) -> TokenStream {
         let parameters = only(self.parameters, quote!(parameters: *parameters,));
         let inputs = only(self.inputs, quote!(inputs: *inputs,));
+        let length = only(self.lengths, quote!(length: #length,));
         if self.any() {
-            quote!({ #parameters #inputs })
+            quote!({ #parameters #inputs #length })
         } else {
             TokenStream::new()
         }
@@ -166,6 +177,32 @@ pub(super) fn access(system: &System, noted: &TokenStream) -> TokenStream {
 /// The tokens where there is something to say.
 pub(super) fn only(there: bool, tokens: TokenStream) -> TokenStream {
     if there { tokens } else { TokenStream::new() }
+}
+
+/// The function that gives what lengths are judged against, where it follows the parameters.
+pub(super) fn length_of_parameters(system: &System, program: &Program) -> TokenStream {
+    let Some(straight) = &program.lengths else {
+        return TokenStream::new();
+    };
+    let names = TextbookNames { system, straight };
+    let writer = Writer {
+        system,
+        constants: &program.constants,
+        names: &names,
+    };
+    let (statements, results) = (writer.statements(straight), writer.results(straight));
+    let function = quote! {
+        fn characteristic_length(parameters: &Parameters) -> f64 {
+            #(#statements)*
+            largest_length(&[#(#results),*], CHARACTERISTIC_LENGTH)
+        }
+    };
+    let allow = lints::unused_item(&function);
+    quote! {
+        /// What lengths are judged against, in m: the largest of the mechanism with these parameters.
+        #allow
+        #function
+    }
 }
 
 /// How a parameter or an input is read; nothing for other symbols.

@@ -9,7 +9,7 @@ use super::coordinates::{coordinates, frame};
 use super::docs::docs;
 use super::equations::equations;
 use super::expression::identifier;
-use super::given::{Given, only, structures};
+use super::given::{Given, length_of_parameters, only, structures};
 use super::lints;
 use super::literal::float;
 use super::solved;
@@ -41,7 +41,11 @@ pub(super) fn items(system: &System, program: &Program) -> TokenStream {
             .unwrap_or_default(),
         frame(system, program),
         if needs_length {
-            characteristic_length(system)
+            let (length, found) = (
+                characteristic_length(system),
+                length_of_parameters(system, program),
+            );
+            quote!(#length #found)
         } else {
             TokenStream::new()
         },
@@ -207,6 +211,12 @@ fn imports(system: &System, program: &Program, has_newton: bool, has_tables: boo
     let explained = only(program.solved.is_some(), quote!(BlockName, Explained,));
     let in_steps = only(program.solved.is_some(), quote!(in_steps,));
     let table = only(has_tables, quote!(Table,));
+    let length = only(
+        given.lengths && (has_textbook || has_newton),
+        quote!(
+            use ::linkwright::scale::largest_length;
+        ),
+    );
     let monitored = program.solved.is_some() && system.mechanism.monitor;
     let measures = program.solved.iter().flat_map(|solved| &solved.blocks);
     let measures = measures.flat_map(|block| &block.measured).next().is_some();
@@ -216,6 +226,7 @@ fn imports(system: &System, program: &Program, has_newton: bool, has_tables: boo
         #closed
         #math
         #matrices
+        #length
         use ::linkwright::{#branch #closeness #explained #equations Failure, #kind #measure #motion Settings, #signal #start #step #table #block #in_steps #kinematics};
     }
 }

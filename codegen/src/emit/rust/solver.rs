@@ -15,24 +15,81 @@ use crate::system::{Coordinate, System};
 /// What lengths are judged against.
 pub(super) fn characteristic_length(system: &System) -> TokenStream {
     let length = float(system.mechanism.characteristic_length);
+    if !system.lengths.is_empty() {
+        return quote! {
+            /// The largest coordinate in the drawing, in m.
+            const CHARACTERISTIC_LENGTH: f64 = #length;
+        };
+    }
     quote! {
         /// The largest coordinate in the drawing, in m: residuals in m are judged against it.
         const CHARACTERISTIC_LENGTH: f64 = #length;
     }
 }
 
-/// What values of a quantity are judged against.
-pub(super) fn scale(quantity: Quantity) -> TokenStream {
+/// What values of a quantity are judged against, with this for the characteristic length.
+pub(super) fn scale(quantity: Quantity, length: &TokenStream) -> TokenStream {
     let power = quantity.power_of_length();
-    let product = (1..power.unsigned_abs()).fold(
-        quote!(CHARACTERISTIC_LENGTH),
-        |product, _| quote!(#product * CHARACTERISTIC_LENGTH),
-    );
+    let product =
+        (1..power.unsigned_abs()).fold(length.clone(), |product, _| quote!(#product * #length));
     match power {
         0 => quote!(1.0),
         1.. => product,
         _ => quote!(1.0 / (#product)),
     }
+}
+
+/// `fn row_scale` or `fn coordinate_scale` that finds the scales of these quantities from `self.length`.
+pub(super) fn scales_by_length(
+    function: &str,
+    place: &str,
+    quantities: &[Quantity],
+) -> TokenStream {
+    let length = quote!(self.length);
+    let mut powers: Vec<i32> = quantities.iter().map(|it| it.power_of_length()).collect();
+    powers.sort_unstable();
+    powers.dedup();
+    let function = identifier(function);
+    if let [_] = powers[..] {
+        let (place, value) = (
+            identifier(&format!("_{place}")),
+            scale(quantities[0], &length),
+        );
+        return quote!(fn #function(&self, #place: usize) -> f64 { #value });
+    }
+    let place = identifier(place);
+    let arms = powers.iter().filter(|power| **power != 0).map(|power| {
+        let own = quantities.iter().enumerate();
+        let own = own.filter(|(_, it)| it.power_of_length() == *power);
+        let places = patterns(own.map(|(place, _)| place));
+        let value = scale(Quantity::Power(*power), &length);
+        quote!(#(#places)|* => #value,)
+    });
+    quote! {
+        fn #function(&self, #place: usize) -> f64 {
+            match #place { #(#arms)* _ => 1.0 }
+        }
+    }
+}
+
+/// Patterns for these ascending numbers: those that follow one another as a range.
+fn patterns(places: impl Iterator<Item = usize>) -> Vec<TokenStream> {
+    let mut runs: Vec<(usize, usize)> = Vec::new();
+    for place in places {
+        match runs.last_mut() {
+            Some((_, last)) if *last + 1 == place => *last = place,
+            _ => runs.push((place, place)),
+        }
+    }
+    let pattern = |(first, last): (usize, usize)| {
+        let (from, to) = (count(first), count(last));
+        match last - first {
+            0 => quote!(#from),
+            1 => quote!(#from | #to),
+            _ => quote!(#from..=#to),
+        }
+    };
+    runs.into_iter().map(pattern).collect()
 }
 
 /// `struct Textbook`: the dense system as the runtime solves it.
@@ -47,11 +104,12 @@ pub(super) fn textbook(system: &System) -> TokenStream {
             pub struct Textbook;
         )
     };
-    let scales = system.rows.iter().map(|row| scale(row.quantity));
+    let length = quote!(CHARACTERISTIC_LENGTH);
+    let scales = system.rows.iter().map(|row| scale(row.quantity, &length));
     let column_scales = system
         .coordinates
         .iter()
-        .map(|coordinate| scale(coordinate.quantity));
+        .map(|coordinate| scale(coordinate.quantity, &length));
     let is_pose = |coordinate: &Coordinate| coordinate.describes.body().is_some();
     let coordinate_scale = if system.coordinates.iter().all(is_pose) {
         quote!(if column % 3 == 2 {
@@ -65,13 +123,51 @@ pub(super) fn textbook(system: &System) -> TokenStream {
             SCALES.get(column).copied().unwrap_or(1.0)
         }
     };
+    let row_scales = only(
+        !given.lengths,
+        quote! {
+            /// What the residual of each row is judged against.
+            const ROW_SCALES: [f64; #size] = [#(#scales),*];
+        },
+    );
+    let (derived, made) = if given.lengths {
+        (quote!(Clone, Copy, Debug), textbook_of_parameters(given))
+    } else {
+        (quote!(Clone, Copy, Debug, Default), TokenStream::new())
+    };
+    let judged = if given.lengths {
+        let of_rows: Vec<Quantity> = system.rows.iter().map(|row| row.quantity).collect();
+        let of_columns: Vec<Quantity> = system.coordinates.iter().map(|it| it.quantity).collect();
+        let rows = scales_by_length("row_scale", "row", &of_rows);
+        let columns = if system.coordinates.iter().all(is_pose) {
+            quote! {
+                fn coordinate_scale(&self, column: usize) -> f64 {
+                    if column % 3 == 2 { 1.0 } else { self.length }
+                }
+            }
+        } else {
+            scales_by_length("coordinate_scale", "column", &of_columns)
+        };
+        quote!(#rows #columns)
+    } else {
+        quote! {
+            fn row_scale(&self, row: usize) -> f64 {
+                ROW_SCALES.get(row).copied().unwrap_or(1.0)
+            }
+
+            fn coordinate_scale(&self, column: usize) -> f64 {
+                #coordinate_scale
+            }
+        }
+    };
     quote! {
-        /// What the residual of each row is judged against.
-        const ROW_SCALES: [f64; #size] = [#(#scales),*];
+        #row_scales
 
         /// All equations as one dense system, as `linkwright::newton` solves it.
-        #[derive(Clone, Copy, Debug, Default)]
+        #[derive(#derived)]
         #structure
+
+        #made
 
         impl Textbook {
             fn named(values: &SVector<f64, #size>) -> Coordinates {
@@ -106,12 +202,28 @@ pub(super) fn textbook(system: &System) -> TokenStream {
                 *right_hand_side = gamma(&Self::named(q), &Self::named(qd), #passed t);
             }
 
-            fn row_scale(&self, row: usize) -> f64 {
-                ROW_SCALES.get(row).copied().unwrap_or(1.0)
-            }
+            #judged
+        }
+    }
+}
 
-            fn coordinate_scale(&self, column: usize) -> f64 {
-                #coordinate_scale
+/// How a [`Textbook`] is made whose scales follow its parameters.
+fn textbook_of_parameters(given: Given) -> TokenStream {
+    let inputs = only(given.inputs, quote!(inputs: &Inputs,));
+    let initial = only(given.inputs, quote!(&Inputs::INITIAL,));
+    let fields = given.copied(quote!(characteristic_length(parameters)));
+    quote! {
+        #[allow(dead_code)]
+        impl Textbook {
+            /// The equations of the mechanism with these parameters.
+            pub fn new(parameters: &Parameters, #inputs) -> Self {
+                Self #fields
+            }
+        }
+
+        impl Default for Textbook {
+            fn default() -> Self {
+                Self::new(&Parameters::NOMINAL, #initial)
             }
         }
     }
@@ -129,9 +241,26 @@ pub(super) fn mechanism(system: &System, program: &Program) -> TokenStream {
     let given = Given::of(system);
     let field = only(given.parameters, quote!(parameters: Parameters,));
     let kept = only(given.parameters, quote!(parameters: *parameters,));
+    let length_field = only(
+        given.lengths,
+        quote! {
+            /// What lengths are judged against (m).
+            length: f64,
+        },
+    );
+    let length_kept = only(given.lengths, quote!(length,));
+    let length_found = only(
+        given.lengths,
+        quote!(let length = characteristic_length(parameters);),
+    );
+    let length_noted = only(
+        given.lengths,
+        quote!(self.length = characteristic_length(parameters);),
+    );
     let (with, passed) = (given.parameters_declared(), given.parameters_passed());
     let (inputs, inputs_passed) = (given.inputs_declared(), given.inputs_passed());
-    let (equations, own) = (given.copied(), own_parameters(given));
+    let (equations, own) = (given.copied(quote!(length)), own_parameters(given));
+    let length_own = only(given.lengths, quote!(let length = self.length;));
     let nominal = only(
         given.parameters,
         quote!(let parameters = &Parameters::NOMINAL;),
@@ -145,13 +274,14 @@ pub(super) fn mechanism(system: &System, program: &Program) -> TokenStream {
     let (drawn, check, access) = (
         drawn_pose(program),
         finite_check(system),
-        access(system, &TokenStream::new()),
+        access(system, &length_noted),
     );
     let start = quote! {
         #check
+        #length_found
         let estimate = SVector::from(estimate.to_array());
         let solved = kinematics::assemble(&Textbook #equations, &estimate, t, &settings)?;
-        Ok(Self { frame: Self::frame_of(&solved #frame_passed), #kept settings })
+        Ok(Self { frame: Self::frame_of(&solved #frame_passed), #kept #length_kept settings })
     };
     let (start, with_parameters) = if given.parameters {
         let variant = quote! {
@@ -180,6 +310,7 @@ pub(super) fn mechanism(system: &System, program: &Program) -> TokenStream {
         pub struct #name {
             frame: Frame,
             #field
+            #length_field
             settings: Settings,
         }
 
@@ -210,6 +341,7 @@ pub(super) fn mechanism(system: &System, program: &Program) -> TokenStream {
             /// A [`Failure`] where the equations cannot be solved from there.
             pub fn advance(&mut self, t: f64 #inputs) -> Result<&Frame, Failure> {
                 #own
+                #length_own
                 #check
                 let last = kinematics::Frame {
                     t: self.frame.t,
@@ -234,6 +366,7 @@ pub(super) fn mechanism(system: &System, program: &Program) -> TokenStream {
             /// # Errors
             /// A [`Failure`] where the Jacobian is singular.
             pub fn newton_step(q: &Coordinates, #with t: f64 #inputs) -> Result<Step<f64, Const<#size>>, Failure> {
+                #length_found
                 newton::step(&Textbook #equations, &SVector::from(q.to_array()), t, &Settings::default())
             }
 

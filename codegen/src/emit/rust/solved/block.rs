@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 
 use super::explained::determinants;
 use super::names::{BlockNames, plain_name};
-use super::newton::reads_frame;
+use super::newton::{reads_frame, reads_length};
 use crate::emit::derivation::SingularPose;
 use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::{Names, Writer, identifier};
@@ -28,6 +28,8 @@ pub(super) struct Needs {
     pub start: bool,
     pub branches: bool,
     pub settings: bool,
+    /// What lengths are judged against, where it follows the parameters.
+    pub length: bool,
     pub parameters: bool,
     pub inputs: bool,
     pub time: bool,
@@ -65,6 +67,10 @@ impl Needs {
             .as_ref()
             .map(|newton| Needs::given(newton, system));
         let newton = newton.unwrap_or_default();
+        needs.length = block
+            .newton
+            .as_ref()
+            .is_some_and(|it| reads_length(it, system));
         needs.parameters = own.parameters || newton.parameters;
         needs.inputs = own.inputs || newton.inputs;
         needs
@@ -94,6 +100,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
+        let length = only(self.length, quote!(length,));
         let parameters = only(self.parameters, quote!(parameters,));
         let inputs = only(self.inputs, quote!(inputs,));
         let time = if self.time {
@@ -101,7 +108,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
-        quote!(at, #last #start #branches #settings #parameters #inputs #time)
+        quote!(at, #last #start #branches #settings #length #parameters #inputs #time)
     }
 
     fn parameters(self) -> TokenStream {
@@ -121,6 +128,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
+        let length = only(self.length, quote!(length: f64,));
         let parameters = only(self.parameters, quote!(parameters: &Parameters,));
         let inputs = only(self.inputs, quote!(inputs: &Inputs,));
         let time = if self.time {
@@ -128,7 +136,7 @@ impl Needs {
         } else {
             TokenStream::new()
         };
-        quote!(at: &mut Frame, #last #start #branches #settings #parameters #inputs #time)
+        quote!(at: &mut Frame, #last #start #branches #settings #length #parameters #inputs #time)
     }
 }
 
@@ -179,7 +187,7 @@ pub(in crate::emit::rust) fn blocks(
         let check = if checks_itself(system) { own_check(index, block, &names) } else { TokenStream::new() };
         // All that a block can be given is one more than a linter takes.
         let many = only(
-            needs.start && needs.parameters && needs.inputs,
+            needs.start && [needs.length, needs.parameters, needs.inputs].map(usize::from).iter().sum::<usize>() >= 2,
             quote!(#[allow(clippy::too_many_arguments)]),
         );
         let body = if needs.fails {
@@ -397,7 +405,8 @@ fn equations(block: &BlockProgram, newton: &NewtonBlock, names: &BlockNames<'_>)
     );
     let parameters = only(needs.parameters, quote!(parameters,));
     let inputs = only(needs.inputs, quote!(inputs,));
-    let fields = quote!(#at #parameters #inputs);
+    let length = only(reads_length(newton, names.system), quote!(length,));
+    let fields = quote!(#at #parameters #inputs #length);
     if fields.is_empty() {
         quote!(#type_name)
     } else {

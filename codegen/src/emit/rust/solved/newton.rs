@@ -11,7 +11,7 @@ use crate::emit::rust::docs::docs;
 use crate::emit::rust::expression::Writer;
 use crate::emit::rust::given::only;
 use crate::emit::rust::literal::count;
-use crate::emit::rust::solver::scale;
+use crate::emit::rust::solver::{scale, scales_by_length};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
 use crate::program::Program;
@@ -67,6 +67,14 @@ pub(super) fn reads_frame(
         .chain(needed.iter().flat_map(Action::values))
         .flat_map(|expr| system.mechanism.graph.symbols(expr));
     read.any(|&symbol| names.is_field(symbol))
+}
+
+/// Whether the scales of a block follow the parameters.
+pub(super) fn reads_length(newton: &NewtonBlock, system: &System) -> bool {
+    let unknowns = newton.unknowns.iter();
+    let of_columns = unknowns.map(|&unknown| system.vector_form.unknowns[unknown].quantity);
+    let mut quantities = of_columns.chain(newton.quantities.iter().copied());
+    !system.lengths.is_empty() && quantities.any(|it| it.power_of_length() != 0)
 }
 
 fn equations(
@@ -189,8 +197,14 @@ fn equations(
     let (jacobian_body, jacobian, jacobian_q, _, jacobian_t) = part(&newton.jacobian, false);
     let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
     let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
-    let column_scales = unknowns.iter().map(|unknown| scale(unknown.quantity));
-    let row_scale = row_scale(newton);
+    let of_columns: Vec<Quantity> = unknowns.iter().map(|it| it.quantity).collect();
+    let judged = if reads_length(newton, system) {
+        let rows = scales_by_length("row_scale", "row", &newton.quantities);
+        let columns = scales_by_length("coordinate_scale", "column", &of_columns);
+        quote!(#rows #columns)
+    } else {
+        constant_scales(&newton.quantities, &of_columns)
+    };
     let given = Needs::given(newton, system);
     let parameters = only(given.parameters, quote!(parameters: &'a Parameters,));
     let inputs = only(given.inputs, quote!(inputs: &'a Inputs,));
@@ -203,9 +217,13 @@ fn equations(
         reads_frame(block, newton, system, solved),
         quote!(at: &'a Frame,),
     );
-    let fields = quote!(#at #parameters #inputs);
+    let length = only(reads_length(newton, system), quote!(length: f64,));
+    let fields = quote!(#at #parameters #inputs #length);
+    let borrows = !quote!(#at #parameters #inputs).is_empty();
     let (declaration, lifetime) = if fields.is_empty() {
         (quote!(struct #name;), TokenStream::new())
+    } else if !borrows {
+        (quote!(struct #name { #fields }), TokenStream::new())
     } else {
         (quote!(struct #name<'a> { #fields }), quote!(<'_>))
     };
@@ -244,32 +262,40 @@ fn equations(
                 *right_hand_side = SVector::from([#(#gamma),*]);
             }
 
-            #row_scale
-
-            fn coordinate_scale(&self, column: usize) -> f64 {
-                const SCALES: [f64; #size] = [#(#column_scales),*];
-                SCALES.get(column).copied().unwrap_or(1.0)
-            }
+            #judged
         }
     }
 }
 
-/// What each residual is judged against.
-fn row_scale(newton: &NewtonBlock) -> TokenStream {
-    let quantities = &newton.quantities;
-    if quantities.iter().all(|it| *it == Quantity::Length) {
-        return quote! {
+/// The scales of rows and columns with these quantities where no parameter changes them.
+fn constant_scales(rows: &[Quantity], columns: &[Quantity]) -> TokenStream {
+    let size = count(rows.len());
+    let length = quote!(CHARACTERISTIC_LENGTH);
+    let list = |quantities: &[Quantity]| {
+        let scales = quantities.iter().map(|&it| scale(it, &length));
+        quote!([#(#scales),*])
+    };
+    let (row_scales, column_scales) = (list(rows), list(columns));
+    let of_rows = if rows.iter().all(|it| *it == Quantity::Length) {
+        quote! {
             fn row_scale(&self, _row: usize) -> f64 {
                 CHARACTERISTIC_LENGTH
             }
-        };
-    }
-    let size = count(quantities.len());
-    let scales = quantities.iter().map(|it| scale(*it));
+        }
+    } else {
+        quote! {
+            fn row_scale(&self, row: usize) -> f64 {
+                const SCALES: [f64; #size] = #row_scales;
+                SCALES.get(row).copied().unwrap_or(1.0)
+            }
+        }
+    };
     quote! {
-        fn row_scale(&self, row: usize) -> f64 {
-            const SCALES: [f64; #size] = [#(#scales),*];
-            SCALES.get(row).copied().unwrap_or(1.0)
+        #of_rows
+
+        fn coordinate_scale(&self, column: usize) -> f64 {
+            const SCALES: [f64; #size] = #column_scales;
+            SCALES.get(column).copied().unwrap_or(1.0)
         }
     }
 }

@@ -40,6 +40,7 @@ pub(in crate::emit::rust) fn mechanism(
             all.branches |= needs.branches;
             all.settings |= needs.settings;
             all.start |= needs.start;
+            all.length |= needs.length;
             let (function, arguments) = (identifier(&block.name), needs.arguments());
             let try_it = if needs.fails {
                 quote!(?)
@@ -67,7 +68,9 @@ pub(in crate::emit::rust) fn mechanism(
     // Blocks that need Newton-Raphson are assembled from an estimate, but go on from a frame, and find their modes.
     let newton = all.start;
     let many = only(
-        newton && !system.mechanism.parameters.is_empty() && !system.mechanism.inputs.is_empty(),
+        newton
+            && !system.mechanism.parameters.is_empty()
+            && (all.length || !system.mechanism.inputs.is_empty()),
         quote!(#[allow(clippy::too_many_arguments)]),
     );
     let branches_found = only(newton, quote!(let mut branches = branches;));
@@ -95,6 +98,27 @@ pub(in crate::emit::rust) fn mechanism(
         (true, false) => (quote!(Start::LastFrame,), quote!(Start::LastFrame,)),
         (true, true) => (quote!(self.start,), quote!(start,)),
     };
+    // What lengths are judged against is found once for all instants with the same parameters.
+    let length_declared = only(all.length, quote!(length: f64,));
+    let length_field = only(
+        all.length,
+        quote! {
+            /// What lengths are judged against (m).
+            length: f64,
+        },
+    );
+    let length_found = only(
+        all.length,
+        quote!(let length = characteristic_length(parameters);),
+    );
+    let length_kept = only(all.length, quote!(length,));
+    let length_own = only(all.length, quote!(self.length,));
+    let length_read = only(all.length, quote!(*length,));
+    let length_noted = only(
+        all.length,
+        quote!(self.length = characteristic_length(parameters);),
+    );
+    let changes_noted = quote!(#length_noted #start_noted);
     let inputs_field = only(given.inputs, quote!(inputs: Inputs,));
     let inputs_kept = only(given.inputs, quote!(inputs: *inputs,));
     let inputs_done = only(given.inputs, quote!(self.inputs = *inputs;));
@@ -125,9 +149,9 @@ pub(in crate::emit::rust) fn mechanism(
     let signals_passed = only(given.inputs, quote!(inputs,));
     let in_frame = only(kept_in_frame(program), quote!(at.parameters = *parameters;));
     let (equations, check, access) = (
-        given.copied(),
+        given.copied(quote!(characteristic_length(parameters))),
         finite_check(system),
-        access(system, &start_noted),
+        access(system, &changes_noted),
     );
     let drawn = drawn_pose(program);
     let nominal = only(
@@ -180,6 +204,7 @@ pub(in crate::emit::rust) fn mechanism(
             #start_declared
             #branches: &#exclusive Branches,
             #settings: &Settings,
+            #length_declared
             #with
             #signals
             t: f64,
@@ -201,6 +226,7 @@ pub(in crate::emit::rust) fn mechanism(
             #field
             #inputs_field
             #start_field
+            #length_field
             settings: Settings,
         }
 
@@ -249,10 +275,11 @@ pub(in crate::emit::rust) fn mechanism(
                 settings: Settings,
             ) -> Result<Self, Failure> {
                 let last = #estimated;
+                #length_found
                 let mut at = last;
                 #branches_found
-                solve(&mut at, &last, #estimate_passed &#exclusive branches, &settings, #passed #signals_passed t)?;
-                Ok(Self { frames: [at, last], second_is_last: false, branches, #kept #inputs_kept #start_kept settings })
+                solve(&mut at, &last, #estimate_passed &#exclusive branches, &settings, #length_kept #passed #signals_passed t)?;
+                Ok(Self { frames: [at, last], second_is_last: false, branches, #kept #inputs_kept #start_kept #length_kept settings })
             }
 
             /// Moves the mechanism to time `t` (s), starting from the last frame, which a failure leaves as it is.
@@ -268,7 +295,7 @@ pub(in crate::emit::rust) fn mechanism(
                 #own_parameters
                 let [first, second] = &mut self.frames;
                 let (last, at) = if self.second_is_last { (&*second, first) } else { (&*first, second) };
-                if let Err(failure) = solve(at, last, #start_own &#exclusive self.branches, &self.settings, #passed #signals_passed t) {
+                if let Err(failure) = solve(at, last, #start_own &#exclusive self.branches, &self.settings, #length_own #passed #signals_passed t) {
                     self.advance_in_steps(failure, t #inputs_passed)?;
                 }
                 #inputs_done
@@ -281,7 +308,7 @@ pub(in crate::emit::rust) fn mechanism(
             /// which this is no longer possible. The new frame takes the place of the older one.
             #[cold]
             fn advance_in_steps(&mut self, failure: Failure, t: f64 #inputs) -> Result<(), Failure> {
-                let Self { frames: [first, second], second_is_last, branches, #parameters_read #inputs_read #start_read settings } = self;
+                let Self { frames: [first, second], second_is_last, branches, #parameters_read #inputs_read #start_read #length_kept settings } = self;
                 if settings.substeps <= 1 {
                     return Err(failure);
                 }
@@ -290,7 +317,7 @@ pub(in crate::emit::rust) fn mechanism(
                 #start_copied
                 in_steps(last.t, t, settings.substeps, |target| {
                     #inputs_between
-                    solve(at, &reached, #start_passed branches, settings, #passed #signals_passed target)?;
+                    solve(at, &reached, #start_passed branches, settings, #length_read #passed #signals_passed target)?;
                     #start_left
                     core::mem::swap(at, &mut reached);
                     Ok(())

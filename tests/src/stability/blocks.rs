@@ -1,0 +1,310 @@
+//! *The solved view's statements, and the exact motion* → *how far they may be off in floating point*.
+//!
+//! The statements of every block are run in 384 bits with the branches of the drawing, which must lead to the exact motion, and
+//! each of them adds its roundings to the errors of what it reads ([`super::bounded`]); a block without a closed form is
+//! bounded as [`super::dense`] says. So these bounds hold for the operations that a generated module really performs, but for
+//! the order of sums and products, for every one of which they hold.
+
+use std::cell::RefCell;
+
+use linkwright_codegen::expr::{ExprId, SymbolId};
+use linkwright_codegen::program::solved::{Action, Level, NewtonBlock, WholeBlock, whole};
+use linkwright_codegen::structure;
+use linkwright_codegen::system::System;
+
+use super::bounded::{Margin, errors};
+use super::dense::{Dense, Evaluated};
+use super::precise::{Factors, Nodes, Precise, arctangent, pi};
+use super::truth::{Exact, Given, Levels};
+use super::verdict::Scalar;
+use crate::magnitude::needed;
+
+/// The solved view of a mechanism.
+pub struct Blocks {
+    system: System,
+    blocks: Vec<WholeBlock>,
+}
+
+/// The values and errors of all symbols so far.
+struct State<'a> {
+    system: &'a System,
+    nodes: RefCell<Nodes>,
+    symbols: Vec<Precise>,
+    margins: Vec<Margin>,
+    scalar: Scalar,
+}
+
+impl Blocks {
+    /// The solved view with nothing left out; `None` where there is none.
+    pub fn new(system: &System) -> Option<Blocks> {
+        let mut system = system.clone();
+        system.mechanism.requests.clear();
+        system.mechanism.transmissions.clear();
+        system.directions.clear();
+        let plan = structure::plan_of_motion(&mut system)?;
+        let blocks = whole(&mut system, &plan);
+        Some(Blocks { system, blocks })
+    }
+
+    /// By how much q, q̇ and q̈ may be off in a scalar; `length` is what residuals in m are judged against.
+    ///
+    /// # Errors
+    /// Where the statements do not lead to the exact motion.
+    pub fn bounds(
+        &self,
+        given: &Given,
+        exact: &Exact,
+        length: f64,
+        scalar: Scalar,
+    ) -> Result<Levels<Margin>, String> {
+        let graph = &self.system.mechanism.graph;
+        let mut state = State {
+            system: &self.system,
+            nodes: RefCell::new(Nodes::new(graph)),
+            symbols: given.symbols(&self.system, Precise::from_f64),
+            margins: vec![Margin::NONE; graph.symbol_count()],
+            scalar,
+        };
+        for block in &self.blocks {
+            for branch in &block.branches {
+                let sign = if branch.positive { 1.0 } else { -1.0 };
+                state.symbols[branch.symbol.index()] = Precise::from_f64(sign);
+            }
+            for action in &block.program.actions {
+                if let Action::Section(Level::Response(_) | Level::ResponseRate(_)) = action {
+                    break;
+                }
+                match (action, &block.program.newton) {
+                    (Action::Newton, Some(newton)) => state.iterate(newton, exact, length)?,
+                    _ => state.run(action, exact),
+                }
+            }
+        }
+        state.compare(exact)?;
+        let coordinates = || self.system.coordinates.iter();
+        let of = |symbol: SymbolId| state.margins[symbol.index()];
+        Ok([
+            coordinates().map(|it| of(it.position)).collect(),
+            coordinates().map(|it| of(it.rate)).collect(),
+            coordinates().map(|it| of(it.acceleration)).collect(),
+        ])
+    }
+}
+
+/// What 384 bits leave of a difference.
+const LOST: f64 = 1e-60;
+
+impl State<'_> {
+    /// The errors of expressions where symbols have the errors `margins`.
+    fn errors(&self, roots: &[ExprId], margins: &[Margin]) -> Vec<Margin> {
+        let graph = &self.system.mechanism.graph;
+        let order = needed(graph, roots);
+        let mut nodes = self.nodes.borrow_mut();
+        nodes.evaluate(graph, &order, &self.symbols);
+        let all = errors(graph, &order, &nodes.rounded, margins, self.scalar);
+        roots.iter().map(|root| all[root.index()]).collect()
+    }
+
+    fn value(&self, expr: ExprId) -> Precise {
+        self.nodes.borrow().of(expr).clone()
+    }
+
+    fn set(&mut self, symbol: SymbolId, value: Precise, margin: Margin) {
+        self.symbols[symbol.index()] = value;
+        self.margins[symbol.index()] = margin;
+    }
+
+    /// Runs one statement in the order of the program.
+    fn run(&mut self, action: &Action, exact: &Exact) {
+        let roots = match action {
+            Action::Let { value, .. } => vec![*value],
+            Action::SineCosine { angle, .. } => vec![*angle],
+            Action::Angle { sine, cosine, .. } => vec![*sine, *cosine],
+            _ => return,
+        };
+        let found = self.errors(&roots, &self.margins);
+        let epsilon = self.scalar.epsilon();
+        match action {
+            Action::Let { target, value } => self.set(*target, self.value(*value), found[0]),
+            Action::SineCosine {
+                sine,
+                cosine,
+                angle,
+            } => {
+                let angle = self.value(*angle);
+                let [s, c] = [angle.sin(), angle.cos()];
+                let [to_sine, to_cosine] = turned(&s, &c, found[0], epsilon);
+                self.set(*sine, s, to_sine);
+                self.set(*cosine, c, to_cosine);
+            }
+            Action::Angle {
+                unknown,
+                sine,
+                cosine,
+            } => {
+                let (y, x) = (self.value(*sine), self.value(*cosine));
+                let size = y.to_f64().hypot(x.to_f64());
+                let moved = found[0]
+                    .times(x.to_f64() / size)
+                    .plus(found[1].times(y.to_f64() / size))
+                    .times(1.0 / size);
+                let near = exact.levels[0].get(*unknown);
+                let angle = wound(&arctangent(&y, &x), near);
+                // The promise of `linkwright::angle`: 2 ε of the angle, or of π/4 where that is larger.
+                let own = 2.0 * epsilon * angle.to_f64().abs().max(std::f64::consts::FRAC_PI_4);
+                let symbol = self.system.vector_form.unknowns[*unknown].position;
+                self.set(symbol, angle, moved.plus(Margin::even(own)));
+            }
+            _ => {}
+        }
+    }
+
+    /// The tears of a block without a closed form, with their rates and accelerations.
+    fn iterate(&mut self, newton: &NewtonBlock, exact: &Exact, length: f64) -> Result<(), String> {
+        let unknowns: Vec<_> = newton
+            .unknowns
+            .iter()
+            .map(|&place| (place, self.system.vector_form.unknowns[place].clone()))
+            .collect();
+        let mut levels: [Vec<f64>; 3] = Default::default();
+        for (place, unknown) in &unknowns {
+            let symbols = [unknown.position, unknown.rate, unknown.acceleration];
+            for (level, symbol) in symbols.into_iter().enumerate() {
+                let value = exact.levels[level].get(*place);
+                let value = value.ok_or("a tear that is no coordinate has no exact value")?;
+                levels[level].push(value.to_f64());
+                self.set(symbol, value.clone(), Margin::NONE);
+            }
+        }
+        // The values of the geometry first.
+        for action in newton.geometry.clone() {
+            self.run(&action, exact);
+        }
+        let n = unknowns.len();
+        let roots: Vec<ExprId> = newton.expressions().collect();
+        self.errors(&roots, &self.margins);
+        let rows: Vec<Vec<Precise>> = newton
+            .jacobian
+            .chunks(n)
+            .map(|row| row.iter().map(|&entry| self.value(entry)).collect())
+            .collect();
+        let jacobian = rows
+            .iter()
+            .map(|row| row.iter().map(Precise::to_f64).collect());
+        let jacobian = jacobian.collect();
+        let factors = Factors::new(rows).ok_or("the block is singular")?;
+        let columns: Vec<Vec<Precise>> = (0..n)
+            .map(|column| {
+                let unit = (0..n).map(|row| f64::from(u8::from(row == column)));
+                factors.solve(&unit.map(Precise::from_f64).collect::<Vec<_>>())
+            })
+            .collect();
+        let inverse = (0..n)
+            .map(|row| columns.iter().map(|it| it[row].to_f64()).collect())
+            .collect();
+        let power =
+            |quantity: linkwright_codegen::joint::Quantity| length.powi(quantity.power_of_length());
+        let dense = Dense {
+            jacobian,
+            inverse,
+            rows: newton.quantities.iter().map(|&it| power(it)).collect(),
+            columns: unknowns.iter().map(|(_, it)| power(it.quantity)).collect(),
+            levels,
+        };
+        let geometry = |margins: &mut Vec<Margin>| {
+            for action in &newton.geometry {
+                match action {
+                    Action::Let { target, value } => {
+                        margins[target.index()] = self.errors(&[*value], margins)[0];
+                    }
+                    Action::SineCosine {
+                        sine,
+                        cosine,
+                        angle,
+                    } => {
+                        let off = self.errors(&[*angle], margins)[0];
+                        let [s, c] = [sine, cosine].map(|it| &self.symbols[it.index()]);
+                        let [to_sine, to_cosine] = turned(s, c, off, self.scalar.epsilon());
+                        margins[sine.index()] = to_sine;
+                        margins[cosine.index()] = to_cosine;
+                    }
+                    _ => {}
+                }
+            }
+        };
+        let evaluate = |pose: &[Margin], rates: &[Margin]| {
+            let mut margins = self.margins.clone();
+            for (((_, unknown), pose), rate) in unknowns.iter().zip(pose).zip(rates) {
+                margins[unknown.position.index()] = *pose;
+                margins[unknown.rate.index()] = *rate;
+            }
+            geometry(&mut margins);
+            let of = |roots: &[ExprId]| self.errors(roots, &margins);
+            Evaluated {
+                residuals: of(&newton.residuals),
+                jacobian: of(&newton.jacobian)
+                    .chunks(n)
+                    .map(<[Margin]>::to_vec)
+                    .collect(),
+                drift: of(&newton.time_derivative),
+                gamma: of(&newton.gamma),
+            }
+        };
+        let bounds = dense.bounds(self.scalar, &evaluate);
+        for (at, (_, unknown)) in unknowns.iter().enumerate() {
+            let symbols = [unknown.position, unknown.rate, unknown.acceleration];
+            for (symbol, level) in symbols.into_iter().zip(&bounds.levels) {
+                self.margins[symbol.index()] = level[at];
+            }
+        }
+        Ok(())
+    }
+
+    /// That the statements have led to the exact motion.
+    fn compare(&self, exact: &Exact) -> Result<(), String> {
+        for (place, coordinate) in self.system.coordinates.iter().enumerate() {
+            let symbols = [
+                coordinate.position,
+                coordinate.rate,
+                coordinate.acceleration,
+            ];
+            for (level, symbol) in symbols.into_iter().enumerate() {
+                let scale = exact.levels[level].iter().map(|it| it.to_f64().abs());
+                let scale = scale.fold(0.0, f64::max);
+                let off = self.symbols[symbol.index()].minus(&exact.levels[level][place]);
+                // Written so that NaN differs.
+                let same = off.to_f64().abs() <= LOST * scale;
+                if !same {
+                    return Err(format!(
+                        "the solved view's {} is another at level {level}",
+                        coordinate.name
+                    ));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The errors of sine and cosine of an angle with this error.
+fn turned(sine: &Precise, cosine: &Precise, off: Margin, epsilon: f64) -> [Margin; 2] {
+    let (s, c) = (sine.to_f64(), cosine.to_f64());
+    [(s, c), (c, s)].map(|(value, slope)| {
+        let steepest = (slope.abs() + off.worst).min(1.0);
+        let moved = Margin {
+            worst: off.worst * steepest,
+            expected: off.expected * slope.abs(),
+        };
+        moved.plus(Margin::even(epsilon * value))
+    })
+}
+
+/// The angle wound up by whole turns until it is next to another.
+fn wound(angle: &Precise, near: Option<&Precise>) -> Precise {
+    let Some(near) = near else {
+        return angle.clone();
+    };
+    let turn = pi().times(&Precise::from_f64(2.0));
+    let turns = near.minus(angle).over(&turn).to_f64().round();
+    angle.plus(&turn.times(&Precise::from_f64(turns)))
+}
