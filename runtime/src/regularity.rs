@@ -8,8 +8,8 @@
 //! section 2.1), asked of the δ that the residual leaves most uncertain. It does not depend on the choice of coordinates. A
 //! quarter of it is asked, because the residual is itself known to rounding only: so the condition holds with that too.
 //!
-//! A pose that is uncertain by more than a thousandth in the scale of a coordinate is refused as well, however little Φ_q
-//! changes: it has not three digits. Far from the origin, or with links of very different lengths, the residual's rounding
+//! A pose that rounding leaves uncertain by more than a thousandth in the scale of a coordinate is refused as well, however
+//! little Φ_q changes: it has not three digits. Far from the origin, or with links of very different lengths, the residual's rounding
 //! alone leaves that much.
 //!
 //! The module does not know how the pose was found.
@@ -85,8 +85,10 @@ where
         column: index(column),
     });
     let size = scales.step_length(&uncertain);
-    // Written so that NaN is rejected too.
-    let certain = size <= T::from_f64(LARGEST_UNCERTAINTY);
+    // A caller may choose a tolerance that leaves less digits; what rounding leaves is nobody's choice. Written so that NaN is
+    // rejected too.
+    let by_rounding = size * (level(T::ZERO) / level(residual));
+    let certain = by_rounding <= T::from_f64(LARGEST_UNCERTAINTY);
     if !certain {
         return singular;
     }
