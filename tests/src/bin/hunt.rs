@@ -21,17 +21,20 @@ struct Arguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// How many mechanisms are constructed
-    #[arg(long, default_value_t = 1000)]
+    #[arg(long, default_value_t = 540)]
     count: u64,
     /// How many of those that can be hunted are also compiled, in f64 and in f32
-    #[arg(long, default_value_t = 100)]
+    #[arg(long, default_value_t = 20)]
     compile: usize,
-    /// Only this mechanism, compiled too; no report is written
+    /// Only this mechanism, compiled too unless --compile is 0; no report is written
     #[arg(long)]
     only: Option<u64>,
     /// With --only: print its description
     #[arg(long, requires = "only")]
     print: bool,
+    /// With --only: print the smallest mechanism of which an interpreted view makes the same
+    #[arg(long, requires = "only")]
+    shrink: bool,
     /// The commit that is measured [default: what git says]
     #[arg(long)]
     commit: Option<String>,
@@ -65,6 +68,13 @@ fn only(arguments: &Arguments, number: u64) -> Result<usize, Box<dyn Error>> {
     if arguments.print {
         print!("{}", constructed.text());
     }
+    if arguments.shrink {
+        match run::shrink(arguments.seed, number) {
+            Some(small) => print!("{}", small.text()),
+            None => println!("nothing to look at"),
+        }
+        return Ok(0);
+    }
     eprintln!("groups: {}", constructed.groups.join(", "));
     if let Err(unused) = known(&constructed, seed_of(arguments.seed, number)) {
         match unused {
@@ -84,8 +94,11 @@ fn only(arguments: &Arguments, number: u64) -> Result<usize, Box<dyn Error>> {
     );
     let views = interpreted::answers(&hunted.known).map(|it| (View::Interpreted, it));
     let texts = [hunted.mechanism.text()];
-    let folder = compiled::folder()?;
-    let answers = compiled::answers(&folder, &texts, &[&hunted.known.task])?;
+    let answers = if arguments.compile > 0 {
+        compiled::answers(&compiled::folder()?, &texts, &[&hunted.known.task])?
+    } else {
+        Vec::new()
+    };
     let generated = answers
         .into_iter()
         .flat_map(|[double, single]| [(View::Double, double), (View::Single, single)]);

@@ -10,9 +10,11 @@ use crate::stability::verdict::Scalar;
 /// What 384 bits leave of a quantity that is zero, relative to the others, and more.
 const NOISE: f64 = 1e-60;
 
-/// Elimination of n equations leaves errors of up to this many n ε of the largest quantity also in those that are zero (Higham,
-/// *Accuracy and Stability of Numerical Algorithms*, theorem 9.4).
+/// The roundings of an elimination per equation: see [`super::mixing`].
 const MIXED: f64 = 3.0;
+
+/// The bound of a coordinate, in its scale, beyond which it is said to have no digits.
+const NO_DIGITS: f64 = 1e-2;
 
 /// What a call promises of the pose it finds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +56,7 @@ pub enum Outcome {
     Other,
     /// The same, where the path has ended.
     Beyond,
-    /// A typed failure where the path has a pose.
+    /// A typed failure where the path has a pose: its kind, and whether the bound leaves no digits.
     Failed(String),
     /// A typed failure where the path has ended.
     Ended(String),
@@ -82,6 +84,16 @@ pub fn judge(known: &Known, answers: &[Answered], scalar: Scalar) -> Vec<Outcome
     outcomes
 }
 
+/// Whether the bound of the pose leaves two digits.
+fn has_digits(known: &Known, exact: &Instant, scalar: Scalar) -> bool {
+    let [bounds, _, _] = &exact.bounds[usize::from(scalar == Scalar::F32)];
+    let scales = known.truth.scales(known.size);
+    bounds
+        .iter()
+        .zip(scales)
+        .all(|(bound, scale)| bound / scale < NO_DIGITS)
+}
+
 /// A motion so far.
 struct Motion {
     on_path: bool,
@@ -98,10 +110,13 @@ fn one(
     mut motion: Motion,
 ) -> (Outcome, Motion) {
     let exact = known.instants.get(answered.instant);
-    let compare = |levels, exact| compare(known, levels, exact, scalar);
+    let compare = |levels, exact| compare(levels, exact, scalar);
     let levels = match (&answered.answer, exact) {
         (Ok(levels), _) => levels,
-        (Err(kind), Some(_)) => return (Outcome::Failed(kind.clone()), motion),
+        (Err(kind), Some(exact)) if has_digits(known, exact, scalar) => {
+            return (Outcome::Failed(kind.clone()), motion);
+        }
+        (Err(kind), Some(_)) => return (Outcome::Failed(format!("{kind}, no digits")), motion),
         (Err(kind), None) => return (Outcome::Ended(kind.clone()), motion),
     };
     let missed = exact.map(|exact| compare(levels, exact));
@@ -183,30 +198,24 @@ fn has_far_turn(known: &Known, before: &[f64], exact: &Instant) -> bool {
 }
 
 /// The largest ratio of error to bound, or what is off by more.
-fn compare(
-    known: &Known,
-    levels: &[Vec<f64>; 3],
-    exact: &Instant,
-    scalar: Scalar,
-) -> Result<f64, String> {
+fn compare(levels: &[Vec<f64>; 3], exact: &Instant, scalar: Scalar) -> Result<f64, String> {
     let bounds = &exact.bounds[usize::from(scalar == Scalar::F32)];
-    let scales = known.truth.scales(known.size);
     let mut ratio = 0.0_f64;
     for (level, found) in levels.iter().enumerate() {
         let wanted = &exact.exact.levels[level];
-        let sizes = wanted.iter().zip(&bounds[level]).zip(&scales);
-        let sizes = sizes.map(|((wanted, bound), scale)| (wanted.to_f64().abs() + bound) / scale);
-        let largest = sizes.fold(0.0, f64::max);
-        let mixed = if level > 0 {
-            MIXED * found.len() as f64 * scalar.epsilon()
-        } else {
-            0.0
-        };
+        let largest = wanted
+            .iter()
+            .map(|it| it.to_f64().abs())
+            .fold(0.0, f64::max);
+        let roundings = MIXED * found.len() as f64 * scalar.epsilon();
         for (place, found) in found.iter().enumerate() {
             let off = Precise::from_f64(*found).minus(&wanted[place]);
             let off = off.to_f64().abs();
-            let floor = largest * scales[place] * (NOISE + mixed);
-            let limit = bounds[level][place].max(floor);
+            let mixed = match level {
+                0 => 0.0,
+                _ => roundings * exact.mixed[level - 1][place],
+            };
+            let limit = bounds[level][place].max(mixed).max(NOISE * largest);
             // No comparison with NaN holds, so that is wrong too.
             let within = off <= limit;
             if !within {

@@ -9,6 +9,7 @@ use linkwright_codegen::system::System;
 use nalgebra::DVector;
 
 use super::mechanism::Mechanism;
+use super::mixing::mixing;
 use super::track::{End, Tracker};
 use super::ways::Task;
 use crate::random::Random;
@@ -31,6 +32,8 @@ pub struct Instant {
     pub exact: Exact,
     /// By how much it may be off in f64 and in f32.
     pub bounds: [Levels<f64>; 2],
+    /// What elimination mixes into q̇ and q̈: see [`mixing`].
+    pub mixed: [Vec<f64>; 2],
 }
 
 /// A mechanism with its truth.
@@ -71,7 +74,13 @@ pub enum Unused {
 }
 
 /// What is true of the equations at `t` on the path through an exact pose near `start`.
-fn instant(truth: &Truth, t: f64, start: &DVector<f64>, length: f64) -> Option<Instant> {
+fn instant(
+    truth: &Truth,
+    interpreter: &Interpreter,
+    t: f64,
+    start: &DVector<f64>,
+    length: f64,
+) -> Option<Instant> {
     let given = Given {
         t,
         ..Given::default()
@@ -80,7 +89,20 @@ fn instant(truth: &Truth, t: f64, start: &DVector<f64>, length: f64) -> Option<I
     let exact = truth.solve(&given, &start)?;
     let bounds =
         [Scalar::F64, Scalar::F32].map(|scalar| truth.allowance(&given, &exact, length, scalar));
-    Some(Instant { exact, bounds })
+    let q: Vec<f64> = exact.levels[0].iter().map(Precise::to_f64).collect();
+    // What is computed may be larger than the exact value by its bound.
+    let [qd, qdd] = [1, 2].map(|level| -> Vec<f64> {
+        let values = exact.levels[level].iter().zip(&bounds[0][level]);
+        values
+            .map(|(value, bound)| value.to_f64().abs() + bound)
+            .collect()
+    });
+    let mixed = mixing(interpreter, &q, t, [&qd, &qdd]);
+    Some(Instant {
+        exact,
+        bounds,
+        mixed,
+    })
 }
 
 /// The times of all instants.
@@ -131,7 +153,7 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
             "a residual of {residual:.1e} by construction"
         )));
     }
-    let tracker = Tracker::new(&interpreter, truth.scales(size));
+    let tracker = Tracker::new(&interpreter, truth.scales(size), away);
     let path = tracker.path(&start, &times);
     let Some(first) = path.poses.first() else {
         return Err(Unused::Singular);
@@ -147,7 +169,7 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
     let mut instants = Vec::new();
     let mut end = path.end;
     for (t, tracked) in times.iter().zip(&path.poses) {
-        let Some(found) = instant(&truth, *t, tracked, length) else {
+        let Some(found) = instant(&truth, &interpreter, *t, tracked, length) else {
             end = End::Unknown;
             break;
         };
@@ -222,6 +244,7 @@ pub fn elsewhere(known: &Known, instant: usize, found: &[f64]) -> Option<Instant
     let found = DVector::from_column_slice(found);
     self::instant(
         &known.truth,
+        &known.interpreter,
         known.task.times[instant],
         &found,
         known.length,

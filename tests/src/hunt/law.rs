@@ -62,26 +62,4 @@ impl Law {
             Law::Decay { height } => format!("{:?} - {height:?}*exp(-t)", base + height),
         }
     }
-
-    /// The same with all numbers through `round`.
-    pub fn map(self, round: impl Fn(f64) -> f64) -> Law {
-        match self {
-            Law::Ramp { rate } => Law::Ramp { rate: round(rate) },
-            Law::Harmonic {
-                amplitude,
-                frequency,
-            } => Law::Harmonic {
-                amplitude: round(amplitude),
-                frequency: round(frequency),
-            },
-            Law::Step { from, to, height } => Law::Step {
-                from: round(from),
-                to: round(to),
-                height: round(height),
-            },
-            Law::Decay { height } => Law::Decay {
-                height: round(height),
-            },
-        }
-    }
 }

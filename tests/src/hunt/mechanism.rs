@@ -81,7 +81,8 @@ impl Mechanism {
     /// The largest violation of any joint at time `t`, in sizes of the mechanism and rad.
     pub fn violation(&self, q: &[f64], t: f64) -> f64 {
         let poses = self.poses(q);
-        let all = self.joints.iter().map(|(joint, _)| {
+        let all = self.joint_order.iter().map(|joint| {
+            let (joint, _) = self.joints[*joint];
             let (length, angle) = joint.violation(self, &poses, t);
             (length.abs() / self.size).max(angle.abs())
         });
@@ -94,8 +95,13 @@ impl Mechanism {
     /// The description.
     pub fn text(&self) -> String {
         let mut text = String::from("mechanism found {\n");
+        let mut used = vec![false; self.points.len()];
+        for joint in &self.joint_order {
+            let (_, points) = self.joints[*joint].0.mentions();
+            points.into_iter().for_each(|point| used[point] = true);
+        }
         for (index, point) in self.points.iter().enumerate() {
-            if point.body == GROUND {
+            if point.body == GROUND && used[index] {
                 let [x, y] = point.place;
                 let _ = writeln!(text, "    point P{index} = ({x:?}, {y:?});");
             }
@@ -106,7 +112,7 @@ impl Mechanism {
                 .collect();
             let mut members = Vec::new();
             for (index, point) in self.points.iter().enumerate() {
-                if point.body == body {
+                if point.body == body && used[index] {
                     let [x, y] = self.local(index);
                     members.push(format!("P{index}: ({x:?}, {y:?})"));
                 }

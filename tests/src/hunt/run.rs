@@ -25,10 +25,14 @@ pub struct Hunted {
 
 /// Constructs a mechanism of a run; `None`, counted, where there is nothing to hunt.
 pub fn prepare(seed: u64, number: u64, tally: &mut Tally) -> Option<Hunted> {
-    let mechanism = mechanism(seed, number, LARGEST);
+    prepare_this(mechanism(seed, number, LARGEST), seed, number, tally)
+}
+
+/// The same for a mechanism that has been made of that one.
+fn prepare_this(mechanism: Mechanism, seed: u64, number: u64, tally: &mut Tally) -> Option<Hunted> {
     let specimen = Specimen {
         number,
-        bodies: mechanism.bodies.len() - 1,
+        bodies: mechanism.body_order.len(),
     };
     match known(&mechanism, seed_of(seed, number)) {
         Ok(known) => {
@@ -111,4 +115,26 @@ pub fn findings(hunted: &Hunted, view: View, answers: &[Answered]) -> Vec<String
         }
     }
     lines
+}
+
+/// A smaller mechanism of which an interpreted view makes the same: a wrong answer if there is one, or else the typed failure, where
+/// the path has a pose, that comes first; `None` where there is neither.
+pub fn shrink(seed: u64, number: u64) -> Option<Mechanism> {
+    let found = |mechanism: &Mechanism| {
+        let mut tally = Tally::default();
+        if let Some(hunted) = prepare_this(mechanism.clone(), seed, number, &mut tally) {
+            interpret(&hunted, &mut tally);
+        }
+        tally
+    };
+    let whole = mechanism(seed, number, LARGEST);
+    let first = found(&whole);
+    let stays: Box<dyn Fn(&Mechanism) -> bool> = if let Some(wrong) = first.wrong.first() {
+        let call = wrong.call;
+        Box::new(move |it| found(it).wrong.iter().any(|it| it.call == call))
+    } else {
+        let key = first.failures.keys().next()?.clone();
+        Box::new(move |it| found(it).failures.contains_key(&key))
+    };
+    Some(super::shrink::shrunk(&whole, stays))
 }

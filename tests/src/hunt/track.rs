@@ -11,8 +11,11 @@ use nalgebra::{DMatrix, DVector};
 /// The part of its scale by which no coordinate may miss the Taylor polynomial.
 const MISS: f64 = 1e-4;
 
-/// A first correction that is smaller than this is rounding or next to it.
+/// A correction that is smaller than this is rounding or next to it; where coordinates are many sizes away, this part of them.
 const SETTLED: f64 = 1e-9;
+
+/// The same as a part of the largest coordinate.
+const SETTLED_FAR: f64 = 1e-12;
 
 /// How often the way between two instants is halved at most.
 const HALVINGS: i32 = 34;
@@ -52,12 +55,17 @@ struct State {
 pub struct Tracker<'a> {
     equations: &'a Interpreter,
     scales: Vec<f64>,
+    settled: f64,
 }
 
 impl Tracker<'_> {
-    /// For these equations; `scales` are the sizes of the coordinates.
-    pub fn new(equations: &Interpreter, scales: Vec<f64>) -> Tracker<'_> {
-        Tracker { equations, scales }
+    /// For these equations; `scales` are the sizes of the coordinates, and the largest of them is `away` sizes.
+    pub fn new(equations: &Interpreter, scales: Vec<f64>, away: f64) -> Tracker<'_> {
+        Tracker {
+            equations,
+            scales,
+            settled: SETTLED.max(SETTLED_FAR * away),
+        }
     }
 
     /// Follows the path from a pose near `start` at the first of `times`.
@@ -148,7 +156,7 @@ impl Tracker<'_> {
         for _ in 0..8 {
             let correction = self.correction(&q, t)?;
             q += &correction;
-            if self.size(&correction) < SETTLED {
+            if self.size(&correction) < self.settled {
                 return Some(q);
             }
         }
@@ -182,7 +190,7 @@ impl Tracker<'_> {
         let q = &guess + &first;
         let second = self.correction(&q, to)?;
         let (first, second_size) = (self.size(&first), self.size(&second));
-        if first > MISS || second_size > (0.1 * first).max(SETTLED) {
+        if first > MISS || second_size > (0.1 * first).max(self.settled) {
             return None;
         }
         let q = self.solved(&(q + second), to)?;
