@@ -255,15 +255,17 @@ impl Truth {
         })
     }
 
-    /// The largest rounding error of a residual at a pose, in the scales of the rows: below it no solver can tell poses apart.
+    /// The largest error of a residual at a pose, in the scales of the rows, by the rounding of its terms and of the coordinates
+    /// themselves: below it no solver can tell poses apart.
     pub fn rounding(&self, given: &Given, q: &[f64], scalar: Scalar) -> f64 {
         let graph = &self.system.mechanism.graph;
         let mut symbols = given.symbols(&self.system, |number| number);
+        let mut margins = vec![Margin::NONE; graph.symbol_count()];
         for (coordinate, value) in self.system.coordinates.iter().zip(q) {
             symbols[coordinate.position.index()] = *value;
+            margins[coordinate.position.index()] = scalar.rounding(*value);
         }
         let values = crate::magnitude::values(graph, &self.residual, &symbols);
-        let margins = vec![Margin::NONE; graph.symbol_count()];
         let found = errors(graph, &self.residual, &values, &margins, scalar);
         let rows = self.system.rows.iter();
         rows.map(|row| found[row.residual.index()].worst / self.system.scale(row.quantity))
