@@ -166,7 +166,7 @@ impl SolvedInterpreter {
     /// Solves one block like [`SolvedInterpreter::solve_block`], but in the mode that is sought where it has no closed form.
     ///
     /// # Errors
-    /// The same; [`FailureKind::WrongBranch`] where no pose of that mode was found.
+    /// The same; [`linkwright::FailureKind::WrongBranch`] where no pose of that mode was found.
     pub fn run_block(
         &self,
         index: usize,

@@ -1,6 +1,6 @@
 //! The hunt for wrong answers: random mechanisms whose truth is known by construction, solved in every way.
 //!
-//! *A seed* → [`builder`], [`groups`] → [`mechanism`] (poses first, then all numbers of the description from them) → its text →
+//! *A seed* → [`builder`], [`groups`] → [`mod@mechanism`] (poses first, then all numbers of the description from them) → its text →
 //! [`known`] (read, followed by [`track`], made exact in 384 bits) → [`interpreted`] and [`compiled`] answers → [`judge`].
 
 pub mod builder;

@@ -1,6 +1,6 @@
 //! *Equations, a pose and instants* → *the pose at each instant on the path from there, or where the path ends*, in f64.
 //!
-//! A tracker of its own: steps so short that the Taylor polynomial misses by less than [`MISS`], so that no other path can be
+//! A tracker of its own: steps so short that the Taylor polynomial misses by less than `MISS`, so that no other path can be
 //! mistaken for this one; complete pivoting; the sign of the determinant. It is slow and shares nothing with the runtime's
 //! Newton-Raphson. What it finds is made exact in 384 bits afterwards.
 
