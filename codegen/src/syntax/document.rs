@@ -1,8 +1,8 @@
 //! *What was written, as written.* The tree of a description: every node has its place, nothing is resolved or computed.
 //!
-//! Chains of `+ -` and of `* /` are one node each, so a sum of a thousand terms is flat; the depth of a tree is bounded by
-//! [`DEEPEST`](super::DEEPEST), so it can be walked by recursion. The tree does not know joint kinds, quantities, functions or units.
+//! The tree does not know joint kinds, quantities, functions or units. Its formulas are those of [`super::formula`].
 
+use super::formula::{Direction, Expression, Name, Pair, Reference};
 use crate::diagnostic::{Attachment, Span};
 
 /// A file: its inner documentation and its mechanism.
@@ -26,15 +26,6 @@ pub struct MechanismItem {
     /// The statements in written order.
     pub statements: Vec<Statement>,
     /// From the word `mechanism` to the closing brace.
-    pub span: Span,
-}
-
-/// An identifier, or the integer that names a body.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Name {
-    /// The characters as written.
-    pub text: String,
-    /// Its place.
     pub span: Span,
 }
 
@@ -196,17 +187,6 @@ pub struct DrawnPoint {
     pub position: Pair,
 }
 
-/// `(X, Y)`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Pair {
-    /// The first component.
-    pub x: Expression,
-    /// The second component.
-    pub y: Expression,
-    /// From the opening to the closing parenthesis.
-    pub span: Span,
-}
-
 /// `curve NAME(s) on BODY = (X, Y);`: a curve fixed in the frame of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
@@ -348,129 +328,6 @@ pub struct Equation {
     pub right: Expression,
     /// The whole statement with its semicolon.
     pub span: Span,
-}
-
-/// `NAME` or `BODY.NAME`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Reference {
-    /// The body before the dot.
-    pub body: Option<Name>,
-    /// The body, point or constant.
-    pub name: Name,
-    /// Both with the dot.
-    pub span: Span,
-}
-
-/// `A -> B`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Direction {
-    /// Where the arrow starts.
-    pub from: Reference,
-    /// Where the arrow ends.
-    pub to: Reference,
-    /// Both with the arrow.
-    pub span: Span,
-}
-
-/// A formula.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Expression {
-    /// What it is.
-    pub kind: ExpressionKind,
-    /// Its place; for a formula in parentheses, with the parentheses.
-    pub span: Span,
-}
-
-/// What a formula is made of.
-#[derive(Debug, Clone, PartialEq)]
-pub enum ExpressionKind {
-    /// `30deg`: a decimal literal such as `12`, `0.05` or `1e-3`, and its unit.
-    Number {
-        /// ASCII digits with at most one point and one exponent, without `_`: `f64` reads it, and so does an exact decimal.
-        digits: String,
-        /// The suffix; whether such a unit exists is not checked here.
-        unit: Option<Name>,
-    },
-    /// A constant, a point, a body's point or a point's component.
-    Reference(Reference),
-    /// `BODY.POINT.COMPONENT`
-    Component(Box<Component>),
-    /// Two or more terms; the first has the sign `Plus` (a leading minus is a [`ExpressionKind::Negative`] term).
-    Sum(Vec<(Sign, Expression)>),
-    /// Two or more factors; the first has the operation `Times`.
-    Product(Vec<(Operation, Expression)>),
-    /// `-x`, which is weaker than a power: `-x^2` is the negative of `x^2`.
-    Negative(Box<Expression>),
-    /// `base ^ exponent`, grouped from the right.
-    Power(Box<Expression>, Box<Expression>),
-    /// `function(arguments)`.
-    Call {
-        /// The name before the parentheses; whether such a function exists is not checked here.
-        function: Name,
-        /// The arguments in written order.
-        arguments: Vec<Expression>,
-    },
-    /// `(x, y)`, as an argument of a call only.
-    Pair(Box<Pair>),
-    /// `if left < right { holds } else { otherwise }`.
-    Choice(Box<Choice>),
-}
-
-/// `if left < right { holds } else { otherwise }`; `else if` is a choice in `otherwise`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Choice {
-    /// Left of the comparison.
-    pub left: Expression,
-    /// How both sides are compared.
-    pub comparison: Comparison,
-    /// Right of the comparison.
-    pub right: Expression,
-    /// The value where the comparison holds.
-    pub holds: Expression,
-    /// The value elsewhere.
-    pub otherwise: Expression,
-    /// The comparison with both sides.
-    pub condition: Span,
-}
-
-/// The sign between both sides of a condition.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Comparison {
-    /// `<`
-    Less,
-    /// `<=`
-    LessOrEqual,
-    /// `>`
-    Greater,
-    /// `>=`
-    GreaterOrEqual,
-}
-
-/// `BODY.POINT.COMPONENT`
-#[derive(Debug, Clone, PartialEq)]
-pub struct Component {
-    /// The point of a body.
-    pub point: Reference,
-    /// `x` or `y`, as far as the parser knows any word.
-    pub axis: Name,
-}
-
-/// The sign before a term.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sign {
-    /// `+`
-    Plus,
-    /// `-`
-    Minus,
-}
-
-/// The operation before a factor.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Operation {
-    /// `*`
-    Times,
-    /// `/`
-    Over,
 }
 
 /// `output velocity K, phi(1);`: what the generated code is asked for.

@@ -1,7 +1,8 @@
 //! *Tokens → an equation of the user's own:* `equation rope: A.x^2 + (K.y - 1)^2 = L^2;`.
 
-use super::document::{Equation, Name, Statement};
+use super::document::{Equation, Statement};
 use super::expression::expression;
+use super::formula::Name;
 use super::reference::identifier;
 use super::statement::{equals, semicolon};
 use super::tokens::{Outcome, Tokens};

@@ -6,7 +6,7 @@
 use proc_macro2::Delimiter;
 
 use super::brackets::too_deep;
-use super::document::{
+use super::formula::{
     Choice, Comparison, Component, Expression, ExpressionKind, Name, Operation, Pair, Reference,
     Sign,
 };

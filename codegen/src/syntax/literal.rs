@@ -1,6 +1,6 @@
 //! *A number as written → digits and unit.* `30deg` is 30 and `deg`, `2e3mm` is 2e3 and `mm`, `1e5` has no unit.
 
-use super::document::{ExpressionKind, Name};
+use super::formula::{ExpressionKind, Name};
 use super::tokens::Outcome;
 use crate::diagnostic::{Code, Diagnostic, Span};
 

@@ -18,6 +18,7 @@ mod document;
 mod equation;
 mod expression;
 mod files;
+mod formula;
 mod literal;
 mod motion;
 mod output;
@@ -35,6 +36,7 @@ mod unreadable;
 pub use document::*;
 pub(crate) use files::is_relative;
 pub use files::named_files;
+pub use formula::*;
 pub use output::LEVELS;
 
 use proc_macro2::Delimiter;

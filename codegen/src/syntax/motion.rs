@@ -4,7 +4,8 @@
 
 use proc_macro2::Delimiter;
 
-use super::document::{Motion, Name, Statement};
+use super::document::{Motion, Statement};
+use super::formula::Name;
 use super::recovery;
 use super::reference::identifier;
 use super::tokens::{Outcome, Tokens};

@@ -2,7 +2,7 @@
 
 use proc_macro2::Delimiter;
 
-use super::document::{Direction, Name, Reference};
+use super::formula::{Direction, Name, Reference};
 use super::tokens::{Outcome, Tokens};
 use crate::diagnostic::{Code, Diagnostic, Span};
 

@@ -3,8 +3,9 @@
 
 use proc_macro2::Delimiter;
 
-use super::document::{Ends, Name, Statement, Table, TablePoints};
+use super::document::{Ends, Statement, Table, TablePoints};
 use super::expression::{after_expression, coordinates, expression};
+use super::formula::Name;
 use super::reference::{identifier, separator};
 use super::statement::{equals, semicolon_after_operands};
 use super::tokens::{Outcome, Tokens};

@@ -8,8 +8,8 @@ use proc_macro2::Delimiter;
 use syn::buffer::Cursor;
 
 use super::brackets::StatementStarts;
-use super::document::Name;
 use super::files::unquoted;
+use super::formula::Name;
 use super::repair::Repaired;
 use super::scan::{Documentation, MOST_FINDINGS};
 use crate::diagnostic::{Code, Diagnostic, Span};
