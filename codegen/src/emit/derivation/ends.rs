@@ -4,6 +4,8 @@
 //! a body. Whether two such links meet in a point decides what can be said of them: in line, or parallel only. The module does
 //! not know where a step is singular.
 
+use std::rc::Rc;
+
 use super::writer::Writer;
 use crate::joint::Auxiliary;
 use crate::joint::geometry::{BodyId, Mark, Vector};
@@ -68,7 +70,7 @@ impl Writer<'_> {
             return named.collect();
         }
         let mut ends = Vec::new();
-        for pin in self.pins() {
+        for pin in Rc::clone(&self.pins).iter() {
             let bodies = pin.marks.map(|mark| mark.frame.body);
             let turning = bodies.map(|body| self.turns_with(body, angle, block));
             let (here, beyond) = match turning {
@@ -76,9 +78,8 @@ impl Writer<'_> {
                 [false, true] => (bodies[1], bodies[0]),
                 _ => continue,
             };
-            let name = pin.name;
             ends.push(End {
-                name,
+                name: pin.name.clone(),
                 here: Some(here),
                 beyond,
             });

@@ -3,6 +3,7 @@
 use super::writer::Writer;
 use crate::expr::ExprId;
 use crate::joint::geometry::{BodyId, Mark, Vector};
+use crate::model::Mechanism;
 
 /// A point that two bodies share.
 #[derive(Clone, Debug)]
@@ -22,47 +23,47 @@ pub(super) struct Link {
     pub to: Pin,
 }
 
-impl Writer<'_> {
-    /// The pins of the mechanism: points that a joint keeps together, and points that are held on the ground.
-    pub(super) fn pins(&self) -> Vec<Pin> {
-        let joints = &self.system.mechanism.joints;
-        let mut pins = Vec::new();
-        for joint in joints {
-            let marks = &joint.operands.marks;
-            if joint.kind.joins_points() && marks.len() == 2 {
-                pins.extend(self.pin([marks[0], marks[1]]));
-            }
-            // x and y of one point are two statements; together they hold it, or lead it.
-            let partner = |keywords: [&str; 2]| {
-                joints.iter().any(|other| {
-                    keywords.contains(&other.kind.keyword())
-                        && other.operands.marks[0].local == marks[0].local
-                        && other.operands.marks[0].frame.body == marks[0].frame.body
-                })
-            };
-            let is_x = ["absolute_x", "x"].contains(&joint.kind.keyword());
-            if is_x && partner(["absolute_y", "y"]) {
-                let ground = self.system.mechanism.bodies[0].frame;
-                let held = Mark {
-                    frame: ground,
-                    ..marks[0]
-                };
-                pins.extend(self.pin([held, marks[0]]));
-            }
+/// The pins of a mechanism: points that a joint keeps together, and points that are held on the ground.
+pub(super) fn pins(mechanism: &Mechanism) -> Vec<Pin> {
+    let joints = &mechanism.joints;
+    let mut pins = Vec::new();
+    for joint in joints {
+        let marks = &joint.operands.marks;
+        if joint.kind.joins_points() && marks.len() == 2 {
+            pins.extend(pin(mechanism, [marks[0], marks[1]]));
         }
-        pins
+        // x and y of one point are two statements; together they hold it, or lead it.
+        let partner = |keywords: [&str; 2]| {
+            joints.iter().any(|other| {
+                keywords.contains(&other.kind.keyword())
+                    && other.operands.marks[0].local == marks[0].local
+                    && other.operands.marks[0].frame.body == marks[0].frame.body
+            })
+        };
+        let is_x = ["absolute_x", "x"].contains(&joint.kind.keyword());
+        if is_x && partner(["absolute_y", "y"]) {
+            let ground = mechanism.bodies[0].frame;
+            let held = Mark {
+                frame: ground,
+                ..marks[0]
+            };
+            pins.extend(pin(mechanism, [held, marks[0]]));
+        }
     }
+    pins
+}
 
-    /// The pin of two marks, where one of them has a name.
-    pub(super) fn pin(&self, marks: [Mark; 2]) -> Option<Pin> {
-        let name = marks.iter().find_map(|mark| {
-            let body = &self.system.mechanism.bodies[mark.frame.body.0];
-            let named = body.marks.iter().find(|it| it.mark.local == mark.local);
-            named.map(|named| named.name.clone())
-        });
-        name.map(|name| Pin { name, marks })
-    }
+/// The pin of two marks, where one of them has a name.
+pub(super) fn pin(mechanism: &Mechanism, marks: [Mark; 2]) -> Option<Pin> {
+    let name = marks.iter().find_map(|mark| {
+        let body = &mechanism.bodies[mark.frame.body.0];
+        let named = body.marks.iter().find(|it| it.mark.local == mark.local);
+        named.map(|named| named.name.clone())
+    });
+    name.map(|name| Pin { name, marks })
+}
 
+impl Writer<'_> {
     /// Whether the pose of a body is known at this point of the derivation.
     pub(super) fn is_known(&self, body: BodyId) -> bool {
         match body.0 {
@@ -78,16 +79,15 @@ impl Writer<'_> {
             let (leader, _) = form.orientations.leader(mark.frame.body);
             leader.0 != 0 && form.angle_of(leader.0) == angle
         };
-        let pins = self.pins().into_iter();
-        pins.filter_map(|pin| {
+        let turning = self.pins.iter().filter_map(|pin| {
             let [first, second] = pin.marks;
             match [turns(&first), turns(&second)] {
-                [true, false] => Some((pin, first, second)),
-                [false, true] => Some((pin, second, first)),
+                [true, false] => Some((pin.clone(), first, second)),
+                [false, true] => Some((pin.clone(), second, first)),
                 _ => None,
             }
-        })
-        .collect()
+        });
+        turning.collect()
     }
 
     /// The pins that connect what turns with this angle to bodies that are known, each with the mark of the known body.

@@ -1,6 +1,7 @@
 //! A plan → its summary in a sentence and in a table.
 
 use super::document::OutlineLine;
+use super::geometry::pin;
 use super::words::{counted, enumerated};
 use super::writer::Writer;
 use crate::structure::Step;
@@ -108,7 +109,9 @@ impl Writer<'_> {
     pub(super) fn joint_name(&self, joint: usize) -> String {
         let joint = &self.system.mechanism.joints[joint];
         let pin = match joint.operands.marks[..] {
-            [first, second] if joint.kind.joins_points() => self.pin([first, second]),
+            [first, second] if joint.kind.joins_points() => {
+                pin(&self.system.mechanism, [first, second])
+            }
             _ => None,
         };
         self.script

@@ -1,6 +1,9 @@
 //! What the parts of a derivation are written with.
 
+use std::rc::Rc;
+
 use super::document::{Document, Equation, Item, Section};
+use super::geometry::{Pin, pins};
 use super::script::Script;
 use crate::emit::named_parts::NamedParts;
 use crate::expr::{ExprId, Graph, Number, Rational, SymbolId};
@@ -18,6 +21,8 @@ pub(super) struct Writer<'a> {
     pub found_in: Vec<Option<usize>>,
     /// Unknowns that are constant, with their values.
     pub(super) constants: Vec<(SymbolId, ExprId)>,
+    /// The pins of the mechanism.
+    pub(super) pins: Rc<[Pin]>,
     items: Vec<Item>,
     /// The names of long choices.
     pub(super) parts: NamedParts,
@@ -31,6 +36,7 @@ impl<'a> Writer<'a> {
             script,
             found_in: vec![None; system.vector_form.unknowns.len()],
             constants: Vec::new(),
+            pins: pins(&system.mechanism).into(),
             items: Vec::new(),
             parts: NamedParts::default(),
         }
