@@ -4,6 +4,7 @@
 use linkwright::{Settings, assemble, branch_of, follow};
 use linkwright_cli::interpreter::Interpreter;
 use linkwright_cli::solved_interpreter::SolvedInterpreter;
+use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::system::System;
 use linkwright_tests::description;
 
@@ -65,4 +66,25 @@ fn both_views_describe_the_same_motion() {
             }
         }
     }
+}
+
+/// One leg of the platform is driven beyond what the others reach: the attempt fails on the way, and nothing of it stays.
+#[test]
+fn a_motion_that_ends_leaves_the_last_pose() {
+    let text = description::source("platform_3rpr").text.clone();
+    let longer = text.replace("0.08*sin(t)", "0.9*sin(t)");
+    assert_ne!(text, longer);
+    let source = Source::new("platform.mech", longer);
+    let read = linkwright_codegen::read(&source).expect("a description");
+    let solved = SolvedInterpreter::new(&read.only().expect("one motion")).expect("a plan");
+    let signs = solved.drawn_signs();
+    let mut values = solved.begin(0.0);
+    solved.solve(0.0, &signs, &mut values).expect("as drawn");
+    let (before, t) = (solved.levels(&values), values.t);
+    let failure = solved.solve(1.5, &signs, &mut values);
+    assert!(failure.is_err_and(|failure| failure.block == 1 && failure.time > 0.5));
+    assert_eq!((solved.levels(&values), values.t), (before, t));
+    solved
+        .solve(0.1, &signs, &mut values)
+        .expect("a short step");
 }

@@ -245,23 +245,25 @@ impl SolvedInterpreter {
         signs: &[Vec<bool>],
         values: &mut Values,
     ) -> Result<(), Failure<f64>> {
-        let from = values.t;
-        let moves = values.known.iter().any(Option::is_some);
+        let mut last = values.clone();
         let mut step = |target: f64| {
-            let mut after = values.clone();
+            let mut after = last.clone();
             self.set_time(&mut after, target);
             for (index, signs) in signs.iter().enumerate() {
                 self.solve_block(index, signs, &mut after)?;
             }
-            *values = after;
+            last = after;
             Ok(())
         };
-        match step(t) {
-            Err(_) if moves => in_steps(from, t, Settings::<f64>::default().substeps, step)
-                .map(|_| ())
-                .map_err(|broken| broken.failure),
-            solved => solved,
+        if let Err(failure) = step(t) {
+            if values.known.iter().all(Option::is_none) {
+                return Err(failure);
+            }
+            in_steps(values.t, t, Settings::<f64>::default().substeps, step)
+                .map_err(|broken| broken.failure)?;
         }
+        *values = last;
+        Ok(())
     }
 
     /// The signs of all assembly modes at a pose q (n), and the values there; `None` where the pose is none of the solved view.
