@@ -65,7 +65,8 @@ fn times() -> Vec<f64> {
 /// The measures of a mechanism by its name, and those of the interpreter.
 fn both(name: &str, measures: Measures) -> (Vec<Vec<Closeness>>, Monitor) {
     let found = measures(&times()).unwrap_or_else(|failure| panic!("{name}: {failure}"));
-    (found, Monitor::over(&description::system(name), &times()))
+    let solved = SolvedInterpreter::new(&description::system(name)).expect("a plan");
+    (found, Monitor::over(&solved, &times()))
 }
 
 /// Blocks with two and more unknowns, and angles that are measured along a line.

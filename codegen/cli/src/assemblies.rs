@@ -104,14 +104,12 @@ impl Search<'_> {
             self.confirm(chosen, values);
             return;
         }
-        let modes = self.solved.branches(block).len();
         let is_iterated = self.solved.is_iterated(block);
-        for choice in 0..1_usize << modes.min(usize::BITS as usize - 2) {
+        for own in self.solved.choices(block) {
             self.tried += if is_iterated { STARTS as usize } else { 1 };
             if self.tried > LARGEST {
                 return;
             }
-            let own: Vec<bool> = (0..modes).map(|mode| choice >> mode & 1 == 0).collect();
             let poses = self.solved.poses(block, &own, values);
             for (pose, after) in poses.iter().enumerate() {
                 let mut chosen = chosen.clone();

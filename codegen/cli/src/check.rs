@@ -52,12 +52,13 @@ impl Check {
     /// Checks `system`, which must have passed `linkwright_codegen::check`, over a schedule whose times are all wanted.
     pub fn new(system: System, schedule: &Schedule, reached: impl FnMut(usize)) -> Check {
         let solved = SolvedInterpreter::new(&system);
-        let solution = Solution::new(system, Vec::new(), schedule, None, reached);
+        let solution = Solution::new(system, solved, Vec::new(), schedule, None, reached);
+        let solved = solution.solved.as_ref();
         let coordinates = solution.system.coordinates.len() as i64;
         let kinematic_freedom = coordinates - solution.equation_count(Role::Constraint) as i64;
         let net_freedom = kinematic_freedom - solution.equation_count(Role::Driver) as i64;
         let mut warnings = solution.warnings.clone();
-        let steps = match &solved {
+        let steps = match solved {
             Some(solved) => steps(solved, &solution),
             None => Vec::new(),
         };
@@ -68,7 +69,6 @@ impl Check {
             kinematic_freedom,
             net_freedom,
             assemblies: solved
-                .as_ref()
                 .map(|solved| assemblies(solved, &solution.interpreter, schedule.start.t)),
             steps,
             warnings,

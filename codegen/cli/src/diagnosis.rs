@@ -77,6 +77,7 @@ pub fn warnings(
 pub fn end(
     system: &System,
     interpreter: &Interpreter,
+    solved: Option<&SolvedInterpreter>,
     trajectory: &Trajectory,
     stop: &Stop,
 ) -> String {
@@ -89,10 +90,11 @@ pub fn end(
     let limit = (NEAR_END * trajectory.largest_reciprocal).max(ABSOLUTE);
     let already_said = matches!(stop.failure.kind, FailureKind::Singular { .. });
     let singular = reciprocal < limit || already_said;
-    let in_the_way = stop.last.as_ref().filter(|_| singular).and_then(|last| {
-        let solved = SolvedInterpreter::new(system)?;
-        dead_end(&solved, last, stop.failure.time)
-    });
+    let in_the_way = stop
+        .last
+        .as_ref()
+        .filter(|_| singular)
+        .and_then(|last| dead_end(solved?, last, stop.failure.time));
     let mut sentence = match &stop.last {
         Some(_) => format!("cannot be solved beyond t = {} s", time(t)),
         None => format!("cannot be assembled at t = {} s", time(t)),

@@ -1,9 +1,7 @@
-//! *A system and the times of its frames → how close each block is to singular at each of them, under the name of a column.*
+//! *A solved view and the times of its frames → how close each block is to singular at each of them, under the name of a column.*
 //!
 //! What is measured is said in [`crate::closeness`]. Frames are taken as they are: where the smallest value lies between two of
 //! them is found by `linkwright check`.
-
-use linkwright_codegen::system::System;
 
 use crate::closeness::Closeness;
 use crate::solved_interpreter::SolvedInterpreter;
@@ -18,12 +16,9 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// The measures at these times, ascending; nothing where there is no order in which blocks could be solved.
-    pub fn over(system: &System, times: &[f64]) -> Monitor {
-        let Some(solved) = SolvedInterpreter::new(system) else {
-            return Monitor::default();
-        };
-        let closeness = Closeness::new(&solved);
+    /// The measures at these times, ascending.
+    pub fn over(solved: &SolvedInterpreter, times: &[f64]) -> Monitor {
+        let closeness = Closeness::new(solved);
         let name = |(block, step): (usize, usize)| {
             let unknowns = solved.plan.blocks[block].steps[step].unknowns();
             let names: Vec<&str> = unknowns

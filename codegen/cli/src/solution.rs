@@ -29,6 +29,8 @@ pub struct Solution {
     pub system: System,
     /// The same equations as functions.
     pub interpreter: Interpreter,
+    /// The same loop by loop; `None` where there is no order in which blocks could be solved.
+    pub solved: Option<SolvedInterpreter>,
     /// Which points are shown: indices into the system's outputs.
     pub points: Vec<usize>,
     /// The motion.
@@ -52,26 +54,25 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// Solves `system`, which must have passed `linkwright_codegen::check`, from the `estimate` (n) of its first pose, or else
-    /// from the pose with every loop in its drawn mode; `reached` hears how many times were visited.
+    /// Solves `system`, which must have passed `linkwright_codegen::check` and whose view loop by loop is `solved`, from the
+    /// `estimate` (n) of its first pose, or else from the pose with every loop in its drawn mode; `reached` hears how many
+    /// times were visited.
     ///
     /// Where that pose does not exist, Newton-Raphson on all equations may still lead from the drawing to another assembly:
     /// a warning says so.
     pub fn new(
         system: System,
+        solved: Option<SolvedInterpreter>,
         points: Vec<usize>,
         schedule: &Schedule,
         estimate: Option<DVector<f64>>,
         reached: impl FnMut(usize),
     ) -> Solution {
         let interpreter = Interpreter::new(&system);
-        let as_drawn = estimate.map_or_else(
-            || {
-                let solved = SolvedInterpreter::new(&system)?;
-                Some(branches::assembled(&solved, schedule.start.t, &[]))
-            },
-            |estimate| Some(Ok(estimate)),
-        );
+        let as_drawn = estimate.map(Ok).or_else(|| {
+            let solved = solved.as_ref()?;
+            Some(branches::assembled(solved, schedule.start.t, &[]))
+        });
         let (estimate, not_as_drawn) = match as_drawn {
             Some(Ok(pose)) => (pose, None),
             Some(Err(why)) => (interpreter.estimate().clone(), Some(why)),
@@ -90,6 +91,7 @@ impl Solution {
                 "not assembled as it is drawn ({why}): Newton-Raphson on all equations found this pose, which may be of another assembly mode"
             ));
         }
+        let end = |stop| diagnosis::end(&system, &interpreter, solved.as_ref(), &trajectory, stop);
         Solution {
             condition: Condition::of(&matrix),
             dimensionless_condition: Condition::of(&dimensionless(&interpreter, matrix)),
@@ -97,14 +99,12 @@ impl Solution {
             derivatives: Derivatives::over(&system, &interpreter, &trajectory.frames),
             pressure_angles: pressure::largest(&system, &interpreter, &trajectory.frames),
             warnings,
-            error: trajectory
-                .stop
-                .as_ref()
-                .map(|stop| diagnosis::end(&system, &interpreter, &trajectory, stop)),
+            error: trajectory.stop.as_ref().map(end),
             monitor: None,
             trajectory,
             points,
             interpreter,
+            solved,
             system,
         }
     }
@@ -113,7 +113,9 @@ impl Solution {
     #[must_use]
     pub fn monitored(mut self) -> Solution {
         let times: Vec<f64> = self.frames().iter().map(|frame| frame.t).collect();
-        self.monitor = Some(Monitor::over(&self.system, &times));
+        let solved = self.solved.as_ref();
+        let monitor = solved.map(|solved| Monitor::over(solved, &times));
+        self.monitor = Some(monitor.unwrap_or_default());
         self
     }
 

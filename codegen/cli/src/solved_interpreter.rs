@@ -99,6 +99,13 @@ impl SolvedInterpreter {
         &self.blocks[block].branches
     }
 
+    /// All combinations of signs that the assembly modes of a block can have, positive ones first.
+    pub fn choices(&self, block: usize) -> impl Iterator<Item = Vec<bool>> + use<> {
+        let modes = self.blocks[block].branches.len();
+        (0..1_usize << modes.min(usize::BITS as usize - 2))
+            .map(move |choice| (0..modes).map(|mode| choice >> mode & 1 == 0).collect())
+    }
+
     /// The name of a block in the generated code, and what a person calls it.
     pub fn block_names(&self, block: usize) -> [&str; 2] {
         let block = &self.blocks[block];
@@ -271,10 +278,8 @@ impl SolvedInterpreter {
         let mut values = self.begin(t);
         self.set_pose(&mut values, q);
         let mut signs = Vec::with_capacity(self.blocks.len());
-        for (index, block) in self.blocks.iter().enumerate() {
-            let modes = block.branches.len().min(usize::BITS as usize - 2);
-            let (own, solved) = (0..1_usize << modes).find_map(|choice| {
-                let own: Vec<bool> = (0..modes).map(|mode| choice >> mode & 1 == 0).collect();
+        for index in 0..self.blocks.len() {
+            let (own, solved) = self.choices(index).find_map(|own| {
                 let mut solved = values.clone();
                 self.solve_block(index, &own, &mut solved).ok()?;
                 let pose = self.pose(&solved);

@@ -48,17 +48,19 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
             counted(system.coordinates.len(), "coordinate")
         )));
     }
+    let solved = SolvedInterpreter::new(&system);
     let chosen_pose = match arguments.branch.as_slice() {
         [] => None,
         wishes => {
-            let pose = SolvedInterpreter::new(&system)
+            let pose = solved
+                .as_ref()
                 .ok_or_else(|| "the mechanism is not solved loop by loop".to_string())
-                .and_then(|solved| branches::assembled(&solved, schedule.start.t, wishes));
+                .and_then(|solved| branches::assembled(solved, schedule.start.t, wishes));
             Some(pose.map_err(|text| Problem(format!("error: {text}")))?)
         }
     };
     let mut progress = Progress::new(schedule.visits());
-    let solution = Solution::new(system, points, &schedule, chosen_pose, |count| {
+    let solution = Solution::new(system, solved, points, &schedule, chosen_pose, |count| {
         progress.reached(count)
     });
     let solution = match arguments.monitor {
