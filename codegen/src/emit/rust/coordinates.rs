@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::docs::docs;
-use super::expression::{TextbookNames, Writer, identifier};
+use super::expression::{identifier, written};
 use super::given::{kept_in_frame, only};
 use super::lints;
 use super::literal::{count, float};
@@ -278,13 +278,7 @@ fn computed(
     program: &Program,
     straight: &Straight,
 ) -> (TokenStream, Vec<TokenStream>) {
-    let names = TextbookNames { system, straight };
-    let writer = Writer {
-        system,
-        constants: &program.constants,
-        names: &names,
-    };
-    let (statements, results) = (writer.statements(straight), writer.results(straight));
+    let (statements, results) = written(system, program, straight);
     let inputs = straight.inputs;
     let read = [
         (inputs.position, quote!(q)),

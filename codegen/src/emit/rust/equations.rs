@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::docs::docs;
-use super::expression::{TextbookNames, Writer, identifier};
+use super::expression::{identifier, written};
 use super::given::Given;
 use super::layout::comment;
 use super::lints;
@@ -103,13 +103,7 @@ fn vector(
     meaning: &str,
     of: impl Fn(&Row) -> ExprId,
 ) -> TokenStream {
-    let names = TextbookNames { system, straight };
-    let writer = Writer {
-        system,
-        constants: &program.constants,
-        names: &names,
-    };
-    let (statements, results) = (writer.statements(straight), writer.results(straight));
+    let (statements, results) = written(system, program, straight);
     let size = count(system.rows.len());
     let mut lines = vec![meaning.to_string(), String::new()];
     lines.extend(row_list(system, straight, &of));
@@ -150,13 +144,7 @@ fn vector(
 
 /// The residuals of the rows that are not solved.
 fn monitored_rows(system: &System, program: &Program, straight: &Straight) -> TokenStream {
-    let names = TextbookNames { system, straight };
-    let writer = Writer {
-        system,
-        constants: &program.constants,
-        names: &names,
-    };
-    let (statements, results) = (writer.statements(straight), writer.results(straight));
+    let (statements, results) = written(system, program, straight);
     let size = count(system.monitored.len());
     let mut lines = vec![
         "The residuals of the redundant equations, in m or rad: they follow from those that are solved, so they are zero but for rounding wherever Φ is."
@@ -181,13 +169,7 @@ fn monitored_rows(system: &System, program: &Program, straight: &Straight) -> To
 }
 
 fn matrix(system: &System, program: &Program, straight: &Straight) -> TokenStream {
-    let names = TextbookNames { system, straight };
-    let writer = Writer {
-        system,
-        constants: &program.constants,
-        names: &names,
-    };
-    let (statements, results) = (writer.statements(straight), writer.results(straight));
+    let (statements, results) = written(system, program, straight);
     let size = count(system.rows.len());
     let mut values = results.iter();
     let mut entries = Vec::with_capacity(results.len());

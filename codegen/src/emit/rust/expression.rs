@@ -8,8 +8,8 @@ use super::literal::{count, float};
 use super::tables::table_name;
 use crate::expr::{ExprId, Node, SplineId, SymbolId};
 use crate::program::{
-    Addend, Compared, ConstantPart, Constants, LARGEST_PRODUCT, Power, Statement, Straight,
-    addends, compared,
+    Addend, Compared, ConstantPart, Constants, LARGEST_PRODUCT, Power, Program, Statement,
+    Straight, addends, compared,
 };
 use crate::system::{SymbolRole, System, WrittenOrder};
 
@@ -317,4 +317,19 @@ impl Names for TextbookNames<'_> {
         );
         quote!(#vector.#field)
     }
+}
+
+/// The statements of a function of the textbook view, and its results.
+pub(super) fn written(
+    system: &System,
+    program: &Program,
+    straight: &Straight,
+) -> (Vec<TokenStream>, Vec<TokenStream>) {
+    let names = TextbookNames { system, straight };
+    let writer = Writer {
+        system,
+        constants: &program.constants,
+        names: &names,
+    };
+    (writer.statements(straight), writer.results(straight))
 }

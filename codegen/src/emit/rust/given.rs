@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::docs::docs;
-use super::expression::{TextbookNames, Writer, identifier};
+use super::expression::{identifier, written};
 use super::lints;
 use super::literal::{count, float};
 use crate::expr::{ExprId, SymbolId};
@@ -184,13 +184,7 @@ pub(super) fn length_of_parameters(system: &System, program: &Program) -> TokenS
     let Some(straight) = &program.lengths else {
         return TokenStream::new();
     };
-    let names = TextbookNames { system, straight };
-    let writer = Writer {
-        system,
-        constants: &program.constants,
-        names: &names,
-    };
-    let (statements, results) = (writer.statements(straight), writer.results(straight));
+    let (statements, results) = written(system, program, straight);
     let function = quote! {
         fn characteristic_length(parameters: &Parameters) -> f64 {
             #(#statements)*
@@ -356,13 +350,7 @@ fn drawn(system: &System, program: &Program) -> TokenStream {
     let Some(straight) = &program.drawn else {
         return TokenStream::new();
     };
-    let names = TextbookNames { system, straight };
-    let writer = Writer {
-        system,
-        constants: &program.constants,
-        names: &names,
-    };
-    let (statements, results) = (writer.statements(straight), writer.results(straight));
+    let (statements, results) = written(system, program, straight);
     let (unknowns, coordinates) = (count(results.len()), count(system.coordinates.len()));
     let pose = if results.len() == system.coordinates.len() {
         quote!(Self::from_array(drawn(parameters)))
