@@ -14,6 +14,7 @@ use std::{env, fs};
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::{Options, Scalar, generate_with};
+use registry::Listed;
 
 fn main() {
     linkwright_codegen::build("descriptions");
@@ -31,7 +32,27 @@ fn main() {
         fs::write(target, tables.code).expect("the module is written");
     }
     monitoring::write(&["descriptions", "../mechanisms"]);
-    registry::write("../mechanisms");
+    list_modules();
     sensing::write("descriptions");
     transmitting::write(&["descriptions", "../mechanisms"]);
+}
+
+/// The repository's mechanisms as a list, and each of them in single precision.
+fn list_modules() {
+    let (mut double, mut single) = (String::new(), String::new());
+    for Listed {
+        name, mechanism, ..
+    } in registry::listed("../mechanisms")
+    {
+        let module = format!("linkwright_mechanisms::{name}");
+        double +=
+            &format!("    Module::of::<{module}::{mechanism}, {module}::Textbook, _>({name:?}),\n");
+        single += &format!(
+            "/// `{name}` in single precision.\npub mod {name} {{\n    linkwright::include_mechanism!({name});\n}}\n"
+        );
+    }
+    let list =
+        format!("/// Every compiled module.\npub const MODULES: &[Module] = &[\n{double}];\n");
+    registry::write("modules.rs", &list);
+    registry::write("single_modules.rs", &single);
 }

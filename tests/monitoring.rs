@@ -33,7 +33,7 @@ const MONITORED: [&str; 13] = [
 pub fn write(folders: &[&str]) {
     let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
     let descriptions = empty_folder("monitoring");
-    let mut list = String::new();
+    let (mut modules, mut list) = (String::new(), String::new());
     for described in folders.iter().flat_map(|folder| in_folder(folder)) {
         let name = described.system.mechanism.name.as_str();
         if !MONITORED.contains(&name) {
@@ -51,11 +51,15 @@ pub fn write(folders: &[&str]) {
             }
         }
         fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
+        modules.push_str(&format!(
+            "pub mod {name} {{\n    linkwright::include_mechanism!({own});\n}}\n"
+        ));
+        let of = type_name(&own);
         list.push_str(&format!(
-            "monitored!({name}, {own}, {});\n",
-            type_name(&own)
+            "    ({name:?}, |times| measures::<{name}::{of}>(times, |it| (it.closeness_of_each().to_vec(), it.closeness()))),\n"
         ));
     }
     linkwright_codegen::build(&descriptions);
-    fs::write(output.join("monitoring.rs"), list).expect("a new file");
+    let text = format!("{modules}\npub const ALL: &[(&str, Measures)] = &[\n{list}];\n");
+    fs::write(output.join("monitoring.rs"), text).expect("a new file");
 }

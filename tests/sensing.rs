@@ -33,9 +33,14 @@ pub fn write(folder: &str) {
         let statement = format!("sensitivity {};", parameters.join(", "));
         let text = described.extended(&format!("sensing_{name}"), &statement);
         fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
-        modules.push_str(&module(name, &parameters, &points));
+        modules.push_str(&format!(
+            "pub mod {name} {{\n    linkwright::include_mechanism!(sensing_{name});\n}}\n"
+        ));
+        let own = type_name(&format!("sensing_{name}"));
+        let derivatives = parameters.iter().map(|it| derivatives(it, &points));
+        let derivatives: String = derivatives.collect();
         list.push_str(&format!(
-            "    Sensing {{ name: \"{name}\", parameters: &{parameters:?}, nominal: {name}::nominal, sample: {name}::sample }},\n"
+            "    Sensing {{\n        name: {name:?},\n        parameters: &{parameters:?},\n        nominal: nominal::<{name}::{own}>,\n        sample: |parameters, times| sample::<{name}::{own}>(parameters, times, &[\n{derivatives}        ]),\n    }},\n"
         ));
     }
     linkwright_codegen::build(&descriptions);
@@ -43,24 +48,15 @@ pub fn write(folder: &str) {
     fs::write(output.join("sensing.rs"), text).expect("a new file");
 }
 
-/// A module with a function that samples a mechanism with given parameters.
-fn module(name: &str, parameters: &[&str], points: &[&str]) -> String {
-    let fields: Vec<String> = parameters.iter().map(|it| it.to_lowercase()).collect();
-    let points: Vec<String> = points.iter().map(|it| it.to_lowercase()).collect();
-    let motions: Vec<String> = points.iter().map(|it| format!("point_{it}")).collect();
-    let each = |parameter: &String| {
-        let points = points
-            .iter()
-            .map(|point| format!("point_{point}_sensitivity_{parameter}"));
-        let points: Vec<String> = points.collect();
-        format!("(sensitivity_{parameter}, [{}])", points.join(", "))
-    };
-    let sensitivities: Vec<String> = fields.iter().map(each).collect();
+/// What a mechanism's frames say of a parameter: the derivatives of all coordinates, then of each point.
+fn derivatives(parameter: &str, points: &[&str]) -> String {
+    let parameter = parameter.to_lowercase();
+    let points = points.iter().map(|point| {
+        let point = point.to_lowercase();
+        format!("{{ let it = it.point_{point}_sensitivity_{parameter}(); [it.position, it.velocity] }}, ")
+    });
+    let points: String = points.collect();
     format!(
-        "pub mod {name} {{\n    linkwright::include_mechanism!(sensing_{name});\n    sensed!({}, [{}], [{}], [{}]);\n}}\n",
-        type_name(&format!("sensing_{name}")),
-        fields.join(", "),
-        motions.join(", "),
-        sensitivities.join(", ")
+        "            |it| all({{ let it = it.sensitivity_{parameter}(); [it.position, it.velocity] }}, &[{points}]),\n"
     )
 }

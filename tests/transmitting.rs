@@ -49,14 +49,21 @@ pub fn write(folders: &[&str]) {
             let statement = format!("transmission {};", wanted.join(", "));
             let text = described.extended(&format!("transmitting_{name}"), &statement);
             fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
-            modules.push_str(&module(name, &points, &angle_fields));
+            modules.push_str(&format!(
+                "pub mod {name} {{\n    linkwright::include_mechanism!(transmitting_{name});\n}}\n"
+            ));
             let original = if *folder == "descriptions" {
                 "None".to_string()
             } else {
-                format!("Some(original!({name}, {}))", type_name(name))
+                let own = type_name(name);
+                format!("Some(follow::<linkwright_mechanisms::{name}::{own}>)")
             };
+            let quantities = points.iter().map(|it| quantity(it, &it.to_lowercase()));
+            let angles = angle_fields.iter().map(|it| quantity(it, it));
+            let quantities: String = quantities.chain(angles).collect();
+            let own = type_name(&format!("transmitting_{name}"));
             list.push_str(&format!(
-                "    Transmitting {{ name: \"{name}\", sample: {name}::sample, original: {original} }},\n"
+                "    Transmitting {{\n        name: {name:?},\n        sample: |times, load| sample::<{name}::{own}>(times, load, &[\n{quantities}        ]),\n        original: {original},\n    }},\n"
             ));
         }
     }
@@ -65,21 +72,15 @@ pub fn write(folders: &[&str]) {
     fs::write(output.join("transmitting.rs"), text).expect("a new file");
 }
 
-/// A module with a function that samples every transmission of a mechanism.
-fn module(name: &str, points: &[&str], angles: &[&str]) -> String {
-    let point_samples = points.iter().map(|point| {
-        format!(
-            "point_sample!(\"{point}\", point_{0}, transmission_{0}, forces_{0})",
-            point.to_lowercase()
-        )
-    });
-    let angle_samples = angles.iter().map(|angle| {
-        format!("angle_sample!(\"{angle}\", {angle}, transmission_{angle}, forces_{angle})")
-    });
-    let samples: Vec<String> = point_samples.chain(angle_samples).collect();
+/// What a mechanism's frames say of a quantity: a point, or a coordinate.
+fn quantity(name: &str, field: &str) -> String {
+    // What turns a body is one number.
+    let load = if name.starts_with("phi") {
+        "load[0]"
+    } else {
+        "load"
+    };
     format!(
-        "pub mod {name} {{\n    linkwright::include_mechanism!(transmitting_{name});\n    sampled!({}, frame, load, [{}]);\n}}\n",
-        type_name(&format!("transmitting_{name}")),
-        samples.join(", ")
+        "            Quantity {{ name: {name:?}, transmission: |it| dynamic(it.transmission_{field}()), forces: |it, load| vector(it.forces_{field}({load})) }},\n"
     )
 }

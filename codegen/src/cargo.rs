@@ -1,16 +1,17 @@
 //! The front end for build scripts: a folder of descriptions → generated modules in `OUT_DIR`.
 //!
-//! The only module that touches files, the environment and the standard output. Errors become `cargo::error` lines, so a
-//! mistake in a description reads like a compiler error; it never panics on bad input.
+//! The only module that touches the environment and the standard output. Errors become `cargo::error` lines, so a mistake in a
+//! description reads like a compiler error; it never panics on bad input. A module is written only if it changes.
 
-use std::io::Read as _;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 use crate::diagnostic::Source;
-use crate::{Options, generate_with, syntax};
+use crate::{Options, files, generate_with, syntax};
 
-/// Generates the module of every `.mech` file in `folder` (relative to the package) for `linkwright::include_mechanism!`.
+/// Generates the module of every `.mech` file in `folder` (relative to the package) for `linkwright::include_mechanism!`; files
+/// whose names begin with a dot are left alone.
 ///
 /// Called from `build.rs`. Prints what cargo needs to know: when to run again, and every error with its place. After an error
 /// it returns normally and cargo stops the build.
@@ -20,68 +21,103 @@ pub fn build(folder: impl AsRef<Path>) {
 
 /// The same with a choice of the scalar.
 pub fn build_with(folder: impl AsRef<Path>, options: &Options) {
-    let folder = folder.as_ref();
-    // Printed first, so that a mended description is seen whatever went wrong.
-    println!("cargo::rerun-if-changed={}", folder.display());
-    if let Err(problem) = build_folder(folder, options) {
-        print_error(&problem);
+    let mut print = |line: &str| println!("{line}");
+    match env::var_os("OUT_DIR") {
+        Some(output) => {
+            let output = PathBuf::from(output).join("linkwright");
+            build_folder(folder.as_ref(), &output, options, &mut print);
+        }
+        None => say_error(
+            "OUT_DIR is not set: `build` is called from a build script",
+            &mut print,
+        ),
     }
 }
 
-fn build_folder(folder: &Path, options: &Options) -> Result<(), String> {
-    let output = env::var_os("OUT_DIR")
-        .ok_or("OUT_DIR is not set: `build` is called from a build script")?;
-    let output = PathBuf::from(output).join("linkwright");
-    let unreadable =
-        |error: io::Error| format!("cannot read the folder `{}`: {error}", folder.display());
-    let mut files = Vec::new();
+/// What cargo is told, a line each.
+type Say<'a> = &'a mut dyn FnMut(&str);
+
+/// Writes the modules of a folder's descriptions to `output`.
+fn build_folder(folder: &Path, output: &Path, options: &Options, say: Say<'_>) {
+    // Said first, so that a mended description is seen whatever went wrong.
+    say(&format!("cargo::rerun-if-changed={}", folder.display()));
+    if let Err(problem) = write_modules(folder, output, options, say) {
+        say_error(&problem, say);
+    }
+}
+
+fn write_modules(
+    folder: &Path,
+    output: &Path,
+    options: &Options,
+    say: Say<'_>,
+) -> Result<(), String> {
+    let unreadable = |error: io::Error| {
+        let reason = files::reason(&error);
+        format!("cannot read the folder `{}`: {reason}", folder.display())
+    };
+    let mut descriptions = Vec::new();
     for entry in fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
-        if path
-            .extension()
-            .is_some_and(|extension| extension == "mech")
-        {
-            files.push(path);
+        if is_description(&path) {
+            descriptions.push(path);
         }
     }
     // The order of a folder is not the same everywhere.
-    files.sort();
-    if files.is_empty() {
+    descriptions.sort();
+    if descriptions.is_empty() {
         return Err(format!(
             "the folder `{}` holds no `.mech` file",
             folder.display()
         ));
     }
-    fs::create_dir_all(&output)
+    fs::create_dir_all(output)
         .map_err(|error| format!("cannot create `{}`: {error}", output.display()))?;
     let mut names: Vec<(String, PathBuf)> = Vec::new();
-    for file in files {
-        let Some((name, code)) = generate_file(&file, options) else {
+    for file in descriptions {
+        let Some((name, code)) = generate_file(&file, options, say) else {
             continue;
         };
-        if let Some((_, earlier)) = names.iter().find(|(other, _)| *other == name) {
-            print_error(&format!(
-                "`{}` and `{}` both describe a mechanism named `{name}`",
-                earlier.display(),
-                file.display()
-            ));
+        // Some file systems cannot tell names apart that differ in case only.
+        let same = |other: &str| other.eq_ignore_ascii_case(&name);
+        if let Some((other, earlier)) = names.iter().find(|(other, _)| same(other)) {
+            let (earlier, file) = (earlier.display(), file.display());
+            let problem = match *other == name {
+                true => {
+                    format!("`{earlier}` and `{file}` both describe a mechanism named `{name}`")
+                }
+                false => format!(
+                    "the mechanisms `{other}` of `{earlier}` and `{name}` of `{file}` differ in case only"
+                ),
+            };
+            say_error(&problem, say);
             continue;
         }
         let target = output.join(format!("{name}.rs"));
-        write_if_changed(&target, &code)
-            .map_err(|error| format!("cannot write `{}`: {error}", target.display()))?;
+        write_if_changed(&target, &code).map_err(|error| {
+            let reason = files::reason(&error);
+            format!("cannot write `{}`: {reason}", target.display())
+        })?;
         names.push((name, file));
     }
     Ok(())
 }
 
-/// The module of one file; its errors are printed.
-fn generate_file(file: &Path, options: &Options) -> Option<(String, String)> {
+/// Whether a file of the folder is a description. What begins with a dot is not: editors write such files beside those that are
+/// open.
+fn is_description(path: &Path) -> bool {
+    let name = path.file_name().map(OsStr::as_encoded_bytes);
+    path.extension() == Some(OsStr::new("mech")) && name.is_some_and(|it| !it.starts_with(b"."))
+}
+
+/// The name and the module of one file; its errors are said.
+fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(String, String)> {
     let name = file.display().to_string();
-    let bytes = match fs::read(file) {
+    let bytes = match files::read(file, Source::LARGEST) {
         Ok(bytes) => bytes,
         Err(error) => {
-            print_error(&format!("cannot read `{name}`: {error}"));
+            let reason = files::reason(&error);
+            say_error(&format!("cannot read `{name}`: {reason}"), say);
             return None;
         }
     };
@@ -89,24 +125,25 @@ fn generate_file(file: &Path, options: &Options) -> Option<(String, String)> {
         Ok(source) => source,
         Err(unreadable) => {
             let (source, found) = *unreadable;
-            print_error(&found.render(&source));
+            say_error(&found.render(&source), say);
             return None;
         }
     };
-    let folder = file.parent().unwrap_or(Path::new(""));
-    for path in syntax::named_files(&source.text) {
-        println!("cargo::rerun-if-changed={}", folder.join(path).display());
-    }
+    let folder = files::folder_of(file);
     let source = attach_files(source, folder);
+    for attachment in &source.attachments {
+        let path = folder.join(&attachment.path);
+        say(&format!("cargo::rerun-if-changed={}", path.display()));
+    }
     match generate_with(&source, options) {
         Ok(generated) => {
             for line in generated.warnings.render(&source).lines() {
-                println!("cargo::warning={line}");
+                say(&format!("cargo::warning={line}"));
             }
             Some((generated.name, generated.code))
         }
         Err(diagnostics) => {
-            print_error(&diagnostics.render(&source));
+            say_error(&diagnostics.render(&source), say);
             None
         }
     }
@@ -116,32 +153,152 @@ fn generate_file(file: &Path, options: &Options) -> Option<(String, String)> {
 pub fn attach_files(source: Source, folder: &Path) -> Source {
     let paths = syntax::named_files(&source.text);
     paths.into_iter().fold(source, |source, path| {
-        let mut bytes = Vec::new();
-        // One byte more than allowed is enough to know that there are too many.
-        let read = fs::File::open(folder.join(&path)).and_then(|file| {
-            file.take(Source::LARGEST as u64 + 1)
-                .read_to_end(&mut bytes)
-        });
-        let bytes = read.map(|_| bytes).map_err(|error| match error.kind() {
-            // The words of the operating system differ.
-            io::ErrorKind::NotFound => "there is no such file".to_string(),
-            _ => error.to_string(),
-        });
-        source.with_attachment(path, bytes)
+        let bytes = files::read(&folder.join(&path), Source::LARGEST);
+        source.with_attachment(path, bytes.map_err(|error| files::reason(&error)))
     })
 }
 
 /// One directive per line: cargo drops what follows a line break.
-fn print_error(text: &str) {
+fn say_error(text: &str, say: Say<'_>) {
     for line in text.lines() {
-        println!("cargo::error={line}");
+        say(&format!("cargo::error={line}"));
     }
 }
 
 /// Leaves a file alone whose content is the same, so that nothing is compiled again.
 fn write_if_changed(path: &Path, text: &str) -> io::Result<()> {
-    if fs::read_to_string(path).is_ok_and(|current| current == text) {
+    if files::read(path, text.len()).is_ok_and(|current| current == text.as_bytes()) {
         return Ok(());
     }
-    fs::write(path, text)
+    files::replace(path, |output| output.write_all(text.as_bytes()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CRANK: &str = "mechanism crank {
+    body 1 at (0, 0);
+    absolute_x(1) = 0;
+    absolute_y(1) = 0;
+    drive phi(1) = t;
+}";
+
+    /// A folder of descriptions, and one of modules, both removed in the end.
+    struct Folders(PathBuf);
+
+    impl Folders {
+        fn new(name: &str) -> Folders {
+            let name = format!("linkwright-build-{name}-{}", std::process::id());
+            let path = env::temp_dir().join(name);
+            fs::create_dir_all(path.join("descriptions")).expect("a folder of the test");
+            Folders(path)
+        }
+
+        fn description(&self, name: &str) -> PathBuf {
+            self.0.join("descriptions").join(name)
+        }
+
+        fn write(&self, name: &str, text: &str) {
+            fs::write(self.description(name), text).expect("it can be written");
+        }
+
+        /// What is said besides when to run again, without the path of the folder.
+        fn build(&self) -> Vec<String> {
+            let mut said = Vec::new();
+            let descriptions = self.0.join("descriptions");
+            let output = self.0.join("out");
+            build_folder(&descriptions, &output, &Options::default(), &mut |line| {
+                let line = line.replace(&format!("{}/", descriptions.display()), "");
+                if !line.starts_with("cargo::rerun-if-changed=") {
+                    said.push(line);
+                }
+            });
+            said
+        }
+
+        fn modules(&self) -> Vec<String> {
+            let entries = fs::read_dir(self.0.join("out")).expect("the folder exists");
+            let name = |entry: io::Result<fs::DirEntry>| entry.expect("an entry").file_name();
+            let mut names: Vec<String> = entries
+                .map(|entry| name(entry).to_string_lossy().into_owned())
+                .collect();
+            names.sort();
+            names
+        }
+    }
+
+    impl Drop for Folders {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    #[test]
+    fn a_module_is_written_when_it_changes_and_is_never_partial() {
+        let folders = Folders::new("changes");
+        folders.write("crank.mech", CRANK);
+        let none: [&str; 0] = [];
+        assert_eq!(folders.build(), none);
+        let path = folders.0.join("out/crank.rs");
+        let modified = || {
+            fs::metadata(&path)
+                .and_then(|it| it.modified())
+                .expect("a module")
+        };
+        let before = modified();
+        assert_eq!(folders.build(), none);
+        assert_eq!(modified(), before, "an unchanged module is left alone");
+        // Whoever reads the old module while it is replaced has it to its end.
+        let open = fs::File::open(&path).expect("a module");
+        let written = fs::read_to_string(&path).expect("a module");
+        folders.write("crank.mech", &CRANK.replace("= t", "= 2*t"));
+        assert_eq!(folders.build(), none);
+        assert_ne!(fs::read_to_string(&path).expect("a module"), written);
+        assert_eq!(
+            io::read_to_string(open).expect("it is still there"),
+            written
+        );
+        assert_eq!(folders.modules(), ["crank.rs"]);
+    }
+
+    #[test]
+    fn what_is_no_description_is_said_or_left_alone() {
+        let folders = Folders::new("others");
+        folders.write("crank.mech", CRANK);
+        folders.write("crank.mech~", "the editor's");
+        folders.write(".#crank.mech", "the editor's");
+        folders.write("again.mech", CRANK);
+        folders.write("upper.mech", &CRANK.replace("crank", "Crank"));
+        folders.write("wide.mech", &" ".repeat(Source::LARGEST + 9));
+        fs::create_dir(folders.description("folder.mech")).expect("a folder");
+        let said = folders.build();
+        for expected in [
+            "cargo::error=`again.mech` and `crank.mech` both describe a mechanism named `crank`",
+            "cargo::error=the mechanisms `crank` of `again.mech` and `Crank` of `upper.mech` differ in case only",
+            "cargo::error=error[K00]: the file is larger than 4 MiB",
+            "cargo::error=cannot read `folder.mech`: it is a folder",
+        ] {
+            assert!(
+                said.iter().any(|line| line == expected),
+                "{expected} in {said:#?}"
+            );
+        }
+        assert!(!said.iter().any(|line| line.contains('#')), "{said:#?}");
+        assert_eq!(folders.modules(), ["crank.rs"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_is_not_waited_for() {
+        let folders = Folders::new("pipe");
+        let made = std::process::Command::new("mkfifo")
+            .arg(folders.description("pipe.mech"))
+            .status();
+        assert!(made.is_ok_and(|it| it.success()));
+        assert_eq!(
+            folders.build(),
+            ["cargo::error=cannot read `pipe.mech`: it is a pipe, no regular file"]
+        );
+    }
 }

@@ -25,18 +25,20 @@ mod consequences;
 pub mod diagnostic;
 pub mod emit;
 pub mod expr;
+pub mod files;
+mod finiteness;
 pub mod joint;
 pub mod model;
 pub mod program;
 pub mod structure;
 pub mod syntax;
 pub mod system;
+pub mod words;
 
 pub use cargo::{attach_files, build, build_with};
 pub use emit::rust::Scalar;
 
 use diagnostic::{Diagnostics, Source};
-use program::Program;
 use structure::Plan;
 use system::System;
 
@@ -102,22 +104,53 @@ pub fn read(source: &Source) -> Result<Read, Diagnostics> {
         return Err(diagnostics);
     }
     diagnostics.extend(resolving);
-    match mechanisms {
-        Some(mechanisms) => Ok(Read {
-            motions: mechanisms.into_iter().map(structure::released).collect(),
-            warnings: diagnostics,
-        }),
-        None => Err(diagnostics),
+    let Some(mechanisms) = mechanisms else {
+        return Err(diagnostics);
+    };
+    let motions: Vec<System> = mechanisms.into_iter().map(structure::released).collect();
+    let found = of_motions(&motions, finiteness::of_system);
+    diagnostics.extend(found);
+    if diagnostics.has_errors() {
+        return Err(diagnostics);
     }
+    Ok(Read {
+        motions,
+        warnings: diagnostics,
+    })
 }
 
-/// Checks that the equations determine every coordinate exactly once, and says in which blocks they are solved.
+/// What is found in motions; a finding of some motions alone names the motion.
+fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnostics) -> Diagnostics {
+    let found = motions.iter().map(|system| {
+        let motion = system.mechanism.motion.as_ref();
+        let name = motion.map_or("", |motion| motion.name.as_str());
+        (name, None, find(system))
+    });
+    diagnostic::merged(found.collect())
+}
+
+/// Checks that the equations determine every coordinate exactly once and that what solves them is made of numbers, and says in
+/// which blocks they are solved.
 ///
 /// # Errors
-/// Too few or too many equations, with the bodies and joints concerned.
+/// Too few or too many equations, with the bodies and joints concerned; numbers that become infinite or undefined.
 pub fn check(system: &System) -> Result<Plan, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
-    structure::analyze(system, &mut diagnostics).ok_or(diagnostics)
+    let Some(plan) = structure::analyze(system, &mut diagnostics) else {
+        return Err(diagnostics);
+    };
+    let mut system = system.clone();
+    let solved = structure::plan(&mut system);
+    let program = solved.map(|solved| program::lower(&mut system, &solved));
+    diagnostics.extend(finiteness::of_program(
+        &system,
+        program.as_ref(),
+        finiteness::Range::F64,
+    ));
+    if diagnostics.has_errors() {
+        return Err(diagnostics);
+    }
+    Ok(plan)
 }
 
 /// The same for every motion; a finding of some motions alone names the motion.
@@ -125,17 +158,11 @@ pub fn check(system: &System) -> Result<Plan, Diagnostics> {
 /// # Errors
 /// Those of [`check`], each once.
 pub fn check_all(motions: &[System]) -> Result<(), Diagnostics> {
-    let found = motions.iter().map(|system| {
+    let found = of_motions(motions, |system| {
         let mut found = Diagnostics::new();
         structure::analyze(system, &mut found);
-        let motion = system.mechanism.motion.as_ref();
-        (
-            motion.map_or("", |motion| motion.name.as_str()),
-            None,
-            found,
-        )
+        found
     });
-    let found = diagnostic::merged(found.collect());
     if found.has_errors() {
         Err(found)
     } else {
@@ -144,12 +171,13 @@ pub fn check_all(motions: &[System]) -> Result<(), Diagnostics> {
 }
 
 /// What the solved view of a system computes and leaves out, with counts of operations; `None` where the equations do not
-/// determine the motion.
-pub fn report(system: &System) -> Option<program::solved::Report> {
+/// determine the motion, or take more work than one description may cause.
+pub fn report(system: &System) -> Option<program::Report> {
     let mut system = system.clone();
     let plan = structure::plan(&mut system)?;
-    let mut constants = program::Constants::default();
-    Some(program::solved::lower(&mut system, &plan, &mut constants).report)
+    let report = program::lower(&mut system, &plan).report;
+    let is_whole = system.mechanism.graph.excess().is_none();
+    is_whole.then_some(report)
 }
 
 /// Writes the Rust module of a description.
@@ -167,17 +195,34 @@ pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
 pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Diagnostics> {
     let Read { motions, warnings } = read(source)?;
     check_all(&motions)?;
-    let lowered: Vec<(System, Program)> = motions
-        .into_iter()
-        .map(|mut system| {
-            let solved = structure::plan(&mut system);
-            let program = program::lower(&mut system, solved.as_ref());
-            (system, program)
-        })
-        .collect();
+    let range = match options.scalar {
+        Scalar::F64 => finiteness::Range::F64,
+        Scalar::F32 => finiteness::Range::F32,
+    };
+    let (mut lowered, mut found) = (Vec::new(), Vec::new());
+    for mut system in motions {
+        let plan = structure::plan(&mut system);
+        let program = plan.as_ref().map(|plan| program::lower(&mut system, plan));
+        let motion = system.mechanism.motion.as_ref();
+        let name = motion.map_or(String::new(), |motion| motion.name.clone());
+        found.push((
+            name,
+            finiteness::of_program(&system, program.as_ref(), range),
+        ));
+        if let (Some(plan), Some(program)) = (plan, program) {
+            lowered.push((system, plan, program));
+        }
+    }
+    let found = found
+        .iter()
+        .map(|(name, found)| (name.as_str(), None, found.clone()));
+    let found = diagnostic::merged(found.collect());
+    if found.has_errors() {
+        return Err(found);
+    }
     let name = lowered
         .first()
-        .map(|(system, _)| system.mechanism.name.clone());
+        .map(|(system, ..)| system.mechanism.name.clone());
     Ok(Generated {
         name: name.unwrap_or_default(),
         code: emit::rust::file(&lowered, options.scalar),

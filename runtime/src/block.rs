@@ -1,8 +1,9 @@
 //! The equations of one block, its last frame and its assembly mode → its next frame.
 //!
 //! A block without a closed form knows its equations at one time only, because the blocks before it have just been solved for
-//! that time. So it makes one step, and refuses it where the frame it finds may belong to another assembly mode. The mechanism
-//! as a whole then goes in shorter steps ([`crate::in_steps`]).
+//! that time. So it makes one step, and refuses it where the determinant changes its sign or Newton-Raphson does not
+//! contract. The mechanism as a whole then goes in shorter steps ([`crate::in_steps`]); whether a frame lies on the path of the last
+//! one is shown for all blocks together ([`crate::guard`]).
 //!
 //! The module does not know the other blocks.
 
@@ -13,12 +14,13 @@ use crate::assembly::assemble_from_afar;
 use crate::closed_form::Branch;
 use crate::equations::Equations;
 use crate::failure::Failure;
-use crate::kinematics::{Frame, factorize};
+use crate::kinematics::{Frame, advance_watched, factorize};
 use crate::linear::Measure;
 use crate::math::Real;
-use crate::path::{branch_of, step, step_measured};
+use crate::path::branch_of;
 use crate::settings::Settings;
 use crate::vector::zero_matrix;
+use crate::watch::{Measuring, OnBranch};
 
 /// What the frame is from which a block is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,11 +33,11 @@ pub enum Start {
 
 /// Solves a block at time `t`.
 ///
-/// From an estimate it is assembled in the mode `branch`, or near the estimate where that is `None`; afterwards `branch` is its
-/// mode. From the last frame it moves on in this mode.
+/// From an estimate it is assembled in the mode `branch`, or near the estimate where that is `None`, with angles near those of the
+/// estimate; afterwards `branch` is its mode. From the last frame it moves on in this mode.
 ///
 /// # Errors
-/// Those of [`assemble_from_afar`], or those of [`step`].
+/// Those of [`assemble_from_afar`], or those of [`advance`](crate::advance) and [`WrongBranch`](crate::FailureKind::WrongBranch).
 ///
 /// # Work
 /// That of the same; where the mode was `None` also one Jacobian.
@@ -55,7 +57,9 @@ where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     match (start, *branch) {
-        (Start::LastFrame, Some(branch)) => step(equations, last, branch, t, settings),
+        (Start::LastFrame, Some(branch)) => {
+            advance_watched(equations, last, t, settings, OnBranch::new(branch))
+        }
         _ => assemble(equations, last, branch, t, settings),
     }
 }
@@ -84,9 +88,13 @@ where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     match (start, *branch) {
-        (Start::LastFrame, Some(branch)) => {
-            step_measured(equations, last, branch, t, settings, measure)
-        }
+        (Start::LastFrame, Some(branch)) => advance_watched(
+            equations,
+            last,
+            t,
+            settings,
+            Measuring::new(branch, measure),
+        ),
         _ => assemble_measured(equations, last, branch, t, settings, measure),
     }
 }
@@ -121,7 +129,16 @@ fn assemble<T: Real, D: Dim, E: Equations<T, D>>(
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let frame = assemble_from_afar(equations, &estimate.q, *branch, t, settings)?;
+    let mut frame = assemble_from_afar(equations, &estimate.q, *branch, t, settings)?;
+    let turn = T::from_f64(core::f64::consts::TAU);
+    let angles = frame.q.as_mut_slice().iter_mut().zip(estimate.q.as_slice());
+    for (column, (angle, near)) in angles.enumerate() {
+        let turns = ((*angle - *near) / turn).round();
+        // A search from afar may have wound an angle up.
+        if equations.is_angle(column) && turns != T::ZERO {
+            *angle -= turns * turn;
+        }
+    }
     if branch.is_none() {
         *branch = Some(branch_of(equations, &frame.q, t, settings)?);
     }

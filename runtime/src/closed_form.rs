@@ -76,6 +76,16 @@ pub fn no_span<T: Real>(distance: T, longest: T, shortest: T, time: T, block: u1
     failed(kind, time, block)
 }
 
+/// Why a divisor that has vanished beside `scale` makes a closed-form block singular.
+#[cold]
+pub fn singular_divisor<T: Real>(value: T, scale: T, time: T, block: u16) -> Failure<T> {
+    let kind = FailureKind::Singular {
+        pivot_ratio: value / scale,
+        column: 0,
+    };
+    failed(kind, time, block)
+}
+
 /// A failure of a closed-form block, which takes no iterations and leaves no residual.
 #[cold]
 pub fn failed<T: Real>(kind: FailureKind<T>, time: T, block: u16) -> Failure<T> {

@@ -25,11 +25,11 @@ pub struct Closeness<T = f64> {
     /// the size of the determinant.
     pub reciprocal_condition: T,
     /// What the block is called, and what can be said of it where it is singular.
-    pub name: &'static BlockName,
+    pub name: BlockName<'static>,
 }
 
 /// What the closeness of a mechanism is named after that nothing can bring to a singular pose.
-const EVERYTHING: BlockName = BlockName {
+const EVERYTHING: BlockName<'static> = BlockName {
     name: "the mechanism",
     singular: "",
 };
@@ -37,7 +37,7 @@ const EVERYTHING: BlockName = BlockName {
 impl<T: Real> Closeness<T> {
     /// That of a block with this measure.
     #[inline]
-    pub fn new(block: u16, measure: Measure<T>, name: &'static BlockName) -> Self {
+    pub fn new(block: u16, measure: Measure<T>, name: BlockName<'static>) -> Self {
         Self {
             block,
             determinant: measure.determinant,
@@ -48,7 +48,7 @@ impl<T: Real> Closeness<T> {
 
     /// The closest of all blocks, the first of equal ones. Where there is no block that can be singular, its numbers are 1.
     pub fn closest(blocks: &[Self]) -> Self {
-        let mut found = Self::new(0, Measure::sine(T::ONE), &EVERYTHING);
+        let mut found = Self::new(0, Measure::sine(T::ONE), EVERYTHING);
         for (place, block) in blocks.iter().enumerate() {
             if place == 0 || block.reciprocal_condition < found.reciprocal_condition {
                 found = *block;
@@ -87,13 +87,13 @@ mod tests {
 
     use super::*;
 
-    static LOOP: BlockName = BlockName {
+    const LOOP: BlockName<'static> = BlockName {
         name: "loop F-N-M",
         singular: "c2 and the actuator c8-c7 are in line",
     };
 
     fn at(block: u16, sine: f64) -> Closeness {
-        Closeness::new(block, Measure::sine(sine), &LOOP)
+        Closeness::new(block, Measure::sine(sine), LOOP)
     }
 
     #[test]

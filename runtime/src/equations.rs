@@ -43,4 +43,9 @@ where
     /// The positive magnitude that a change of the coordinate `column` is measured against: the characteristic
     /// length for x and y, 1 for an angle.
     fn coordinate_scale(&self, column: usize) -> T;
+
+    /// Whether whole turns (2π) of the coordinate `column` make no other pose.
+    fn is_angle(&self, _column: usize) -> bool {
+        false
+    }
 }

@@ -12,32 +12,65 @@ use crate::math::Real;
 
 /// What a block of a mechanism is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct BlockName {
+pub struct BlockName<'a> {
     /// The block: `loop F-N-M`.
-    pub name: &'static str,
-    /// What can be said of its parts where it is singular or at the end of its reach: `c2 and the actuator c8-c7 are in line`.
-    pub singular: &'static str,
+    pub name: &'a str,
+    /// What can be said of its parts where it is singular or at the end of its reach: `c2 and the actuator c8-c7 are in line`. Of what
+    /// must be positive, what it is: `the distance`.
+    pub singular: &'a str,
 }
 
 /// A failure in a mechanism's own terms; its `Display` is one sentence.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Explained<T = f64> {
+pub struct Explained<'a, T = f64> {
     /// What happened.
     pub failure: Failure<T>,
-    /// The names of all blocks, in solve order.
-    pub blocks: &'static [BlockName],
+    /// What the block is called where it happened, if it is known.
+    pub block: Option<BlockName<'a>>,
 }
 
-impl<T: Real> fmt::Display for Explained<T> {
+impl<T: Real> Explained<'_, T> {
+    /// What happened, without the time.
+    pub fn cause(&self) -> impl fmt::Display + '_ {
+        Cause(self)
+    }
+}
+
+struct Cause<'a, T>(&'a Explained<'a, T>);
+
+impl<T: Real> fmt::Display for Explained<'_, T> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.failure.kind {
+            FailureKind::NotPositive { .. } => write!(formatter, "{}", self.cause()),
+            _ => write!(
+                formatter,
+                "{}, at t = {} s",
+                self.cause(),
+                self.failure.time
+            ),
+        }
+    }
+}
+
+impl<T: Real> fmt::Display for Cause<'_, T> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Failure {
             kind,
-            time,
             iterations,
             residual,
             ..
-        } = self.failure;
-        let block = self.blocks.get(usize::from(self.failure.block));
+        } = self.0.failure;
+        let block = self.0.block;
+        if let FailureKind::NotPositive { value } = kind {
+            let what = block.map_or("a length", |required| required.singular);
+            if let Some(required) = block {
+                write!(formatter, "{}: ", required.name)?;
+            }
+            return write!(
+                formatter,
+                "{what} must be positive, and would be {value:.1e}"
+            );
+        }
         if let Some(block) = block {
             write!(formatter, "{}: ", block.name)?;
         }
@@ -74,7 +107,7 @@ impl<T: Real> fmt::Display for Explained<T> {
                 ", after {iterations} iteration{several} with a scaled residual of {residual:.1e}"
             )?;
         }
-        write!(formatter, ", at t = {time} s")
+        Ok(())
     }
 }
 
@@ -85,7 +118,7 @@ mod tests {
 
     use super::*;
 
-    const BLOCKS: [BlockName; 2] = [
+    const BLOCKS: [BlockName<'static>; 2] = [
         BlockName {
             name: "explicit",
             singular: "",
@@ -105,8 +138,8 @@ mod tests {
             residual: 2e-3,
             row: 0,
         };
-        let blocks = &BLOCKS;
-        Explained { failure, blocks }.to_string()
+        let block = BLOCKS.get(usize::from(block)).copied();
+        Explained { failure, block }.to_string()
     }
 
     #[test]

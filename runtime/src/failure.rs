@@ -74,6 +74,12 @@ pub enum FailureKind<T = f64> {
     /// The motion could not be followed to the time asked for: its estimate is so far from the pose that
     /// Newton-Raphson may end at another one, and [`crate::Settings::substeps`] attempts did not bring it nearer.
     StepTooLarge,
+    /// Parameters make something not positive that must be: a length, a radius, a ratio. The failure's block is its place among what must
+    /// be positive.
+    NotPositive {
+        /// What it would be.
+        value: T,
+    },
     /// A time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is infinite or NaN,
     /// or a scale of the equations is not a positive finite number.
     NotFinite,
@@ -111,6 +117,12 @@ impl<T: Real> fmt::Display for Failure<T> {
             FailureKind::OutOfReach { by } => {
                 write!(formatter, "out of reach by {by:.1e} m")?;
                 None
+            }
+            FailureKind::NotPositive { value } => {
+                return write!(
+                    formatter,
+                    "requirement {block}: {value:.1e} is not positive"
+                );
             }
             FailureKind::Diverged => Some("diverged"),
             FailureKind::Cycling => Some("cycling"),

@@ -185,6 +185,12 @@ implement_real!(f32, frexpf, ldexpf, crate::closed_form::wound_arctangent, {
     round() -> Self, roundf;
 });
 
+/// The magnitude.
+#[inline]
+pub fn abs<T: Real>(value: T) -> T {
+    value.abs()
+}
+
 /// The sine of an angle in radians.
 #[inline]
 pub fn sin<T: Real>(angle: T) -> T {

@@ -21,13 +21,13 @@ use crate::closed_form::Branch;
 use crate::equations::Equations;
 use crate::failure::{Failure, FailureKind, index};
 use crate::kinematics::{Frame, advance_watched};
-use crate::linear::{Factorization, Measure};
+use crate::linear::Factorization;
 use crate::math::Real;
 use crate::scale::Scales;
 use crate::settings::Settings;
 use crate::substeps::in_steps;
 use crate::vector::zero_matrix;
-use crate::watch::{Measuring, OnBranch};
+use crate::watch::OnBranch;
 
 /// The largest part of its scale by which a coordinate may miss Hermite's rule. At steps of 1.8 rad of a harmonic motion the
 /// rule misses by this part of the amplitude.
@@ -134,35 +134,6 @@ where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     let watch = OnBranch::new(branch);
-    let next = advance_watched(equations, frame, t, settings, watch)?;
-    if !fits(&Scales::of(equations), frame, &next) {
-        return Err(no_verdict(FailureKind::StepTooLarge, t));
-    }
-    Ok(next)
-}
-
-/// [`step`]; afterwards `measure` says how far the Jacobian at the new pose is from singular.
-///
-/// # Errors
-/// Those of [`step`].
-///
-/// # Work
-/// That of [`step`] and of [`Factorization::measure`].
-///
-/// # Panics
-/// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
-pub fn step_measured<T: Real, D: Dim, E: Equations<T, D>>(
-    equations: &E,
-    frame: &Frame<T, D>,
-    branch: Branch,
-    t: T,
-    settings: &Settings<T>,
-    measure: &mut Measure<T>,
-) -> Result<Frame<T, D>, Failure<T>>
-where
-    DefaultAllocator: Allocator<D> + Allocator<D, D>,
-{
-    let watch = Measuring::new(branch, measure);
     let next = advance_watched(equations, frame, t, settings, watch)?;
     if !fits(&Scales::of(equations), frame, &next) {
         return Err(no_verdict(FailureKind::StepTooLarge, t));

@@ -15,7 +15,7 @@ use crate::math::Real;
 /// | `iterations` | 25 | 25 |
 /// | `pivot_ratio` | 64 ε = 1.4e-14 | 64 ε = 7.6e-6 |
 /// | `polish` | true | true |
-/// | `substeps` | 32 | 32 |
+/// | `substeps` | 256 | 256 |
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings<T = f64> {
     /// The largest scaled residual max |Φ_i| / scale_i that counts as solved.
@@ -55,6 +55,6 @@ fn with_tolerance<T: Real>(tolerance: T) -> Settings<T> {
         // digit that could be told from such an error at the sizes this crate is for.
         pivot_ratio: T::EPSILON * T::from_f64(64.0),
         polish: true,
-        substeps: 32,
+        substeps: 256,
     }
 }

@@ -52,6 +52,10 @@ pub fn in_steps<T: Real>(
     // Whether the last attempt was aimed at a time that two others have foreseen.
     let mut aimed = false;
     let mut whole: Option<Failure<T>> = None;
+    let mut latest = None;
+    // The nearest time at which there is no pose.
+    let mut beyond: Option<Failure<T>> = None;
+    let refined = (to - from).abs() * T::from_f64(REFINED);
     let mut attempts = 0;
     loop {
         let rest = to - reached;
@@ -82,14 +86,22 @@ pub fn in_steps<T: Real>(
                 (succeeded, aimed) = (true, false);
             }
             Err(failure) => {
-                let aim = refused.and_then(|farther| end_of_reach(reached, &failure, &farther));
+                // From farther away, what is missing may belong to another gap than the next one.
+                let is_near = (target - reached).abs() <= refined;
+                let aim = refused.filter(|_| is_near);
+                let aim = aim.and_then(|farther| end_of_reach(reached, &failure, &farther));
                 // Links that reach by less than rounding are in line.
                 let in_line = aimed && matches!(failure.kind, FailureKind::Singular { .. });
                 aimed = aim.is_some() || in_line;
                 if attempts == 1 {
                     whole = Some(failure);
                 }
-                refused = Some(failure);
+                (refused, latest) = (Some(failure), Some(failure.block));
+                if missing(&failure).is_some()
+                    || matches!(failure.kind, FailureKind::Singular { .. })
+                {
+                    beyond = Some(failure);
+                }
                 step = aim.map_or(T::HALF * (target - reached), |aim| aim - reached);
                 succeeded = false;
                 if in_line {
@@ -104,9 +116,22 @@ pub fn in_steps<T: Real>(
             break;
         }
     }
+    // Where the steps of a block have become as short, and it has no pose farther on, that is why.
+    let refused = refused.map(|failure| match beyond {
+        Some(beyond)
+            if failure.kind == FailureKind::StepTooLarge
+                && beyond.block == failure.block
+                && step.abs() <= refined =>
+        {
+            Failure {
+                time: failure.time,
+                ..beyond
+            }
+        }
+        _ => failure,
+    });
     let failure = match refused {
         Some(failure) => {
-            let refined = (to - from).abs() * T::from_f64(REFINED);
             // Written so that a way of no length, or of a length that is no number, counts as refined.
             let coarse = step.abs() > refined && !aimed;
             // How much is missing at the end says more than that nothing is where the reach ends.
@@ -119,11 +144,11 @@ pub fn in_steps<T: Real>(
                 ..failure
             }
         }
-        // Nothing stands in the way but the budget.
+        // Nothing stands in the way but the budget, which some block has used up.
         None => Failure {
             kind: FailureKind::StepTooLarge,
             time: reached,
-            block: 0,
+            block: latest.unwrap_or(0),
             iterations: 0,
             residual: T::ZERO,
             row: 0,

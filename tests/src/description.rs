@@ -38,13 +38,15 @@ pub fn small() -> Vec<String> {
     names.filter(|name| motions(name).len() == 1).collect()
 }
 
-/// The text of a described mechanism, of the repository's or of those that only tests and the study of stability need.
+/// The text of a described mechanism, of the repository's or of those that only tests and the study of stability need. Each
+/// of `fixtures/plans/` shows one form and nothing else.
 ///
 /// # Panics
 /// If there is no such file.
 pub fn source(name: &str) -> Source {
     let file = format!("{name}.mech");
-    let own = ["descriptions", "stability"].map(|folder| files::package(folder).join(&file));
+    let own = ["descriptions", "stability", "fixtures/plans"]
+        .map(|folder| files::package(folder).join(&file));
     let path = own
         .into_iter()
         .find(|path| path.is_file())

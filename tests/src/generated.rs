@@ -2,17 +2,23 @@
 //!
 //! Modules have no names at run time, so the build script writes the list from the descriptions.
 
-use linkwright::{Failure, Frame, Motion, Settings, Step};
+use std::marker::PhantomData;
+
+use linkwright::nalgebra::{Const, OMatrix, OVector, SVector};
+use linkwright::{
+    Blocks, Equations, Failure, Frame, Mechanism, Motion, Settings, Shell, Step, newton,
+};
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::solver::{Functions, Solver};
+use crate::values::{assembled_from, levels, point_names};
 
 /// A compiled module.
 pub struct Module {
     /// The mechanism's name.
     pub name: &'static str,
     /// Its points, in the order of their declaration.
-    pub points: &'static [&'static str],
+    pub points: fn() -> Vec<String>,
     /// Makes a solver that is not yet assembled.
     pub make: fn() -> Box<dyn Solver>,
     /// The pose to which the mechanism is assembled from an estimate at a time, in the modes of the drawing.
@@ -30,115 +36,167 @@ pub fn module(name: &str) -> &'static Module {
         .unwrap_or_else(|| panic!("`{name}` is not compiled"))
 }
 
-macro_rules! registry {
-    ($($module:ident: $mechanism:ident { $($point:literal => $motion:ident,)+ })+) => {
-        /// Every compiled module.
-        pub const MODULES: &[Module] = &[$(Module {
-            name: stringify!($module),
-            points: &[$($point),+],
-            make: || Box::new($module::Generated::default()),
-            assemble_from: $module::assemble_from,
-        }),+];
-
-        $(mod $module {
-            use linkwright::Equations;
-            use linkwright_mechanisms::$module::{self as generated, $mechanism, Coordinates};
-            use nalgebra::SVector;
-
-            use super::*;
-
-            const N: usize = Coordinates::COUNT;
-
-            /// The generated solver, and its last frame as vectors.
-            #[derive(Default)]
-            pub struct Generated(Option<($mechanism, Frame<f64, Dyn>)>);
-
-            fn named(values: &[f64]) -> Coordinates {
-                Coordinates::from_array(values.try_into().expect("a value per coordinate"))
-            }
-
-            pub fn assemble_from(estimate: &[f64], t: f64) -> Result<Vec<f64>, Failure> {
-                let mechanism = $mechanism::assemble_from(&named(estimate), t, Settings::default())?;
-                Ok(mechanism.frame().q.to_array().to_vec())
-            }
-
-            impl Generated {
-                fn store(&mut self, mechanism: $mechanism) {
-                    let frame = mechanism.frame();
-                    let vector = |it: &Coordinates| DVector::from_column_slice(&it.to_array());
-                    let (q, qd, qdd) = (vector(&frame.q), vector(&frame.qd), vector(&frame.qdd));
-                    let frame = Frame { t: frame.t, q, qd, qdd };
-                    self.0 = Some((mechanism, frame));
-                }
-
-                fn solved(&self) -> &($mechanism, Frame<f64, Dyn>) {
-                    self.0.as_ref().expect("the mechanism has been assembled")
-                }
-            }
-
-            impl Solver for Generated {
-                fn kind(&self) -> &'static str {
-                    "generated"
-                }
-
-                fn functions(&self, q: &[f64], qd: &[f64], t: f64) -> Functions {
-                    let (q, qd) = (named(q), named(qd));
-                    let vector = |it: SVector<f64, N>| DVector::from_column_slice(it.as_slice());
-                    let phi_q = generated::phi_q(&q, t);
-                    let functions = Functions {
-                        phi: vector(generated::phi(&q, t)),
-                        phi_q: DMatrix::from_column_slice(N, N, phi_q.as_slice()),
-                        phi_t: vector(generated::phi_t(&q, t)),
-                        gamma: vector(generated::gamma(&q, &qd, t)),
-                    };
-                    // The interface of the runtime must give what the free functions give.
-                    let mut jacobian = phi_q * f64::NAN;
-                    generated::Textbook.jacobian(&SVector::from(q.to_array()), t, &mut jacobian);
-                    assert_eq!(jacobian, phi_q);
-                    functions
-                }
-
-                fn residual(&self, q: &[f64], t: f64) -> DVector<f64> {
-                    DVector::from_column_slice(generated::phi(&named(q), t).as_slice())
-                }
-
-                fn assemble(&mut self, t: f64) {
-                    self.store($mechanism::assemble(t).unwrap_or_else(|failure| panic!("{failure}")));
-                }
-
-                fn advance(&mut self, t: f64) {
-                    let mut mechanism = self.solved().0;
-                    if let Err(failure) = mechanism.advance(t) {
-                        panic!("{failure}");
-                    }
-                    self.store(mechanism);
-                }
-
-                fn frame(&self) -> &Frame<f64, Dyn> {
-                    &self.solved().1
-                }
-
-                fn point(&self, name: &str) -> Motion {
-                    let frame = self.solved().0.frame();
-                    match name {
-                        $($point => frame.$motion(),)+
-                        _ => panic!("no point {name}"),
-                    }
-                }
-
-                fn newton_step(&self, q: &[f64], t: f64) -> Step<f64, Dyn> {
-                    let step = $mechanism::newton_step(&named(q), t).unwrap_or_else(|failure| panic!("{failure}"));
-                    let vector = |it: SVector<f64, N>| DVector::from_column_slice(it.as_slice());
-                    Step {
-                        jacobian: DMatrix::from_column_slice(N, N, step.jacobian.as_slice()),
-                        right_hand_side: vector(step.right_hand_side),
-                        update: vector(step.update),
-                        pose: vector(step.pose),
-                    }
-                }
-            }
-        })+
-    };
+impl Module {
+    /// The module with this mechanism and these equations.
+    const fn of<M, E, const N: usize>(name: &'static str) -> Module
+    where
+        M: Mechanism<Blocks: Blocks<Scalar = f64> + Default> + 'static,
+        E: Equations<f64, Const<N>> + Default + 'static,
+    {
+        Module {
+            name,
+            points: points::<M>,
+            make: make::<M, E, N>,
+            assemble_from: assemble_from::<M>,
+        }
+    }
 }
 
-include!(concat!(env!("OUT_DIR"), "/registry.rs"));
+fn points<M: Mechanism<Blocks: Default>>() -> Vec<String> {
+    let blocks = M::Blocks::default();
+    point_names(&blocks)
+        .iter()
+        .map(ToString::to_string)
+        .collect()
+}
+
+fn make<M, E, const N: usize>() -> Box<dyn Solver>
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default> + 'static,
+    E: Equations<f64, Const<N>> + Default + 'static,
+{
+    Box::new(Generated::<M, E, N> {
+        textbook: E::default(),
+        solved: None,
+        mechanism: PhantomData,
+    })
+}
+
+fn assemble_from<M>(estimate: &[f64], t: f64) -> Result<Vec<f64>, Failure>
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+{
+    let shell = assembled_from(M::Blocks::default(), estimate, t, Settings::default())?;
+    let [q, ..] = levels(shell.blocks(), shell.frame());
+    Ok(q)
+}
+
+/// A mechanism at an instant, and its frame as vectors.
+type Solved<B> = (Shell<B>, Frame<f64, Dyn>);
+
+/// A generated mechanism with its textbook view, and its last frame as vectors.
+struct Generated<M: Mechanism, E, const N: usize> {
+    textbook: E,
+    solved: Option<Solved<M::Blocks>>,
+    mechanism: PhantomData<M>,
+}
+
+impl<M, E, const N: usize> Generated<M, E, N>
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+    E: Equations<f64, Const<N>>,
+{
+    fn store(&mut self, shell: Shell<M::Blocks>) {
+        let levels = levels(shell.blocks(), shell.frame());
+        let [q, qd, qdd] = levels.map(DVector::from_vec);
+        let t = M::Blocks::time(shell.frame());
+        self.solved = Some((shell, Frame { t, q, qd, qdd }));
+    }
+
+    fn shell(&self) -> &Shell<M::Blocks> {
+        let (shell, _) = self
+            .solved
+            .as_ref()
+            .expect("the mechanism has been assembled");
+        shell
+    }
+}
+
+fn dynamic<const N: usize>(vector: SVector<f64, N>) -> DVector<f64> {
+    DVector::from_column_slice(vector.as_slice())
+}
+
+impl<M, E, const N: usize> Solver for Generated<M, E, N>
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+    E: Equations<f64, Const<N>>,
+{
+    fn kind(&self) -> &'static str {
+        "generated"
+    }
+
+    fn functions(&self, q: &[f64], qd: &[f64], t: f64) -> Functions {
+        let (q, qd) = (
+            SVector::from_column_slice(q),
+            SVector::from_column_slice(qd),
+        );
+        // What is not written stays NaN and fails every comparison.
+        let unset = OVector::<f64, Const<N>>::repeat(f64::NAN);
+        let (mut phi, mut phi_t, mut gamma) = (unset, unset, unset);
+        let mut phi_q = OMatrix::<f64, Const<N>, Const<N>>::repeat(f64::NAN);
+        self.textbook.residual(&q, t, &mut phi);
+        self.textbook.jacobian(&q, t, &mut phi_q);
+        self.textbook.time_derivative(&q, t, &mut phi_t);
+        self.textbook.gamma(&q, &qd, t, &mut gamma);
+        Functions {
+            phi: dynamic(phi),
+            phi_q: DMatrix::from_column_slice(N, N, phi_q.as_slice()),
+            phi_t: dynamic(phi_t),
+            gamma: dynamic(gamma),
+        }
+    }
+
+    fn residual(&self, q: &[f64], t: f64) -> DVector<f64> {
+        let mut phi = SVector::repeat(f64::NAN);
+        self.textbook
+            .residual(&SVector::from_column_slice(q), t, &mut phi);
+        dynamic(phi)
+    }
+
+    fn assemble(&mut self, t: f64) {
+        let shell = assembled_from(M::Blocks::default(), &[], t, Settings::default());
+        self.store(shell.unwrap_or_else(|failure| panic!("{failure}")));
+    }
+
+    fn advance(&mut self, t: f64) {
+        let (mut shell, _) = self
+            .solved
+            .take()
+            .expect("the mechanism has been assembled");
+        let inputs = shell.blocks().initial_inputs();
+        if let Err(failure) = shell.advance(t, &inputs) {
+            panic!("{failure}");
+        }
+        self.store(shell);
+    }
+
+    fn frame(&self) -> &Frame<f64, Dyn> {
+        let (_, frame) = self
+            .solved
+            .as_ref()
+            .expect("the mechanism has been assembled");
+        frame
+    }
+
+    fn point(&self, name: &str) -> Motion {
+        let shell = self.shell();
+        let names = point_names(shell.blocks());
+        let index = names.iter().position(|it| *it == name);
+        let motion = index.and_then(|index| shell.blocks().point(shell.frame(), index));
+        motion.unwrap_or_else(|| panic!("no point {name}"))
+    }
+
+    fn newton_step(&self, q: &[f64], t: f64) -> Step<f64, Dyn> {
+        let q = SVector::from_column_slice(q);
+        let step = newton::step(&self.textbook, &q, t, &Settings::default());
+        let step = step.unwrap_or_else(|failure| panic!("{failure}"));
+        Step {
+            jacobian: DMatrix::from_column_slice(N, N, step.jacobian.as_slice()),
+            right_hand_side: dynamic(step.right_hand_side),
+            update: dynamic(step.update),
+            pose: dynamic(step.pose),
+        }
+    }
+}
+
+include!(concat!(env!("OUT_DIR"), "/modules.rs"));

@@ -2,8 +2,8 @@
 //! that each statement of a test is made about both.
 
 use linkwright::{Equations, Frame, Motion, Settings, Step, newton};
-use linkwright_cli::interpreter::Interpreter;
 use linkwright_codegen::system::System;
+use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::description;
@@ -66,7 +66,7 @@ pub fn both(name: &str) -> [Box<dyn Solver>; 2] {
 /// The interpreter with the frame it has reached.
 pub struct Interpreted {
     /// The equations.
-    pub equations: Interpreter,
+    pub equations: TextbookEquations,
     frame: Option<Frame<f64, Dyn>>,
 }
 
@@ -79,7 +79,7 @@ impl Interpreted {
     /// The interpreter of a system, not yet assembled.
     pub fn of(system: &System) -> Interpreted {
         Interpreted {
-            equations: Interpreter::new(system),
+            equations: TextbookEquations::new(system),
             frame: None,
         }
     }

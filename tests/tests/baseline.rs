@@ -2,13 +2,13 @@
 
 use linkwright_tests::baseline::Baseline;
 use linkwright_tests::description;
-use linkwright_tests::method::STUDIED;
+use linkwright_tests::method::studied;
 use linkwright_tests::reference::{reference, yardsticks};
 
 /// It stops at 1e-12, so its error is that times the condition of the mechanism, and more in the derivatives.
 #[test]
 fn the_baseline_agrees_with_the_references_as_far_as_its_stopping_rule_allows() {
-    for name in STUDIED {
+    for name in studied() {
         let table = reference(name);
         let mut baseline = Baseline::new(&description::system(name));
         baseline.advance(0.0);

@@ -12,6 +12,12 @@ use linkwright_tests::files;
 
 /// A copy of the package in which the description is `description`.
 fn copy(name: &str, description: &Path) -> PathBuf {
+    let library = files::package("fixtures/user/src/lib.rs");
+    copy_with(name, &library, description, "slider_crank.mech")
+}
+
+/// A copy of the package with this library, in which the description is `description`, under another name.
+fn copy_with(name: &str, library: &Path, description: &Path, description_name: &str) -> PathBuf {
     let (from, to) = (
         files::package("fixtures/user"),
         PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name),
@@ -26,24 +32,30 @@ fn copy(name: &str, description: &Path) -> PathBuf {
     let manifest = manifest.replace("../../..", repository.to_str().expect("a path in UTF-8"));
     fs::write(to.join("Cargo.toml"), manifest).expect("the copy is writable");
     let lock = repository.join("Cargo.lock");
+    let description_name = format!("descriptions/{description_name}");
     for (from, relative) in [
         (lock.as_path(), "Cargo.lock"),
         (&from.join("build.rs"), "build.rs"),
-        (&from.join("src/lib.rs"), "src/lib.rs"),
-        (description, "descriptions/slider_crank.mech"),
+        (library, "src/lib.rs"),
+        (description, &description_name),
     ] {
         fs::copy(from, to.join(relative)).expect("the copy is writable");
     }
     to
 }
 
+/// Cargo in a package, with a command of several words.
 fn cargo(package: &Path, command: &str) -> Output {
+    let mut words = command.split_whitespace();
     Command::new(env!("CARGO"))
-        .args([command, "--offline", "--manifest-path"])
+        .args(words.next())
+        .args(["--offline", "--manifest-path"])
         .arg(package.join("Cargo.toml"))
         .arg("--target-dir")
         .arg(PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("user-target"))
+        .args(words)
         .env("CARGO_TERM_COLOR", "never")
+        .env("RUSTDOCFLAGS", "--deny warnings")
         .output()
         .expect("cargo runs")
 }
@@ -147,4 +159,45 @@ fn a_table_that_changes_is_read_again() {
     );
     let (built, printed) = build("time, angle\n0, 0\n1, 3\n2, 6\n");
     assert!(built, "{printed}");
+}
+
+/// The comments of the description hold every form of code, of names in brackets and of tags, at everything that may have a
+/// comment: no text of a description is compiled or run, and none is anything to warn of.
+#[test]
+fn no_comment_of_a_description_is_run_or_warned_of() {
+    let description = files::package("fixtures/documented/documented.mech");
+    let library = files::package("fixtures/documented/lib.rs");
+    let package = copy_with("user-documented", &library, &description, "documented.mech");
+    for command in [
+        "test --doc",
+        "doc --no-deps --document-private-items",
+        "clippy",
+    ] {
+        let output = cargo(&package, command);
+        let printed = String::from_utf8_lossy(&output.stderr).into_owned();
+        let tests = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(output.status.success(), "{command}: {printed}{tests}");
+        assert!(!printed.contains("warning"), "{command}: {printed}");
+        if command.starts_with("test") {
+            assert!(tests.contains("running 0 tests"), "{tests}");
+        }
+    }
+    // The comments are there, as text.
+    let pages = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("user-target/doc/user_documented");
+    for (name, text) in [
+        (
+            "index.html",
+            "<pre class=\"language-text\"><code>panic!(&quot;in a fence&quot;)</code></pre>",
+        ),
+        ("index.html", "<p>[Q], [<code>T</code>], [crate::nothing]"),
+        ("struct.Documented.html", "Vec&lt;T&gt;, &lt;/p&gt;"),
+        (
+            "struct.Documented.html",
+            "<a href=\"https://example.org\">words</a>",
+        ),
+    ] {
+        let page = pages.join("documented/turning").join(name);
+        let page = fs::read_to_string(page).expect("the page of a motion");
+        assert!(page.contains(text), "{text} is missing in {name}");
+    }
 }

@@ -1,15 +1,15 @@
 //! How close generated mechanisms say they are to a singular pose: against closed forms, 384 bits, the interpreter's
 //! determinants, singular values and single precision.
 
-use linkwright::{Closeness, Failure};
-use linkwright_cli::closeness;
-use linkwright_cli::monitor::Monitor;
-use linkwright_cli::solved_interpreter::SolvedInterpreter;
+use linkwright::{Blocks, Closeness, Failure, Mechanism, Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::expr::Tape;
-use linkwright_codegen::structure::{Step, determinant};
+use linkwright_solver::approach::{Approach, Watch};
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::reader::Reader;
+use linkwright_solver::view::View;
 use linkwright_tests::description;
 use linkwright_tests::stability::precise::Precise;
+use linkwright_tests::values::{assembled, assembled_from};
 use nalgebra::DMatrix;
 
 /// The measures of every loop at these times, or why there are none.
@@ -18,33 +18,40 @@ type Measured = Result<Vec<Vec<Closeness>>, Failure>;
 /// A mechanism's function for them.
 type Measures = fn(&[f64]) -> Measured;
 
-macro_rules! monitored {
-    ($name:ident, $module:ident, $mechanism:ident) => {
-        #[allow(dead_code)]
-        pub mod $name {
-            linkwright::include_mechanism!($module);
-
-            pub fn measures(times: &[f64]) -> super::Measured {
-                let mut mechanism = $mechanism::assemble(times[0])?;
-                let mut found = Vec::new();
-                for &t in times {
-                    let frame = mechanism.advance(t)?;
-                    found.push(frame.closeness_of_each().to_vec());
-                    assert_eq!(
-                        frame.closeness(),
-                        super::Closeness::closest(&frame.closeness_of_each())
-                    );
-                }
-                Ok(found)
-            }
-        }
-    };
+/// The measures of all frames of a mechanism at these times; its frames say those of each loop, and the closest.
+fn measures<M>(
+    times: &[f64],
+    of: impl Fn(&<M::Blocks as Blocks>::Frame) -> (Vec<Closeness>, Closeness),
+) -> Measured
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+{
+    let mut mechanism: M = assembled(times[0])?;
+    let shell = mechanism.shell_mut();
+    let inputs = shell.blocks().initial_inputs();
+    let mut found = Vec::new();
+    for &t in times {
+        let (each, closest) = of(shell.advance(t, &inputs)?);
+        assert_eq!(closest, Closeness::closest(&each));
+        found.push(each);
+    }
+    Ok(found)
 }
 
+#[allow(dead_code)]
 mod all {
-    use super::*;
+    use super::{Measures, measures};
 
     include!(concat!(env!("OUT_DIR"), "/monitoring.rs"));
+}
+
+/// The measures of a mechanism.
+fn of(name: &str) -> Measures {
+    let (_, measures) = all::ALL
+        .iter()
+        .find(|(own, _)| *own == name)
+        .expect("it is listed");
+    *measures
 }
 
 #[allow(dead_code)]
@@ -62,36 +69,52 @@ fn times() -> Vec<f64> {
     (0..=120).map(|frame| 0.01 * f64::from(frame)).collect()
 }
 
-/// The measures of a mechanism by its name, and those of the interpreter.
-fn both(name: &str, measures: Measures) -> (Vec<Vec<Closeness>>, Monitor) {
-    let found = measures(&times()).unwrap_or_else(|failure| panic!("{name}: {failure}"));
-    let solved = SolvedInterpreter::new(&description::system(name)).expect("a plan");
-    (found, Monitor::over(&solved, &times()))
+/// The interpreter, as it is drawn.
+fn interpreted(name: &str) -> Shell<Interpreted> {
+    let solved = Interpreted::new(&description::system(name)).expect("a plan");
+    assembled_from(solved, &[], 0.0, Settings::default()).expect("as drawn")
+}
+
+/// The sizes of the measures of the interpreter at these times, and its closest approaches.
+fn watched(name: &str, times: &[f64]) -> (Vec<Vec<f64>>, Vec<Approach>) {
+    let mut shell = interpreted(name);
+    let laws = shell.blocks().input_laws();
+    let measures = shell.blocks().measures().expect("it has parts");
+    let mut watch = Watch::new(measures, laws.clone());
+    let seen = times.iter().map(|&t| {
+        shell.advance(t, &laws.at(t)).expect("a pose");
+        watch.see(&shell)
+    });
+    let seen = seen.collect();
+    (seen, watch.finish(&shell))
+}
+
+/// The measures of generated code, and those of the interpreter.
+fn both(name: &str) -> (Vec<Vec<Closeness>>, Vec<Vec<f64>>) {
+    let found = of(name)(&times()).unwrap_or_else(|failure| panic!("{name}: {failure}"));
+    let (wanted, _) = watched(name, &times());
+    (found, wanted)
 }
 
 /// Blocks with two and more unknowns, and angles that are measured along a line.
 #[test]
 fn what_generated_code_says_is_what_the_interpreter_monitors() {
-    let compared: [(&str, Measures); 10] = [
-        ("double_wishbone", all::double_wishbone::measures),
-        ("excavator", all::excavator::measures),
-        ("excavator_tool", all::excavator_tool::measures),
-        ("folding", all::folding::measures),
-        ("four_bar", all::four_bar::measures),
-        ("sensed_four_bar", all::sensed_four_bar::measures),
-        (
-            "inverted_slider_crank",
-            all::inverted_slider_crank::measures,
-        ),
-        ("platform_3rpr", all::platform_3rpr::measures),
-        ("turning_guide", all::turning_guide::measures),
-        ("two_guides", all::two_guides::measures),
+    let compared = [
+        "double_wishbone",
+        "excavator",
+        "excavator_tool",
+        "folding",
+        "four_bar",
+        "sensed_four_bar",
+        "inverted_slider_crank",
+        "platform_3rpr",
+        "turning_guide",
+        "two_guides",
     ];
-    for (name, measures) in compared {
-        let (found, monitor) = both(name, measures);
+    for name in compared {
+        let (found, wanted) = both(name);
         let mut largest = 0.0_f64;
-        for (loops, wanted) in found.iter().zip(&monitor.measures) {
-            let wanted = wanted.as_ref().expect("a pose");
+        for (loops, wanted) in found.iter().zip(&wanted) {
             assert_eq!(loops.len(), wanted.len(), "{name}");
             for (own, wanted) in loops.iter().zip(wanted) {
                 largest = largest.max((own.determinant.abs() - wanted).abs());
@@ -102,23 +125,19 @@ fn what_generated_code_says_is_what_the_interpreter_monitors() {
     }
 }
 
-/// Of one equation the interpreter knows the largest slope on the way, so it differs by a factor.
+/// One equation encloses no angle; its slope is scaled, and 1 where it is larger.
 #[test]
 fn one_equation_has_the_slope_that_the_interpreter_monitors() {
-    let compared: [(&str, Measures); 2] = [
-        ("disc_cam", all::disc_cam::measures),
-        ("leveled_slider", all::leveled_slider::measures),
-    ];
-    for (name, measures) in compared {
-        let (found, monitor) = both(name, measures);
-        let ratios = found.iter().zip(&monitor.measures).map(|(own, wanted)| {
-            let wanted = wanted.as_ref().expect("a pose");
-            own[0].reciprocal_condition / wanted[0]
-        });
-        let ratios: Vec<f64> = ratios.collect();
-        let spread = ratios.iter().map(|it| (it / ratios[0] - 1.0).abs());
-        assert!(spread.fold(0.0, f64::max) < 1e-12, "{name}: {ratios:?}");
-        assert!(0.0 < ratios[0] && ratios[0] <= 1.0, "{name}");
+    for name in ["disc_cam", "leveled_slider"] {
+        let (found, wanted) = both(name);
+        let measures = interpreted(name).blocks().measures().expect("it has parts");
+        let part = &measures.parts()[0];
+        assert!(part.is_relative, "{name}");
+        for (own, wanted) in found.iter().zip(&wanted) {
+            let (own, wanted) = (own[0].reciprocal_condition, part.bounded(wanted[0]));
+            assert!((own - wanted).abs() < 1e-12, "{name}: {own} {wanted}");
+            assert!(0.0 < own && own <= 1.0, "{name}");
+        }
     }
 }
 
@@ -133,7 +152,7 @@ fn the_exam_is_as_far_as_the_sine_of_its_rod() {
     for exponent in 1..13 {
         let end = std::f64::consts::FRAC_PI_2;
         let t = end - 10_f64.powi(-exponent);
-        let Ok(found) = all::folding::measures(&[0.5, t]) else {
+        let Ok(found) = of("folding")(&[0.5, t]) else {
             println!("refused at 1e-{exponent}");
             assert!(exponent > 10);
             continue;
@@ -179,33 +198,23 @@ fn a_four_bar_is_as_far_as_the_sine_of_its_transmission_angle() {
 /// The reciprocal condition of Newton blocks by the singular values of the Jacobian that the plan names.
 #[test]
 fn a_newton_block_has_the_condition_of_its_jacobian() {
-    let compared: [(&str, Measures); 2] = [
-        ("double_wishbone", all::double_wishbone::measures),
-        ("platform_3rpr", all::platform_3rpr::measures),
-    ];
-    for (name, measures) in compared {
-        let found = measures(&times()).expect("it moves");
-        let solved = SolvedInterpreter::new(&description::system(name)).expect("a plan");
-        let steps = solved.plan.blocks.iter().flat_map(|block| &block.steps);
-        let step = steps
-            .clone()
-            .find(|step| matches!(step, Step::Newton { .. }));
-        let mut graph = solved.system.mechanism.graph.clone();
-        let jacobian = determinant(
-            step.expect("a Newton block"),
-            &solved.system.vector_form,
-            &mut graph,
-        )
-        .jacobian;
+    for name in ["double_wishbone", "platform_3rpr"] {
+        let found = of(name)(&times()).expect("it moves");
+        let mut shell = interpreted(name);
+        let solved = shell.blocks().clone();
+        let mut forms = solved.program().forms.iter().flatten();
+        let newton = forms.find(|form| form.modes().is_none());
+        let mut graph = solved.system().mechanism.graph.clone();
+        let jacobian = newton
+            .expect("a Newton block")
+            .determinant(&solved.system().vector_form, &mut graph)
+            .jacobian;
         let size = jacobian.len();
-        let tape = Tape::new(&graph, &jacobian.concat());
-        let mut values = solved.begin(0.0);
+        let entries = Reader::new(&graph, solved.layout(), &jacobian.concat());
+        let inputs = solved.initial_inputs();
         for (t, own) in times().into_iter().zip(found) {
-            solved
-                .solve(t, &solved.drawn_signs(), &mut values)
-                .expect("a pose");
-            let mut entries = vec![0.0; size * size];
-            tape.evaluate(&values.symbols, &mut Vec::new(), &mut entries);
+            let instant = shell.advance(t, &inputs).expect("a pose");
+            let entries = entries.values(instant);
             let mut unit = DMatrix::from_row_slice(size, size, &entries);
             for mut column in unit.column_iter_mut() {
                 let length = column.norm();
@@ -221,8 +230,8 @@ fn a_newton_block_has_the_condition_of_its_jacobian() {
 
 #[test]
 fn outputs_leave_the_measures_as_they_are() {
-    let whole = all::excavator::measures(&times()).expect("it moves");
-    let tool = all::excavator_tool::measures(&times()).expect("it moves");
+    let whole = of("excavator")(&times()).expect("it moves");
+    let tool = of("excavator_tool")(&times()).expect("it moves");
     for (whole, tool) in whole.iter().zip(&tool) {
         for (one, other) in whole.iter().zip(tool) {
             assert!((one.determinant - other.determinant).abs() < 1e-15);
@@ -240,13 +249,13 @@ fn outputs_leave_the_measures_as_they_are() {
 
 #[test]
 fn single_precision_measures_the_same() {
-    let double = all::platform_3rpr::measures(&[0.0, 0.5]).expect("it moves");
+    let double = of("platform_3rpr")(&[0.0, 0.5]).expect("it moves");
     let mut platform = single::platform::MonitoringPlatform3rpr::assemble(0.0).expect("as drawn");
     let own = platform.advance(0.5).expect("it moves").closeness();
     let gap = (f64::from(own.reciprocal_condition) - double[1][0].reciprocal_condition).abs();
     assert!(gap < 1e-5, "{gap:e}");
     let exam = single::folding::MonitoringFolding::assemble(0.5).expect("as drawn");
-    let double = all::folding::measures(&[0.5]).expect("as drawn");
+    let double = of("folding")(&[0.5]).expect("as drawn");
     let own = exam.frame().closeness();
     let gap = (f64::from(own.determinant) - double[0][0].determinant).abs();
     assert!(
@@ -291,10 +300,9 @@ fn without_the_statement_nothing_is_computed() {
 
 #[test]
 fn the_smallest_value_comes_near_what_check_finds() {
-    let solved = SolvedInterpreter::new(&description::system("four_bar")).expect("a plan");
     let times: Vec<f64> = (0..=2000).map(|frame| 0.001 * f64::from(frame)).collect();
-    let found = closeness::Closeness::new(&solved).approaches(&times);
-    let own = all::four_bar::measures(&times).expect("it turns");
+    let (_, found) = watched("four_bar", &times);
+    let own = of("four_bar")(&times).expect("it turns");
     let smallest = own.iter().map(|it| it[0].reciprocal_condition);
     let smallest = smallest.fold(f64::INFINITY, f64::min);
     // Sampled beside refined: a parabola at half a millisecond from its bottom.

@@ -1,42 +1,41 @@
 //! The determinants of the blocks against that of the whole Φ_q, and the closed forms that are printed.
 
 use linkwright::{Settings, advance, assemble};
-use linkwright_cli::condition::{Condition, jacobian};
-use linkwright_cli::interpreter::Interpreter;
-use linkwright_cli::solved_interpreter::SolvedInterpreter;
 use linkwright_codegen::emit::{Notation, derivation};
-use linkwright_codegen::expr::{ExprId, Tape};
-use linkwright_codegen::structure::determinant;
+use linkwright_codegen::expr::ExprId;
+use linkwright_codegen::program::forms_of;
+use linkwright_solver::condition::{Condition, jacobian};
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::reader::Reader;
+use linkwright_solver::textbook::TextbookEquations;
+use linkwright_solver::view::View;
 use linkwright_tests::description;
 use linkwright_tests::random::Random;
+use linkwright_tests::values::assembled_from;
 use nalgebra::DMatrix;
 
-/// The product of the determinants of all steps, and det Φ_q, at times of a motion.
+/// The product of the determinants of all parts, and det Φ_q, at times of a motion.
 fn products(name: &str, times: &[f64]) -> Vec<(f64, f64)> {
     let system = description::system(name);
-    let textbook = Interpreter::new(&system);
-    let solved = SolvedInterpreter::new(&system).expect("a plan");
-    let mut graph = solved.system.mechanism.graph.clone();
-    let form = &solved.system.vector_form;
-    let steps: Vec<(usize, Tape)> = solved
-        .plan
-        .blocks
-        .iter()
-        .flat_map(|block| &block.steps)
-        .map(|step| {
-            let found = determinant(step, form, &mut graph);
-            let roots: Vec<ExprId> = match found.value {
-                Some(value) => vec![value],
-                None => found.jacobian.concat(),
-            };
-            let size = if found.value.is_some() {
-                0
-            } else {
-                found.jacobian.len()
-            };
-            (size, Tape::new(&graph, &roots))
-        })
-        .collect();
+    let textbook = TextbookEquations::new(&system);
+    let solved = Interpreted::new(&system).expect("a plan");
+    let mut graph = solved.system().mechanism.graph.clone();
+    let form = &solved.system().vector_form;
+    let parts = solved.program().forms.iter().flatten();
+    let parts = parts.map(|part| {
+        let found = part.determinant(form, &mut graph);
+        let roots: Vec<ExprId> = match found.value {
+            Some(value) => vec![value],
+            None => found.jacobian.concat(),
+        };
+        let size = if found.value.is_some() {
+            0
+        } else {
+            found.jacobian.len()
+        };
+        (size, Reader::new(&graph, solved.layout(), &roots))
+    });
+    let parts: Vec<(usize, Reader)> = parts.collect();
     let settings = Settings::default();
     let mut frame = assemble(&textbook, textbook.estimate(), 0.0, &settings).expect("assembled");
     let mut found = Vec::new();
@@ -45,24 +44,19 @@ fn products(name: &str, times: &[f64]) -> Vec<(f64, f64)> {
             let next = (frame.t + 0.01).min(t);
             frame = advance(&textbook, &frame, next, &settings).expect("advanced");
         }
-        let mut values = solved.begin(t);
-        solved.set_pose(&mut values, &frame.q);
-        solved
-            .solve(t, &solved.drawn_signs(), &mut values)
+        let shell = assembled_from(solved.clone(), frame.q.as_slice(), t, settings)
             .unwrap_or_else(|_| panic!("{name} at {t}"));
-        let gap = (solved.pose(&values) - &frame.q).amax();
+        let instant = shell.frame();
+        let gap = (instant.frame().q - &frame.q).amax();
         assert!(gap < 1e-9, "{name}: the views differ by {gap:e} at {t}");
-        let product: f64 = steps
-            .iter()
-            .map(|(size, tape)| {
-                let mut results = vec![0.0; (size * size).max(1)];
-                tape.evaluate(&values.symbols, &mut Vec::new(), &mut results);
-                match size {
-                    0 => results[0],
-                    _ => DMatrix::from_row_slice(*size, *size, &results).determinant(),
-                }
-            })
-            .product();
+        let determinant = |(size, reader): &(usize, Reader)| {
+            let values = reader.values(instant);
+            match size {
+                0 => values[0],
+                _ => DMatrix::from_row_slice(*size, *size, &values).determinant(),
+            }
+        };
+        let product: f64 = parts.iter().map(determinant).product();
         let whole = Condition::of(&jacobian(&textbook, &frame.q, t)).determinant;
         found.push((product, whole));
     }
@@ -121,7 +115,8 @@ fn the_exam_has_the_determinant_of_its_solution() {
     }
     let mut system = description::system("two_body");
     let plan = linkwright_codegen::structure::plan(&mut system).expect("a plan");
-    let poses = derivation::singular_poses(&system, &plan, Notation::Unicode);
+    let forms = forms_of(&mut system, &plan);
+    let poses = derivation::singular_poses(&system, &plan, &forms, Notation::Unicode);
     assert_eq!(poses.len(), 1);
     assert_eq!(poses[0].determinant.as_deref(), Some("√3·sin φ₂"));
 }

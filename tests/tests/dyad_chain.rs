@@ -1,8 +1,8 @@
 //! The chain that growth is measured on is a mechanism that moves.
 
 use linkwright::Settings;
-use linkwright_cli::interpreter::Interpreter;
 use linkwright_codegen::diagnostic::Source;
+use linkwright_solver::textbook::TextbookEquations;
 use linkwright_tests::dyad_chain;
 
 #[test]
@@ -20,7 +20,7 @@ fn chains_of_one_to_twenty_dyads_assemble_and_move() {
         if let Err(errors) = linkwright_codegen::check(&system) {
             panic!("{}", errors.render(&source));
         }
-        let chain = Interpreter::new(&system);
+        let chain = TextbookEquations::new(&system);
         assert_eq!(chain.estimate().len(), 3 + 6 * n);
         let settings = Settings::default();
         let start = linkwright::assemble(&chain, chain.estimate(), 0.0, &settings);

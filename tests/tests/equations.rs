@@ -3,6 +3,7 @@
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::emit::{Notation, text};
 use linkwright_codegen::model::Role;
+use linkwright_codegen::program::forms_of;
 use linkwright_codegen::structure;
 use linkwright_codegen::system::System;
 use linkwright_codegen::{check, read};
@@ -231,7 +232,7 @@ fn equations_in_sines_and_cosines_are_solved_in_closed_form() {
     );
     check(&system).expect("determined");
     let plan = structure::plan(&mut system).expect("a plan");
-    let steps = plan.blocks.iter().flat_map(|block| &block.steps);
-    let names: Vec<String> = steps.map(structure::Step::name).collect();
+    let forms = forms_of(&mut system, &plan);
+    let names: Vec<String> = forms.iter().flatten().map(|form| form.name()).collect();
     assert_eq!(names, ["one angle"]);
 }

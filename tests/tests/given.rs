@@ -76,7 +76,7 @@ fn parameters_set_on_the_way_count_from_the_next_instant() {
     let mut given = FourBarGiven::assemble(0.0, &crank(0.0)).expect("the drawing assembles");
     assert_eq!(*given.parameters(), Parameters::default());
     let before = *given.frame();
-    given.set_parameters(&WRITTEN);
+    given.set_parameters(&WRITTEN).expect("positive lengths");
     assert_eq!(*given.parameters(), WRITTEN);
     assert_eq!(*given.frame(), before);
     let mut written = FourBarWritten::assemble(0.0).expect("the drawing assembles");
@@ -116,16 +116,41 @@ fn what_is_no_number_is_a_failure_and_keeps_the_last_frame() {
         off: f64::INFINITY,
         ..WRITTEN
     };
-    given.set_parameters(&wrong);
-    let failure = given.advance(0.1, &crank(0.1)).expect_err("not a number");
+    let failure = given.set_parameters(&wrong).expect_err("infinite");
     assert_eq!(failure.kind, FailureKind::NotFinite);
+    assert_eq!(*given.parameters(), Parameters::default());
     assert_eq!(*given.frame(), before);
     // Links that do not meet say so, and the mechanism can be repaired.
-    given.set_parameters(&Parameters { g: 0.5, ..WRITTEN });
+    let apart = Parameters { g: 0.5, ..WRITTEN };
+    given.set_parameters(&apart).expect("positive lengths");
     let failure = given.advance(0.1, &crank(0.1)).expect_err("out of reach");
     assert!(matches!(failure.kind, FailureKind::OutOfReach { .. }));
-    given.set_parameters(&WRITTEN);
+    given.set_parameters(&WRITTEN).expect("positive lengths");
     assert!(given.advance(0.1, &crank(0.1)).is_ok());
+}
+
+mod sliders_given {
+    linkwright::include_mechanism!(sliders_given);
+}
+
+#[test]
+fn a_length_that_is_not_positive_is_refused_and_the_old_one_kept() {
+    use sliders_given::{Parameters, SlidersGiven, describe};
+    let mut sliders = SlidersGiven::assemble(0.0).expect("as drawn");
+    for rod in [-1.4, 0.0, -0.0, f64::MIN] {
+        let wrong = Parameters { rod };
+        let failure = sliders.set_parameters(&wrong).expect_err("not positive");
+        assert_eq!(failure.kind, FailureKind::NotPositive { value: rod });
+        let words = format!(
+            "relative_distance (1.P, 2.Q): the distance must be positive, and would be {rod:.1e}"
+        );
+        assert_eq!(describe(&failure).to_string(), words);
+        assert_eq!(*sliders.parameters(), Parameters::default());
+        assert!(SlidersGiven::assemble_for(&wrong, 0.0).is_err());
+    }
+    let frame = sliders.advance(0.5).expect("the rod reaches");
+    let x = 0.6 + 0.5_f64.sin() / 5.0;
+    assert!((frame.q.y2 - (1.0 - x * x).sqrt()).abs() < 1e-14);
 }
 
 mod platform_given {
@@ -310,7 +335,7 @@ mod crane {
 fn a_crane_is_lengthened_and_lifted() -> Result<(), linkwright::Failure> {
     use crane::{Crane, Inputs, Parameters};
     let mut crane = Crane::assemble(0.0, &Inputs::default())?;
-    crane.set_parameters(&Parameters { l2: 0.36 });
+    crane.set_parameters(&Parameters { l2: 0.36 })?;
     let lift = Signal {
         value: 0.6,
         rate: 0.02,

@@ -6,6 +6,10 @@ use linkwright_tests::hunt::mechanism;
 use linkwright_tests::hunt::run::{LARGEST, interpret, prepare};
 use linkwright_tests::hunt::tally::Tally;
 
+use linkwright_tests::hunt::paths::families::FAMILIES;
+use linkwright_tests::hunt::paths::run;
+use linkwright_tests::hunt::paths::tally;
+
 /// Another seed than that of the report.
 const SEED: u64 = 5;
 
@@ -40,4 +44,32 @@ fn mechanisms_of_every_kind_are_constructed() {
     let text = |number| mechanism(SEED, number, LARGEST).text();
     assert_eq!(text(3), text(3));
     assert_ne!(text(3), text(4));
+}
+
+#[test]
+fn no_frame_is_off_the_path() {
+    let mut tally = tally::Tally::default();
+    for family in 0..FAMILIES.len() {
+        for number in 0..2 {
+            if let Some(hunted) = run::prepare(family, SEED, number, 0.05, &mut tally) {
+                hunted.interpret(&mut tally);
+            }
+        }
+    }
+    assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
+    // Otherwise nothing would have been looked at.
+    let total = tally.total();
+    assert!(total.correct > 1000 && total.ended > 10, "{total:?}");
+    assert!(
+        tally.courses.values().filter(|it| it[1] > 0).count() == FAMILIES.len(),
+        "{:?}",
+        tally.courses
+    );
+    assert!(
+        tally.courses.values().any(|it| it[2] > 0) && tally.courses.values().any(|it| it[3] > 0)
+    );
+    assert!(
+        total.refused * 5 < total.correct && total.unjudged * 5 < total.correct,
+        "{total:?}"
+    );
 }

@@ -1,12 +1,14 @@
 //! The two interpreters agree: textbook and solved view of every description, along its motion, in pose, velocity and
 //! acceleration. The first iterates on all rows, the second takes block after block by the statements of the generated code.
 
-use linkwright::{Settings, assemble, branch_of, follow};
-use linkwright_cli::interpreter::Interpreter;
-use linkwright_cli::solved_interpreter::SolvedInterpreter;
+use linkwright::{Settings, Shell, assemble, branch_of, follow};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::system::System;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::textbook::TextbookEquations;
+use linkwright_solver::view::View;
 use linkwright_tests::description;
+use linkwright_tests::values::assembled_from;
 
 /// How far a motion is followed (s), and in how many frames.
 const END: f64 = 0.5;
@@ -17,31 +19,38 @@ const LIMIT: f64 = 1e-13;
 
 /// The largest difference of q, q̇ and q̈, in the size of the largest value of each level (or 1).
 fn difference(system: &System) -> Option<[f64; 3]> {
-    let textbook = Interpreter::new(system);
-    let solved = SolvedInterpreter::new(system)?;
+    let textbook = TextbookEquations::new(system);
+    let solved = Interpreted::new(system)?;
+    let laws = solved.input_laws();
     let settings = Settings::default();
-    let mut values = solved.begin(0.0);
-    let signs = solved.drawn_signs();
+    let mut shell: Option<Shell<Interpreted>> = None;
     let mut last = None;
     let mut worst = [0.0_f64; 3];
     for step in 0..=FRAMES {
         let t = END * f64::from(step) / f64::from(FRAMES);
-        let found = solved.solve(t, &signs, &mut values);
-        let frame = match &last {
-            // A poor drawing may be nearer to another assembly than to the one with its modes.
-            None => assemble(&textbook, &solved.pose(&values), t, &settings),
-            Some((frame, branch)) => follow(&textbook, frame, *branch, t, &settings),
+        let found = match &mut shell {
+            None => assembled_from(solved.clone(), &[], t, settings).map(|assembled| {
+                let instant = assembled.frame().clone();
+                shell = Some(assembled);
+                instant
+            }),
+            Some(shell) => shell.advance(t, &laws.at(t)).cloned(),
         };
-        let frame = match (frame, found) {
-            (Ok(frame), Ok(())) => frame,
+        let frame = match (&last, &found) {
+            (Some((frame, branch)), _) => follow(&textbook, frame, *branch, t, &settings),
+            // A poor drawing may be nearer to another assembly than to the one with its modes.
+            (None, Ok(instant)) => assemble(&textbook, &instant.frame().q, t, &settings),
+            (None, Err(_)) => return None,
+        };
+        let (frame, found) = match (frame, found) {
+            (Ok(frame), Ok(found)) => (frame, found.frame()),
             // Where a motion ends it ends in both views.
             (Err(_), Err(_)) => break,
             (one, other) => panic!("t = {t}: textbook {one:?}, solved {other:?}"),
         };
-        let levels = solved.levels(&values);
         for (level, (one, other)) in [&frame.q, &frame.qd, &frame.qdd]
             .into_iter()
-            .zip(&levels)
+            .zip([&found.q, &found.qd, &found.qdd])
             .enumerate()
         {
             let size = one.amax().max(1.0);
@@ -76,15 +85,21 @@ fn a_motion_that_ends_leaves_the_last_pose() {
     assert_ne!(text, longer);
     let source = Source::new("platform.mech", longer);
     let read = linkwright_codegen::read(&source).expect("a description");
-    let solved = SolvedInterpreter::new(&read.only().expect("one motion")).expect("a plan");
-    let signs = solved.drawn_signs();
-    let mut values = solved.begin(0.0);
-    solved.solve(0.0, &signs, &mut values).expect("as drawn");
-    let (before, t) = (solved.levels(&values), values.t);
-    let failure = solved.solve(1.5, &signs, &mut values);
+    let solved = Interpreted::new(&read.only().expect("one motion")).expect("a plan");
+    let laws = solved.input_laws();
+    let mut shell = assembled_from(solved, &[], 0.0, Settings::default()).expect("as drawn");
+    let before = shell.frame().clone();
+    let failure = shell.advance(1.5, &laws.at(1.5));
     assert!(failure.is_err_and(|failure| failure.block == 1 && failure.time > 0.5));
-    assert_eq!((solved.levels(&values), values.t), (before, t));
-    solved
-        .solve(0.1, &signs, &mut values)
-        .expect("a short step");
+    assert_eq!(*shell.frame(), before);
+    shell.advance(0.1, &laws.at(0.1)).expect("a short step");
+}
+
+/// A page or a server solves where its interface does not wait.
+#[test]
+fn an_interpreted_mechanism_may_be_moved_to_another_thread() {
+    let system = description::system("four_bar");
+    let mechanism = Interpreted::new(&system).expect("blocks");
+    let count = std::thread::spawn(move || mechanism.plan().blocks.len());
+    assert!(count.join().expect("no panic") > 0);
 }

@@ -91,13 +91,13 @@ fn an_excavator_that_reaches_keeps_its_modes() {
     assert_eq!(refused, 0);
 }
 
-/// The mode of a Newton block is found at assembly and kept; the other one is another pose.
+/// The mode of a Newton block is that of the drawing and kept; the other one is another pose.
 macro_rules! keeps_mode {
     ($module:ident::$mechanism:ident, $block:ident) => {{
         use $module::{Branches, $mechanism};
-        assert_eq!(Branches::DRAWN.$block, None);
         let drawn = $mechanism::assemble(0.0).expect("as drawn");
         let branch = drawn.branches().$block.expect("found at assembly");
+        assert_eq!(Branches::DRAWN.$block, Some(branch));
         let other = Branches {
             $block: Some(branch.opposite()),
         };
@@ -253,7 +253,9 @@ fn other_parameters_make_the_last_frame_an_estimate() {
         reach: 0.7,
         p_x: -0.09,
     };
-    mechanism.set_parameters(&parameters);
+    mechanism
+        .set_parameters(&parameters)
+        .expect("positive lengths");
     let found = *mechanism
         .advance(0.0, &platform_signals(0.8))
         .expect("another platform");

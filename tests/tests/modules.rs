@@ -15,7 +15,7 @@ fn every_description_has_a_module_with_its_points() {
             .iter()
             .map(|output| output.name.as_str())
             .collect();
-        assert_eq!(points, module.points, "{}", module.name);
+        assert_eq!(points, (module.points)(), "{}", module.name);
     }
 }
 

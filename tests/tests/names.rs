@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::{generate, read};
+use linkwright_tests::files;
 
 /// The names that the `let` statement on a line binds: one, or those of a tuple.
 fn bound(line: &str) -> Vec<&str> {
@@ -14,6 +15,10 @@ fn bound(line: &str) -> Vec<&str> {
     else {
         return Vec::new();
     };
+    // A structure is taken apart under the names of its fields.
+    if pattern.starts_with('&') {
+        return Vec::new();
+    }
     let names = pattern.trim_matches(['(', ')']).split(", ");
     names.map(|name| name.trim_start_matches("mut ")).collect()
 }
@@ -114,4 +119,77 @@ fn points_whose_names_meet() {
     let names: BTreeSet<&str> = arms.iter().map(|arm| arm.name.as_str()).collect();
     assert_eq!(names.len(), arms.len(), "{names:?}");
     assert!(names.contains("point_sin_phi"), "{names:?}");
+}
+
+/// The types and traits that every generated module imports, as they are written in the runtime.
+fn imported() -> BTreeSet<String> {
+    let path = files::repository().join("runtime/src/generated/mod.rs");
+    let text = std::fs::read_to_string(path).expect("the runtime's names");
+    let items = text
+        .split(';')
+        .filter(|item| item.contains("pub use") || item.contains("pub type"));
+    let names = items.flat_map(|item| {
+        let aliased = item.split_once("pub type ").map(|(_, rest)| rest);
+        match aliased.and_then(|rest| rest.split(['<', ' ']).next()) {
+            Some(name) => vec![name.to_string()],
+            None => {
+                let words = item.split(|it: char| !it.is_alphanumeric() && it != '_');
+                words.map(str::to_string).collect()
+            }
+        }
+    });
+    names
+        .filter(|name| name.starts_with(|first: char| first.is_ascii_uppercase()))
+        .collect()
+}
+
+/// A type of its own would hide the one that the module is written with.
+#[test]
+fn no_mechanism_is_named_like_what_its_module_uses() {
+    let mut names = imported();
+    assert!(names.len() > 15, "{names:?}");
+    let own = [
+        "Branches",
+        "Coordinates",
+        "Default",
+        "Frame",
+        "Inputs",
+        "None",
+        "Option",
+        "Parameters",
+        "Some",
+        "Textbook",
+    ];
+    names.extend(own.map(str::to_string));
+    let description = |name: &str| {
+        format!(
+            "mechanism {name} {{
+                param r = 0.1; input s = 1;
+                point O = (0, 0);
+                body c at (0, 0) {{ O, P: (r, 0) }}
+                revolute O(ground, c);
+                drive phi(c) = s;
+            }}"
+        )
+    };
+    let given = Source::new("crank.mech", description("crank"));
+    assert!(generate(&given).is_ok(), "only the name is wrong below");
+    for name in names {
+        let mut written = String::new();
+        for letter in name.chars() {
+            if letter.is_ascii_uppercase() && !written.is_empty() {
+                written.push('_');
+            }
+            written.push(letter.to_ascii_lowercase());
+        }
+        let source = Source::new("named.mech", description(&written));
+        let Err(found) = generate(&source) else {
+            panic!("a mechanism may be named `{written}`");
+        };
+        let text = found.render(&source);
+        assert!(
+            text.contains("error[K10]") && text.contains(&format!("`{name}`")),
+            "{text}"
+        );
+    }
 }

@@ -1,19 +1,7 @@
 //! The plans a person would follow, for every described mechanism.
 
-use linkwright_codegen::structure;
 use linkwright_tests::description;
-
-/// The steps that are more than explicit, in solve order.
-fn steps(name: &str) -> Vec<String> {
-    let mut system = description::system(name);
-    let plan = structure::plan(&mut system);
-    let plan = plan.unwrap_or_else(|| panic!("`{name}` has no plan"));
-    plan.blocks
-        .iter()
-        .flat_map(|block| &block.steps)
-        .map(|step| step.name())
-        .collect()
-}
+use linkwright_tests::plan::form_names;
 
 /// Blocks and their kinds. The slider of the slider-crank moves along a fixed axis, so its rod has an equation of its own. How
 /// the bodies' frames were chosen makes no difference: the excavator is described twice.
@@ -46,7 +34,7 @@ fn every_mechanism_is_solved_as_a_person_would() {
     assert_eq!(names, description::whole());
     let mut wrong = Vec::new();
     for (name, wanted) in plans {
-        let found = steps(name);
+        let found = form_names(name);
         if found != wanted {
             wrong.push(format!("{name}: {found:?} instead of {wanted:?}"));
         }

@@ -1,4 +1,4 @@
-//! The order of the generator's rooms: a room imports only rooms named before it.
+//! The order of the generator's rooms, and of the packages: each imports only what is named before it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 12] = [
+const ORDER: [&str; 15] = [
     "diagnostic",
     "syntax",
     "consequences",
@@ -15,10 +15,25 @@ const ORDER: [&str; 12] = [
     "model",
     "system",
     "structure",
+    "words",
     "program",
+    "finiteness",
     "emit",
+    "files",
     "cargo",
     "lib",
+];
+
+/// The folders of the packages that are published, each with those of ours that it is built from.
+const PACKAGES: [(&str, &[&str]); 5] = [
+    ("runtime", &[]),
+    ("codegen", &[]),
+    ("codegen/solver", &["linkwright", "linkwright-codegen"]),
+    (
+        "codegen/cli",
+        &["linkwright", "linkwright-codegen", "linkwright-solver"],
+    ),
+    ("mechanisms", &["linkwright", "linkwright-codegen"]),
 ];
 
 fn rank(room: &str) -> Option<usize> {
@@ -36,16 +51,21 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The names after `crate::` in a line: one, or several in braces. What is exported by `lib.rs` itself counts as `lib`.
-fn imported(line: &str) -> Vec<String> {
-    let code = line.split("//").next().unwrap_or(line);
+/// The names after `crate::`: one, or several in braces, which may stand on several lines. What is exported by `lib.rs` itself
+/// counts as `lib`.
+fn imported(text: &str) -> Vec<String> {
+    let code: String = text
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or(line).to_string() + "\n")
+        .collect();
     let mut names = Vec::new();
     for (at, path) in code.match_indices("crate::") {
         let rest = &code[at + path.len()..];
-        let listed = rest
-            .strip_prefix('{')
-            .map(|list| list.split('}').next().unwrap_or(list));
-        for item in listed.unwrap_or(rest).split(',') {
+        let items = match rest.strip_prefix('{') {
+            Some(list) => items(list),
+            None => vec![rest],
+        };
+        for item in items {
             let name: String = item
                 .trim()
                 .chars()
@@ -58,12 +78,30 @@ fn imported(line: &str) -> Vec<String> {
                     "lib".to_string()
                 });
             }
-            if listed.is_none() {
-                break;
-            }
         }
     }
     names
+}
+
+/// The parts of a list up to its closing brace, whatever lists they hold themselves.
+fn items(list: &str) -> Vec<&str> {
+    let (mut depth, mut start, mut found) = (0, 0, Vec::new());
+    for (at, it) in list.char_indices() {
+        match it {
+            '{' => depth += 1,
+            '}' if depth > 0 => depth -= 1,
+            '}' => {
+                found.push(&list[start..at]);
+                break;
+            }
+            ',' if depth == 0 => {
+                found.push(&list[start..at]);
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    found
 }
 
 /// What `text` of the room `room` imports against the order.
@@ -72,10 +110,26 @@ fn violations(room: &str, text: &str) -> Vec<String> {
     // The build script's front end calls `generate`: the only one that looks up to `lib.rs`.
     let allowed =
         |name: &str| rank(name) < Some(own) || name == room || (room == "cargo" && name == "lib");
-    text.lines()
-        .flat_map(imported)
+    imported(text)
+        .into_iter()
         .filter(|name| !allowed(name))
         .collect()
+}
+
+/// The packages of ours in the tables of a manifest whose dependencies a user builds.
+fn dependencies(manifest: &str) -> Vec<String> {
+    let mut counts = false;
+    let mut found = Vec::new();
+    for line in manifest.lines() {
+        if let Some(table) = line.strip_prefix('[') {
+            counts = table.starts_with("dependencies") || table.starts_with("build-dependencies");
+        } else if counts && line.starts_with("linkwright") {
+            let name = line.split(['.', ' ', '=']).next().unwrap_or(line);
+            found.push(name.to_string());
+        }
+    }
+    found.sort();
+    found
 }
 
 #[test]
@@ -106,10 +160,26 @@ fn a_room_imports_only_rooms_named_before_it() {
 }
 
 #[test]
+fn a_package_is_built_only_from_those_below_it() {
+    for (folder, expected) in PACKAGES {
+        let manifest = files::repository().join(folder).join("Cargo.toml");
+        let text = fs::read_to_string(&manifest).expect("a manifest");
+        assert_eq!(dependencies(&text), expected, "{folder}");
+    }
+}
+
+#[test]
 fn an_import_against_the_order_is_found() {
     assert_eq!(
         violations("expr", "use crate::{diagnostic::Span, model};"),
         ["model"]
+    );
+    assert_eq!(
+        violations(
+            "words",
+            "use crate::{\n    expr::{Graph, ExprId},\n    program::{self, forms},\n    emit,\n};"
+        ),
+        ["program", "emit"]
     );
     assert_eq!(
         violations("syntax", "    let it = crate::emit::text::formula();"),

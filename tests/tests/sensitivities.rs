@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
-use linkwright::FailureKind;
 use linkwright::nalgebra::DVector;
-use linkwright_cli::interpreter::Interpreter;
+use linkwright::{Blocks, FailureKind, Mechanism, Settings, Shell, Values};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::system::System;
+use linkwright_solver::textbook::TextbookEquations;
+use linkwright_tests::values::{filled, levels, numbers};
 
 /// The derivatives along one parameter: position and velocity of all coordinates, then of all points.
 pub type Derivatives = [Vec<f64>; 2];
@@ -30,53 +31,66 @@ pub struct Sensing {
     sample: fn(&[f64], &[f64]) -> Vec<Instant>,
 }
 
-macro_rules! sensed {
-    ($mechanism:ident, [$($field:ident),+], [$($point:ident),*],
-     [$(($sensitivity:ident, [$($point_sensitivity:ident),*])),+]) => {
-        pub fn nominal() -> Vec<f64> {
-            let nominal = Parameters::default();
-            vec![$(nominal.$field),+]
-        }
+type Frame<M> = <<M as Mechanism>::Blocks as Blocks>::Frame;
 
-        pub fn sample(parameters: &[f64], times: &[f64]) -> Vec<crate::Instant> {
-            let mut values = parameters.iter().copied();
-            let parameters = Parameters { $($field: values.next().expect("a value for each")),+ };
-            let mut mechanism =
-                $mechanism::assemble_for(&parameters, times[0]).expect("the drawing assembles");
-            let each = |&t: &f64| {
-                let frame = mechanism.advance(t).expect("the motion can be followed");
-                let mut position = frame.q.to_array().to_vec();
-                let mut velocity = frame.qd.to_array().to_vec();
-                $(
-                    position.extend(frame.$point().position);
-                    velocity.extend(frame.$point().velocity);
-                )*
-                let mut sensitivities = Vec::new();
-                $({
-                    let Sensitivity { position, velocity } = frame.$sensitivity();
-                    let mut derivatives =
-                        [position, velocity].map(|it| it.to_array().to_vec());
-                    $({
-                        let PointSensitivity { position, velocity } = frame.$point_sensitivity();
-                        derivatives[0].extend(position);
-                        derivatives[1].extend(velocity);
-                    })*
-                    sensitivities.push(derivatives);
-                })+
-                crate::Instant {
-                    t,
-                    values: [position, velocity],
-                    acceleration: frame.qdd.to_array().to_vec(),
-                    sensitivities,
-                }
-            };
-            times.iter().map(each).collect()
+fn nominal<M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>>() -> Vec<f64> {
+    numbers(&M::Blocks::default().nominal_parameters())
+}
+
+/// The derivatives of all coordinates with their rates, then of points with their velocities.
+fn all<C: Values<f64>>(coordinates: [C; 2], points: &[[[f64; 2]; 2]]) -> Derivatives {
+    let mut derivatives = coordinates.map(|it| numbers(&it));
+    for point in points {
+        for (level, values) in derivatives.iter_mut().zip(point) {
+            level.extend(values);
+        }
+    }
+    derivatives
+}
+
+/// The frames of a mechanism at these times, with what its frames say of each parameter.
+fn sample<M>(
+    parameters: &[f64],
+    times: &[f64],
+    derivatives: &[fn(&Frame<M>) -> Derivatives],
+) -> Vec<Instant>
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+{
+    let blocks = M::Blocks::default();
+    let inputs = blocks.initial_inputs();
+    let parameters = filled(blocks.nominal_parameters(), parameters);
+    let assembled = Shell::assemble(
+        M::Blocks::default(),
+        &parameters,
+        &blocks.drawn_pose(&parameters),
+        blocks.drawn_branches(),
+        times[0],
+        &inputs,
+        Settings::default(),
+    );
+    let mut shell = assembled.expect("the drawing assembles");
+    let each = |&t: &f64| {
+        let frame = shell
+            .advance(t, &inputs)
+            .expect("the motion can be followed");
+        let [mut position, mut velocity, acceleration] = levels(&blocks, frame);
+        for motion in (0..).map_while(|place| blocks.point(frame, place)) {
+            position.extend(motion.position);
+            velocity.extend(motion.velocity);
+        }
+        Instant {
+            t,
+            values: [position, velocity],
+            acceleration,
+            sensitivities: derivatives.iter().map(|of| of(frame)).collect(),
         }
     };
+    times.iter().map(each).collect()
 }
 
 mod generated {
-    use super::Sensing;
+    use super::{Sensing, all, nominal, sample};
     include!(concat!(env!("OUT_DIR"), "/sensing.rs"));
 }
 use generated::ALL;
@@ -207,7 +221,7 @@ fn what_differences_leave_is_their_truncation() {
 fn the_textbook_view_depends_on_parameters_alike() {
     for mechanism in ALL {
         let system = mechanism.system();
-        let interpreter = Interpreter::new(&system);
+        let interpreter = TextbookEquations::new(&system);
         let count = system.coordinates.len();
         let mut largest = 0.0_f64;
         for instant in (mechanism.sample)(&(mechanism.nominal)(), &times()) {

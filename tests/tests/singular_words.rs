@@ -1,52 +1,46 @@
 //! What is said of singular poses against the points that it names: a sentence is true where the determinant is zero, and only
 //! there, if what it measures is the determinant at every pose.
 
-use linkwright_cli::solved_interpreter::{SolvedInterpreter, Values};
-use linkwright_codegen::emit::{Notation, derivation};
-use linkwright_codegen::expr::{ExprId, Tape};
-use linkwright_codegen::structure::determinant;
-use linkwright_codegen::system::System;
+use linkwright::{Blocks, Settings, Shell};
+use linkwright_codegen::expr::ExprId;
+use linkwright_solver::instant::Instant;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::reader::Reader;
+use linkwright_solver::view::View;
 use linkwright_tests::description;
 use linkwright_tests::random::Random;
 
 /// Where the points of a mechanism are at one pose.
 struct Points<'a> {
-    system: &'a System,
-    values: &'a Values,
+    solved: &'a Interpreted,
+    instant: &'a Instant,
 }
 
 impl Points<'_> {
     fn value(&self, expr: ExprId) -> f64 {
-        let mut result = [0.0];
-        let mut system = self.system.clone();
-        let form = &self.system.vector_form;
-        let written = form.written_out(expr, &mut system.mechanism.graph);
-        Tape::new(&system.mechanism.graph, &[written]).evaluate(
-            &self.values.symbols,
-            &mut Vec::new(),
-            &mut result,
-        );
-        result[0]
+        let mut graph = self.solved.system().mechanism.graph.clone();
+        let form = &self.solved.system().vector_form;
+        let written = form.written_out(expr, &mut graph);
+        Reader::new(&graph, self.solved.layout(), &[written]).values(self.instant)[0]
     }
 
     /// Every place where a point of this name is: bodies may carry different ones.
     fn places(&self, name: &str) -> Vec<[f64; 2]> {
+        let system = self.solved.system();
         if let Some(body) = name.strip_prefix("the origin of body ") {
-            let bodies = &self.system.mechanism.bodies;
+            let bodies = &system.mechanism.bodies;
             let place = bodies
                 .iter()
                 .position(|it| it.name == body)
                 .expect("a body");
-            let unknowns = &self.system.vector_form.unknowns[3 * place - 3..3 * place - 1];
-            return vec![[0, 1].map(|axis| self.values.symbols[unknowns[axis].position.index()])];
+            let q = self.instant.q();
+            return vec![[q[3 * place - 3], q[3 * place - 2]]];
         }
-        let points = self.system.mechanism.points.iter();
-        let named = points
-            .zip(&self.system.vector_form.points)
-            .filter(|(point, _)| {
-                let body = &self.system.mechanism.bodies[point.mark.frame.body.0];
-                point.name == name || point.name == format!("{name}_{}", body.name)
-            });
+        let points = system.mechanism.points.iter();
+        let named = points.zip(&system.vector_form.points).filter(|(point, _)| {
+            let body = &system.mechanism.bodies[point.mark.frame.body.0];
+            point.name == name || point.name == format!("{name}_{}", body.name)
+        });
         named
             .map(|(_, place)| place.map(|part| self.value(part)))
             .collect()
@@ -114,36 +108,40 @@ impl Points<'_> {
 fn what_is_said_to_vanish_is_the_determinant() {
     let (mut checked, mut silent) = (0, Vec::new());
     for name in description::whole().into_iter().chain(description::small()) {
-        let system = description::system(&name);
-        let solved = SolvedInterpreter::new(&system).expect("a plan");
-        let poses = derivation::singular_poses(&solved.system, &solved.plan, Notation::Ascii);
-        for pose in poses {
-            let Some(sentence) = pose.meaning else {
+        let solved = Interpreted::new(&description::system(&name)).expect("a plan");
+        let laws = solved.input_laws();
+        for pose in solved.singular_poses() {
+            let Some(sentence) = &pose.meaning else {
                 continue;
             };
-            let step = &solved.plan.blocks[pose.block].steps[pose.step];
-            let mut graph = solved.system.mechanism.graph.clone();
-            let found = determinant(step, &solved.system.vector_form, &mut graph);
+            let part = &solved.program().forms[pose.block][pose.part];
+            let mut graph = solved.system().mechanism.graph.clone();
+            let found = part.determinant(&solved.system().vector_form, &mut graph);
             let Some(value) = found.value else { continue };
-            let tape = Tape::new(&graph, &[value]);
+            let determinant = Reader::new(&graph, solved.layout(), &[value]);
             let mut random = Random::new(11);
             let mut seen = 0;
             for _ in 0..20 {
                 let t = random.between(0.0, 2.0);
-                let mut values = solved.begin(t);
-                if solved.solve(t, &solved.drawn_signs(), &mut values).is_err() {
-                    continue;
-                }
+                let parameters = solved.nominal_parameters();
+                let assembled = Shell::assemble(
+                    solved.clone(),
+                    &parameters,
+                    &solved.drawn_pose(&parameters),
+                    solved.drawn_branches(),
+                    t,
+                    &laws.at(t),
+                    Settings::default(),
+                );
+                let Ok(shell) = assembled else { continue };
                 let points = Points {
-                    system: &solved.system,
-                    values: &values,
+                    solved: &solved,
+                    instant: shell.frame(),
                 };
-                let Some(said) = points.measures(&sentence) else {
+                let Some(said) = points.measures(sentence) else {
                     continue;
                 };
-                let mut result = [0.0];
-                tape.evaluate(&values.symbols, &mut Vec::new(), &mut result);
-                let wanted = result[0].abs();
+                let wanted = determinant.values(shell.frame())[0].abs();
                 let is_said = said
                     .iter()
                     .any(|it| (it.abs() - wanted).abs() < 1e-9 * (1.0 + wanted));

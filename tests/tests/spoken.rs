@@ -28,19 +28,19 @@ fn spoken() -> String {
     for name in names {
         for mut system in description::motions(&name) {
             let plan = structure::plan(&mut system).expect("a plan");
-            let mut constants = program::Constants::default();
-            let solved = program::solved::lower(&mut system, &plan, &mut constants);
-            let poses = derivation::singular_poses(&system, &solved.plan, Notation::Ascii);
+            let lowered = program::lower(&mut system, &plan);
+            let poses = derivation::singular_poses(&system, &plan, &lowered.forms, Notation::Ascii);
+            let words = derivation::block_words(&lowered.blocks, &system, &plan, &poses);
             let is_read = described.contains(&name) || read.contains(&name.as_str());
             let mut own_text = format!("{}\n", system.mechanism.title());
-            for block in &solved.blocks {
+            for (block, words) in lowered.blocks.iter().zip(&words) {
                 let own = poses.iter().filter(|pose| Some(pose.block) == block.place);
                 for said in own.filter_map(|pose| pose.said.as_ref()) {
                     // Names of unknowns are those of the generated code, and none for a person.
                     for unknown in ["psi_", "phi_", "length_", "offset_", " s_"] {
                         assert!(!said.contains(unknown), "{name}: {said}");
                     }
-                    own_text.push_str(&format!("  {}: {said}\n", block.spoken));
+                    own_text.push_str(&format!("  {}: {said}\n", words.name));
                 }
             }
             if is_read {

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use linkwright_tests::method::{STUDIED, methods};
+use linkwright_tests::method::{methods, studied};
 use linkwright_tests::study::measurement::{Effort, Measurement, measure};
 use linkwright_tests::study::{chart, table};
 
@@ -23,7 +23,7 @@ fn found<'a>(measurements: &'a [Measurement], name: &str) -> &'a Measurement {
 /// The errors do not depend on how long is measured; times are not judged here.
 #[test]
 fn polishing_reaches_rounding_and_a_coarse_tolerance_does_not() {
-    for name in STUDIED {
+    for name in studied() {
         let measurements = measured(name);
         for it in &measurements {
             assert!(it.time > 0.0 && it.range[0] <= it.time && it.time <= it.range[1]);
@@ -45,7 +45,7 @@ fn polishing_reaches_rounding_and_a_coarse_tolerance_does_not() {
 
 #[test]
 fn every_mechanism_is_compared_with_the_baseline_first() {
-    for name in STUDIED {
+    for name in studied() {
         let methods = methods(name);
         assert!(methods[0].name().ends_with("(baseline)"), "{name}");
         let mut names: Vec<String> = methods

@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
-use linkwright::FailureKind;
 use linkwright::nalgebra::{DMatrix, DVector};
-use linkwright_cli::interpreter::Interpreter;
+use linkwright::{Blocks, FailureKind, Mechanism};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::expr::{ExprId, Tape};
 use linkwright_codegen::model::Role;
 use linkwright_codegen::system::System;
+use linkwright_solver::textbook::TextbookEquations;
+use linkwright_tests::values::{Levels, assembled, levels, point_names};
 
 /// One transmission of one frame.
 pub struct Sample {
@@ -30,11 +31,8 @@ pub struct Instant {
     samples: Vec<Sample>,
 }
 
-/// q, q̇ and q̈ of one frame.
-type Original = [Vec<f64>; 3];
-
 /// The frames at these times.
-type Follow = fn(&[f64]) -> Vec<Original>;
+type Follow = fn(&[f64]) -> Vec<Levels>;
 
 /// A mechanism of which every point and every angle is asked for.
 pub struct Transmitting {
@@ -45,67 +43,77 @@ pub struct Transmitting {
     original: Option<Follow>,
 }
 
-macro_rules! point_sample {
-    ($frame:ident, $load:ident, $name:literal, $point:ident, $transmission:ident, $forces:ident) => {
-        crate::Sample {
-            name: $name,
-            velocity: $frame.$point().velocity.to_vec(),
-            transmission: crate::dynamic($frame.$transmission()),
-            forces: crate::vector($frame.$forces($load)),
-        }
-    };
+type Frame<M> = <<M as Mechanism>::Blocks as Blocks>::Frame;
+
+/// What is asked of a point or of a coordinate.
+pub struct Quantity<F> {
+    name: &'static str,
+    transmission: fn(&F) -> DMatrix<f64>,
+    forces: fn(&F, [f64; 2]) -> DVector<f64>,
 }
 
-macro_rules! angle_sample {
-    ($frame:ident, $load:ident, $name:literal, $angle:ident, $transmission:ident, $forces:ident) => {
-        crate::Sample {
-            name: $name,
-            velocity: vec![$frame.qd.$angle],
-            transmission: crate::dynamic($frame.$transmission()),
-            forces: crate::vector($frame.$forces($load[0])),
-        }
-    };
-}
-
-macro_rules! sampled {
-    ($mechanism:ident, $frame:ident, $load:ident, [$($sample:ident!($($argument:tt)+)),+]) => {
-        pub fn sample(times: &[f64], $load: [f64; 2]) -> Vec<crate::Instant> {
-            let mut mechanism = $mechanism::assemble(times[0]).expect("the drawing assembles");
-            let mut instants = Vec::new();
-            for &t in times {
-                // One mechanism folds on the way; nothing is known of it afterwards.
-                let Ok($frame) = mechanism.advance(t) else {
-                    break;
-                };
-                instants.push(crate::Instant {
-                    t,
-                    q: $frame.q.to_array().to_vec(),
-                    qd: $frame.qd.to_array().to_vec(),
-                    qdd: $frame.qdd.to_array().to_vec(),
-                    samples: sampled!(@each $frame, $load, [$($sample!($($argument)+)),+]),
-                });
+/// The frames of a mechanism at these times.
+fn sample<M>(times: &[f64], load: [f64; 2], quantities: &[Quantity<Frame<M>>]) -> Vec<Instant>
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+{
+    let mut mechanism: M = assembled(times[0]).expect("the drawing assembles");
+    let shell = mechanism.shell_mut();
+    let inputs = shell.blocks().initial_inputs();
+    let blocks = M::Blocks::default();
+    let points = point_names(&blocks);
+    let mut instants = Vec::new();
+    for &t in times {
+        // One mechanism folds on the way; nothing is known of it afterwards.
+        let Ok(frame) = shell.advance(t, &inputs) else {
+            break;
+        };
+        let velocity = |name: &str| match points.iter().position(|it| *it == name) {
+            Some(place) => blocks
+                .point(frame, place)
+                .expect("a point")
+                .velocity
+                .to_vec(),
+            None => {
+                let mut places = 0..;
+                let named = places.find(|&place| blocks.coordinate_name(place) == Some(name));
+                let coordinate = named.and_then(|place| blocks.coordinate(frame, place));
+                vec![coordinate.expect("a coordinate")[1]]
             }
-            assert!(instants.len() > 40, "{} instants", instants.len());
-            instants
-        }
-    };
-    (@each $frame:ident, $load:ident, [$($sample:ident!($($argument:tt)+)),+]) => {
-        vec![$($sample!($frame, $load, $($argument)+)),+]
-    };
+        };
+        let samples = quantities.iter().map(|it| Sample {
+            name: it.name,
+            velocity: velocity(it.name),
+            transmission: (it.transmission)(frame),
+            forces: (it.forces)(frame, load),
+        });
+        let samples = samples.collect();
+        let [q, qd, qdd] = levels(&blocks, frame);
+        instants.push(Instant {
+            t,
+            q,
+            qd,
+            qdd,
+            samples,
+        });
+    }
+    assert!(instants.len() > 40, "{} instants", instants.len());
+    instants
 }
 
-macro_rules! original {
-    ($module:ident, $mechanism:ident) => {
-        |times: &[f64]| {
-            use linkwright_mechanisms::$module::$mechanism;
-            let mut mechanism = $mechanism::assemble(times[0]).expect("the drawing assembles");
-            let each = |&t: &f64| {
-                let frame = mechanism.advance(t).expect("the motion can be followed");
-                [frame.q, frame.qd, frame.qdd].map(|it| it.to_array().to_vec())
-            };
-            times.iter().map(each).collect()
-        }
+/// The frames of a mechanism without transmissions at these times.
+fn follow<M>(times: &[f64]) -> Vec<Levels>
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+{
+    let mut mechanism: M = assembled(times[0]).expect("the drawing assembles");
+    let shell = mechanism.shell_mut();
+    let (blocks, inputs) = (M::Blocks::default(), shell.blocks().initial_inputs());
+    let each = |&t: &f64| {
+        let frame = shell.advance(t, &inputs);
+        levels(&blocks, frame.expect("the motion can be followed"))
     };
+    times.iter().map(each).collect()
 }
 
 mod transmitted {
@@ -113,7 +121,7 @@ mod transmitted {
 }
 
 mod generated {
-    use super::Transmitting;
+    use super::{Quantity, Transmitting, dynamic, follow, sample, vector};
     include!(concat!(env!("OUT_DIR"), "/transmitting.rs"));
 }
 use generated::{ALL, folding, platform_3rpr};
@@ -255,7 +263,7 @@ fn a_transmission_does_not_change_the_motion() {
 fn the_textbook_view_transmits_the_same() {
     for mechanism in ALL {
         let system = mechanism.system();
-        let interpreter = Interpreter::new(&system);
+        let interpreter = TextbookEquations::new(&system);
         let mut largest = 0.0_f64;
         for instant in (mechanism.sample)(&times(), LOAD).iter().step_by(7) {
             let q = DVector::from_column_slice(&instant.q);

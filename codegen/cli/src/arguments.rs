@@ -46,7 +46,7 @@ pub enum Command {
 /// The mechanism is assembled at the start in the mode in which each of its loops is drawn, and advanced step by step, so that
 /// it stays in this mode. All quantities are in m, rad and s.
 ///
-/// It moves by the textbook view, in which all equations are one dense system.
+/// It runs the same blocks as a generated module, so that it takes the same path and fails with the same words.
 #[derive(Args, Debug)]
 #[command(after_help = SOLVE_EXAMPLES)]
 pub struct Solve {
@@ -82,13 +82,31 @@ pub struct Solve {
     /// The folder for one SVG per point [default: target/linkwright/NAME]
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
+    /// Replace files that are not what this command has written
+    #[arg(long)]
+    pub force: bool,
+    /// Write no files but those that are asked for
+    #[arg(long)]
+    pub no_files: bool,
     /// Print one JSON object instead of the summary; files are then written only on request
     #[arg(long)]
     pub json: bool,
+    /// Which equations are solved
+    #[arg(long, value_enum, default_value_t = Equations::Blocks, conflicts_with_all = ["branch", "monitor"])]
+    pub view: Equations,
     /// Add columns to the frames that say how close each block is to a singular pose, from 0, singular, to 1, and the smallest
     /// value to the summary; `linkwright check` locates it between frames
     #[arg(long, conflicts_with = "json")]
     pub monitor: bool,
+}
+
+/// Which equations are solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Equations {
+    /// Block by block, as a generated module does
+    Blocks,
+    /// All together as one dense system, by Newton-Raphson, from the drawing as it is
+    Textbook,
 }
 
 const SOLVE_EXAMPLES: &str = "\
@@ -99,9 +117,7 @@ Examples:
   linkwright solve lift.mech --set L2=360mm --set 'lift=0.5 + 0.1*sin(2*t)'
   linkwright solve mechanisms/two_body.mech --branch phi2=other     the mirror image of what is drawn
   linkwright solve mechanisms/two_body.mech --json | jq '.frames[-1].points.Q'
-
-This solves the textbook view: all equations together as one dense system, by Newton-Raphson, also those for which
-`linkwright plan` shows a closed form. Generated modules solve block by block.
+  linkwright solve mechanisms/excavator.mech --step 5e-6 --no-files a million frames, checked and not kept
 
 Exit codes: 0 solved, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.
 Frames before the end of a motion that ends early are printed and written all the same.";
@@ -141,6 +157,9 @@ pub struct Check {
     /// The folder for a picture of all assemblies, `assemblies.svg`
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
+    /// Replace files that are not what this command has written
+    #[arg(long)]
+    pub force: bool,
     /// Print one JSON object instead of text
     #[arg(long)]
     pub json: bool,
@@ -165,9 +184,12 @@ Exit codes: 0 written or unchanged, 1 `--check` found a difference, 2 bad input.
 pub struct Generate {
     /// The description, a `.mech` file
     pub file: PathBuf,
-    /// Where to write the module [default: stdout]
+    /// Where to write the module; `-` is stdout [default: stdout]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Replace a file that is not a generated module
+    #[arg(long, conflicts_with = "check")]
+    pub force: bool,
     /// Write nothing; exit with 1 if FILE is not what would be written
     #[arg(long, requires = "output")]
     pub check: bool,

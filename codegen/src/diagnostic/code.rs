@@ -60,11 +60,11 @@ codes! {
     DuplicateName = "K12";
     /// A call of a function the language does not have.
     UnknownFunction = "K13";
-    /// A point used on a body that does not carry it.
+    /// A point used on a body that does not carry it, or without its body.
     PointNotOnBody = "K14";
     /// A call with too few or too many arguments.
     WrongArgumentCount = "K15";
-    /// A joint between a body and itself.
+    /// A joint between a body and itself, or on the ground alone.
     JointOnOneBody = "K16";
     /// A name that is declared and never used.
     UnusedName = "K17";
@@ -84,7 +84,7 @@ codes! {
     NotIncreasing = "K27";
     /// Pieces of a motion that do not join.
     PiecesApart = "K28";
-    /// A table whose file cannot be read.
+    /// A table whose file cannot be read, or lies in another folder.
     UnreadableTable = "K29";
     /// A statement with the wrong operands, a missing or a superfluous `along`, or a missing or superfluous value.
     WrongForm = "K30";
@@ -100,6 +100,8 @@ codes! {
     NotRedundant = "K35";
     /// Equations that repeat one another but do not agree, so that there is no pose.
     ContradictingEquations = "K36";
+    /// Formulas or equations that take more work than one description may cause.
+    TooMuchWork = "K37";
 }
 
 impl fmt::Display for Code {

@@ -17,7 +17,7 @@ pub use code::Code;
 pub use merge::merged;
 pub use sink::Diagnostics;
 pub use source::{Attachment, Position, Source, Span};
-pub use suggestion::nearest;
+pub use suggestion::{Suggestions, nearest};
 
 /// How serious a finding is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -111,6 +111,12 @@ impl Diagnostic {
     /// Adds a line that says what to do.
     pub fn help(mut self, text: impl Into<String>) -> Self {
         self.help.push(text.into());
+        self
+    }
+
+    /// Says what to do in place of what was said about it.
+    pub fn instead(mut self, text: impl Into<String>) -> Self {
+        self.help = vec![text.into()];
         self
     }
 

@@ -7,17 +7,47 @@ use super::{Diagnostic, Severity, Source, render};
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Diagnostics {
     found: Vec<Diagnostic>,
+    errors: usize,
 }
 
 impl Diagnostics {
+    /// So many errors are kept, and as many warnings: nobody reads more, and a large file of rubbish would produce millions.
+    pub const MOST: usize = 100;
+
     /// An empty sink.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds one finding.
+    /// Adds one finding; beyond [`Diagnostics::MOST`] of its severity it is left out.
     pub fn push(&mut self, diagnostic: Diagnostic) {
-        self.found.push(diagnostic);
+        let is_error = diagnostic.severity == Severity::Error;
+        let others = if is_error {
+            self.errors
+        } else {
+            self.found.len() - self.errors
+        };
+        if others < Diagnostics::MOST {
+            self.errors += usize::from(is_error);
+            self.found.push(diagnostic);
+        }
+    }
+
+    /// Whether so many errors were found that going on is pointless.
+    pub fn is_full(&self) -> bool {
+        self.errors >= Diagnostics::MOST
+    }
+
+    /// The findings as they are now, to come back to.
+    pub fn mark(&self) -> usize {
+        self.found.len()
+    }
+
+    /// Forgets what was found after a mark.
+    pub fn forget_after(&mut self, mark: usize) {
+        self.found.truncate(mark);
+        let is_error = |it: &&Diagnostic| it.severity == Severity::Error;
+        self.errors = self.found.iter().filter(is_error).count();
     }
 
     /// Whether nothing was found, not even a warning.
@@ -27,9 +57,7 @@ impl Diagnostics {
 
     /// Whether the pipeline must stop at the border of this stage.
     pub fn has_errors(&self) -> bool {
-        self.found
-            .iter()
-            .any(|diagnostic| diagnostic.severity == Severity::Error)
+        self.errors > 0
     }
 
     /// The findings in the order in which they were made.
@@ -68,6 +96,10 @@ impl Diagnostics {
                 text.pop();
             }
             1 => text.push_str(&format!("error: 1 error in {}\n", lines.name())),
+            Diagnostics::MOST.. => text.push_str(&format!(
+                "error: at least {errors} errors in {}\n",
+                lines.name()
+            )),
             _ => text.push_str(&format!("error: {errors} errors in {}\n", lines.name())),
         }
         text
@@ -76,7 +108,7 @@ impl Diagnostics {
 
 impl Extend<Diagnostic> for Diagnostics {
     fn extend<I: IntoIterator<Item = Diagnostic>>(&mut self, diagnostics: I) {
-        self.found.extend(diagnostics);
+        diagnostics.into_iter().for_each(|it| self.push(it));
     }
 }
 

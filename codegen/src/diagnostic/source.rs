@@ -110,6 +110,10 @@ impl Source {
     ) -> Result<Source, Box<(Source, Diagnostics)>> {
         let error = match std::str::from_utf8(bytes) {
             Ok(text) => return Ok(Source::new(name, text)),
+            // It was read no further than is needed to know that it is too large, which is what will be reported.
+            Err(error) if error.error_len().is_none() && bytes.len() > Source::LARGEST => {
+                return Ok(Source::new(name, String::from_utf8_lossy(bytes)));
+            }
             Err(error) => error,
         };
         let start = error.valid_up_to();

@@ -1,5 +1,34 @@
 //! *A misspelt word and the words that exist → the one that was probably meant.*
 
+use std::cell::Cell;
+
+/// Among so many words the meant one is looked for, one misspelt word after the other; then no more: whoever misspells every name of
+/// a long list is told the first ones.
+const MOST: usize = 1_000_000;
+
+/// Suggestions from long lists, as many as take little time.
+#[derive(Debug, Clone, Default)]
+pub struct Suggestions {
+    compared: Cell<usize>,
+}
+
+impl Suggestions {
+    /// The [`nearest`] candidate, unless too many have been compared already.
+    pub fn nearest<'a>(
+        &self,
+        word: &str,
+        candidates: impl IntoIterator<Item = &'a str>,
+    ) -> Option<&'a str> {
+        if self.compared.get() >= MOST {
+            return None;
+        }
+        let counted = candidates
+            .into_iter()
+            .inspect(|_| self.compared.set(self.compared.get() + 1));
+        nearest(word, counted)
+    }
+}
+
 /// The candidate nearest to `word`, if one is near enough to be a slip: at most a third of the letters differ.
 ///
 /// The distance counts insertions, deletions, replacements and exchanges of neighbors (optimal string alignment), without

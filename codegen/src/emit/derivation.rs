@@ -1,39 +1,33 @@
 //! System and SolvedPlan → the derivation in words and formulas, block by block, as a person would hand it in.
 //!
-//! The wording is written once; a script says how formulas look in it, and a page lays them out. Every formula is printed from
-//! the nodes of the plan, so that the page says what the generated code does. Deliberately unknown here: statements of the
-//! program, and how its values are named.
+//! The page prints the very statements of each block's function, with the words that its forms say beside them; what the code
+//! calls by a short name and computes once is written out where a person would. A script says how words and formulas look, and a
+//! page lays them out. Deliberately unknown here: what is particular to a form.
 
-mod block;
-mod definitions;
+mod block_words;
 mod document;
-mod dyad_motion;
-mod ends;
-mod geometry;
 mod latex_page;
-mod newton;
-mod one_angle;
-mod origin;
 mod outline;
+mod page;
 mod script;
 mod singular;
-mod singular_words;
-mod slides;
+mod spelling;
 mod text_page;
-mod triangle;
-mod turning_slide;
-mod two_rotations;
-mod vector;
-mod words;
-mod writer;
 
+pub use block_words::{BlockWords, block_words};
 pub use singular::SingularPose;
 
+use std::cell::RefCell;
+use std::sync::Arc;
+
 use super::Notation;
+use crate::program::forms::Form;
 use crate::structure::SolvedPlan;
 use crate::system::System;
+use crate::words::Phrase;
+use page::Writer;
 use script::Script;
-use writer::Writer;
+use spelling::Spelling;
 
 /// The derivation as plain text.
 pub fn text(system: &System, plan: &SolvedPlan, notation: Notation) -> String {
@@ -47,11 +41,41 @@ pub fn latex(system: &System, plan: &SolvedPlan) -> String {
 
 /// The table at the head of the derivation alone: unknowns, method and joints of each block in solve order.
 pub fn outline(system: &System, plan: &SolvedPlan, notation: Notation) -> String {
-    let lines = Writer::new(system, plan, Script::Text(notation)).outline();
+    let forms = crate::program::forms_of(&mut system.clone(), plan);
+    let lines = outline::outline(system, plan, &forms, Script::Text(notation));
     text_page::outline(&lines)
 }
 
-/// Where each step of the plan is singular, in solve order.
-pub fn singular_poses(system: &System, plan: &SolvedPlan, notation: Notation) -> Vec<SingularPose> {
-    Writer::new(system, plan, Script::Text(notation)).singular_poses()
+/// Where each part of the plan is singular, in solve order; `forms` says how they are solved, block by block.
+pub fn singular_poses(
+    system: &System,
+    plan: &SolvedPlan,
+    forms: &[Vec<Arc<dyn Form>>],
+    notation: Notation,
+) -> Vec<SingularPose> {
+    singular::singular_poses(
+        &mut Spelling::new(system, Script::Text(notation)),
+        plan,
+        forms,
+    )
+}
+
+/// Writes words as plain text.
+pub struct PlainWords {
+    /// Formulas in words are made in its graph.
+    spelling: RefCell<Spelling>,
+}
+
+impl PlainWords {
+    /// For words about this system.
+    pub fn new(system: &System, notation: Notation) -> PlainWords {
+        PlainWords {
+            spelling: RefCell::new(Spelling::new(system, Script::Text(notation))),
+        }
+    }
+
+    /// Words as text.
+    pub fn say(&self, words: &Phrase) -> String {
+        self.spelling.borrow_mut().phrase(words)
+    }
 }

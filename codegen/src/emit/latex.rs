@@ -3,7 +3,7 @@
 mod formula;
 mod inspect;
 
-pub(crate) use formula::escaped;
+pub(crate) use formula::{escaped, vector_name};
 pub use inspect::inspect;
 
 use crate::expr::ExprId;

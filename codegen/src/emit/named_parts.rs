@@ -1,24 +1,32 @@
-//! Formulas → names for the long choices in them, and what each name stands for.
+//! Formulas → names for long choices and for what makes formulas long, and what each name stands for.
 //!
 //! A choice that would fill a line by itself, or holds one that does, is written once under the name `piece_1`, and by its
 //! name wherever it occurs; its derivatives are called after it, `piece_1_slope` and `piece_1_curvature`. An argument brought
 //! into one period is `turn_1` in what the names stand for. Names are given when a printer meets a choice, parts before what
 //! they are part of, so that every definition follows those that it needs. Without a long choice nothing gets a name.
+//!
+//! In a formula that nobody would read at one piece, what occurs more than once on the page is `part_1` wherever it occurs again: a
+//! page grows with the graph of its formulas, and not with the tree that it stands for.
 //! Deliberately unknown here: where the definitions stand on a page, and tables, which have names of their own.
 
 use super::Notation;
 use super::text::Printer;
 use crate::expr::{ExprId, Graph, Node, Rational, SymbolId};
-use crate::program::Straight;
 use crate::system::{SymbolRole, System};
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// A choice of at most so many characters, without a name in it, stands where it is used.
 const LONGEST_IN_PLACE: usize = 75;
 
 /// The same for the derivative of a choice that has a name.
 const LONGEST_SLOPE_IN_PLACE: usize = 40;
+
+/// A formula of more characters than this is written with names for what it shares.
+pub(super) const LONGEST_FORMULA: u64 = 2000;
+
+/// What is shared in a long formula has a name from so many characters on.
+const LONGEST_SHARED: u64 = 40;
 
 /// The names on one page.
 #[derive(Clone, Debug, Default)]
@@ -28,7 +36,7 @@ pub(super) struct NamedParts {
 
 #[derive(Clone, Debug, Default)]
 struct State {
-    /// The choices met so far; `None` for those that stay in place.
+    /// The choices and shared parts met so far; `None` for those that stay in place.
     names: BTreeMap<ExprId, Option<String>>,
     /// Those with a name in the order in which they got it.
     named: Vec<ExprId>,
@@ -40,8 +48,18 @@ struct State {
     slopes: BTreeMap<ExprId, (ExprId, SymbolId)>,
     /// Whether no more names are given.
     is_settled: bool,
+    /// The names of the first `defined` of them, as expressions.
+    symbols: BTreeMap<ExprId, ExprId>,
     /// The numbers of whole periods that stand in definitions, with what replaces each.
-    turns: Vec<(ExprId, ExprId)>,
+    turns: BTreeMap<ExprId, ExprId>,
+    /// What has been looked at of long formulas.
+    met: HashSet<ExprId>,
+    /// What of it has been met twice.
+    shared: HashSet<ExprId>,
+    /// How many shared parts have a name.
+    parts: usize,
+    /// What of formulas has been searched for choices.
+    searched: HashSet<ExprId>,
 }
 
 /// What a name stands for.
@@ -64,27 +82,6 @@ impl NamedParts {
         parts
     }
 
-    /// The names that long choices have in a function: what they stand for is written there.
-    pub(super) fn of_function(system: &System, function: &Straight) -> NamedParts {
-        let parts = NamedParts::default();
-        let graph = &system.mechanism.graph;
-        let results = function.results.iter();
-        let choices: BTreeSet<ExprId> = results
-            .flat_map(|&(result, _)| choices_of(graph, result))
-            .collect();
-        // Parts come before what they are part of.
-        for choice in choices {
-            let printed = Printer::new(system, &[], Notation::Ascii)
-                .naming(&parts)
-                .choice(choice);
-            let own = function.name_of(choice).map(str::to_string);
-            let is_long = printed.len() > LONGEST_IN_PLACE || parts.holds_more(system, choice);
-            let name = own.filter(|_| is_long);
-            parts.state.borrow_mut().names.insert(choice, name);
-        }
-        parts
-    }
-
     /// The names that are defined on the page already, and no others: every other choice stays in place.
     pub(super) fn settled(&self) -> NamedParts {
         let mut state = self.state.borrow().clone();
@@ -97,20 +94,95 @@ impl NamedParts {
         }
     }
 
-    /// The name of a choice, if it is to be written by one.
-    pub(super) fn name(&self, system: &System, choice: ExprId) -> Option<String> {
-        if let Some(known) = self.state.borrow().names.get(&choice) {
+    /// Looks for what a formula shares with itself and with those before it, where it is long. Choices are looked at on their own.
+    /// Answers whether it is.
+    pub(super) fn meet(&self, graph: &Graph, formula: ExprId) -> bool {
+        let state = &mut *self.state.borrow_mut();
+        let is_within = |expr, longest, shared: &HashSet<ExprId>| {
+            let has_name =
+                |part| shared.contains(&part) || matches!(graph.node(part), Node::Choose { .. });
+            graph.is_within_with_names(expr, longest, &has_name)
+        };
+        if state.is_settled || is_within(formula, LONGEST_FORMULA, &HashSet::new()) {
+            return false;
+        }
+        let mut open = vec![formula];
+        while let Some(expr) = open.pop() {
+            let is_choice = matches!(graph.node(expr), Node::Choose { .. });
+            if is_choice
+                || graph.is_constant(expr)
+                || is_within(expr, LONGEST_SHARED, &state.shared)
+            {
+                continue;
+            }
+            if state.met.insert(expr) {
+                open.extend(graph.operands(expr));
+            } else {
+                state.shared.insert(expr);
+            }
+        }
+        true
+    }
+
+    /// Whether a formula takes at most so many characters with the names that it is written with.
+    pub(super) fn is_within(&self, graph: &Graph, formula: ExprId, characters: u64) -> bool {
+        let state = self.state.borrow();
+        let is_choice = |part| !state.is_settled && matches!(graph.node(part), Node::Choose { .. });
+        let has_name = |part| is_choice(part) || matches!(state.names.get(&part), Some(Some(_)));
+        graph.is_within_with_names(formula, characters, &has_name)
+    }
+
+    /// The name of an expression, if it is to be written by one.
+    pub(super) fn name(&self, system: &System, expr: ExprId) -> Option<String> {
+        if let Some(known) = self.state.borrow().names.get(&expr) {
             return known.clone();
         }
-        if self.state.borrow().is_settled {
+        let is_choice = matches!(system.mechanism.graph.node(expr), Node::Choose { .. });
+        let state = self.state.borrow();
+        if state.is_settled || !is_choice && !state.shared.contains(&expr) {
             return None;
         }
+        drop(state);
+        match is_choice {
+            true => self.name_of_choice(system, expr),
+            false => Some(self.name_of_part(system, expr)),
+        }
+    }
+
+    fn name_of_part(&self, system: &System, part: ExprId) -> String {
+        // Printing it names its parts first. It has no name in its own definition.
+        self.state.borrow_mut().names.insert(part, None);
+        Printer::new(system, &[], Notation::Ascii)
+            .naming(self, true)
+            .written_out(part);
+        let mut state = self.state.borrow_mut();
+        state.parts += 1;
+        let name = format!("part_{}", state.parts);
+        state.named.push(part);
+        state.names.insert(part, Some(name.clone()));
+        name
+    }
+
+    fn name_of_choice(&self, system: &System, choice: ExprId) -> Option<String> {
         let origin = self.state.borrow().slopes.get(&choice).copied();
         let of = origin.and_then(|(whole, by)| Some((self.name(system, whole)?, whole, by)));
+        let graph = &system.mechanism.graph;
+        let (mut rest, mut is_long) = (choice, false);
+        while let Node::Choose {
+            condition,
+            below,
+            otherwise,
+        } = *graph.node(rest)
+        {
+            is_long |= self.meet(graph, condition);
+            is_long |= self.meet(graph, below);
+            rest = otherwise;
+        }
+        is_long |= self.meet(graph, rest);
         // Printing it names its parts first.
         let printed = Printer::new(system, &[], Notation::Ascii)
-            .naming(self)
-            .choice(choice);
+            .naming(self, is_long)
+            .written_out(choice);
         let longest = match of {
             Some(_) => LONGEST_SLOPE_IN_PLACE,
             None => LONGEST_IN_PLACE,
@@ -145,7 +217,7 @@ impl NamedParts {
 
     /// Notes which choices are derivatives of those in an expression, up to an order.
     pub(super) fn relate(&self, system: &mut System, expr: ExprId, order: usize) {
-        let mut choices = choices_of(&system.mechanism.graph, expr);
+        let mut choices = self.new_choices(&system.mechanism.graph, expr);
         for _ in 0..order {
             let mut slopes = BTreeSet::new();
             for &whole in &choices {
@@ -163,40 +235,77 @@ impl NamedParts {
         }
     }
 
+    /// The choices in an expression that have not been found before.
+    fn new_choices(&self, graph: &Graph, expr: ExprId) -> BTreeSet<ExprId> {
+        let searched = &mut self.state.borrow_mut().searched;
+        let mut choices = BTreeSet::new();
+        let mut open = vec![expr];
+        while let Some(expr) = open.pop() {
+            if searched.insert(expr) {
+                open.extend(graph.operands(expr));
+                if matches!(graph.node(expr), Node::Choose { .. }) {
+                    choices.insert(expr);
+                }
+            }
+        }
+        choices
+    }
+
     /// What the names stand for that were given since the last call, in an order in which they can be computed.
     pub(super) fn definitions(&self, system: &mut System) -> Vec<Definition> {
         let state = &mut *self.state.borrow_mut();
         let mut definitions = Vec::new();
         for place in state.defined..state.named.len() {
-            let choice = state.named[place];
-            let graph = &system.mechanism.graph;
-            for whole in parts_of(graph, choice, |node| matches!(node, Node::Floor(_))) {
-                if state.turns.iter().any(|&(known, _)| known == whole) {
+            let whole = state.named[place];
+            let (parts, floors) = state.inside(&system.mechanism.graph, whole);
+            for &floor in &floors {
+                if state.turns.contains_key(&floor) {
                     continue;
                 }
                 let name = format!("turn_{}", state.turns.len() + 1);
-                if let Some((definition, without)) = turn(system, whole, &name) {
+                if let Some((definition, without)) = turn(system, floor, &name) {
                     definitions.push(definition);
-                    state.turns.push((whole, without));
+                    state.turns.insert(floor, without);
                 }
             }
-            let mut replacements = state.turns.clone();
-            for &part in &state.named[..place] {
-                if let Some(Some(name)) = state.names.get(&part) {
-                    let symbol = system.intermediate(name);
-                    let variable = system.mechanism.graph.variable(symbol);
-                    replacements.push((part, variable));
-                }
-            }
-            let value = system.mechanism.graph.replace_parts(choice, &replacements);
-            if let Some(Some(name)) = state.names.get(&choice) {
+            let turns = floors
+                .iter()
+                .filter_map(|floor| Some((*floor, *state.turns.get(floor)?)));
+            let parts = parts.iter().map(|part| (*part, state.symbols[part]));
+            let replacements: Vec<(ExprId, ExprId)> = turns.chain(parts).collect();
+            let value = system.mechanism.graph.replace_parts(whole, &replacements);
+            if let Some(Some(name)) = state.names.get(&whole) {
                 let symbol = system.intermediate(name);
                 let name = system.mechanism.graph.variable(symbol);
+                state.symbols.insert(whole, name);
                 definitions.push(Definition { name, value });
             }
         }
         state.defined = state.named.len();
         definitions
+    }
+}
+
+impl State {
+    /// What has a name in an expression, and the numbers of whole periods outside of that.
+    fn inside(&self, graph: &Graph, whole: ExprId) -> (BTreeSet<ExprId>, BTreeSet<ExprId>) {
+        let (mut named, mut floors) = (BTreeSet::new(), BTreeSet::new());
+        let mut seen = HashSet::from([whole]);
+        let mut open = graph.operands(whole);
+        while let Some(expr) = open.pop() {
+            if !seen.insert(expr) {
+                continue;
+            }
+            if self.symbols.contains_key(&expr) {
+                named.insert(expr);
+                continue;
+            }
+            if matches!(graph.node(expr), Node::Floor(_)) {
+                floors.insert(expr);
+            }
+            open.extend(graph.operands(expr));
+        }
+        (named, floors)
     }
 }
 
@@ -225,11 +334,6 @@ fn moving(system: &System, expr: ExprId) -> Vec<SymbolId> {
     symbols
         .filter(|symbol| !matches!(system.roles[symbol.index()], SymbolRole::Parameter(_)))
         .collect()
-}
-
-/// The choices in an expression.
-fn choices_of(graph: &Graph, expr: ExprId) -> BTreeSet<ExprId> {
-    parts_of(graph, expr, |node| matches!(node, Node::Choose { .. }))
 }
 
 /// The parts of an expression that are of a kind, itself included.

@@ -1,6 +1,7 @@
 //! A term of a sum → the parts of the fraction that a person writes for it.
 
-use crate::expr::{ExprId, Factor, Graph, Node, Number, Rational, Term};
+use crate::expr::{ExprId, Factor, Graph, Node, Number, Rational, SHORT, Term};
+use crate::program::ConstantPart;
 use crate::system::WrittenOrder;
 
 /// A term without its sign: a fraction.
@@ -51,15 +52,113 @@ pub(super) fn terms(expr: ExprId, graph: &Graph, order: &WrittenOrder<'_>) -> Ve
     }
 }
 
+/// A term as it is written, and whether it is subtracted.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Addend {
+    /// Whether it is subtracted.
+    pub negative: bool,
+    /// The term without its sign.
+    pub fraction: Fraction,
+}
+
+/// Terms, in their order, as they are written: constants exactly where that is short, else as decimals.
+/// What `is_whole` is not taken apart.
+pub(super) fn addends(
+    terms: &[Term],
+    graph: &Graph,
+    order: &WrittenOrder<'_>,
+    is_whole: &dyn Fn(ExprId) -> bool,
+) -> Vec<Addend> {
+    let is_constant = |term: &&Term| graph.is_constant(term.expr);
+    let constants: Vec<Term> = terms.iter().filter(is_constant).copied().collect();
+    let mut together = (!graph.is_sum_within(&constants, SHORT))
+        .then(|| decimal_addend(&ConstantPart::Sum(constants), Fraction::default(), graph));
+    let is_together = together.is_some();
+    let mut addends = Vec::with_capacity(terms.len());
+    for term in terms {
+        match graph.is_constant(term.expr) && is_together {
+            true => addends.extend(together.take()),
+            false => addends.push(addend(term, graph, order, is_whole)),
+        }
+    }
+    addends
+}
+
+fn addend(
+    term: &Term,
+    graph: &Graph,
+    order: &WrittenOrder<'_>,
+    is_whole: &dyn Fn(ExprId) -> bool,
+) -> Addend {
+    let (factors, is_whole) = match graph.node(term.expr) {
+        Node::Product(_) if is_whole(term.expr) => (&[][..], true),
+        Node::Product(factors) => (&**factors, false),
+        _ => (&[][..], false),
+    };
+    let is_constant = |factor: &&Factor| graph.is_constant(factor.base);
+    let constants: Vec<Factor> = factors.iter().filter(is_constant).copied().collect();
+    if graph.is_product_within(term.coefficient, &constants, SHORT) {
+        return Addend {
+            negative: term.coefficient.is_negative(),
+            fraction: match is_whole {
+                true => whole_fraction(term, graph),
+                false => fraction(term, graph, order),
+            },
+        };
+    }
+    let mut variable = Fraction::default();
+    match factors {
+        [] if term.expr != graph.one() => variable
+            .numerators
+            .push(Part::Power(term.expr, Rational::ONE)),
+        factors => {
+            let moving = order
+                .factors(factors)
+                .into_iter()
+                .filter(|factor| !is_constant(&factor));
+            moving.for_each(|factor| variable.push(factor));
+        }
+    }
+    decimal_addend(
+        &ConstantPart::Product(term.coefficient, constants),
+        variable,
+        graph,
+    )
+}
+
+/// The decimal value of a constant in front of a fraction.
+fn decimal_addend(constant: &ConstantPart, mut fraction: Fraction, graph: &Graph) -> Addend {
+    let value = constant.value(graph);
+    let digits = Part::Digits(format!("{:?}", value.abs()));
+    fraction.numerators.insert(0, digits);
+    Addend {
+        negative: value < 0.0,
+        fraction,
+    }
+}
+
+/// A term whose expression is one part, without its sign.
+fn whole_fraction(term: &Term, graph: &Graph) -> Fraction {
+    let mut fraction = Fraction::default();
+    push_number(
+        term.coefficient.absolute(),
+        holds_pi(term.expr, graph),
+        &mut fraction,
+    );
+    fraction
+        .numerators
+        .push(Part::Power(term.expr, Rational::ONE));
+    fraction
+}
+
 /// The absolute value of a term as a fraction.
 pub(super) fn fraction(term: &Term, graph: &Graph, order: &WrittenOrder<'_>) -> Fraction {
     let mut fraction = Fraction::default();
-    let magnitude = if term.coefficient.is_negative() {
-        term.coefficient.neg()
-    } else {
-        term.coefficient
-    };
-    push_number(magnitude, holds_pi(term.expr, graph), &mut fraction);
+    push_number(
+        term.coefficient.absolute(),
+        holds_pi(term.expr, graph),
+        &mut fraction,
+    );
     if term.expr == graph.one() {
         return fraction;
     }

@@ -1,7 +1,6 @@
 //! What the solved view computes and leaves out → lines of text, for the generated header and for people.
 
-use crate::program::Operations;
-use crate::program::solved::Report;
+use crate::program::{Operations, Report};
 
 /// One fact a line.
 pub fn lines(report: &Report) -> Vec<String> {

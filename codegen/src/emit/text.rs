@@ -9,9 +9,13 @@ pub(crate) use inspect::given;
 pub use inspect::inspect;
 
 use super::Notation;
+use super::named_parts::LONGEST_FORMULA;
 use crate::expr::ExprId;
 use crate::program::ConstantPart;
 use crate::system::{SymbolRole, System};
+
+/// The characters of a line that holds a formula.
+const LINE: u64 = 100;
 
 /// One expression on one line, with the bodies mentioned in this order.
 pub fn formula(system: &System, bodies: &[usize], notation: Notation, expr: ExprId) -> String {
@@ -23,7 +27,30 @@ pub(crate) fn symbol(system: &System, notation: Notation, role: SymbolRole) -> S
     Printer::new(system, &[], notation).symbol(role)
 }
 
-/// A constant part of an expression on one line.
-pub fn constant(system: &System, part: &ConstantPart) -> String {
-    Printer::new(system, &[], Notation::Ascii).constant(part)
+/// The same where somebody would read it at one piece.
+pub fn readable(
+    system: &System,
+    bodies: &[usize],
+    notation: Notation,
+    expr: ExprId,
+) -> Option<String> {
+    let is_readable = system
+        .mechanism
+        .graph
+        .is_written_within(expr, LONGEST_FORMULA);
+    is_readable.then(|| formula(system, bodies, notation, expr))
+}
+
+/// A constant part of an expression, exactly; none where that takes more than a line.
+pub fn constant(system: &System, part: &ConstantPart) -> Option<String> {
+    let graph = &system.mechanism.graph;
+    let fits = match part {
+        ConstantPart::Sum(terms) => graph.is_sum_within(terms, LINE),
+        ConstantPart::Product(number, factors) => graph.is_product_within(*number, factors, LINE),
+    };
+    fits.then(|| {
+        Printer::new(system, &[], Notation::Ascii)
+            .exact()
+            .constant(part)
+    })
 }

@@ -59,6 +59,44 @@ impl Graph {
         })
     }
 
+    /// |x|, as a choice between −x and x.
+    pub fn magnitude(&mut self, x: ExprId) -> ExprId {
+        if self.magnitude_of(x).is_some() {
+            return x;
+        }
+        let negated = self.negate(x);
+        match self.is_constant(x) {
+            true if self.constant_value(x).is_some_and(|value| value < 0.0) => negated,
+            true => x,
+            // −x has the same magnitude, and one of them is written.
+            false => {
+                let x = x.min(negated);
+                let negated = self.negate(x);
+                self.choose(x, negated, x)
+            }
+        }
+    }
+
+    /// What an expression is the magnitude of, if it is one.
+    pub fn magnitude_of(&self, expr: ExprId) -> Option<ExprId> {
+        match *self.node(expr) {
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } if condition == otherwise && self.is_negation(below, condition) => Some(condition),
+            _ => None,
+        }
+    }
+
+    /// Whether two expressions differ in the sign of every term alone.
+    fn is_negation(&self, one: ExprId, other: ExprId) -> bool {
+        let (mut of_one, mut of_other) = (Vec::new(), Vec::new());
+        self.gather(Number::ONE, one, &mut of_one);
+        self.gather(Number::ONE.neg(), other, &mut of_other);
+        of_one == of_other
+    }
+
     /// The largest whole number that is not greater than the argument.
     pub fn floor(&mut self, argument: ExprId) -> ExprId {
         if !self.is_finite(argument) {

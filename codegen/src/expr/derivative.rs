@@ -1,14 +1,32 @@
 //! Differentiation: *an expression and a symbol* → *the partial derivative*.
 //!
-//! Memoized per node and symbol, so that shared parts are differentiated once; parts without the symbol are not visited.
-//! The recursion is as deep as the expression. Rules: d(f^n) = n·f^(n-1)·df, and d atan2(y, x) = (x·dy - y·dx)/(x² + y²). A choice
-//! is differentiated arm by arm.
+//! Memoized per node and symbol, so that shared parts are differentiated once; parts without the symbol are not visited. What is
+//! nested deeply is differentiated from the inside out. Rules: d(f^n) = n·f^(n-1)·df, and d atan2(y, x) = (x·dy - y·dx)/(x² + y²). A
+//! choice is differentiated arm by arm.
+//!
+//! The product rule on n factors makes n products of n factors, and the next derivative n² of them. So a long product is taken for
+//! one of two halves, whose derivatives are sums of their own: n log n factors, and for the next derivative n log² n.
 
 use super::graph::Graph;
+use super::hashing::BuildExprHasher;
 use super::node::{ExprId, Factor, Node, SymbolId, Term};
 use super::number::Number;
 use super::product::Monomial;
 use super::rational::Rational;
+use std::collections::{HashMap, HashSet};
+
+/// From so many levels on the operands are differentiated before what is made of them.
+const DEEP: u32 = 32;
+
+/// From so many terms on a sum has an index of its symbols, unless each term mentions more of them than this.
+const LONG: usize = 64;
+const MOST_OCCURRENCES: usize = 16;
+
+/// The places of the terms of a sum in which each symbol occurs; only looked up.
+pub(super) type TermIndex = HashMap<SymbolId, Vec<u32>, BuildExprHasher>;
+
+/// A product of more factors that depend on the symbol is halved.
+const LONGEST_FLAT: usize = 8;
 
 impl Graph {
     /// The partial derivative of the expression with respect to the symbol. That of a non-finite number is NaN.
@@ -22,15 +40,40 @@ impl Graph {
         if let Some(&known) = self.derivatives.get(&(expr, symbol)) {
             return known;
         }
+        if self.depth(expr) > DEEP {
+            for operand in self.open_below(expr, symbol) {
+                self.differentiate(operand, symbol);
+            }
+        }
+        self.differentiate(expr, symbol)
+    }
+
+    /// What is below an expression, depends on the symbol and has not been differentiated: operands first.
+    fn open_below(&self, expr: ExprId, symbol: SymbolId) -> Vec<ExprId> {
+        let mut seen: HashSet<ExprId, BuildExprHasher> = HashSet::default();
+        let mut stack = self.operands(expr);
+        while let Some(operand) = stack.pop() {
+            let is_open = self.depends_on(operand, symbol)
+                && !self.derivatives.contains_key(&(operand, symbol));
+            if is_open && seen.insert(operand) {
+                self.node(operand).each_operand(|inner| stack.push(inner));
+            }
+        }
+        let mut open: Vec<ExprId> = seen.into_iter().collect();
+        open.sort_unstable();
+        open
+    }
+
+    /// The derivative of an expression that depends on the symbol, by that of its operands.
+    fn differentiate(&mut self, expr: ExprId, symbol: SymbolId) -> ExprId {
         let result = match self.node(expr) {
             Node::Number(_) | Node::Pi => self.zero(),
             Node::Symbol(_) => self.one(),
             Node::Sum(terms) => {
-                let dependent: Vec<Term> = terms
-                    .iter()
-                    .filter(|term| self.depends_on(term.expr, symbol))
-                    .copied()
-                    .collect();
+                let dependent = match terms.len() {
+                    0..LONG => self.dependent_terms(terms, symbol),
+                    _ => self.indexed_terms(expr, symbol),
+                };
                 self.sum_derivative(&dependent, symbol)
             }
             Node::Product(factors) => {
@@ -86,6 +129,45 @@ impl Graph {
         result
     }
 
+    fn dependent_terms(&self, terms: &[Term], symbol: SymbolId) -> Vec<Term> {
+        let dependent = terms
+            .iter()
+            .filter(|term| self.depends_on(term.expr, symbol));
+        dependent.copied().collect()
+    }
+
+    /// The same for a long sum, which is mostly differentiated by one symbol after the other: where each occurs is found once.
+    fn indexed_terms(&mut self, expr: ExprId, symbol: SymbolId) -> Vec<Term> {
+        let Node::Sum(terms) = self.node(expr) else {
+            return Vec::new();
+        };
+        let found = |index: &TermIndex| {
+            let places = index.get(&symbol).into_iter().flatten();
+            places.map(|&place| terms[place as usize]).collect()
+        };
+        if let Some(index) = self.term_indices.get(&expr) {
+            return found(index);
+        }
+        let occurrences: usize = terms.iter().map(|it| self.symbols(it.expr).len()).sum();
+        if occurrences > MOST_OCCURRENCES * terms.len() {
+            // Looking whether a term depends on the symbol takes little of what adding it would.
+            let looked_at = 1 + terms.len() / 8;
+            let dependent = self.dependent_terms(terms, symbol);
+            self.ledger.touch(looked_at);
+            return dependent;
+        }
+        let mut index = TermIndex::default();
+        for (place, term) in (0u32..).zip(terms) {
+            for &symbol in self.symbols(term.expr) {
+                index.entry(symbol).or_default().push(place);
+            }
+        }
+        let dependent = found(&index);
+        self.ledger.store(occurrences / 8);
+        self.term_indices.insert(expr, index);
+        dependent
+    }
+
     fn chain(&mut self, outer: ExprId, inner: ExprId, symbol: SymbolId) -> ExprId {
         let inner = self.derivative(inner, symbol);
         self.multiply(outer, inner)
@@ -100,6 +182,13 @@ impl Graph {
     }
 
     fn product_derivative(&mut self, factors: &[Factor], symbol: SymbolId) -> ExprId {
+        let (dependent, constant): (Vec<Factor>, Vec<Factor>) = factors
+            .iter()
+            .copied()
+            .partition(|factor| self.depends_on(factor.base, symbol));
+        if dependent.len() > LONGEST_FLAT {
+            return self.halved_derivative(&dependent, &constant, symbol);
+        }
         let mut parts = Vec::new();
         for (place, factor) in factors.iter().enumerate() {
             if !self.depends_on(factor.base, symbol) {
@@ -119,6 +208,31 @@ impl Graph {
                 }
             }
             self.push_power(&mut monomial, factor.base, lowered);
+            self.push_power(&mut monomial, inner, Rational::ONE);
+            parts.push(self.finish(monomial));
+        }
+        self.sum(&parts)
+    }
+
+    /// c·(a·b)' = c·b·a' + c·a·b' with the halves a and b of the dependent factors.
+    fn halved_derivative(
+        &mut self,
+        dependent: &[Factor],
+        constant: &[Factor],
+        symbol: SymbolId,
+    ) -> ExprId {
+        let (first, second) = dependent.split_at(dependent.len() / 2);
+        let mut parts = Vec::with_capacity(2);
+        for (half, other) in [(first, second), (second, first)] {
+            let half = self.monomial(half.to_vec());
+            let inner = self.derivative(half, symbol);
+            if !self.is_finite(inner) {
+                return self.not_a_number();
+            }
+            let mut monomial = Monomial::new(Number::ONE);
+            for kept in constant.iter().chain(other) {
+                monomial.push(kept.base, kept.exponent);
+            }
             self.push_power(&mut monomial, inner, Rational::ONE);
             parts.push(self.finish(monomial));
         }

@@ -1,15 +1,18 @@
 //! The arena: *a canonical node* → *its id, the same whenever it is asked for again*.
 //!
 //! Operands have smaller ids than what is built from them. A node other than a number never has a non-finite number
-//! beneath it: the constructors answer with the number NaN instead. This file knows how nodes are stored, not how they are
-//! simplified.
+//! beneath it, nor constants that make one: the constructors answer with the number NaN instead. This file knows how nodes are
+//! stored, not how they are simplified.
 
+use super::bounds::Ledger;
+use super::derivative::TermIndex;
 use super::hashing::{BuildExprHasher, ExprHasher};
 use super::node::{ExprId, Node, SymbolId};
 use super::number::Number;
 use super::rational::Rational;
 use super::spline::Spline;
 use super::symbols::SymbolSets;
+use super::values::Worth;
 use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
@@ -27,13 +30,22 @@ pub struct Graph {
     /// Open addressing by hash, at most half full; a power of two long.
     slots: Vec<u32>,
     pub(super) symbol_sets: SymbolSets,
+    /// By node.
+    pub(super) worths: Vec<Worth>,
+    pub(super) ledger: Ledger,
     pub(super) derivatives: HashMap<(ExprId, SymbolId), ExprId, BuildExprHasher>,
+    /// Of long sums that have been differentiated.
+    pub(super) term_indices: HashMap<ExprId, TermIndex, BuildExprHasher>,
+    /// Shorter forms of constants that were asked for.
+    pub(super) tidied: HashMap<ExprId, ExprId, BuildExprHasher>,
     symbol_names: Vec<String>,
     symbols_by_name: HashMap<String, SymbolId>,
     /// By symbol, as far as any has one.
     pub(super) nominal_values: Vec<Option<f64>>,
     /// Each once.
     pub(super) splines: Vec<Arc<Spline>>,
+    /// Their places; only looked up.
+    pub(super) splines_by_name: HashMap<String, Vec<usize>>,
 }
 
 impl Default for Graph {
@@ -50,11 +62,16 @@ impl Graph {
             hashes: Vec::new(),
             slots: vec![VACANT; 64],
             symbol_sets: SymbolSets::new(),
+            worths: Vec::new(),
+            ledger: Ledger::new(),
             derivatives: HashMap::default(),
+            term_indices: HashMap::default(),
+            tidied: HashMap::default(),
             symbol_names: Vec::new(),
             symbols_by_name: HashMap::new(),
             nominal_values: Vec::new(),
             splines: Vec::new(),
+            splines_by_name: HashMap::new(),
         };
         let zero = graph.intern(Node::Number(Number::ZERO));
         let one = graph.intern(Node::Number(Number::ONE));
@@ -68,19 +85,16 @@ impl Graph {
 
     /// What an expression is made of, in the order of its node.
     pub fn operands(&self, id: ExprId) -> Vec<ExprId> {
-        match self.node(id) {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => Vec::new(),
-            Node::Sum(terms) => terms.iter().map(|term| term.expr).collect(),
-            Node::Product(factors) => factors.iter().map(|factor| factor.base).collect(),
-            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) | Node::Floor(x) => vec![*x],
-            Node::Atan2(y, x) => vec![*y, *x],
-            Node::Choose {
-                condition,
-                below,
-                otherwise,
-            } => vec![*condition, *below, *otherwise],
-            Node::Spline { argument, .. } => vec![*argument],
-        }
+        let mut operands = Vec::new();
+        self.node(id).each_operand(|operand| operands.push(operand));
+        operands
+    }
+
+    /// One more than the deepest operand; 0 for what has none.
+    fn depth_of(&self, node: &Node) -> u32 {
+        let mut depth = 0;
+        node.each_operand(|operand| depth = depth.max(self.depth(operand) + 1));
+        depth
     }
 
     /// What an expression is at its top.
@@ -102,6 +116,7 @@ impl Graph {
             self.symbol_names.len() < VACANT as usize,
             "symbols are numbered with 32 bits"
         );
+        self.ledger.store(1);
         let symbol = SymbolId(self.symbol_names.len() as u32);
         self.symbol_names.push(name.to_owned());
         self.symbols_by_name.insert(name.to_owned(), symbol);
@@ -172,8 +187,9 @@ impl Graph {
         PI
     }
 
-    /// Whether no non-finite number occurs in the expression. A division by a constant zero, a root of a negative number
-    /// and an angle of the zero vector make one.
+    /// Whether no non-finite number occurs in the expression. A division by a constant zero, a root of a negative number,
+    /// an angle of the zero vector and constants whose product is too large make one, and so does what is past a bound of the
+    /// graph.
     pub fn is_finite(&self, expr: ExprId) -> bool {
         // By the invariant of this file only the top need be looked at.
         !matches!(self.node(expr), Node::Number(value) if !value.is_finite())
@@ -198,17 +214,27 @@ impl Graph {
     }
 
     /// The id of a canonical node, if it exists.
-    pub(super) fn find(&self, node: &Node) -> Option<ExprId> {
+    pub fn find(&self, node: &Node) -> Option<ExprId> {
         let found = self.slots[self.slot(hash(node), node)];
         (found != VACANT).then_some(ExprId(found))
     }
 
-    /// The id of a canonical node, made if it does not exist.
+    /// The id of a canonical node, made if it does not exist. The number NaN where a constant in it is infinite or undefined, or
+    /// where there is no room for it.
     pub(super) fn intern(&mut self, node: Node) -> ExprId {
         let hash = hash(&node);
         let slot = self.slot(hash, &node);
         if self.slots[slot] != VACANT {
             return ExprId(self.slots[slot]);
+        }
+        let Some(worth) = self.worth_of(&node) else {
+            return self.not_a_number();
+        };
+        let depth = self.depth_of(&node);
+        if depth == 0 {
+            self.ledger.store(1);
+        } else if !self.ledger.admits(node.size(), depth) {
+            return self.not_a_number();
         }
         assert!(
             self.nodes.len() < VACANT as usize,
@@ -216,7 +242,11 @@ impl Graph {
         );
         let id = self.nodes.len() as u32;
         self.slots[slot] = id;
-        self.symbol_sets.record(&node);
+        // A symbol in a set takes a twentieth of a term.
+        let listed = self.symbol_sets.record(&node);
+        self.ledger.store(listed / 20);
+        self.ledger.record(depth);
+        self.worths.push(worth);
         self.nodes.push(node);
         self.hashes.push(hash);
         if self.nodes.len() * 2 > self.slots.len() {

@@ -13,7 +13,9 @@
 //! Real arithmetic is meant throughout. A simplification may widen the domain (`x·x⁻¹ = 1`, `√x·√x = x`), but never
 //! changes a value where the original has one.
 
+mod bounds;
 mod choice;
+mod code;
 mod content;
 mod derivative;
 mod exponential;
@@ -31,15 +33,22 @@ mod substitute;
 mod sum;
 mod symbols;
 mod tape;
+mod tidy;
 mod trigonometry;
+mod values;
+mod written;
 
 #[cfg(test)]
 mod tests;
 
+pub use bounds::{DEEPEST, Excess, LARGEST_STORE};
 pub use choice::Comparison;
+pub use code::{Code, Recorder, Register};
 pub use graph::Graph;
 pub use node::{ExprId, Factor, Node, SymbolId, Term};
 pub use number::Number;
 pub use rational::Rational;
 pub use spline::{Spline, SplineId};
 pub use tape::Tape;
+pub use values::Magnitudes;
+pub use written::SHORT;

@@ -94,3 +94,31 @@ pub enum Node {
         argument: ExprId,
     },
 }
+
+impl Node {
+    /// Calls `visit` with everything that it is made of, in its order.
+    pub(super) fn each_operand(&self, mut visit: impl FnMut(ExprId)) {
+        match self {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
+            Node::Sum(terms) => terms.iter().for_each(|term| visit(term.expr)),
+            Node::Product(factors) => factors.iter().for_each(|factor| visit(factor.base)),
+            Node::Sin(x) | Node::Cos(x) | Node::Exp(x) | Node::Ln(x) | Node::Floor(x) => visit(*x),
+            Node::Atan2(y, x) => [*y, *x].into_iter().for_each(visit),
+            Node::Choose {
+                condition,
+                below,
+                otherwise,
+            } => [*condition, *below, *otherwise].into_iter().for_each(visit),
+            Node::Spline { argument, .. } => visit(*argument),
+        }
+    }
+
+    /// How many terms or factors it holds; 1 for any other node.
+    pub(super) fn size(&self) -> usize {
+        match self {
+            Node::Sum(terms) => terms.len(),
+            Node::Product(factors) => factors.len(),
+            _ => 1,
+        }
+    }
+}

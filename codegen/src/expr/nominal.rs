@@ -5,8 +5,7 @@
 //! is wanted. This file does not know what the symbols stand for.
 
 use super::graph::Graph;
-use super::node::{ExprId, SymbolId};
-use super::tape::Tape;
+use super::node::{ExprId, Node, SymbolId};
 
 impl Graph {
     /// States that a symbol keeps its value, and which one it has where a number is wanted.
@@ -22,6 +21,9 @@ impl Graph {
             self.nominal_values.resize(symbol.index() + 1, None);
         }
         self.nominal_values[symbol.index()] = Some(value);
+        if self.find(&Node::Symbol(symbol)).is_some() {
+            self.revalue();
+        }
     }
 
     /// The nominal value of a symbol, if it has one.
@@ -40,27 +42,13 @@ impl Graph {
 
     /// Whether every symbol of the expression has a nominal value, so that the expression does not move. Constants are fixed.
     pub fn is_fixed(&self, expr: ExprId) -> bool {
-        let symbols = self.symbols(expr);
-        symbols.iter().all(|&symbol| self.nominal(symbol).is_some())
+        self.worth(expr).is_fixed
     }
 
     /// The value of a fixed expression, at the nominal values of its symbols; it may be non-finite. `None` where another symbol
     /// occurs.
     pub fn constant_value(&self, expr: ExprId) -> Option<f64> {
-        if !self.is_fixed(expr) {
-            return None;
-        }
-        // Most have no symbols at all, and need no table of them.
-        let symbols = if self.is_constant(expr) {
-            Vec::new()
-        } else {
-            self.nominal_values
-                .iter()
-                .map(|value| value.unwrap_or(f64::NAN))
-                .collect()
-        };
-        let mut value = [0.0];
-        Tape::new(self, &[expr]).evaluate(&symbols, &mut Vec::new(), &mut value);
-        Some(value[0])
+        let worth = self.worth(expr);
+        worth.is_fixed.then_some(worth.value)
     }
 }

@@ -330,11 +330,12 @@ fn multiply_surds(left: (Rational, u128), right: (Rational, u128)) -> Option<Num
             radicand: left.1.max(right.1),
         });
     }
-    // √p·√q = g·√((p/g)(q/g)) with the greatest common divisor g.
+    // √p·√q = g·√((p/g)(q/g)) with the greatest common divisor g. Neither factor holds a square that would be found, and a
+    // square of both would divide g.
     let shared = greatest_common_divisor(left.1, right.1);
     let rational = rational.checked_mul(Rational::new(i128::try_from(shared).ok()?, 1)?)?;
-    let under = (left.1 / shared).checked_mul(right.1 / shared)?;
-    Some(Number::surd(rational, under))
+    let radicand = (left.1 / shared).checked_mul(right.1 / shared)?;
+    Some(Number::Exact { rational, radicand })
 }
 
 fn integer_power(rational: Rational, radicand: u128, exponent: i128) -> Option<Number> {

@@ -101,10 +101,11 @@ impl Graph {
         match self.node(base) {
             Node::Number(value) => monomial.scale(value.pow(exponent)),
             Node::Sum(terms) => {
-                let content = match terms[..] {
-                    [term] => term.coefficient,
-                    _ => self.content(terms),
+                let (content, size) = match terms[..] {
+                    [term] => (term.coefficient, 1),
+                    _ => (self.content(terms), terms.len()),
                 };
+                self.ledger.touch(size);
                 self.push_scaled(monomial, base, content, exponent);
             }
             Node::Product(factors) => {
@@ -199,6 +200,7 @@ impl Graph {
 
     /// The expression of a product; NaN where it is undefined or an exponent does not fit.
     pub(super) fn finish(&mut self, mut monomial: Monomial) -> ExprId {
+        self.ledger.touch(monomial.factors.len());
         while self.merge_powers(&mut monomial) {}
         self.join_roots(&mut monomial);
         if monomial.overflow || !monomial.coefficient.is_finite() {
@@ -242,12 +244,13 @@ impl Graph {
     fn join_roots(&mut self, monomial: &mut Monomial) {
         let mut roots = Vec::new();
         for (place, factor) in monomial.factors.iter().enumerate() {
-            let content = match self.node(factor.base) {
+            let (content, size) = match self.node(factor.base) {
                 Node::Sum(terms) if terms.len() > 1 && !factor.exponent.is_integer() => {
-                    self.content(terms)
+                    (self.content(terms), terms.len())
                 }
                 _ => continue,
             };
+            self.ledger.touch(size);
             if !content.is_one() {
                 let primitive = self.scale(content.recip(), factor.base);
                 roots.push((primitive, place, content));

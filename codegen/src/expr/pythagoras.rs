@@ -12,6 +12,9 @@ use super::number::Number;
 use super::rational::Rational;
 use super::sum::find_term;
 
+/// A longer product takes no part: each of its factors would be looked for among all terms.
+const LONGEST_PRODUCT: usize = 16;
+
 /// A monomial m and the angle u.
 struct Triple {
     monomial: Vec<Factor>,
@@ -42,6 +45,9 @@ impl Graph {
         else {
             return Vec::new();
         };
+        if factors.len() > LONGEST_PRODUCT {
+            return Vec::new();
+        }
         let mut triples = Vec::new();
         for factor in factors.iter().filter(|factor| factor.exponent.is_integer()) {
             let (Node::Sin(angle) | Node::Cos(angle)) = *self.node(factor.base) else {

@@ -61,6 +61,33 @@ impl Spline {
     }
 }
 
+impl Spline {
+    /// The largest magnitudes of the first three derivatives over the pieces; the last one, which goes on for ever, counts as far as
+    /// all others together.
+    pub fn largest_derivatives(&self) -> [f64; 3] {
+        let reach = match (self.starts.first(), self.starts.last()) {
+            (Some(first), Some(last)) => last - first,
+            _ => 0.0,
+        };
+        let mut largest = [0.0_f64; 3];
+        for (place, &[_, b, c, d]) in self.pieces.iter().enumerate() {
+            let length = match self.starts.get(place..place + 2) {
+                Some(&[start, end]) => end - start,
+                _ => reach,
+            };
+            let slope = |along: f64| (b + along * (2.0 * c + along * (3.0 * d))).abs();
+            // The slope is largest at an end of the piece, or where the second derivative is zero.
+            let turning = (-c / (3.0 * d)).clamp(0.0, length);
+            let slopes = [0.0, length, if turning.is_nan() { 0.0 } else { turning }].map(slope);
+            let curvatures = [2.0 * c, 2.0 * c + 6.0 * d * length].map(f64::abs);
+            largest[0] = slopes.into_iter().fold(largest[0], f64::max);
+            largest[1] = curvatures.into_iter().fold(largest[1], f64::max);
+            largest[2] = largest[2].max((6.0 * d).abs());
+        }
+        largest
+    }
+}
+
 impl Graph {
     /// The id of a spline, the same for equal ones.
     ///
@@ -71,8 +98,11 @@ impl Graph {
             spline.pieces.len() >= 2 && spline.pieces.len() == spline.starts.len(),
             "every piece has a start"
         );
-        let known = self.splines.iter().position(|known| **known == spline);
-        let place = known.unwrap_or_else(|| {
+        let named = self.splines_by_name.entry(spline.name.clone()).or_default();
+        let known = named.iter().find(|place| *self.splines[**place] == spline);
+        let place = known.copied().unwrap_or_else(|| {
+            self.ledger.store(spline.pieces.len() / 2);
+            named.push(self.splines.len());
             self.splines.push(Arc::new(spline));
             self.splines.len() - 1
         });

@@ -1,14 +1,17 @@
 //! Substitution: *an expression and replacements of symbols or parts* → *the expression with all of them put in at once*.
 //!
 //! The result is built with the same constructors, so it is as canonical as one written directly. Shared parts are rebuilt
-//! once; parts without a replaced symbol are not visited. The recursion is as deep as the expression.
+//! once; parts without a replaced symbol are not visited. What is nested deeply is rebuilt from the inside out.
 
 use super::graph::Graph;
 use super::hashing::BuildExprHasher;
 use super::node::{ExprId, Node, SymbolId};
 use super::number::Number;
 use super::product::Monomial;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+
+/// From so many levels on the operands are rebuilt before what is made of them.
+const DEEP: u32 = 32;
 
 /// What replaces what, and what is known already.
 struct Substitution {
@@ -52,6 +55,33 @@ impl Graph {
         if let Some(&known) = substitution.done.get(&expr) {
             return known;
         }
+        if self.depth(expr) > DEEP {
+            for operand in self.open_in(expr, substitution) {
+                self.rebuild(operand, substitution);
+            }
+        }
+        self.rebuild(expr, substitution)
+    }
+
+    /// What is below an expression and has to be rebuilt: operands first.
+    fn open_in(&self, expr: ExprId, substitution: &Substitution) -> Vec<ExprId> {
+        let mut seen: HashSet<ExprId, BuildExprHasher> = HashSet::default();
+        let mut stack = self.operands(expr);
+        while let Some(operand) = stack.pop() {
+            let is_open = (substitution.parts || self.concerns(operand, substitution))
+                && !substitution.done.contains_key(&operand);
+            if is_open && seen.insert(operand) {
+                self.node(operand).each_operand(|inner| stack.push(inner));
+            }
+        }
+        let mut open: Vec<ExprId> = seen.into_iter().collect();
+        open.sort_unstable();
+        open
+    }
+
+    /// An expression of its replaced operands.
+    fn rebuild(&mut self, expr: ExprId, substitution: &mut Substitution) -> ExprId {
+        self.ledger.touch(1);
         let result = match self.node(expr) {
             Node::Number(_) | Node::Pi => expr,
             Node::Symbol(symbol) => {

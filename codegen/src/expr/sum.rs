@@ -105,6 +105,7 @@ impl Graph {
 
     /// The expression for terms that are sorted, merged and not zero.
     fn canonical_sum(&mut self, terms: Vec<Term>) -> ExprId {
+        self.ledger.touch(terms.len());
         match terms[..] {
             [] => self.zero(),
             [term] if term.expr == self.one() => self.number(term.coefficient),

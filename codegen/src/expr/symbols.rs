@@ -25,8 +25,9 @@ impl SymbolSets {
         &self.members[self.set_of_node[expr.index()] as usize]
     }
 
-    /// Records the set of the next node.
-    pub(super) fn record(&mut self, node: &Node) {
+    /// Records the set of the next node, and says how many symbols had to be stored for it.
+    pub(super) fn record(&mut self, node: &Node) -> usize {
+        let before = self.members.len();
         let set = match node {
             Node::Number(_) | Node::Pi => 0,
             Node::Symbol(symbol) => self.store(Box::new([*symbol])),
@@ -48,6 +49,7 @@ impl SymbolSets {
             Node::Product(factors) => self.union(factors.iter().map(|factor| factor.base)),
         };
         self.set_of_node.push(set);
+        self.members[before..].iter().map(|it| it.len()).sum()
     }
 
     fn union(&mut self, operands: impl Iterator<Item = ExprId>) -> u32 {

@@ -130,7 +130,8 @@ impl Graph {
 
     fn square_of_length(&mut self, y: ExprId, x: ExprId) -> ExprId {
         let squares = [y, x].map(|part| self.power(part, Rational::integer(2)));
-        self.sum(&squares)
+        let square = self.sum(&squares);
+        self.tidied(square)
     }
 
     /// `part / √(x² + y²)`.
@@ -143,6 +144,7 @@ impl Graph {
     fn take_apart(&mut self, angle: ExprId) -> Angle {
         let mut terms = Vec::new();
         self.gather(Number::ONE, angle, &mut terms);
+        self.ledger.touch(terms.len());
         let mut negative = self.is_negative_lead(&terms);
         let mut core = if negative { self.negate(angle) } else { angle };
         let phase = terms

@@ -2,7 +2,7 @@
 
 use super::link::{link_rows, refuse_length, squared_row};
 use super::{Auxiliary, Kind, Operands, Quantity, Refusal, Resolved, Row, Slot, Value};
-use crate::expr::Graph;
+use crate::expr::{ExprId, Graph};
 
 /// (r_i + R_i s_i − A)ᵀ (r_i + R_i s_i − A) − L² = 0 (Haug 1989, section 3.2).
 pub struct AbsoluteDistance;
@@ -30,6 +30,10 @@ impl Kind for AbsoluteDistance {
 
     fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
         refuse_length(operands.value?, "`revolute (1.P, ground.A);`", graph)
+    }
+
+    fn positive(&self, operands: &Resolved, _graph: &mut Graph) -> Option<(ExprId, &'static str)> {
+        Some((operands.value?, "the distance"))
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

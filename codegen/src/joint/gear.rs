@@ -1,7 +1,7 @@
 //! Gears and belts: the angles of two bodies, seen from a carrier, keep a ratio.
 
 use super::{Kind, Operands, Quantity, Refusal, Resolved, Row, Value};
-use crate::expr::Graph;
+use crate::expr::{ExprId, Graph};
 
 /// (φ_j − φ_k − φ_j⁰) ± ratio (φ_i − φ_k − φ_i⁰) = 0 with the carrier k, the angles φ⁰ seen from it in the drawing, and
 /// ratio = r_i/r_j (Haug 1989, section 3.4, for any carrier).
@@ -85,6 +85,10 @@ impl Kind for Gear {
             )
         };
         Some(Refusal { problem, help })
+    }
+
+    fn positive(&self, operands: &Resolved, _graph: &mut Graph) -> Option<(ExprId, &'static str)> {
+        Some((operands.value?, "the ratio of radii"))
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

@@ -44,7 +44,7 @@ impl Frame {
     /// R(φ) v: the vector `v` of this frame in global components.
     pub fn rotate(&self, v: Vector, graph: &mut Graph) -> Vector {
         let (sine, cosine) = (graph.sin(self.angle), graph.cos(self.angle));
-        turned(cosine, sine, v, graph)
+        tidied(turned(cosine, sine, v, graph), graph)
     }
 
     /// Rᵀ(φ) v: the global vector `v` in the components of this frame.
@@ -87,6 +87,18 @@ pub fn subtract(a: Vector, b: Vector, graph: &mut Graph) -> Vector {
     [graph.subtract(a[0], b[0]), graph.subtract(a[1], b[1])]
 }
 
+/// `a` with the components that are constants in their shortest form.
+pub fn tidied(a: Vector, graph: &mut Graph) -> Vector {
+    a.map(|component| graph.tidied(component))
+}
+
+/// |a|.
+pub fn length(a: Vector, graph: &mut Graph) -> ExprId {
+    let square = dot(a, a, graph);
+    let square = graph.tidied(square);
+    graph.sqrt(square)
+}
+
 /// a · b.
 pub fn dot(a: Vector, b: Vector, graph: &mut Graph) -> ExprId {
     let [first, second] = [graph.multiply(a[0], b[0]), graph.multiply(a[1], b[1])];
@@ -113,5 +125,6 @@ pub fn offset_along(
     let reach = subtract(target, i.frame.origin, graph);
     let along = dot(turned, reach, graph);
     let start = dot(direction, i.local, graph);
+    let start = graph.tidied(start);
     graph.subtract(along, start)
 }

@@ -39,10 +39,16 @@ pub(super) fn link_rows(operands: &Resolved, length: ExprId, graph: &mut Graph) 
 /// A length that is not positive: the square of the distance would be singular at zero, and has no sign.
 pub(super) fn refuse_length(length: ExprId, instead: &str, graph: &Graph) -> Option<Refusal> {
     let length = graph.constant_value(length)?;
-    if length > 0.0 {
+    // The square is what the equation is about.
+    if length > 0.0 && length * length >= f64::MIN_POSITIVE {
         return None;
     }
-    let (problem, help) = if length < 0.0 {
+    let (problem, help) = if length > 0.0 {
+        (
+            format!("a distance of {length:e} m is too small for its square"),
+            "is a unit or an exponent wrong?".to_string(),
+        )
+    } else if length < 0.0 {
         (
             "a distance is not negative".to_string(),
             "write it without the sign".to_string(),
@@ -58,6 +64,5 @@ pub(super) fn refuse_length(length: ExprId, instead: &str, graph: &Graph) -> Opt
 /// The distance of the marks in the drawing.
 pub(super) fn drawn_length(operands: &Resolved, graph: &mut Graph) -> ExprId {
     let gap = operands.drawn_gap(graph);
-    let square = dot(gap, gap, graph);
-    graph.sqrt(square)
+    super::geometry::length(gap, graph)
 }

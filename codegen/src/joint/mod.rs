@@ -100,6 +100,10 @@ pub trait Kind: Sync {
     fn refusal(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Refusal> {
         None
     }
+    /// What must be positive for these operands to make a joint of this kind whatever the parameters are, and what it is called.
+    fn positive(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<(ExprId, &'static str)> {
+        None
+    }
     /// The rows of the vector form: as many more as the kind has [auxiliaries](Kind::auxiliaries), and linear in the positions, the
     /// turned vectors and their products with a displacement. The textbook's rows, where they are that already.
     fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

@@ -74,6 +74,10 @@ impl Kind for Rack {
         })
     }
 
+    fn positive(&self, operands: &Resolved, _graph: &mut Graph) -> Option<(ExprId, &'static str)> {
+        Some((operands.value?, "the radius of the pinion"))
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let (Some((axis, rack, pinion)), Some(rolled)) =
             (operands.along(), rolled(operands, graph))

@@ -50,6 +50,10 @@ impl Kind for RelativeDistance {
         refuse_length(length(operands, graph), PIN, graph)
     }
 
+    fn positive(&self, operands: &Resolved, graph: &mut Graph) -> Option<(ExprId, &'static str)> {
+        Some((length(operands, graph), "the distance"))
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let length = length(operands, graph);
         squared_row(operands, length, graph)
@@ -86,6 +90,10 @@ impl Kind for RevoluteRevolute {
         refuse_length(length(operands, graph), PIN, graph)
     }
 
+    fn positive(&self, operands: &Resolved, graph: &mut Graph) -> Option<(ExprId, &'static str)> {
+        Some((length(operands, graph), "the distance"))
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         RelativeDistance.rows(operands, graph)
     }
@@ -118,6 +126,10 @@ impl Kind for DistanceDriver {
 
     fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
         refuse_length(length(operands, graph), PIN, graph)
+    }
+
+    fn positive(&self, operands: &Resolved, graph: &mut Graph) -> Option<(ExprId, &'static str)> {
+        Some((length(operands, graph), "the distance"))
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

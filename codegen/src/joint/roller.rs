@@ -43,6 +43,10 @@ impl Kind for Roller {
         })
     }
 
+    fn positive(&self, operands: &Resolved, _graph: &mut Graph) -> Option<(ExprId, &'static str)> {
+        Some((operands.value?, "the radius of the roller"))
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let (Some(curve), Some(radius)) = (operands.curve, operands.value) else {
             return Vec::new();

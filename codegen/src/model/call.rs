@@ -8,7 +8,7 @@ use super::law::LAWS;
 use super::resolve::Resolver;
 use super::synonyms::{self, meant};
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::joint::geometry::{dot, subtract};
+use crate::joint::geometry::{length, subtract};
 use crate::syntax::{Expression, ExpressionKind, Name};
 
 /// The functions of the language, for help lines.
@@ -152,7 +152,6 @@ impl Resolver<'_> {
             .collect();
         let (from, to) = (points[0]?, points[1]?);
         let gap = subtract(to, from, &mut self.graph);
-        let square = dot(gap, gap, &mut self.graph);
-        Some((self.graph.sqrt(square), Dimension::LENGTH))
+        Some((length(gap, &mut self.graph), Dimension::LENGTH))
     }
 }

@@ -7,7 +7,7 @@ use super::operands::Given;
 use super::resolve::Resolver;
 use super::search::{Along, Minima, Minimum, minima};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::{ExprId, Number};
+use crate::expr::{ExprId, Number, SymbolId};
 use crate::joint::{Curve, Resolved};
 use crate::syntax::Reference;
 
@@ -70,7 +70,6 @@ impl Resolver<'_> {
         mut operands: Resolved,
     ) -> Option<Resolved> {
         let curve = operands.curve?;
-        let symbols = self.drawn_symbols();
         let one = self.graph.one();
         let mut searched: Vec<(ExprId, Minima)> = Vec::new();
         let mut stated: Vec<Vec<ExprId>> = Vec::new();
@@ -80,12 +79,13 @@ impl Resolver<'_> {
             let rows: Vec<ExprId> = rows.iter().map(|row| row.residual).collect();
             // A kind that does not tell the sides apart states the same rows for both.
             if !stated.contains(&rows) {
-                let mut along = Along::new(&self.graph, &rows, curve.parameter, &symbols);
+                let mut along = self.along(&rows, curve.parameter);
                 searched.push((side, minima(drawn.range, |place| along.square(place))));
                 stated.push(rows);
             }
         }
-        let mut along = Along::new(&self.graph, &drawn.point, drawn.parameter, &symbols);
+        let mut along = self.along(&drawn.point, drawn.parameter);
+        self.graph.spend(along.work());
         // Half the larger side of the box around it, wherever that is in the frame of its body.
         let size = [0, 1]
             .map(|axis| {
@@ -170,7 +170,7 @@ impl Resolver<'_> {
             estimate,
             ..curve
         });
-        self.warn_of_hollows(given, drawn, &operands, rounded, &symbols);
+        self.warn_of_hollows(given, drawn, &operands, rounded);
         Some(operands)
     }
 
@@ -181,14 +181,13 @@ impl Resolver<'_> {
         drawn: &DrawnCurve,
         operands: &Resolved,
         place: f64,
-        symbols: &[f64],
     ) {
         let Some(curve) = operands.curve else { return };
         let contact = given.kind.contact(operands, &mut self.graph);
         let Some((fit, problem)) = contact.and_then(|contact| contact.fit) else {
             return;
         };
-        let mut along = Along::new(&self.graph, &[fit], curve.parameter, symbols);
+        let mut along = self.along(&[fit], curve.parameter);
         let sign = along.at(place)[0].signum();
         let worst = minima(drawn.range, |place| sign * along.at(place)[0]).first();
         if let Some(worst) = worst
@@ -206,15 +205,20 @@ impl Resolver<'_> {
         }
     }
 
-    /// The values of all symbols in the drawing, at t = 0.
-    pub(super) fn drawn_symbols(&self) -> Vec<f64> {
-        let mut values = vec![0.0; self.graph.symbol_count()];
-        self.graph.fill_nominal(&mut values);
-        for body in &self.bodies {
-            for (symbol, drawn) in body.coordinates.into_iter().flatten().zip(body.estimate()) {
-                values[symbol.index()] = self.graph.constant_value(drawn).unwrap_or(0.0);
-            }
-        }
-        values
+    /// Expressions along a parameter, with everything else as drawn. What looking for their minima costs is counted.
+    pub(super) fn along(&mut self, parts: &[ExprId], parameter: SymbolId) -> Along {
+        let along = Along::new(&self.graph, parts, parameter, |symbol| {
+            self.drawn_value(symbol)
+        });
+        self.graph.spend(along.work());
+        along
+    }
+
+    /// The value of a symbol in the drawing, at t = 0.
+    pub(super) fn drawn_value(&self, symbol: SymbolId) -> f64 {
+        let coordinate = self.coordinate_places.get(&symbol);
+        let estimate = coordinate.map(|&(body, axis)| self.bodies[body.0].estimate()[axis]);
+        let value = estimate.and_then(|drawn| self.graph.constant_value(drawn));
+        value.or(self.graph.nominal(symbol)).unwrap_or(0.0)
     }
 }

@@ -5,7 +5,7 @@
 use super::Dimension;
 use super::expression::BUILT_IN;
 use super::resolve::Resolver;
-use super::search::{Along, Range, minima};
+use super::search::{Range, minima};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
@@ -174,8 +174,7 @@ impl Resolver<'_> {
         let tangent = drawn
             .point
             .map(|part| self.graph.derivative(part, drawn.parameter));
-        let values = self.drawn_symbols();
-        let mut along = Along::new(&self.graph, &tangent, drawn.parameter, &values);
+        let mut along = self.along(&tangent, drawn.parameter);
         let minima = minima(drawn.range, |place| along.square(place));
         let Some(found) = minima.first() else { return };
         // A share of 1e-5 of the largest speed is none.

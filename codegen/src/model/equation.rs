@@ -7,7 +7,8 @@ use super::live::Live;
 use super::resolve::Resolver;
 use super::{Dimension, Joint, Role};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::ExprId;
+use crate::expr::{ExprId, SymbolId};
+use crate::joint::geometry::Mark;
 use crate::joint::{Drawn, EQUATION, Formula, Resolved};
 use crate::syntax::Equation;
 
@@ -28,7 +29,7 @@ impl Resolver<'_> {
             return;
         }
         let residual = self.graph.subtract(left, right);
-        let Live { marks, arms } = self.mentioned_in(residual, live);
+        let (marks, arms) = self.mentioned_in(residual, live);
         if marks.is_empty() {
             self.diagnostics.push(
                 Diagnostic::error(
@@ -61,8 +62,8 @@ impl Resolver<'_> {
                 quantity: of_left.joined(of_right).quantity(),
             }),
         };
-        let is_equation = |(joint, _): &&(Joint, _)| joint.kind.keyword() == EQUATION.keyword();
-        let number = self.joints.iter().filter(is_equation).count() + 1;
+        self.equation_count += 1;
+        let number = self.equation_count;
         let (label, slug) = match name {
             Some(name) => (format!("equation {}", name.text), name.text.clone()),
             None => (format!("equation {number}"), format!("equation_{number}")),
@@ -82,26 +83,27 @@ impl Resolver<'_> {
             operands,
             span: equation.span,
         };
-        self.joints.push((joint, None));
+        self.push_joint(joint, None);
     }
 
     /// The marks of bodies that a residual still mentions, after what cancels, with their arms.
-    fn mentioned_in(&self, residual: ExprId, live: Live) -> Live {
-        let symbols = self.graph.symbols(residual);
+    fn mentioned_in(
+        &self,
+        residual: ExprId,
+        live: Live,
+    ) -> (Vec<Mark>, Vec<Option<[SymbolId; 2]>>) {
         let marks = live.marks.into_iter().zip(live.arms);
-        let (marks, arms) = marks
+        marks
             .filter(|(mark, arm)| {
                 let own = self.bodies[mark.frame.body.0].coordinates;
                 let mut own = own.iter().flatten().chain(arm.iter().flatten());
-                own.any(|symbol| symbols.contains(symbol))
+                own.any(|&symbol| self.graph.depends_on(residual, symbol))
             })
-            .unzip();
-        Live { marks, arms }
+            .unzip()
     }
 
     fn report_sides(&mut self, equation: &Equation, left: Dimension, right: Dimension) {
-        self.diagnostics.push(
-            Diagnostic::error(
+        let finding = Diagnostic::error(
                 Code::WrongDimension,
                 equation.right.span,
                 format!("{} cannot be equal to {}", left.name(), right.name()),
@@ -111,7 +113,8 @@ impl Resolver<'_> {
                 equation.left.span,
                 format!("this is {}", left.name()),
             )
-            .help("give both sides the same kind of unit: the square of a length, for example, is equal to the square of a length"),
-        );
+            .help("give both sides the same kind of unit: the square of a length, for example, is equal to the square of a length");
+        let finding = self.with_declarations(finding, &[&equation.left, &equation.right]);
+        self.diagnostics.push(finding);
     }
 }

@@ -44,20 +44,18 @@ impl Resolver<'_> {
     pub(super) fn quantity(&mut self, written: &Expression, expected: Dimension) -> Option<ExprId> {
         let (value, found) = self.value(written)?;
         if !found.fits(expected) {
-            self.diagnostics.push(
-                Diagnostic::error(
-                    Code::WrongDimension,
-                    written.span,
-                    format!("expected {}, found {}", expected.name(), found.name()),
-                )
-                .label(format!("this is {}", found.name()))
-                .help(match expected {
-                    Dimension::LENGTH => {
-                        "lengths end in `m`, `cm`, `mm`, … or in no unit for meters"
-                    }
-                    _ => "angles end in `deg`, `rad`, `turn` or in no unit for radians",
-                }),
-            );
+            let finding = Diagnostic::error(
+                Code::WrongDimension,
+                written.span,
+                format!("expected {}, found {}", expected.name(), found.name()),
+            )
+            .label(format!("this is {}", found.name()))
+            .help(match expected {
+                Dimension::LENGTH => "lengths end in `m`, `cm`, `mm`, … or in no unit for meters",
+                _ => "angles end in `deg`, `rad`, `turn` or in no unit for radians",
+            });
+            let finding = self.with_declarations(finding, &[written]);
+            self.diagnostics.push(finding);
             return None;
         }
         Some(value)
@@ -94,7 +92,8 @@ impl Resolver<'_> {
                 return None;
             }
         };
-        self.finite(value, written)
+        let value = self.finite(value, written)?;
+        self.shallow(value, written)
     }
 
     fn number(&mut self, digits: &str, suffix: Option<&Name>, span: Span) -> Option<Value> {
@@ -159,10 +158,7 @@ impl Resolver<'_> {
         if self.live.is_some() {
             return self.live_name(reference);
         }
-        let carrier = self
-            .bodies
-            .iter()
-            .find(|body| body.marks.iter().any(|mark| mark.name == *name));
+        let carrier = self.carriers.first_carrier(name);
         let is_point =
             reference.body.is_some() || self.drawn.get(name).is_some() || carrier.is_some();
         let no_number = |what: &str| {
@@ -192,7 +188,7 @@ impl Resolver<'_> {
         let values: Vec<Option<Value>> = terms.iter().map(|(_, term)| self.value(term)).collect();
         let mut signed = Vec::with_capacity(terms.len());
         let mut dimension = Dimension::Number;
-        let mut marked: Option<Span> = None;
+        let mut marked: Option<&Expression> = None;
         for ((sign, term), value) in terms.iter().zip(values) {
             let (value, found) = value?;
             if !found.fits(dimension) {
@@ -204,13 +200,16 @@ impl Resolver<'_> {
                 .label(format!("this is {}", found.name()))
                 .help("give both the same kind of unit, or write bare numbers for SI units");
                 if let Some(other) = marked {
-                    diagnostic = diagnostic.also(other, format!("this is {}", dimension.name()));
+                    let what = format!("this is {}", dimension.name());
+                    diagnostic = diagnostic.also(other.span, what);
+                    diagnostic = self.with_declarations(diagnostic, &[other]);
                 }
+                diagnostic = self.with_declarations(diagnostic, &[term]);
                 self.diagnostics.push(diagnostic);
                 return None;
             }
             if !dimension.is_marked() && found.is_marked() {
-                marked = Some(term.span);
+                marked = Some(term);
             }
             dimension = dimension.joined(found);
             signed.push(if *sign == Sign::Minus {
@@ -281,15 +280,15 @@ impl Resolver<'_> {
     }
 
     pub(super) fn report_argument(&mut self, of: &str, argument: &Expression, found: Dimension) {
-        self.diagnostics.push(
-            Diagnostic::error(
-                Code::WrongDimension,
-                argument.span,
-                format!("{of} {}", found.name()),
-            )
-            .label(format!("this is {}", found.name()))
-            .help("divide by a quantity of the same unit, or write bare numbers for SI units"),
-        );
+        let finding = Diagnostic::error(
+            Code::WrongDimension,
+            argument.span,
+            format!("{of} {}", found.name()),
+        )
+        .label(format!("this is {}", found.name()))
+        .help("divide by a quantity of the same unit, or write bare numbers for SI units");
+        let finding = self.with_declarations(finding, &[argument]);
+        self.diagnostics.push(finding);
     }
 }
 

@@ -4,6 +4,8 @@
 //! An input moves as t does: it may stand where t may. Both are named in the name space of the constants. Deliberately unknown
 //! here: what depends on them.
 
+use std::collections::HashMap;
+
 use super::dimension::Dimension;
 use super::expression::Value;
 use super::resolve::Resolver;
@@ -13,11 +15,14 @@ use crate::expr::ExprId;
 use crate::syntax::{self, Name};
 
 /// What a statement declares, for messages.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Sort {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Sort {
     Parameter,
     Input,
 }
+
+/// The name that first became a field of this sort; only looked up.
+pub(super) type Fields = HashMap<(Sort, String), Name>;
 
 impl Sort {
     fn noun(self) -> &'static str {
@@ -66,6 +71,7 @@ impl Resolver<'_> {
             self.diagnostics.push(duplicate);
             return;
         }
+        self.input_places.insert(value, self.inputs.len());
         self.inputs.push(Input {
             name: name.text.clone(),
             docs: written.docs.clone(),
@@ -138,24 +144,12 @@ impl Resolver<'_> {
             );
             return;
         }
-        let others: Vec<(&str, Span)> = match sort {
-            Sort::Parameter => {
-                let parameters = self.parameters.iter();
-                parameters
-                    .map(|own| (own.name.as_str(), own.span))
-                    .collect()
-            }
-            Sort::Input => {
-                let inputs = self.inputs.iter();
-                inputs.map(|own| (own.name.as_str(), own.span)).collect()
-            }
-        };
-        let earlier = others
-            .into_iter()
-            .find(|(other, _)| *other != name.text && field_name(other) == field_name(&name.text));
-        let Some((earlier, span)) = earlier else {
+        let field = (sort, field_name(&name.text));
+        let earlier = self.fields.entry(field).or_insert_with(|| name.clone());
+        if earlier.text == name.text {
             return;
-        };
+        }
+        let (earlier, span) = (&earlier.text, earlier.span);
         let finding = Diagnostic::error(
             Code::NameNotAllowed,
             name.span,
@@ -178,17 +172,18 @@ impl Resolver<'_> {
         if self.graph.depends_on(value, self.time) {
             return Some("`t`".to_string());
         }
-        let input = self
-            .inputs
-            .iter()
-            .find(|input| self.graph.depends_on(value, input.symbols[0]))?;
+        let symbols = self.graph.symbols(value).iter();
+        let places = symbols.filter_map(|symbol| self.input_places.get(symbol));
+        let input = &self.inputs[*places.min()?];
         Some(format!("the input `{}`", input.name))
     }
 
     /// Notes which parameters and inputs are mentioned.
     pub(super) fn mention(&mut self, value: ExprId) {
         let symbols = self.graph.symbols(value);
+        let count = symbols.len();
         self.mentioned.extend(symbols.iter().copied());
+        self.graph.spend(count / 4);
     }
 
     /// Notes which parameters and inputs are used, once all statements have been read.
@@ -220,10 +215,14 @@ pub(super) fn unused(mechanisms: &[Mechanism]) -> Vec<Diagnostic> {
         parameters.chain(inputs).chain(tables).collect()
     };
     let mut found: Vec<(&'static str, String, Span, bool)> = Vec::new();
+    let mut places: HashMap<Span, usize> = HashMap::new();
     for (noun, name, span, used) in mechanisms.iter().flat_map(declared) {
-        match found.iter_mut().find(|earlier| earlier.2 == span) {
-            Some(earlier) => earlier.3 |= used,
-            None => found.push((noun, name, span, used)),
+        match places.get(&span) {
+            Some(&earlier) => found[earlier].3 |= used,
+            None => {
+                places.insert(span, found.len());
+                found.push((noun, name, span, used));
+            }
         }
     }
     found

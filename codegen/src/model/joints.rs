@@ -13,6 +13,7 @@ impl Resolver<'_> {
     pub(super) fn add_joint(&mut self, joint: &syntax::Joint) {
         let keyword = joint.kind.text.as_str();
         let Some(kind) = kind_named(keyword, CONSTRAINTS) else {
+            self.broken_lines.extend(joint.along.clone());
             let keywords: Vec<&str> = CONSTRAINTS.iter().map(|kind| kind.keyword()).collect();
             let diagnostic = Diagnostic::error(
                 Code::UnknownStatement,
@@ -98,8 +99,8 @@ impl Resolver<'_> {
     /// The point K of `drive K.x` on the first body that carries it; a body, or a point of a body, as it is written.
     fn on_its_carrier(&mut self, operand: &syntax::Reference) -> Option<syntax::Reference> {
         let name = &operand.name;
-        let carries = |body: &&super::Body| body.marks.iter().any(|mark| mark.name == name.text);
-        let carrier = self.bodies.iter().find(carries);
+        let carrier = self.carriers.first_carrier(&name.text);
+        let carrier = carrier.map(|(body, _)| &self.bodies[body.0]);
         if operand.body.is_some() || (carrier.is_none() && self.body_ids.get(&name.text).is_some())
         {
             return Some(operand.clone());
@@ -129,6 +130,7 @@ impl Resolver<'_> {
 
     fn add_rows_of(&mut self, given: &Given<'_>, redundant: Option<Span>, docs: &[String]) {
         let Some(operands) = self.operands(given) else {
+            self.broken_lines.extend(given.along.cloned());
             return;
         };
         let label = label(given);
@@ -143,7 +145,18 @@ impl Resolver<'_> {
             operands,
             span: given.span,
         };
-        self.joints.push((joint, given.along.cloned()));
+        self.push_joint(joint, given.along.cloned());
+    }
+}
+
+impl Resolver<'_> {
+    /// Takes in a joint, with the direction it was written along.
+    pub(super) fn push_joint(&mut self, joint: Joint, along: Option<syntax::Direction>) {
+        if let (true, [one, other]) = (joint.kind.joins_points(), &joint.operands.marks[..]) {
+            self.carriers.join(one, other);
+        }
+        self.slugs.take(&joint.slug);
+        self.joints.push((joint, along));
     }
 }
 

@@ -6,12 +6,18 @@ use super::Joint;
 use super::operands::Given;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::joint::geometry::{Mark, Vector, dot, subtract};
+use crate::expr::{ExprId, Node};
+use crate::joint::geometry::{Mark, Vector, length, subtract, tidied};
 use crate::joint::{AuxiliaryUnknown, Axis, Slot};
 use crate::syntax::{Direction, Reference};
 
 /// The marks, the line and the auxiliary unknowns of a joint written before.
 pub(super) type LineOfJoint = (Vec<Mark>, Option<Axis>, Vec<AuxiliaryUnknown>);
+
+/// Places nearer to one another than this share of their coordinates are equal up to rounding.
+const ROUNDING: f64 = 1e-14;
+/// What to do about two points that are one.
+pub(super) const APART: &str = "name two points that are apart in the drawing";
 
 impl Resolver<'_> {
     /// `(1, 2) along P -> Q`: P on the first body, Q on the second, the line as drawn.
@@ -44,7 +50,11 @@ impl Resolver<'_> {
         let marks: Vec<Mark> = marks.into_iter().collect::<Option<_>>()?;
         self.different_bodies(&marks, given)?;
         let drawn = [self.drawn_mark(&marks[0]), self.drawn_mark(&marks[1])];
-        let direction = self.unit_direction(drawn[0], drawn[1], along.span)?;
+        let sliding = &given.operands[1].name.text;
+        let help = format!(
+            "draw body `{sliding}` further along the line, on the side to which it slides: where it is drawn is an estimate, and a driver may start at length zero all the same"
+        );
+        let direction = self.unit_direction(drawn[0], drawn[1], along.span, &help)?;
         let frames = [0, 1].map(|side| self.bodies[marks[side].frame.body.0].drawn);
         let direction = frames[0].unrotate(direction, &mut self.graph);
         let relative_angle = self.graph.subtract(frames[0].angle, frames[1].angle);
@@ -92,7 +102,7 @@ impl Resolver<'_> {
             None
         });
         let [start, end] = [ends[0]?, ends[1]?];
-        let direction = self.unit_direction(start.local, end.local, along.span)?;
+        let direction = self.unit_direction(start.local, end.local, along.span, APART)?;
         let turned = frame.rotate(direction, &mut self.graph);
         let drawn = [owner, 1 - owner].map(|side| self.bodies[marks[side].frame.body.0].drawn);
         let relative_angle = self.graph.subtract(drawn[0].angle, drawn[1].angle);
@@ -106,20 +116,22 @@ impl Resolver<'_> {
         Some((marks, axis))
     }
 
-    /// The unit vector from one drawn point to another.
+    /// The unit vector from one drawn point to another; `help` says what to do where they are one.
     pub(super) fn unit_direction(
         &mut self,
         from: Vector,
         to: Vector,
         span: Span,
+        help: &str,
     ) -> Option<Vector> {
         let graph = &mut self.graph;
         let gap = subtract(to, from, graph);
-        let square = dot(gap, gap, graph);
-        let length = graph.sqrt(square);
+        let length = length(gap, graph);
         let measured = graph.constant_value(length).unwrap_or(0.0);
-        if measured > 0.0 && measured.is_finite() {
-            return Some([graph.divide(gap[0], length), graph.divide(gap[1], length)]);
+        if measured > 0.0 && measured.is_finite() && self.are_apart(from, to) {
+            let graph = &mut self.graph;
+            let along = gap.map(|part| graph.divide(part, length));
+            return Some(tidied(along, graph));
         }
         self.diagnostics.push(
             Diagnostic::error(
@@ -128,9 +140,25 @@ impl Resolver<'_> {
                 "this direction has no length in the drawing",
             )
             .label("both points are at the same place")
-            .help("name two points that are apart in the drawing"),
+            .help(help),
         );
         None
+    }
+
+    /// Whether two places of the drawing differ, by more than the rounding of their roots and sines.
+    pub(super) fn are_apart(&self, from: Vector, to: Vector) -> bool {
+        let graph = &self.graph;
+        let parts = from.into_iter().chain(to);
+        if parts
+            .clone()
+            .all(|part| matches!(graph.node(part), Node::Number(_)))
+        {
+            return from != to;
+        }
+        let value = |part: ExprId| graph.constant_value(part).unwrap_or(0.0);
+        let gap = (value(to[0]) - value(from[0])).hypot(value(to[1]) - value(from[1]));
+        let size = parts.fold(0.0_f64, |most, part| most.max(value(part).abs()));
+        gap > ROUNDING * size
     }
 
     /// `(P, Q)`: the line of the one joint that was written `along P -> Q`, and its displacement.
@@ -160,6 +188,14 @@ impl Resolver<'_> {
                 operands.axis,
                 operands.auxiliaries.clone(),
             ));
+        }
+        // Why there is no such joint has been said.
+        let is_broken = |along: &Direction| {
+            let fits = |from, to| same(from, &along.from) && same(to, &along.to);
+            fits(wanted[0], wanted[1]) || fits(wanted[1], wanted[0])
+        };
+        if self.broken_lines.iter().any(is_broken) {
+            return None;
         }
         let span = wanted[0].span.to(wanted[1].span);
         let [p, q] = [&wanted[0].name.text, &wanted[1].name.text];

@@ -4,10 +4,12 @@
 //! the arms of the textbook as well as with those of the vector form. The sine and the cosine of a body's angle are the arm
 //! of a unit vector.
 
+use std::collections::HashMap;
+
 use super::Dimension;
 use super::expression::Value;
 use super::resolve::Resolver;
-use crate::diagnostic::{Code, Diagnostic, Span, nearest};
+use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::SymbolId;
 use crate::joint::geometry::{BodyId, Mark, Vector, add, dot, subtract};
 use crate::syntax::{Expression, ExpressionKind, Name, Reference};
@@ -19,6 +21,8 @@ pub(super) struct Live {
     pub marks: Vec<Mark>,
     /// What stands for the arm of each mark; `None` where nothing mentions it.
     pub arms: Vec<Option<[SymbolId; 2]>>,
+    /// The place of each mark; only looked up.
+    places: HashMap<(BodyId, Vector), usize>,
 }
 
 /// What rates are called in other languages.
@@ -241,7 +245,7 @@ impl Resolver<'_> {
         let known = constants
             .chain(drawn)
             .chain(marks.map(|mark| mark.name.as_str()));
-        match nearest(&name.text, known) {
+        match self.nearest_known(&name.text, known) {
             Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
             None => diagnostic.help("declare a constant or a point of this name above this line"),
         }
@@ -308,17 +312,13 @@ impl Resolver<'_> {
     }
 
     fn is_point(&self, name: &str) -> bool {
-        let mut marks = self.bodies.iter().flat_map(|body| &body.marks);
-        self.drawn.get(name).is_some() || marks.any(|mark| mark.name == name)
+        self.drawn.get(name).is_some() || self.carriers.first_carrier(name).is_some()
     }
 
     /// Whether there is a body of this name that carries a point of that name.
     fn is_on_body(&self, body: &Name, point: &Name) -> bool {
-        let marks = self
-            .body_ids
-            .get(&body.text)
-            .map(|body| &self.bodies[body.0].marks);
-        marks.is_some_and(|marks| marks.iter().any(|mark| mark.name == point.text))
+        let body = self.body_ids.get(&body.text);
+        body.is_some_and(|&body| self.carriers.on_body(body, &point.text).is_some())
     }
 
     /// The mark of a point in an equation. One that is named without a body is, where it is drawn, a point of the first body
@@ -329,14 +329,13 @@ impl Resolver<'_> {
             return self.point_mark(reference);
         }
         if self.drawn.get(&name.text).is_some() {
-            let mut marks = self.bodies.iter().flat_map(|body| &body.marks);
-            return match marks.find(|mark| mark.name == name.text) {
-                Some(carried) => Some(carried.mark),
-                None => self.mark_on(BodyId::GROUND, name),
+            return match self.carriers.first_carrier(&name.text) {
+                Some(carried) => Some(self.carried(carried).mark),
+                None => self.mark_on_ground(name),
             };
         }
-        match self.carriers_of(&name.text).as_slice() {
-            [(_, only)] => Some(only.mark),
+        match self.carriers.carriers_of(&name.text)[..] {
+            [only] => Some(self.carried(only).mark),
             [] if self.body_ids.get(&name.text).is_some() => {
                 self.moving_body(name)?;
                 self.origin_mark(reference)
@@ -346,19 +345,8 @@ impl Resolver<'_> {
                 self.diagnostics.push(unknown);
                 None
             }
-            [(first, one), (_, other), ..] => {
-                let body = &self.bodies[first.0].name;
-                self.diagnostics.push(
-                    Diagnostic::error(
-                        Code::PointNotOnBody,
-                        name.span,
-                        format!("several bodies have a point `{}`", name.text),
-                    )
-                    .label("not one point")
-                    .also(one.span, "one of them")
-                    .also(other.span, "another")
-                    .help(format!("name the body too: `{body}.{}.x`", name.text)),
-                );
+            [_, _, ..] => {
+                self.report_without_body(name);
                 None
             }
         }
@@ -393,9 +381,11 @@ impl Resolver<'_> {
         let Some(live) = &mut self.live else {
             return 0;
         };
-        if let Some(known) = live.marks.iter().position(|known| *known == mark) {
+        let place = (mark.frame.body, mark.local);
+        if let Some(&known) = live.places.get(&place) {
             return known;
         }
+        live.places.insert(place, live.marks.len());
         live.marks.push(mark);
         live.arms.push(None);
         live.marks.len() - 1

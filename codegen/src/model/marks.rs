@@ -2,21 +2,62 @@
 
 use super::operands::Given;
 use super::resolve::{DrawnPoint, Resolver};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, nearest};
 use crate::joint::geometry::{BodyId, Mark, Vector};
 use crate::syntax::{Name, Reference};
 
 impl Resolver<'_> {
     /// The body of this name.
     pub(super) fn body(&mut self, name: &Name) -> Option<BodyId> {
-        match self.body_ids.get(&name.text) {
-            Some(&body) => Some(body),
-            None => {
-                self.diagnostics
-                    .push(self.body_ids.unknown(&name.text, name.span));
-                None
-            }
+        if let Some(&body) = self.body_ids.get(&name.text) {
+            return Some(body);
         }
+        let carriers = self.names_of_carriers(&name.text);
+        let diagnostic = self.body_ids.unknown(&name.text, name.span);
+        self.diagnostics.push(match carriers.first() {
+            Some(body) => diagnostic
+                .label("this is a point, and a body is wanted here")
+                .instead(format!("name a body, such as `{body}`, which carries it")),
+            None if self.drawn.get(&name.text).is_some() => diagnostic
+                .label("this is a point, and a body is wanted here")
+                .instead("a point that no body carries is fixed to the `ground`"),
+            None => diagnostic,
+        });
+        None
+    }
+
+    /// The names of the bodies that carry a point of this name.
+    pub(super) fn names_of_carriers(&self, point: &str) -> Vec<&str> {
+        let carriers = self.carriers.all_of(point);
+        carriers
+            .map(|(body, _)| self.bodies[body.0].name.as_str())
+            .collect()
+    }
+
+    /// The error for a point that bodies carry, named without one of them.
+    pub(super) fn report_without_body(&mut self, name: &Name) {
+        let carriers = self.names_of_carriers(&name.text);
+        let written: Vec<String> = carriers
+            .iter()
+            .map(|body| format!("`{body}.{}`", name.text))
+            .collect();
+        let message = match carriers.as_slice() {
+            [body] => format!("the point `{}` is on body `{body}`", name.text),
+            _ => format!("several bodies have a point `{}`", name.text),
+        };
+        let mut diagnostic = Diagnostic::error(Code::PointNotOnBody, name.span, message)
+            .label("named without a body");
+        for carried in self.carriers.all_of(&name.text).take(2) {
+            diagnostic = diagnostic.also(self.carried(carried).span, "carried here");
+        }
+        diagnostic = diagnostic.help(format!("write {}", alternatives(&written)));
+        if self.drawn.get(&name.text).is_some() {
+            diagnostic = diagnostic.help(format!(
+                "the place where it is drawn, fixed to the ground, is `ground.{}`",
+                name.text
+            ));
+        }
+        self.diagnostics.push(diagnostic);
     }
 
     /// A body named alone, for its origin.
@@ -41,32 +82,48 @@ impl Resolver<'_> {
         Some(Mark::new(frame, [zero, zero], &mut self.graph))
     }
 
-    /// `BODY` for its origin or `BODY.POINT`.
+    /// `BODY` for its origin, `BODY.POINT`, or `POINT` for one that is drawn and that no body carries: the ground does.
     pub(super) fn point_mark(&mut self, reference: &Reference) -> Option<Mark> {
-        match &reference.body {
-            None => self.origin_mark(reference),
-            Some(body) => {
-                let body = self.body(body)?;
-                self.mark_on(body, &reference.name)
-            }
+        if let Some(body) = &reference.body {
+            let body = self.body(body)?;
+            return self.mark_on(body, &reference.name);
         }
+        let name = &reference.name;
+        if self.body_ids.get(&name.text).is_some() {
+            return self.origin_mark(reference);
+        }
+        if !self.names_of_carriers(&name.text).is_empty() {
+            self.report_without_body(name);
+            return None;
+        }
+        if self.drawn.get(&name.text).is_some() {
+            return self.mark_on_ground(name);
+        }
+        let bodies = self.body_ids.iter().map(|(name, _)| name.text.as_str());
+        let points = self.drawn.iter().map(|(name, _)| name.text.as_str());
+        let diagnostic = self.body_ids.unknown(&name.text, name.span);
+        self.diagnostics
+            .push(match nearest(&name.text, bodies.chain(points)) {
+                Some(meant) => diagnostic.instead(format!("did you mean `{meant}`?")),
+                None => {
+                    diagnostic.instead("declare a body or a point of this name above this line")
+                }
+            });
+        None
     }
 
     /// The point of this name on a body. The ground carries every drawn point.
     pub(super) fn mark_on(&mut self, body: BodyId, name: &Name) -> Option<Mark> {
         let carrier = &self.bodies[body.0];
-        if let Some(mark) = carrier.marks.iter().find(|mark| mark.name == name.text) {
-            return Some(mark.mark);
+        if let Some(at) = self.carriers.on_body(body, &name.text) {
+            return Some(carrier.marks[at].mark);
         }
         let drawn = self.drawn.get(&name.text);
         if let (BodyId::GROUND, Some(point)) = (body, drawn) {
             let (frame, local) = (carrier.frame, point.position);
             return Some(Mark::new(frame, local, &mut self.graph));
         }
-        let carried_elsewhere = self
-            .bodies
-            .iter()
-            .any(|body| body.marks.iter().any(|mark| mark.name == name.text));
+        let carried_elsewhere = self.carriers.first_carrier(&name.text).is_some();
         let diagnostic = if body == BodyId::GROUND {
             Diagnostic::error(
                 Code::PointNotOnBody,
@@ -101,6 +158,30 @@ impl Resolver<'_> {
         None
     }
 
+    /// A drawn point that no body carries, also none below.
+    pub(super) fn mark_on_ground(&mut self, name: &Name) -> Option<Mark> {
+        let Some(&(body, place)) = self.carried.get(name.text.as_str()) else {
+            return self.mark_on(BodyId::GROUND, name);
+        };
+        let text = &name.text;
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::PointNotOnBody,
+                name.span,
+                format!("the point `{text}` is on body `{body}`, which is declared below"),
+            )
+            .label("named without a body")
+            .also(place, "carried here")
+            .help(format!(
+                "move this statement below the body, and write `{body}.{text}`"
+            ))
+            .help(format!(
+                "the place where it is drawn, fixed to the ground, is `ground.{text}`"
+            )),
+        );
+        None
+    }
+
     /// `P` or `ground.P`: a point of the drawing as the ground carries it.
     pub(super) fn ground_mark(&mut self, reference: &Reference) -> Option<Mark> {
         match &reference.body {
@@ -128,6 +209,9 @@ impl Resolver<'_> {
                 let body = self.body(&operand.name)?;
                 self.mark_on(body, point)
             }
+            (None, None) if self.body_ids.get(&operand.name.text).is_none() => {
+                self.point_mark(operand)
+            }
             (None, None) => {
                 self.diagnostics.push(
                     Diagnostic::error(
@@ -146,8 +230,8 @@ impl Resolver<'_> {
     /// longer terms.
     pub(super) fn drawn_mark(&mut self, mark: &Mark) -> Vector {
         let body = &self.bodies[mark.frame.body.0];
-        if let Some(named) = body.marks.iter().find(|named| named.mark == *mark) {
-            return named.drawn;
+        if let Some(at) = self.carriers.at_place(mark.frame.body, mark.local) {
+            return body.marks[at].drawn;
         }
         let frame = body.drawn;
         let zero = self.graph.zero();
@@ -166,21 +250,36 @@ impl Resolver<'_> {
         match self.drawn.get(&reference.name.text) {
             Some(DrawnPoint { position, .. }) => Some(*position),
             None => {
-                let diagnostic = self.drawn.unknown(&reference.name.text, reference.span);
-                let local = self.bodies.iter().find(|body| {
-                    body.marks
-                        .iter()
-                        .any(|mark| mark.name == reference.name.text)
-                });
-                self.diagnostics.push(match local {
-                    Some(body) => diagnostic.help(format!(
-                        "body `{0}` has a point of this name: write `{0}.{1}`",
-                        body.name, reference.name.text
+                let name = &reference.name.text;
+                let carriers = self.names_of_carriers(name);
+                let written: Vec<String> = carriers
+                    .iter()
+                    .map(|body| format!("`{body}.{name}`"))
+                    .collect();
+                let diagnostic = self.drawn.unknown(name, reference.span);
+                self.diagnostics.push(match carriers.as_slice() {
+                    [] => diagnostic,
+                    [body] => diagnostic.instead(format!(
+                        "body `{body}` has a point of this name: write {}",
+                        written[0]
                     )),
-                    None => diagnostic,
+                    _ => diagnostic.instead(format!(
+                        "bodies have points of this name: write {}",
+                        alternatives(&written)
+                    )),
                 });
                 None
             }
         }
+    }
+}
+
+/// A few of several things that can be written instead.
+fn alternatives(written: &[String]) -> String {
+    match written {
+        [rest @ .., last] if !rest.is_empty() && rest.len() < 3 => {
+            format!("{} or {last}", rest.join(", "))
+        }
+        _ => written[..written.len().min(3)].join(", "),
     }
 }

@@ -4,10 +4,13 @@
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
 //! determine the motion.
 
+mod bounds;
 mod call;
+mod carriers;
 mod choice;
 mod contact;
 mod curve;
+mod declarations;
 mod dimension;
 mod equation;
 mod expression;
@@ -17,7 +20,6 @@ mod law;
 mod lines;
 mod live;
 mod marks;
-mod monitor;
 mod motions;
 mod names;
 mod not_finite;
@@ -32,7 +34,9 @@ mod slug;
 mod synonyms;
 mod table;
 mod transmission;
+mod wish;
 
+pub(crate) use bounds::beyond_bounds;
 pub use dimension::Dimension;
 pub(crate) use given::field_name;
 pub use motions::resolve;
@@ -81,6 +85,8 @@ pub struct Mechanism {
     pub sensitivities: Vec<usize>,
     /// Whether a `monitor` statement asks how close every loop is to a singular pose.
     pub monitor: bool,
+    /// Whether an `unguarded` statement leaves out what shows that frames lie on the path of the last one.
+    pub is_unguarded: bool,
     /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }
@@ -243,7 +249,7 @@ pub struct Request {
 }
 
 /// What an `output` or a `transmission` statement can name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Requested {
     /// The motion of a point: an index into the mechanism's points.
     Point(usize),

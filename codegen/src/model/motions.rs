@@ -5,11 +5,16 @@
 //! means.
 
 use super::Mechanism;
+use super::bounds::beyond_bounds;
 use super::given::unused;
 use super::names::Names;
 use super::resolve::resolve_statements;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, merged};
+use crate::expr::{Excess, LARGEST_STORE};
 use crate::syntax::{Document, Name, Statement};
+
+/// The most that the motions of a document hold together, in terms: each has equations and code of its own.
+const LARGEST_TOGETHER: usize = LARGEST_STORE / 4;
 
 /// Resolves a document into its motions in written order; into one mechanism where it has none. `None` after an error; all
 /// errors of the document are in `diagnostics`.
@@ -24,19 +29,32 @@ pub fn resolve(document: &Document, diagnostics: &mut Diagnostics) -> Option<Vec
     check_names(document, &mut found);
     let mut mechanisms = Vec::new();
     let mut parts = Vec::new();
+    let mut size = 0;
     for motion in item.motions() {
         let own = motion.statements.iter();
         let statements: Vec<&Statement> = shared.iter().copied().chain(own).collect();
         let mut part = Diagnostics::new();
         let mechanism = resolve_statements(document, &statements, Some(motion), &mut part);
+        size += statements.len() + mechanism.graph.node_count() + mechanism.graph.store();
+        let is_beyond = size > LARGEST_TOGETHER && mechanism.graph.excess().is_none();
+        if is_beyond {
+            part.push(beyond_bounds(Excess::Size, motion.name.span));
+        }
         mechanisms.push(mechanism);
         parts.push((motion.name.text.as_str(), Some(motion.span), part));
+        if is_beyond {
+            break;
+        }
     }
     if mechanisms.is_empty() {
         mechanisms.push(resolve_statements(document, &shared, None, &mut found));
     }
     found.extend(merged(parts));
-    found.extend(unused(&mechanisms));
+    // What was not reached may use it.
+    let is_whole = mechanisms.iter().all(|it| it.graph.excess().is_none());
+    if is_whole && !found.is_full() {
+        found.extend(unused(&mechanisms));
+    }
     let failed = found.has_errors();
     diagnostics.extend(found);
     if failed { None } else { Some(mechanisms) }

@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::{Code, Diagnostic, Span, nearest};
+use crate::diagnostic::{Code, Diagnostic, Span, Suggestions};
 use crate::syntax::Name;
 
 /// Names of one sort in written order, with what they stand for.
@@ -16,6 +16,7 @@ pub(super) struct Names<T> {
     declared: Vec<(Name, T)>,
     /// Only looked up, never iterated.
     index: HashMap<String, usize>,
+    suggestions: Suggestions,
 }
 
 impl<T> Names<T> {
@@ -24,6 +25,7 @@ impl<T> Names<T> {
             sort,
             declared: Vec::new(),
             index: HashMap::new(),
+            suggestions: Suggestions::default(),
         }
     }
 
@@ -51,6 +53,12 @@ impl<T> Names<T> {
         self.index.get(text).map(|&at| &self.declared[at].1)
     }
 
+    /// Where a name is declared, and what it stands for.
+    pub(super) fn declaration(&self, text: &str) -> Option<(&Name, &T)> {
+        let (name, value) = &self.declared[*self.index.get(text)?];
+        Some((name, value))
+    }
+
     pub(super) fn iter(&self) -> impl Iterator<Item = (&Name, &T)> {
         self.declared.iter().map(|(name, value)| (name, value))
     }
@@ -60,10 +68,8 @@ impl<T> Names<T> {
         let message = format!("no {} is named `{text}`", self.sort);
         let diagnostic =
             Diagnostic::error(Code::UnknownName, span, message).label("not declared above");
-        match nearest(
-            text,
-            self.declared.iter().map(|(name, _)| name.text.as_str()),
-        ) {
+        let known = self.declared.iter().map(|(name, _)| name.text.as_str());
+        match self.suggestions.nearest(text, known) {
             Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
             None => diagnostic.help(format!("declare the {} above this line", self.sort)),
         }

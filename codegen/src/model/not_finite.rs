@@ -4,7 +4,11 @@
 use super::expression::Value;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::ExprId;
 use crate::syntax::{Expression, ExpressionKind, Operation};
+
+/// The fourth power of a length is still a number: no closed form needs a higher one.
+const LARGEST_LENGTH: f64 = 1e75;
 
 /// What is wrong, where, and what to do about it.
 struct Cause {
@@ -23,6 +27,10 @@ impl Resolver<'_> {
             .is_none_or(f64::is_finite);
         if evaluates && self.graph.is_finite(value.0) {
             return Some(value);
+        }
+        // What is past a bound of the graph is told of its statement.
+        if self.graph.excess().is_some() {
+            return None;
         }
         let cause = match &written.kind {
             ExpressionKind::Product(factors) => self.zero_divisor(factors),
@@ -46,6 +54,24 @@ impl Resolver<'_> {
                 .help(cause.help),
         );
         None
+    }
+
+    /// Whether a length, as far as it is known, is one that products of lengths can be computed with; an error where not.
+    pub(super) fn is_measurable(&mut self, length: ExprId, span: Span) -> bool {
+        let value = self.graph.constant_value(length).unwrap_or(0.0);
+        if value.abs() <= LARGEST_LENGTH {
+            return true;
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::NotFinite,
+                span,
+                format!("a length of {value:e} m is too large for products of lengths"),
+            )
+            .label(format!("beyond {LARGEST_LENGTH:e} m"))
+            .help("is a unit or an exponent wrong?"),
+        );
+        false
     }
 
     /// The value of a part that has been read without an error.

@@ -50,6 +50,9 @@ impl Resolver<'_> {
                     Role::Constraint => self.constant(written, expected),
                     Role::Driver => self.quantity(written, expected),
                 };
+                let is_length = expected == Dimension::LENGTH;
+                let value =
+                    value.filter(|&value| !is_length || self.is_measurable(value, written.span));
                 // The operands are looked at even when the value is wrong, so that all errors are reported at once.
                 value.map(Some)
             }
@@ -97,6 +100,7 @@ impl Resolver<'_> {
             formula: None,
         };
         match given.kind.refusal(&operands, &mut self.graph) {
+            None if !self.link_has_direction(given, &operands) => None,
             None => match curve {
                 Some(curve) => self.touch(given, &curve, operands),
                 None => Some(operands),
@@ -108,6 +112,27 @@ impl Resolver<'_> {
                 None
             }
         }
+    }
+
+    /// Whether the ends of a link are drawn apart, for kinds that have one; an error where not.
+    fn link_has_direction(&mut self, given: &Given<'_>, operands: &Resolved) -> bool {
+        if !given.kind.auxiliaries().contains(&Auxiliary::LinkAngle) {
+            return true;
+        }
+        let [from, to] = [0, 1].map(|side| operands.drawn[side].position);
+        if self.are_apart(from, to) {
+            return true;
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::DegenerateGeometry,
+                given.span,
+                "the two ends of this distance are drawn at the same place",
+            )
+            .label("has no direction in the drawing")
+            .help("draw the bodies such that the points are apart"),
+        );
+        false
     }
 
     /// Symbols for the unknowns that the vector form of this joint has beyond the coordinates.
@@ -215,12 +240,28 @@ impl Resolver<'_> {
         );
     }
 
+    /// A body that moves must be among the operands.
+    fn moves(&mut self, bodies: &[BodyId], given: &Given<'_>) -> Option<()> {
+        if bodies.iter().any(|body| *body != BodyId::GROUND) {
+            return Some(());
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::JointOnOneBody,
+                given.span,
+                "this is about the ground alone, which does not move",
+            )
+            .help("name a body that moves, or a point of it: `1.P`"),
+        );
+        None
+    }
+
     /// No body may occur twice among the operands.
     pub(super) fn different_bodies(&mut self, marks: &[Mark], given: &Given<'_>) -> Option<()> {
         let bodies: Vec<BodyId> = marks.iter().map(|mark| mark.frame.body).collect();
         let twice = (1..bodies.len()).find(|&at| bodies[..at].contains(&bodies[at]));
         let Some(at) = twice else {
-            return Some(());
+            return self.moves(&bodies, given);
         };
         let name = &self.bodies[bodies[at].0].name;
         let carrier = given.kind.operands().slots.get(at) == Some(&Slot::Carrier);

@@ -3,10 +3,13 @@
 //! A joint point is carried by several bodies and is one point; bodies that carry different points of the same name give one
 //! point each, named `K_c1`, `K_c2`.
 
+use std::collections::{HashMap, HashSet};
+
+use super::carriers::Carried;
 use super::resolve::{DrawnPoint, Resolver};
 use super::{NamedMark, Point};
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::joint::geometry::{BodyId, Mark};
+use crate::joint::geometry::Mark;
 use crate::syntax::Name;
 
 impl Resolver<'_> {
@@ -17,17 +20,15 @@ impl Resolver<'_> {
             .iter()
             .map(|(name, point)| (name.text.clone(), point.clone(), name.span))
             .collect();
+        let carried = self.bodies.iter().flat_map(|body| &body.marks);
+        let local = carried.filter(|mark| self.drawn.get(&mark.name).is_none());
+        let mut seen = HashSet::new();
+        let local = local.filter(|mark| seen.insert(mark.name.as_str()));
         let mut names: Vec<String> = drawn.iter().map(|(name, ..)| name.clone()).collect();
-        for body in &self.bodies {
-            for mark in &body.marks {
-                if !names.contains(&mark.name) {
-                    names.push(mark.name.clone());
-                }
-            }
-        }
+        names.extend(local.map(|mark| mark.name.clone()));
         let mut points = Vec::new();
         for (position, name) in names.iter().enumerate() {
-            let groups = self.carriers_of(name);
+            let groups = self.carriers.carriers_of(name);
             let several = groups.len() > 1;
             if let (true, Some((_, point, span))) = (groups.is_empty(), drawn.get(position)) {
                 let ground = self.bodies[0].frame;
@@ -39,13 +40,14 @@ impl Resolver<'_> {
                     span: *span,
                 });
             }
-            for (body, carried) in groups {
+            for carried in groups {
                 let full = if several {
-                    format!("{name}_{}", self.bodies[body.0].name)
+                    format!("{name}_{}", self.bodies[carried.0.0].name)
                 } else {
                     name.clone()
                 };
-                let mut docs = carried.docs;
+                let carried = self.carried(carried);
+                let mut docs = carried.docs.clone();
                 if let (true, Some((_, point, _))) = (docs.is_empty(), drawn.get(position)) {
                     docs.clone_from(&point.docs);
                 }
@@ -61,47 +63,18 @@ impl Resolver<'_> {
         points
     }
 
-    /// The first carrier of every distinct point of this name.
-    pub(super) fn carriers_of(&self, name: &str) -> Vec<(BodyId, NamedMark)> {
-        let carried: Vec<(BodyId, &NamedMark)> = self
-            .bodies
-            .iter()
-            .flat_map(|body| body.marks.iter().map(move |mark| (body.frame.body, mark)))
-            .filter(|(_, mark)| mark.name == name)
-            .collect();
-        // Union-find over the carriers; joints that keep two of these marks together make them one point.
-        let mut group: Vec<usize> = (0..carried.len()).collect();
-        for (joint, _) in &self.joints {
-            if !joint.kind.joins_points() {
-                continue;
-            }
-            let end = |side: usize| {
-                let mark = joint.operands.marks.get(side)?;
-                carried.iter().position(|(_, other)| other.mark == *mark)
-            };
-            if let (Some(one), Some(other)) = (end(0), end(1)) {
-                let (low, high) = (group[one].min(group[other]), group[one].max(group[other]));
-                for entry in &mut group {
-                    if *entry == high {
-                        *entry = low;
-                    }
-                }
-            }
-        }
-        let firsts = (0..carried.len()).filter(|&at| group[at] == at);
-        firsts
-            .map(|at| (carried[at].0, carried[at].1.clone()))
-            .collect()
+    /// A point of a body.
+    pub(super) fn carried(&self, (body, place): Carried) -> &NamedMark {
+        &self.bodies[body.0].marks[place]
     }
 
     /// Generated functions are named in lower case, so two points must not differ by case alone.
     fn reject_equal_lowercase(&mut self, points: &[Point]) {
-        for (at, point) in points.iter().enumerate() {
+        let mut earlier_by_name: HashMap<String, &Point> = HashMap::new();
+        for point in points {
             let lowercase = point.name.to_lowercase();
-            if let Some(earlier) = points[..at]
-                .iter()
-                .find(|earlier| earlier.name.to_lowercase() == lowercase)
-            {
+            let earlier = *earlier_by_name.entry(lowercase.clone()).or_insert(point);
+            if !std::ptr::eq(earlier, point) {
                 self.diagnostics.push(
                     Diagnostic::error(
                         Code::NameNotAllowed,

@@ -1,16 +1,56 @@
 //! `output` statements → the quantities that the generated code is asked for.
 
+use std::collections::HashMap;
+
 use super::resolve::Resolver;
 use super::{Point, Request, Requested};
-use crate::diagnostic::{Code, Diagnostic, nearest};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::joint::geometry::{BodyId, Mark, Vector};
 use crate::syntax::{LEVELS, Name, Output, OutputItem, Reference};
 
 /// The coordinates of a body as `output` names them.
 const AXES: [&str; 3] = ["x", "y", "phi"];
 
+/// The points of a mechanism by what an item may call them; only looked up.
+pub(super) struct Named<'a> {
+    pub points: &'a [Point],
+    by_name: HashMap<&'a str, usize>,
+    by_mark: HashMap<(BodyId, Vector), usize>,
+    /// By what stands before one of its underscores: the first such point.
+    by_start: HashMap<&'a str, usize>,
+}
+
+impl<'a> Named<'a> {
+    pub(super) fn new(points: &'a [Point]) -> Named<'a> {
+        let mut named = Named {
+            points,
+            by_name: HashMap::new(),
+            by_mark: HashMap::new(),
+            by_start: HashMap::new(),
+        };
+        for (at, point) in points.iter().enumerate() {
+            let mark = &point.mark;
+            named.by_name.entry(&point.name).or_insert(at);
+            let place = (mark.frame.body, mark.local);
+            named.by_mark.entry(place).or_insert(at);
+            for (end, _) in point.name.match_indices('_') {
+                named.by_start.entry(&point.name[..end]).or_insert(at);
+            }
+        }
+        named
+    }
+
+    /// A point of a body: itself, or the first that is named after it.
+    fn of_body(&self, mark: &Mark, name: &str) -> Option<usize> {
+        let itself = self.by_mark.get(&(mark.frame.body, mark.local));
+        let after = [&self.by_name, &self.by_start].map(|places| places.get(name));
+        itself.or(after.into_iter().flatten().min()).copied()
+    }
+}
+
 impl Resolver<'_> {
     /// What one statement asks for; items with an error are reported and left out.
-    pub(super) fn requests(&mut self, output: &Output, points: &[Point]) -> Vec<Request> {
+    pub(super) fn requests(&mut self, output: &Output, points: &Named<'_>) -> Vec<Request> {
         let named = output
             .level
             .as_ref()
@@ -25,7 +65,7 @@ impl Resolver<'_> {
     }
 
     /// A point, or a coordinate of a body that has some; `None` after an error.
-    pub(super) fn requested(&mut self, item: &OutputItem, points: &[Point]) -> Option<Requested> {
+    pub(super) fn requested(&mut self, item: &OutputItem, points: &Named<'_>) -> Option<Requested> {
         let (axis, bodies, span) = match item {
             OutputItem::Point(reference) => return self.requested_point(reference, points),
             OutputItem::Coordinate { axis, bodies, span } => (axis, bodies, *span),
@@ -66,30 +106,21 @@ impl Resolver<'_> {
     }
 
     /// A point by its name, or by the body that carries it.
-    fn requested_point(&mut self, reference: &Reference, points: &[Point]) -> Option<Requested> {
+    fn requested_point(&mut self, reference: &Reference, points: &Named<'_>) -> Option<Requested> {
         let place = if reference.body.is_some() {
             let mark = self.point_mark(reference)?;
-            let named = |point: &Point| {
-                point.name == reference.name.text
-                    || point.name.starts_with(&format!("{}_", reference.name.text))
-            };
-            points
-                .iter()
-                .position(|point| point.mark == mark)
-                .or_else(|| points.iter().position(named))
+            points.of_body(&mark, &reference.name.text)
         } else {
-            points
-                .iter()
-                .position(|point| point.name == reference.name.text)
+            points.by_name.get(reference.name.text.as_str()).copied()
         };
-        if place.is_none() {
+        if place.is_none() && !self.names_of_carriers(&reference.name.text).is_empty() {
+            self.report_without_body(&reference.name);
+        } else if place.is_none() {
             let message = format!("no point is named `{}`", reference.name.text);
             let diagnostic = Diagnostic::error(Code::UnknownName, reference.span, message)
                 .label("not a point of this mechanism");
-            let meant = nearest(
-                &reference.name.text,
-                points.iter().map(|point| point.name.as_str()),
-            );
+            let known = points.points.iter().map(|point| point.name.as_str());
+            let meant = self.nearest_known(&reference.name.text, known);
             self.diagnostics.push(match meant {
                 Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
                 None => diagnostic.help("add it to the braces of the body that carries it"),

@@ -1,16 +1,22 @@
 //! The statements of a document, in written order → a mechanism.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
+use super::bounds::beyond_bounds;
+use super::carriers::Carriers;
 use super::curve::{self, DrawnCurve};
 use super::expression::{BUILT_IN, Value, listed};
+use super::given::Fields;
+use super::lines::APART;
 use super::live::Live;
 use super::names::Names;
+use super::request::Named;
+use super::slug::Slugs;
 use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter, Table};
-use crate::diagnostic::{Attachment, Code, Diagnostic, Diagnostics, Span};
+use crate::diagnostic::{Attachment, Code, Diagnostic, Diagnostics, Span, Suggestions};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{BodyId, Frame, Mark, Vector, subtract};
-use crate::syntax;
+use crate::syntax::{self, WishKind};
 
 /// A point of the drawing.
 #[derive(Clone, Debug)]
@@ -27,6 +33,11 @@ pub(super) struct Resolver<'a> {
     pub constants: Names<Value>,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
+    /// The place of the input that a symbol is the value of; only looked up.
+    pub input_places: HashMap<SymbolId, usize>,
+    pub fields: Fields,
+    /// The name that first became this constant of a table; only looked up.
+    pub table_fields: HashMap<String, syntax::Name>,
     /// Every symbol that some expression mentions by the name of a constant, a parameter or an input; only looked up.
     pub mentioned: HashSet<SymbolId>,
     /// Whether the mechanism has parameters or inputs anywhere, which takes some names in the generated code.
@@ -43,6 +54,8 @@ pub(super) struct Resolver<'a> {
     pub choices: Vec<(ExprId, bool)>,
     /// The parameter of the curve whose formula is read.
     pub parameter: Option<curve::Parameter>,
+    /// The first body in the whole description that carries a point of each name, and where it lists it; only looked up.
+    pub carried: HashMap<&'a str, (&'a str, Span)>,
     pub body_ids: Names<BodyId>,
     /// The names that drivers were given.
     pub drivers: Names<()>,
@@ -51,26 +64,67 @@ pub(super) struct Resolver<'a> {
     /// What the equation that is being read mentions; `None` elsewhere, where nothing moves but by t.
     pub live: Option<Live>,
     pub bodies: Vec<Body>,
+    /// The body and the axis of each coordinate; only looked up.
+    pub coordinate_places: HashMap<SymbolId, (BodyId, usize)>,
+    /// The points that they carry.
+    pub carriers: Carriers,
     /// Each with the direction it was written along, by which drivers find it.
     pub joints: Vec<(Joint, Option<syntax::Direction>)>,
+    /// What their rows are named after.
+    pub slugs: Slugs,
+    /// How many equations the description has written out.
+    pub equation_count: usize,
+    /// The directions of joints that have an error.
+    pub broken_lines: Vec<syntax::Direction>,
     /// The files that the description names.
     pub attachments: &'a [Attachment],
+    pub suggestions: Suggestions,
+    /// Whether a bound of the graph has been passed and reported.
+    pub exceeded: bool,
     pub diagnostics: &'a mut Diagnostics,
 }
 
-/// Generated items that a mechanism's type must not be named like.
+/// What a mechanism's type must not be named like: generated items, what they are written with, and words of Rust.
 const TAKEN_TYPE_NAMES: &[&str] = &[
+    "Branches",
     "Coordinates",
     "Frame",
     "Textbook",
-    "Motion",
+    // Of the runtime.
+    "BlockEquations",
+    "BlockName",
+    "Blocks",
+    "Branch",
+    "Closeness",
+    "Const",
+    "Explained",
+    "Factorization",
     "Failure",
+    "FailureKind",
+    "Given",
+    "Matrix",
+    "Measure",
+    "Mechanism",
+    "Motion",
+    "NamedPoint",
+    "Scalar",
     "Settings",
+    "Shell",
+    "Span",
+    "Start",
     "Step",
-    "Self",
-    "Result",
-    "Ok",
+    "Table",
+    "Tube",
+    "Vector",
+    // Of Rust.
+    "Default",
     "Err",
+    "None",
+    "Ok",
+    "Option",
+    "Result",
+    "Self",
+    "Some",
 ];
 
 /// The same in mechanisms with parameters or inputs.
@@ -83,9 +137,9 @@ const TAKEN_BY_SENSITIVITY: &[&str] = &["Sensitivity", "PointSensitivity"];
 ///
 /// Names may only be used below their declaration. The coordinates are named `x1, y1, phi1` for the body `1` and
 /// `x_c1, y_c1, phi_c1` for the body `c1`.
-pub(super) fn resolve_statements(
-    document: &syntax::Document,
-    statements: &[&syntax::Statement],
+pub(super) fn resolve_statements<'a>(
+    document: &'a syntax::Document,
+    statements: &[&'a syntax::Statement],
     motion: Option<&syntax::Motion>,
     diagnostics: &mut Diagnostics,
 ) -> Mechanism {
@@ -96,14 +150,22 @@ pub(super) fn resolve_statements(
         syntax::Statement::Body(body) => Some(body),
         _ => None,
     });
+    let mut carried = HashMap::new();
     for body in written_bodies {
         for name in coordinate_names(&body.name.text) {
             graph.symbol(&name);
+        }
+        for member in &body.members {
+            let (syntax::Member::Local { name, .. } | syntax::Member::Carried { name, .. }) =
+                member;
+            let first = (body.name.text.as_str(), name.span);
+            carried.entry(name.text.as_str()).or_insert(first);
         }
     }
     let time = graph.symbol("t");
     let mut resolver = Resolver::new(graph, time, diagnostics);
     resolver.attachments = &document.attachments;
+    resolver.carried = carried;
     resolver.has_given = statements.iter().any(|statement| {
         matches!(
             statement,
@@ -115,24 +177,11 @@ pub(super) fn resolve_statements(
         .any(|statement| matches!(statement, syntax::Statement::Sensitivity(_)));
     resolver.check_mechanism_name(&item.name);
     for statement in statements {
-        match statement {
-            syntax::Statement::Constant(constant) => resolver.add_constant(constant),
-            syntax::Statement::Parameter(parameter) => resolver.add_parameter(parameter),
-            syntax::Statement::Input(input) => resolver.add_input(input),
-            syntax::Statement::Table(table) => resolver.add_table(table),
-            syntax::Statement::Points(points) => resolver.add_points(points),
-            syntax::Statement::Body(body) => resolver.add_body(body),
-            syntax::Statement::Curve(curve) => resolver.add_curve(curve),
-            syntax::Statement::Joint(joint) => resolver.add_joint(joint),
-            syntax::Statement::Drive(drive) => resolver.add_driver(drive),
-            syntax::Statement::Equation(equation) => resolver.add_equation(equation),
-            // Points are known once all bodies are, and parameters may follow.
-            syntax::Statement::Output(_)
-            | syntax::Statement::Transmission(_)
-            | syntax::Statement::Sensitivity(_)
-            | syntax::Statement::Monitor(_) => {}
-            // Its statements come by themselves.
-            syntax::Statement::Motion(_) => {}
+        let before = resolver.diagnostics.mark();
+        resolver.add(statement);
+        resolver.note_excess(before, statement.span());
+        if resolver.exceeded || resolver.diagnostics.is_full() {
+            break;
         }
     }
     if resolver.bodies.len() == 1 && !resolver.diagnostics.has_errors() {
@@ -150,12 +199,16 @@ pub(super) fn resolve_statements(
         syntax::Statement::Output(output) => Some(output),
         _ => None,
     });
+    let named = Named::new(&points);
     let requests = outputs
-        .flat_map(|output| resolver.requests(output, &points))
+        .flat_map(|output| resolver.requests(output, &named))
         .collect();
-    let transmissions = resolver.transmissions(statements, &points);
+    let transmissions = resolver.transmissions(statements, &named);
     let sensitivities = resolver.sensitivities(statements, &points);
-    let monitor = resolver.monitor(statements);
+    let monitor = resolver.wishes(WishKind::Monitor, statements);
+    let is_unguarded = resolver.wishes(WishKind::Unguarded, statements);
+    let end = resolver.diagnostics.mark();
+    resolver.note_excess(end, item.name.span);
     resolver.note_used();
     let characteristic_length = resolver.characteristic_length();
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
@@ -184,6 +237,7 @@ pub(super) fn resolve_statements(
         transmissions,
         sensitivities,
         monitor,
+        is_unguarded,
         characteristic_length,
     }
 }
@@ -230,6 +284,9 @@ impl<'a> Resolver<'a> {
             constants: Names::new("constant"),
             parameters: Vec::new(),
             inputs: Vec::new(),
+            input_places: HashMap::new(),
+            fields: Fields::new(),
+            table_fields: HashMap::new(),
             mentioned: HashSet::new(),
             has_given: false,
             has_sensitivity: false,
@@ -239,6 +296,7 @@ impl<'a> Resolver<'a> {
             curves: Names::new("curve"),
             choices: Vec::new(),
             parameter: None,
+            carried: HashMap::new(),
             body_ids: Names::new("body"),
             drivers: Names::new("driver"),
             equations: Names::new("equation"),
@@ -252,8 +310,15 @@ impl<'a> Resolver<'a> {
                 drawn: ground_frame,
                 marks: Vec::new(),
             }],
+            coordinate_places: HashMap::new(),
+            carriers: Carriers::default(),
             joints: Vec::new(),
+            slugs: Slugs::default(),
+            equation_count: 0,
+            broken_lines: Vec::new(),
             attachments: &[],
+            suggestions: Suggestions::default(),
+            exceeded: false,
             diagnostics,
         };
         let ground = syntax::Name {
@@ -267,6 +332,38 @@ impl<'a> Resolver<'a> {
 }
 
 impl Resolver<'_> {
+    /// Carries out one statement.
+    fn add(&mut self, statement: &syntax::Statement) {
+        match statement {
+            syntax::Statement::Constant(constant) => self.add_constant(constant),
+            syntax::Statement::Parameter(parameter) => self.add_parameter(parameter),
+            syntax::Statement::Input(input) => self.add_input(input),
+            syntax::Statement::Table(table) => self.add_table(table),
+            syntax::Statement::Points(points) => self.add_points(points),
+            syntax::Statement::Body(body) => self.add_body(body),
+            syntax::Statement::Curve(curve) => self.add_curve(curve),
+            syntax::Statement::Joint(joint) => self.add_joint(joint),
+            syntax::Statement::Drive(drive) => self.add_driver(drive),
+            syntax::Statement::Equation(equation) => self.add_equation(equation),
+            // Points are known once all bodies are, and parameters may follow.
+            syntax::Statement::Output(_)
+            | syntax::Statement::Transmission(_)
+            | syntax::Statement::Sensitivity(_)
+            | syntax::Statement::Wish(_) => {}
+            // Its statements come by themselves.
+            syntax::Statement::Motion(_) => {}
+        }
+    }
+
+    /// Where a bound of the graph has been passed, that is the one finding of the statement that did so.
+    fn note_excess(&mut self, before: usize, span: Span) {
+        if let (Some(excess), false) = (self.graph.excess(), self.exceeded) {
+            self.exceeded = true;
+            self.diagnostics.forget_after(before);
+            self.diagnostics.push(beyond_bounds(excess, span));
+        }
+    }
+
     fn check_mechanism_name(&mut self, name: &syntax::Name) {
         let type_name = type_name(&name.text);
         let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
@@ -313,6 +410,15 @@ impl Resolver<'_> {
         }
     }
 
+    /// The known name that was probably meant.
+    pub(super) fn nearest_known<'n>(
+        &self,
+        word: &str,
+        known: impl IntoIterator<Item = &'n str>,
+    ) -> Option<&'n str> {
+        self.suggestions.nearest(word, known)
+    }
+
     /// Reports a name that has a fixed meaning.
     pub(super) fn may_be_declared(&mut self, name: &syntax::Name) -> bool {
         if !BUILT_IN.contains(&name.text.as_str()) {
@@ -349,7 +455,9 @@ impl Resolver<'_> {
     fn pair(&mut self, pair: &syntax::Pair) -> Vector {
         let zero = self.graph.zero();
         let mut component = |written: &syntax::Expression| {
-            self.constant(written, Dimension::LENGTH).unwrap_or(zero)
+            let value = self.constant(written, Dimension::LENGTH);
+            let value = value.filter(|&value| self.is_measurable(value, written.span));
+            value.unwrap_or(zero)
         };
         [component(&pair.x), component(&pair.y)]
     }
@@ -381,11 +489,14 @@ impl Resolver<'_> {
             angle: phi,
         };
         let mut marks: Vec<NamedMark> = Vec::new();
+        let mut places: HashMap<&str, usize> = HashMap::new();
         for member in &body.members {
             let Some(mark) = self.member(member, frame, drawn) else {
                 continue;
             };
-            match marks.iter().find(|earlier| earlier.name == mark.name) {
+            let (syntax::Member::Local { name: own, .. }
+            | syntax::Member::Carried { name: own, .. }) = member;
+            match places.get(own.text.as_str()).map(|&at| &marks[at]) {
                 Some(earlier) => self.diagnostics.push(
                     Diagnostic::error(
                         Code::DuplicateName,
@@ -396,8 +507,17 @@ impl Resolver<'_> {
                     .also(earlier.span, "first listed here")
                     .help("remove one of them"),
                 ),
-                None => marks.push(mark),
+                None => {
+                    places.insert(&own.text, marks.len());
+                    marks.push(mark);
+                }
             }
+        }
+        let places = symbols.into_iter().enumerate();
+        self.coordinate_places
+            .extend(places.map(|(axis, symbol)| (symbol, (id, axis))));
+        for (place, mark) in marks.iter().enumerate() {
+            self.carriers.add((id, place), &mark.name, mark.mark.local);
         }
         self.bodies.push(Body {
             name: name.text.clone(),
@@ -438,7 +558,7 @@ impl Resolver<'_> {
             self.drawn_point(&direction.to),
         );
         let (from, to) = (from?, to?);
-        let mut along = self.unit_direction(from, to, direction.span)?;
+        let mut along = self.unit_direction(from, to, direction.span, APART)?;
         if !along.iter().all(|&part| self.graph.is_constant(part)) {
             // Of parameters the gap itself is the shorter expression, and has the same angle.
             along = subtract(to, from, &mut self.graph);

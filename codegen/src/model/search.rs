@@ -64,11 +64,17 @@ pub(super) struct Along {
 }
 
 impl Along {
-    /// These expressions; `symbols` holds the values of all symbols but the parameter.
-    pub fn new(graph: &Graph, parts: &[ExprId], parameter: SymbolId, symbols: &[f64]) -> Along {
-        let mut symbols = symbols.to_vec();
-        symbols.resize(graph.symbol_count(), 0.0);
-        graph.fill_nominal(&mut symbols);
+    /// These expressions; `known` says the values of all symbols but the parameter.
+    pub fn new(
+        graph: &Graph,
+        parts: &[ExprId],
+        parameter: SymbolId,
+        known: impl Fn(SymbolId) -> f64,
+    ) -> Along {
+        let mut symbols = vec![0.0; graph.symbol_count()];
+        for &symbol in parts.iter().flat_map(|&part| graph.symbols(part)) {
+            symbols[symbol.index()] = known(symbol);
+        }
         Along {
             tape: Tape::new(graph, parts),
             parameter,
@@ -76,6 +82,11 @@ impl Along {
             workspace: Vec::new(),
             values: vec![0.0; parts.len()],
         }
+    }
+
+    /// What looking for their minima costs, in terms that are added up.
+    pub fn work(&self) -> usize {
+        SAMPLES * self.tape.length() / 4 + self.symbols.len() / 64
     }
 
     /// Their values at one place.
@@ -167,7 +178,7 @@ mod tests {
             let goal = [2.0 * nearest.cos(), 2.0 * nearest.sin()]
                 .map(|value| graph.number(crate::expr::Number::Float(value)));
             let gap = [0, 1].map(|axis| graph.subtract(parts[axis], goal[axis]));
-            let mut along = Along::new(&graph, &gap, parameter, &[]);
+            let mut along = Along::new(&graph, &gap, parameter, |_| 0.0);
             let minima = minima(Range::TURN, |place| along.square(place));
             let first = minima.first().expect("a minimum");
             assert!((first.place - nearest).abs() < 1e-7, "{first:?}");

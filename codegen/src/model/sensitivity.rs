@@ -3,10 +3,18 @@
 //! Afterwards each is named once, and nothing that is generated for it is named like anything else. A parameter that nothing
 //! depends on is accepted: its sensitivity is zero, and that nothing uses it is a warning of its own.
 
+use std::collections::{HashMap, HashSet};
+
 use super::resolve::Resolver;
 use super::{Point, Requested, field_name};
-use crate::diagnostic::{Code, Diagnostic, Span, nearest};
+use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{Name, Statement};
+
+/// What stands between the two names that make one.
+const BETWEEN: &str = "_sensitivity_";
+
+/// For a parameter what is called as the sensitivity of something to it would be, and where; only looked up.
+type Taken = HashMap<String, (String, Option<Span>)>;
 
 impl Resolver<'_> {
     /// What all `sensitivity` statements name, in written order; names with an error are reported and left out.
@@ -15,17 +23,23 @@ impl Resolver<'_> {
         statements: &[&Statement],
         points: &[Point],
     ) -> Vec<usize> {
-        let mut found: Vec<(usize, Span)> = Vec::new();
+        let mut found: Vec<usize> = Vec::new();
+        let mut spans: HashMap<usize, Span> = HashMap::new();
+        let mut taken: Option<Taken> = None;
+        let parameters = self.parameters.iter().enumerate();
+        let places: HashMap<String, usize> = parameters
+            .map(|(place, own)| (own.name.clone(), place))
+            .collect();
         for statement in statements {
             let Statement::Sensitivity(sensitivity) = statement else {
                 continue;
             };
             for name in &sensitivity.names {
-                let Some(parameter) = self.parameter_named(name) else {
+                let Some(parameter) = self.parameter_named(name, &places) else {
                     continue;
                 };
-                match found.iter().find(|(other, _)| *other == parameter) {
-                    Some(&(_, earlier)) => self.diagnostics.push(
+                match spans.get(&parameter) {
+                    Some(&earlier) => self.diagnostics.push(
                         Diagnostic::error(
                             Code::DuplicateName,
                             name.span,
@@ -36,19 +50,20 @@ impl Resolver<'_> {
                         .help("remove one of them"),
                     ),
                     None => {
-                        self.reject_generated_names(name, points);
-                        found.push((parameter, name.span));
+                        let taken = taken.get_or_insert_with(|| self.taken_names(points));
+                        self.reject_generated_names(name, taken);
+                        spans.insert(parameter, name.span);
+                        found.push(parameter);
                     }
                 }
             }
         }
-        found.into_iter().map(|(parameter, _)| parameter).collect()
+        found
     }
 
     /// The parameter of this name; `None` after an error.
-    fn parameter_named(&mut self, name: &Name) -> Option<usize> {
-        let named = |parameter: &super::Parameter| parameter.name == name.text;
-        if let Some(place) = self.parameters.iter().position(named) {
+    fn parameter_named(&mut self, name: &Name, places: &HashMap<String, usize>) -> Option<usize> {
+        if let Some(&place) = places.get(&name.text) {
             return Some(place);
         }
         let text = &name.text;
@@ -68,7 +83,7 @@ impl Resolver<'_> {
             let finding = Diagnostic::error(Code::UnknownName, name.span, message)
                 .label("not a parameter of this mechanism");
             let known = self.parameters.iter().map(|it| it.name.as_str());
-            match nearest(text, known) {
+            match self.nearest_known(text, known) {
                 Some(meant) => finding.help(format!("did you mean `{meant}`?")),
                 None => finding.help(format!("declare it: `param {text} = …;`")),
             }
@@ -77,21 +92,31 @@ impl Resolver<'_> {
         None
     }
 
-    /// Functions of a point or a coordinate and a parameter are named after both, so nothing else must have that name.
-    fn reject_generated_names(&mut self, parameter: &Name, points: &[Point]) {
-        let own = field_name(&parameter.text);
+    /// What points and coordinates are called that looks like the sensitivity of another one.
+    fn taken_names(&self, points: &[Point]) -> Taken {
         let coordinates = (1..self.bodies.len())
             .flat_map(|body| (0..3).map(move |axis| Requested::Coordinate { body, axis }));
-        let all: Vec<(String, Span)> = (0..points.len())
-            .map(|place| (Requested::Point(place), points[place].span))
-            .chain(coordinates.map(|quantity| (quantity, parameter.span)))
+        let all: Vec<(String, Option<Span>)> = (0..points.len())
+            .map(|place| (Requested::Point(place), Some(points[place].span)))
+            .chain(coordinates.map(|quantity| (quantity, None)))
             .map(|(quantity, span)| (self.generated_name(quantity, points), span))
             .collect();
-        let clash = all.iter().find(|(name, _)| {
-            let base = name.strip_suffix(&format!("_sensitivity_{own}"));
-            base.is_some_and(|base| all.iter().any(|(other, _)| other == base))
-        });
-        if let Some((name, span)) = clash {
+        let known: HashSet<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
+        let mut taken = Taken::new();
+        for (name, span) in &all {
+            for (end, between) in name.match_indices(BETWEEN) {
+                if known.contains(&name[..end]) {
+                    let parameter = name[end + between.len()..].to_string();
+                    taken.entry(parameter).or_insert((name.clone(), *span));
+                }
+            }
+        }
+        taken
+    }
+
+    /// Functions of a point or a coordinate and a parameter are named after both, so nothing else must have that name.
+    fn reject_generated_names(&mut self, parameter: &Name, taken: &Taken) {
+        if let Some((name, span)) = taken.get(&field_name(&parameter.text)) {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::NameNotAllowed,
@@ -99,7 +124,7 @@ impl Resolver<'_> {
                     format!("something else is called `{name}`, as its sensitivity would be"),
                 )
                 .label("names the sensitivity")
-                .also(*span, "the other one")
+                .also(span.unwrap_or(parameter.span), "the other one")
                 .help("give the point or the parameter another name"),
             );
         }

@@ -6,10 +6,10 @@
 
 use super::Mechanism;
 use super::resolve::Resolver;
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, nearest};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 use crate::syntax::{self, Constant, Statement};
 
-/// What is put around an assignment so that it is a description; the assignment is its second line.
+/// What is put around an assignment so that it is a description.
 const BEFORE: &str = "mechanism set { const\n";
 const AFTER: &str = "\n;}";
 
@@ -18,6 +18,9 @@ const AFTER: &str = "\n;}";
 /// # Errors
 /// What is wrong with it, rendered; nothing is changed then.
 pub fn set(mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
+    if assignment.contains(';') {
+        return Err(FORM.to_string());
+    }
     let source = Source::new("--set", format!("{BEFORE}{assignment}{AFTER}"));
     let mut diagnostics = Diagnostics::new();
     let document = syntax::parse(&source, &mut diagnostics);
@@ -25,16 +28,59 @@ pub fn set(mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
     if !diagnostics.has_errors() {
         match statements.as_slice() {
             [Statement::Constant(written)] => carry_out(mechanism, written, &mut diagnostics),
-            _ => {
-                let form = "error: `--set` takes one assignment, such as `--set L2=0.36m`\n";
-                return Err(form.to_string());
-            }
+            _ => return Err(FORM.to_string()),
         }
     }
     if diagnostics.has_errors() {
-        return Err(diagnostics.render(&source));
+        return Err(rendered(diagnostics, assignment));
     }
     Ok(())
+}
+
+/// How an assignment is written.
+const FORM: &str = "error: `--set` takes one assignment, such as `--set L2=0.36m`\n";
+
+/// What is said of a description, and the same of an assignment.
+const WORDS: &[(&str, &str)] = &[
+    ("found `;`", "found the end"),
+    ("expected `;`", "expected the end"),
+    ("an operation or `;`", "an operation or the end"),
+    ("missing `;`", "this does not end here"),
+    ("end the statement with `;`", "write one formula behind `=`"),
+    (
+        "the name of a constant",
+        "the name of a parameter or an input",
+    ),
+    (
+        "the mechanism would end here, but more follows",
+        "closes nothing",
+    ),
+];
+
+/// The findings as they are about the assignment alone.
+fn rendered(diagnostics: Diagnostics, assignment: &str) -> String {
+    let end = assignment.len();
+    let place = |offset: u32| (offset as usize).saturating_sub(BEFORE.len()).min(end);
+    let moved = |span: Span| Span::new(place(span.start), place(span.end));
+    let mut own = Diagnostics::new();
+    for mut finding in diagnostics {
+        // What is put around the assignment is nothing to be shown.
+        let is_own =
+            |span: Span| (BEFORE.len()..=BEFORE.len() + end).contains(&(span.start as usize));
+        finding.secondary.retain(|label| is_own(label.span));
+        finding.primary.span = moved(finding.primary.span);
+        let texts = [&mut finding.message, &mut finding.primary.text];
+        for text in texts.into_iter().chain(&mut finding.help) {
+            for (written, meant) in WORDS {
+                *text = text.replace(written, meant);
+            }
+        }
+        for label in &mut finding.secondary {
+            label.span = moved(label.span);
+        }
+        own.push(finding);
+    }
+    own.render(&Source::new("--set", assignment))
 }
 
 fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Diagnostics) {

@@ -3,6 +3,8 @@
 //! Afterwards every slug is an identifier of Rust, differs from every other slug, and neither it nor what is appended to it (`_x`,
 //! `_2`) can be the name of something else in the generated functions. Deliberately unknown here: how many rows a joint has.
 
+use std::collections::{HashMap, HashSet};
+
 use super::Role;
 use super::operands::Given;
 use super::resolve::Resolver;
@@ -60,9 +62,39 @@ pub(crate) fn apart(name: &str, prefix: &str) -> String {
     }
 }
 
+/// The slugs of all joints so far; only looked up.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Slugs {
+    taken: HashSet<String>,
+    /// Of a base the number up to which all are taken.
+    numbers: HashMap<String, usize>,
+}
+
+impl Slugs {
+    /// Takes the slug of a joint.
+    pub(super) fn take(&mut self, slug: &str) {
+        self.taken.insert(slug.to_string());
+    }
+
+    /// The base, or with the first number from 2 on that makes it free.
+    fn free(&mut self, base: String) -> String {
+        if !self.taken.contains(&base) {
+            return base;
+        }
+        let number = self.numbers.entry(base.clone()).or_insert(2);
+        loop {
+            let numbered = format!("{base}_{number}");
+            if !self.taken.contains(&numbered) {
+                return numbered;
+            }
+            *number += 1;
+        }
+    }
+}
+
 impl Resolver<'_> {
     /// A lower-case identifier for the rows of a joint.
-    pub(super) fn unique_slug(&self, given: &Given<'_>) -> String {
+    pub(super) fn unique_slug(&mut self, given: &Given<'_>) -> String {
         let mut words: Vec<String> = Vec::new();
         match given.name {
             Some(name) => words.push(name.text.clone()),
@@ -81,17 +113,12 @@ impl Resolver<'_> {
     }
 
     /// The words as a lower-case identifier that no other joint's rows are named after.
-    pub(super) fn unique(&self, words: &str) -> String {
+    pub(super) fn unique(&mut self, words: &str) -> String {
         let mut base = apart(&words.to_lowercase(), "row");
         if self.has_given && TAKEN_BY_GIVEN.contains(&base.as_str()) {
             base = format!("row_{base}");
         }
-        let taken = |slug: &str| self.joints.iter().any(|(joint, _)| joint.slug == slug);
-        let numbered = (2..).map(|number| format!("{base}_{number}"));
-        std::iter::once(base.clone())
-            .chain(numbered)
-            .find(|slug| !taken(slug))
-            .unwrap_or(base)
+        self.slugs.free(base)
     }
 }
 

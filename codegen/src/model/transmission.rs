@@ -1,5 +1,8 @@
 //! `transmission` statements → the quantities whose rates are wanted per rate of each driver.
 
+use std::collections::HashMap;
+
+use super::request::Named;
 use super::resolve::Resolver;
 use super::{Point, Requested, Role};
 use crate::diagnostic::{Code, Diagnostic, Span};
@@ -10,9 +13,11 @@ impl Resolver<'_> {
     pub(super) fn transmissions(
         &mut self,
         statements: &[&Statement],
-        points: &[Point],
+        points: &Named<'_>,
     ) -> Vec<Requested> {
-        let mut found: Vec<(Requested, Span)> = Vec::new();
+        let mut found: Vec<Requested> = Vec::new();
+        let mut spans: HashMap<Requested, Span> = HashMap::new();
+        let mut names: HashMap<String, Span> = HashMap::new();
         for statement in statements {
             let Statement::Transmission(transmission) = statement else {
                 continue;
@@ -22,9 +27,8 @@ impl Resolver<'_> {
                 let Some(quantity) = self.requested(item, points) else {
                     continue;
                 };
-                let earlier = found.iter().find(|(other, _)| *other == quantity);
-                match earlier {
-                    Some(&(_, earlier)) => self.diagnostics.push(
+                match spans.get(&quantity) {
+                    Some(&earlier) => self.diagnostics.push(
                         Diagnostic::error(
                             Code::DuplicateName,
                             place(item),
@@ -35,28 +39,21 @@ impl Resolver<'_> {
                         .help("remove one of them"),
                     ),
                     None => {
-                        self.reject_equal_names(quantity, place(item), &found, points);
-                        found.push((quantity, place(item)));
+                        let name = self.generated_name(quantity, points.points);
+                        self.reject_equal_names(&name, place(item), &names);
+                        names.entry(name).or_insert(place(item));
+                        spans.insert(quantity, place(item));
+                        found.push(quantity);
                     }
                 }
             }
         }
-        found.into_iter().map(|(quantity, _)| quantity).collect()
+        found
     }
 
     /// The functions of a point and of a coordinate are named alike, so a point must not be called like a coordinate beside it.
-    fn reject_equal_names(
-        &mut self,
-        quantity: Requested,
-        span: Span,
-        earlier: &[(Requested, Span)],
-        points: &[Point],
-    ) {
-        let name = self.generated_name(quantity, points);
-        let other = earlier
-            .iter()
-            .find(|(other, _)| self.generated_name(*other, points) == name);
-        if let Some(&(_, other)) = other {
+    fn reject_equal_names(&mut self, name: &str, span: Span, earlier: &HashMap<String, Span>) {
+        if let Some(&other) = earlier.get(name) {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::NameNotAllowed,

@@ -2,7 +2,7 @@
 //!
 //! What has a name of its own is not taken apart again.
 
-use super::constants::ConstantPart;
+use super::passes::constants::ConstantPart;
 use crate::expr::{Comparison, ExprId, Factor, Graph, Node, Number, Rational, Term};
 use crate::system::WrittenOrder;
 

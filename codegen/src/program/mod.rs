@@ -1,58 +1,128 @@
-//! System and Plan → Program.
+//! System and SolvedPlan → Program.
 //!
-//! Straight-line statements for every function of the generated module. Afterwards everything is defined before it is used,
-//! nothing is computed that no result needs, every angle has one sine and one cosine, and what several results share has a
-//! name. Deliberately unknown here: the syntax of Rust, and what the results mean.
+//! Everything that is computed is a [`Function`]: Φ and what is derived from it, the blocks of the solution, the equations of their
+//! Newton-Raphson, points, responses. [`forms`] say how the parts of a block are solved; [`passes`] share, prune, name and count what
+//! they state, whatever it is. Afterwards everything is defined before it is used, nothing is computed that nobody asks for, every
+//! angle has one sine and one cosine, and what is known to be zero is not multiplied. Deliberately unknown here: any output
+//! language, and what the results mean.
 
 mod addends;
-mod constants;
+mod block;
+mod builder;
+pub mod forms;
+mod function;
 mod lower;
-mod names;
-mod operations;
-pub mod solved;
-mod statements;
-mod usage;
+mod outputs;
+pub mod passes;
+mod path;
+mod requirements;
+mod responses;
+mod sensitivities;
+mod spoken;
+mod stretch;
+mod textbook;
+mod transmissions;
 
 pub use addends::{Addend, Compared, Power, addends, compared};
-pub use constants::{Constant, ConstantPart, Constants};
-pub use lower::lower;
-pub use operations::{LARGEST_PRODUCT, Operations};
-pub use statements::{Inputs, Statement, Straight};
+pub use block::{Block, Branch, Measured, NewtonBlock, PageName};
+pub use builder::{Builder, Direction};
+pub use function::{Function, Level, Statement, Written};
+pub use lower::{forms_of, lower, lower_with_unknowns, whole};
+pub use outputs::Output;
+pub use passes::constants::{Constant, ConstantPart, Constants};
+pub use passes::costs::{LARGEST_PRODUCT, Operations};
+pub use passes::enclosure::Span;
+pub use path::Path;
+pub use requirements::Requirements;
+pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};
+pub use textbook::{LARGEST_TEXTBOOK, Textbook};
+pub use transmissions::Transmission;
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+use crate::expr::SymbolId;
+use forms::Form;
 
 /// What is emitted for a mechanism.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// The solved view.
-    pub solved: Option<solved::SolvedProgram>,
+    /// The functions of the solved view, in solve order.
+    pub blocks: Vec<Block>,
+    /// How the parts of each block of the plan are solved, whether or not the block is kept.
+    pub forms: Vec<Vec<Arc<dyn Form>>>,
+    /// Values that more than one block uses, in order of definition; coordinates of a frame that holds all of them apart.
+    pub fields: Vec<SymbolId>,
+    /// The assembly modes of all closed forms that have one.
+    pub branches: Vec<Branch>,
+    /// What is asked for; `None` where everything is.
+    pub outputs: Option<Vec<Output>>,
+    /// What the drivers transmit, in written order.
+    pub transmissions: Vec<Transmission>,
+    /// How the motion depends on parameters, in written order.
+    pub sensitivities: Vec<Sensitivity>,
+    /// What was kept and left out.
+    pub report: Report,
     /// The constants of all functions that are no short decimals, each once.
     pub constants: Constants,
     /// The functions of the textbook view; left out of mechanisms whose dense matrices fit no stack.
     pub textbook: Option<Textbook>,
     /// The drawing's value of every unknown of the vector form, where parameters change it.
-    pub drawn: Option<Straight>,
+    pub drawn: Option<Function>,
     /// The lengths of [`crate::system::System::lengths`], where there are any.
-    pub lengths: Option<Straight>,
+    pub lengths: Option<Function>,
     /// The motion of each point: position, velocity, acceleration, x and y each. Empty where single outputs are asked for.
-    pub points: Vec<Straight>,
+    pub points: Vec<Function>,
     /// What each pressure angle follows from: the velocity along and across the normal, and the square of the sliding speed.
     /// Empty where single outputs are asked for.
-    pub pressures: Vec<Straight>,
+    pub pressures: Vec<Function>,
+    /// What parameters must leave positive; `None` where none can do else.
+    pub requirements: Option<Requirements>,
+    /// What shows that frames lie on their path; `None` where nobody asks.
+    pub path: Option<Path>,
+    // The fields and branches by symbol; only looked up.
+    field_set: HashSet<SymbolId>,
+    branch_places: HashMap<SymbolId, usize>,
 }
 
-/// The functions of the textbook view.
-#[derive(Clone, Debug)]
-pub struct Textbook {
-    /// Φ: one result a row.
-    pub residual: Straight,
-    /// Φ_q: one result for each entry that is not identically zero, row by row.
-    pub jacobian: Straight,
-    /// Φ_t: one result a row.
-    pub time_derivative: Straight,
-    /// γ: one result a row.
-    pub gamma: Straight,
-    /// The residuals of the rows that are monitored instead of solved, where there are any.
-    pub monitored: Option<Straight>,
+impl Program {
+    /// The number of the block that solves this one of the plan.
+    pub fn number_of(&self, place: usize) -> u16 {
+        let number = self
+            .blocks
+            .iter()
+            .position(|block| block.place == Some(place));
+        number.map_or(0, |number| u16::try_from(number).unwrap_or(u16::MAX))
+    }
+
+    /// Whether a value that is no coordinate is kept in the frame.
+    pub fn is_field(&self, symbol: SymbolId) -> bool {
+        self.field_set.contains(&symbol)
+    }
+
+    /// The assembly mode whose sign a symbol stands for.
+    pub fn branch_of(&self, symbol: SymbolId) -> Option<&Branch> {
+        self.branch_places
+            .get(&symbol)
+            .map(|&place| &self.branches[place])
+    }
 }
 
-/// More coordinates than these make a dense Φ_q of over 175 kB, which no firmware and few threads have room for.
-pub const LARGEST_TEXTBOOK: usize = 150;
+/// What the solved view computes.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Report {
+    /// The blocks that are kept, in solve order.
+    pub kept: Vec<String>,
+    /// The blocks that nothing asks for.
+    pub left_out: Vec<String>,
+    /// Angles whose sine and cosine suffice.
+    pub angles_left_out: Vec<String>,
+    /// The operations of each level: position, velocity, acceleration. Those inside Newton-Raphson are not counted.
+    pub operations: [Operations; 3],
+    /// The same with nothing left out.
+    pub all_operations: [Operations; 3],
+    /// What the transmissions take beside the pose; `None` where there are none.
+    pub transmission: Option<Operations>,
+    /// What the sensitivities take beside pose and rates; `None` where there are none.
+    pub sensitivity: Option<Operations>,
+}

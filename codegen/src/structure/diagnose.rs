@@ -1,5 +1,7 @@
 //! Parts that are not square → messages that name bodies and joints.
 
+use std::collections::HashSet;
+
 use super::Parts;
 use super::rank::{Dependence, Survey};
 use super::repetition::{advice, with_freedom};
@@ -120,8 +122,13 @@ fn undetermined_contact(system: &System, parts: &Parts) -> Diagnostic {
 
 /// What to add so that everything is determined.
 fn remedy(system: &System, parts: &Parts) -> String {
+    let held: HashSet<usize> = system
+        .rows
+        .iter()
+        .flat_map(|row| row.bodies.iter().copied())
+        .collect();
     let loose = (1..system.mechanism.bodies.len())
-        .filter(|body| !system.rows.iter().any(|row| row.bodies.contains(body)))
+        .filter(|body| !held.contains(body))
         .map(|body| system.mechanism.bodies[body].name.as_str());
     let loose: Vec<&str> = loose.collect();
     if !loose.is_empty() {
@@ -183,8 +190,20 @@ fn too_many(system: &System, parts: &Parts, survey: Option<&Survey>) -> Diagnost
             .map(|&body| system.mechanism.bodies[body].name.as_str()),
     );
     let noun = if bodies.len() == 1 { "body" } else { "bodies" };
-    let first = system.rows[parts.free_rows[0]].joint;
     let joint = |at: usize| -> &Joint { &system.mechanism.joints[at] };
+    // Where they hold together all the same, what repeats the others can be said.
+    let mut repeating: Vec<(usize, Vec<&Dependence>)> = Vec::new();
+    for found in survey.iter().flat_map(|survey| &survey.dependences) {
+        let at = system.row(found.row).joint;
+        match repeating.iter_mut().find(|(known, _)| *known == at) {
+            Some((_, own)) => own.push(found),
+            None => repeating.push((at, vec![found])),
+        }
+    }
+    let repeats = |at: usize| repeating.iter().any(|(known, _)| *known == at);
+    let has_none_left = system.rows[parts.free_rows[0]].joint;
+    let first = joints.iter().copied().find(|&at| repeats(at));
+    let first = first.unwrap_or(has_none_left);
     let mut diagnostic = Diagnostic::error(
         Code::TooManyEquations,
         joint(first).span,
@@ -193,38 +212,37 @@ fn too_many(system: &System, parts: &Parts, survey: Option<&Survey>) -> Diagnost
             count(surplus, "equation", "equations")
         ),
     )
-    .label(format!(
-        "`{}` has no coordinate left to determine",
-        joint(first).label
-    ));
+    .label(match repeats(first) {
+        true => format!("`{}` repeats what the others say", joint(first).label),
+        false => format!(
+            "`{}` has no coordinate left to determine",
+            joint(first).label
+        ),
+    });
     for &other in joints.iter().filter(|&&other| other != first).take(SHOWN) {
-        diagnostic = diagnostic.also(joint(other).span, "acts on the same coordinates");
+        diagnostic = diagnostic.also(
+            joint(other).span,
+            match repeats(other) {
+                true => "repeats what the others say, too",
+                false => "acts on the same coordinates",
+            },
+        );
     }
-    if let Some(survey) = survey {
-        // They hold together all the same: what repeats the others can be said.
-        for found in &survey.dependences {
-            let row = system.row(found.row);
-            let own: Vec<&Dependence> = survey
-                .dependences
-                .iter()
-                .filter(|other| system.row(other.row).joint == row.joint)
-                .collect();
-            if own[0] != found {
-                continue;
-            }
-            let label = &joint(row.joint).label;
+    for (at, own) in &repeating {
+        let label = &joint(*at).label;
+        if *at != first {
             diagnostic = diagnostic.note(format!("`{label}` repeats what the others say"));
-            for help in advice(system, joint(row.joint), &own) {
-                diagnostic = diagnostic.help(help);
-            }
         }
-        if !survey.dependences.is_empty() {
-            // What can still move is said where equations are too few.
-            if parts.free_columns.is_empty() {
-                diagnostic = with_freedom(diagnostic, system, survey);
-            }
-            return diagnostic.note(balance(system));
+        for help in advice(system, joint(*at), own) {
+            diagnostic = diagnostic.help(help);
         }
+    }
+    if let Some(survey) = survey.filter(|survey| !survey.dependences.is_empty()) {
+        // What can still move is said where equations are too few.
+        if parts.free_columns.is_empty() {
+            diagnostic = with_freedom(diagnostic, system, survey);
+        }
+        return diagnostic.note(balance(system));
     }
     diagnostic
         .help(format!(

@@ -5,7 +5,7 @@
 //! equation defines φ_j, and the others do not mention it any more. Deliberately not done: φ_j = 2 φ_i, whose sine and cosine are
 //! no longer linear in those of φ_i.
 
-use super::elimination::{Definition, Measured, mentions, turned_by};
+use super::elimination::{BlockEquation, Definition};
 use crate::expr::{ExprId, Graph, Node};
 use crate::joint::Quantity;
 use crate::joint::geometry::turned;
@@ -17,7 +17,7 @@ pub(super) struct Followed {
     /// The angles that follow, in terms of the unknowns that are left.
     pub definitions: Vec<Definition>,
     /// The equations that are left.
-    pub residuals: Vec<Measured>,
+    pub residuals: Vec<BlockEquation>,
     /// The unknowns that are left.
     pub unknowns: Vec<usize>,
 }
@@ -33,7 +33,7 @@ struct Relation {
 
 /// Takes all angles out of a block that follow another one of it.
 pub(super) fn follow(
-    mut residuals: Vec<Measured>,
+    mut residuals: Vec<BlockEquation>,
     unknowns: &[usize],
     form: &mut VectorForm,
     graph: &mut Graph,
@@ -50,7 +50,7 @@ pub(super) fn follow(
         let Some((at, relation)) = found else {
             break;
         };
-        residuals.remove(at);
+        let row = residuals.remove(at).row;
         let arms: Vec<_> = form.arms_of(relation.follower).cloned().collect();
         let mut replacements = Vec::new();
         for arm in arms {
@@ -71,6 +71,7 @@ pub(super) fn follow(
                     [x, y]
                 };
                 let (cosine, sine) = (graph.cos(relation.offset), graph.sin(relation.offset));
+                let (cosine, sine) = (graph.tidied(cosine), graph.tidied(sine));
                 let vector = turned(cosine, sine, seen, graph);
                 replacements.extend(arm.symbols.into_iter().zip(vector));
             }
@@ -89,6 +90,7 @@ pub(super) fn follow(
         definitions.push(Definition {
             unknown: relation.follower,
             value,
+            row,
         });
     }
     // What was defined first may follow what was defined after it.
@@ -107,11 +109,8 @@ fn relation(
     form: &VectorForm,
     graph: &mut Graph,
 ) -> Option<Relation> {
-    let mentioned: Vec<usize> = unknowns
-        .iter()
-        .copied()
-        .filter(|&unknown| mentions(residual, unknown, form, graph))
-        .collect();
+    let mut mentioned = form.mentioned(residual, graph);
+    mentioned.retain(|unknown| unknowns.binary_search(unknown).is_ok());
     let &[leader, follower] = &mentioned[..] else {
         return None;
     };
@@ -120,7 +119,7 @@ fn relation(
         let angle = form.unknowns[unknown].quantity == Quantity::Angle;
         let slope = graph.derivative(residual, symbol);
         let constant = matches!(graph.node(slope), Node::Number(_));
-        (angle && constant && !turned_by(residual, unknown, form, graph)).then_some(slope)
+        (angle && constant && !form.is_turned_by(residual, unknown, graph)).then_some(slope)
     };
     let slopes = [slope(leader, graph)?, slope(follower, graph)?];
     let ratio = graph.divide(slopes[0], slopes[1]);

@@ -5,7 +5,6 @@
 //! which unknown.
 
 mod components;
-mod determinant;
 mod diagnose;
 mod elimination;
 mod following;
@@ -15,17 +14,15 @@ mod matching;
 mod parts;
 mod plan;
 mod rank;
-mod recognition;
 mod repetition;
 
 pub use components::components;
-pub use determinant::{Determinant, LARGEST_WRITTEN_OUT, determinant};
-pub use elimination::Definition;
+pub use elimination::{BlockEquation, Definition};
 pub use freedom::Freedom;
 pub use incidence::Incidence;
 pub use matching::{Matching, maximum_matching};
 pub use parts::{Parts, coarse_parts};
-pub use plan::{SolvedBlock, SolvedPlan, Step, plan, plan_of_motion};
+pub use plan::{LARGEST_TOGETHER, Part, SolvedBlock, SolvedPlan, plan, plan_of_motion};
 pub use rank::{Dependence, FreeMotion, LARGEST_SURVEY, Moves, Survey, released};
 
 use crate::diagnostic::Diagnostics;

@@ -1,15 +1,17 @@
-//! The vector form → blocks in solve order, each with its steps.
+//! The vector form → blocks in solve order, each with the parts that its tears are found from.
+//!
+//! Deliberately unknown here: how a part is solved.
 
 use std::collections::HashMap;
 
-use super::elimination::{Definition, Measured, eliminate, mentions};
+use super::elimination::{BlockEquation, Definition, eliminate};
 use super::following::follow;
-use super::recognition::{newton, recognize};
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::Quantity;
-use crate::joint::geometry::Vector;
-use crate::system::{SymbolRole, System, VectorForm};
+use crate::system::{Bound, Exceeded, SymbolRole, System, VectorForm};
+
+/// The most unknowns that Newton-Raphson finds together: their dense Jacobian has a million entries.
+pub const LARGEST_TOGETHER: usize = 1000;
 
 /// How the unknowns are found, block by block.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,129 +25,25 @@ pub struct SolvedPlan {
 pub struct SolvedBlock {
     /// The joints whose equations it uses, in written order.
     pub joints: Vec<usize>,
-    /// How the tears are found; empty where everything is explicit.
-    pub steps: Vec<Step>,
+    /// What the tears are found from, part by part in solve order; empty where everything is explicit.
+    pub parts: Vec<Part>,
     /// What follows from the tears, in the order in which it can be computed.
     pub definitions: Vec<Definition>,
 }
 
-/// One step of a person's solution. Unknowns are indices into the vector form; everything else is known before the step.
+/// Equations of a block that cannot be taken apart any further, and as many unknowns. Everything else in them is known before.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Step {
-    /// coefficient · u + rest = 0.
-    Linear {
-        /// u.
-        unknown: usize,
-        /// What it is multiplied by.
-        coefficient: ExprId,
-        /// The rest of the equation.
-        rest: ExprId,
-    },
-    /// cosine · cos φ + sine · sin φ + rest = 0.
-    OneAngle {
-        /// φ.
-        unknown: usize,
-        /// The coefficient of cos φ.
-        cosine: ExprId,
-        /// The coefficient of sin φ.
-        sine: ExprId,
-        /// The rest of the equation.
-        rest: ExprId,
-        /// The equation as it was, in arms.
-        equation: ExprId,
-    },
-    /// R(φ_a) p + R(φ_b) q + closure = 0: the dyad with three revolute joints, where two circles meet.
-    TwoRotations {
-        /// φ_a.
-        first: usize,
-        /// φ_b.
-        second: usize,
-        /// The first link, constant in its body.
-        p: Vector,
-        /// The second link, constant in its body.
-        q: Vector,
-        /// The known vector that closes the triangle.
-        closure: Vector,
-    },
-    /// R(φ) p + ℓ d + closure = 0: a circle meets a line of known direction.
-    RotationAndSlide {
-        /// φ.
-        angle: usize,
-        /// ℓ.
-        slide: usize,
-        /// The turning link, constant in its body.
-        p: Vector,
-        /// d.
-        direction: Vector,
-        /// The known vector that closes the loop.
-        closure: Vector,
-    },
-    /// R(φ) (p + ℓ u) + closure = 0: a line that turns passes through a known point.
-    TurningSlide {
-        /// φ.
-        angle: usize,
-        /// ℓ.
-        slide: usize,
-        /// Where the line begins, constant in its body.
-        p: Vector,
-        /// The line's direction, constant in its body.
-        u: Vector,
-        /// The known vector that closes the loop.
-        closure: Vector,
-    },
-    /// ℓ_a d_a + ℓ_b d_b + closure = 0: two lines meet.
-    TwoSlides {
-        /// ℓ_a.
-        first: usize,
-        /// ℓ_b.
-        second: usize,
-        /// d_a and d_b.
-        directions: [Vector; 2],
-        /// The known vector that closes the loop.
-        closure: Vector,
-    },
-    /// Newton-Raphson on what has no closed form.
-    Newton {
-        /// The tears.
-        unknowns: Vec<usize>,
-        /// As many equations.
-        residuals: Vec<ExprId>,
-        /// What each of them is measured in.
-        quantities: Vec<Quantity>,
-    },
-}
-
-impl Step {
-    /// The unknowns that the step finds.
-    pub fn unknowns(&self) -> Vec<usize> {
-        match self {
-            Step::Linear { unknown, .. } | Step::OneAngle { unknown, .. } => vec![*unknown],
-            Step::TwoRotations { first, second, .. } | Step::TwoSlides { first, second, .. } => {
-                vec![*first, *second]
-            }
-            Step::RotationAndSlide { angle, slide, .. }
-            | Step::TurningSlide { angle, slide, .. } => vec![*angle, *slide],
-            Step::Newton { unknowns, .. } => unknowns.clone(),
-        }
-    }
-
-    /// What the kind of step is called.
-    pub fn name(&self) -> String {
-        match self {
-            Step::Linear { .. } => "linear".to_string(),
-            Step::OneAngle { .. } => "one angle".to_string(),
-            Step::TwoRotations { .. } => "two rotations".to_string(),
-            Step::RotationAndSlide { .. } | Step::TurningSlide { .. } => {
-                "rotation and slide".to_string()
-            }
-            Step::TwoSlides { .. } => "two slides".to_string(),
-            Step::Newton { unknowns, .. } => format!("Newton of size {}", unknowns.len()),
-        }
-    }
+pub struct Part {
+    /// The equations.
+    pub equations: Vec<BlockEquation>,
+    /// The tears: indices into the unknowns of the vector form, ascending.
+    pub unknowns: Vec<usize>,
+    /// Whether some equation has lost its unknown by elimination, so that the part is singular in every pose.
+    pub is_singular: bool,
 }
 
 /// The plan of the solved view, with the values of the drivers shifted where the system has directions. `None` where the
-/// vector form is not structurally square.
+/// vector form is not structurally square, and where a bound is passed: [`System::exceeded`] says which, and with which joint.
 pub fn plan(system: &mut System) -> Option<SolvedPlan> {
     system.shift_drivers();
     plan_of_motion(system)
@@ -169,7 +67,7 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     // The first block holds what follows from t, inputs, parameters and constants alone.
     let mut blocks = vec![SolvedBlock {
         joints: Vec::new(),
-        steps: Vec::new(),
+        parts: Vec::new(),
         definitions: Vec::new(),
     }];
     let mut home = vec![0; form.unknowns.len()];
@@ -186,24 +84,30 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
             .iter()
             .flat_map(|&row| incidence.rows[row].iter().copied());
         let latest = mentioned
-            .filter(|column| !unknowns.contains(column))
+            .filter(|column| unknowns.binary_search(column).is_err())
             .map(|column| home[column])
             .max();
         let residuals = rows
             .iter()
-            .map(|&row| Measured {
+            .map(|&row| BlockEquation {
                 residual: with_constants(form.rows[row].residual, &constants, graph),
+                row,
                 quantity: form.rows[row].quantity,
             })
             .collect();
+        let at = system.mechanism.joints[joints[0]].span;
         let mut block = block(residuals, &unknowns, joints, form, graph);
+        if let Some(bound) = passed(&block, graph) {
+            system.exceeded.get_or_insert(Exceeded { at, bound });
+            return None;
+        }
         for definition in &block.definitions {
             if graph.is_fixed(definition.value) {
                 constants.insert(form.unknowns[definition.unknown].position, definition.value);
             }
         }
         // What follows without a step belongs to the block that it follows from, as a person would write it down.
-        let place = if block.steps.is_empty() {
+        let place = if block.parts.is_empty() {
             latest.unwrap_or(0)
         } else {
             blocks.len()
@@ -236,6 +140,14 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     Some(SolvedPlan { blocks })
 }
 
+/// The bound that a block passes.
+fn passed(block: &SolvedBlock, graph: &Graph) -> Option<Bound> {
+    let sizes = block.parts.iter().map(|part| part.unknowns.len());
+    let largest = sizes.max().filter(|&size| size > LARGEST_TOGETHER);
+    let of_graph = graph.excess().map(Bound::Graph);
+    of_graph.or(largest.map(Bound::Together))
+}
+
 /// An equation with the unknowns that do not move put in.
 fn with_constants(
     residual: ExprId,
@@ -256,35 +168,18 @@ fn with_constants(
 
 /// Which row mentions which unknown, through arms or directly.
 fn incidence(form: &VectorForm, graph: &Graph) -> Incidence {
-    // Symbol → unknown, once for all rows.
-    let mut unknown_of = vec![None; graph.symbol_count()];
-    for (index, unknown) in form.unknowns.iter().enumerate() {
-        unknown_of[unknown.position.index()] = Some(index);
-    }
-    for arm in &form.arms {
-        for symbol in arm.symbols {
-            unknown_of[symbol.index()] = Some(arm.angle);
-        }
-    }
-    let pattern = |residual: ExprId| {
-        let mut columns: Vec<usize> = graph
-            .symbols(residual)
-            .iter()
-            .filter_map(|symbol| unknown_of[symbol.index()])
-            .collect();
-        columns.sort_unstable();
-        columns.dedup();
-        columns
-    };
+    let rows = form.rows.iter();
     Incidence {
-        rows: form.rows.iter().map(|row| pattern(row.residual)).collect(),
+        rows: rows
+            .map(|row| form.mentioned(row.residual, graph))
+            .collect(),
         columns: form.unknowns.len(),
     }
 }
 
-/// Eliminates what can be, takes the rest apart once more, and recognises each part.
+/// Eliminates what can be, and takes the rest apart once more.
 fn block(
-    residuals: Vec<Measured>,
+    residuals: Vec<BlockEquation>,
     unknowns: &[usize],
     joints: Vec<usize>,
     form: &mut VectorForm,
@@ -295,8 +190,9 @@ fn block(
     let eliminated = eliminate(followed.residuals, &followed.unknowns, form, graph);
     let (residuals, tears) = (eliminated.residuals, eliminated.tears);
     let row = |residual: ExprId| {
-        (0..tears.len())
-            .filter(|&tear| mentions(residual, tears[tear], form, graph))
+        let mentioned = form.mentioned(residual, graph).into_iter();
+        mentioned
+            .filter_map(|unknown| tears.binary_search(&unknown).ok())
             .collect()
     };
     let incidence = Incidence {
@@ -304,25 +200,31 @@ fn block(
         columns: tears.len(),
     };
     let matching = maximum_matching(&incidence);
-    let mut steps = Vec::new();
+    let mut parts = Vec::new();
     if matching.column_of.iter().any(Option::is_none) {
-        // Elimination made an equation lose its unknown: the block is singular in every pose, which Newton will report.
-        steps.push(newton(&residuals, tears));
+        parts.push(Part {
+            equations: residuals,
+            unknowns: tears,
+            is_singular: true,
+        });
     } else {
         for rows in components(&incidence, &matching) {
-            let part: Vec<Measured> = rows.iter().map(|&row| residuals[row]).collect();
             let mut found: Vec<usize> = rows
                 .iter()
                 .filter_map(|&row| matching.column_of[row])
                 .map(|column| tears[column])
                 .collect();
             found.sort_unstable();
-            steps.push(recognize(&part, &found, form, graph));
+            parts.push(Part {
+                equations: rows.iter().map(|&row| residuals[row]).collect(),
+                unknowns: found,
+                is_singular: false,
+            });
         }
     }
     SolvedBlock {
         joints,
-        steps,
+        parts,
         definitions: [followed.definitions, eliminated.definitions].concat(),
     }
 }

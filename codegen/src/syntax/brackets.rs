@@ -38,6 +38,8 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
     let mut balance = Balance {
         scan,
         open: Vec::new(),
+        braces: 0,
+        formulas: 0,
         too_deep: false,
     };
     let excess = excess_of_closing_braces(&lexemes);
@@ -46,8 +48,8 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
         let previous = index.checked_sub(1).map(|before| &lexemes[before]);
         let end_of_previous = previous.map_or(lexeme.start, |it| it.end);
         // Inside a formula a call at the start of a line starts no statement.
-        let in_formula = balance.open.iter().any(|opener| opener.holds_formula)
-            && word(text, lexeme).is_none_or(|word| !KEYWORDS.contains(&word));
+        let in_formula =
+            balance.formulas > 0 && word(text, lexeme).is_none_or(|word| !KEYWORDS.contains(&word));
         if !in_formula && looks_like_statement(text, &lexemes[index..]) {
             let continues = previous.is_some_and(|it| continues_after(it.kind));
             if !continues {
@@ -55,7 +57,7 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
             }
             // A motion inside a motion is no missing brace where all braces are closed further below.
             let next_motion =
-                word(text, lexeme) == Some("motion") && excess[index] < balance.braces();
+                word(text, lexeme) == Some("motion") && excess[index] < balance.braces;
             balance.before_statement(end_of_previous, continues, next_motion);
         }
         match lexeme.kind {
@@ -90,6 +92,10 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
 struct Balance<'a> {
     scan: &'a mut Scan,
     open: Vec<Opener>,
+    /// How many of them are braces.
+    braces: isize,
+    /// How many of them hold formulas.
+    formulas: usize,
     too_deep: bool,
 }
 
@@ -104,6 +110,8 @@ impl Balance<'_> {
                 self.scan.report(too_deep(Span::new(at, at + 1)));
             }
         }
+        self.braces += isize::from(bracket == b'{');
+        self.formulas += usize::from(holds_formula);
         self.open.push(Opener {
             bracket,
             at,
@@ -113,9 +121,17 @@ impl Balance<'_> {
         });
     }
 
+    /// The innermost opener, taken off where it is of this sort.
+    fn take_if(&mut self, is_meant: impl FnOnce(&Opener) -> bool) -> Option<Opener> {
+        let opener = self.open.pop_if(|opener| is_meant(opener))?;
+        self.braces -= isize::from(opener.bracket == b'{');
+        self.formulas -= usize::from(opener.holds_formula);
+        Some(opener)
+    }
+
     /// Closes every parenthesis and square bracket that is open above the innermost brace.
     fn close_parentheses(&mut self, place: usize) {
-        while let Some(opener) = self.open.pop_if(|opener| opener.bracket != b'{') {
+        while let Some(opener) = self.take_if(|opener| opener.bracket != b'{') {
             self.insert(&opener, place);
         }
     }
@@ -123,7 +139,7 @@ impl Balance<'_> {
     /// Closes everything that is open inside of a formula.
     fn close_formulas(&mut self, place: usize) {
         self.close_parentheses(place);
-        while let Some(opener) = self.open.pop_if(|opener| opener.holds_formula) {
+        while let Some(opener) = self.take_if(|opener| opener.holds_formula) {
             self.insert(&opener, place);
             self.close_parentheses(place);
         }
@@ -135,20 +151,13 @@ impl Balance<'_> {
         if !continues {
             self.close_formulas(place);
         }
-        let must_close = |opener: &mut Opener| {
-            opener.bracket == b'{' && (next_motion || !opener.holds_statements)
-        };
-        if self.braces() >= 2
-            && let Some(opener) = self.open.pop_if(must_close)
+        let must_close =
+            |opener: &Opener| opener.bracket == b'{' && (next_motion || !opener.holds_statements);
+        if self.braces >= 2
+            && let Some(opener) = self.take_if(must_close)
         {
             self.insert(&opener, place);
         }
-    }
-
-    /// How many braces are open.
-    fn braces(&self) -> isize {
-        let braces = self.open.iter().filter(|opener| opener.bracket == b'{');
-        braces.count() as isize
     }
 
     /// Reports a bracket that should have been closed at `place`, and closes it there.
@@ -174,9 +183,8 @@ impl Balance<'_> {
 
     fn close(&mut self, bracket: u8, at: usize, more_follows: bool) {
         let superfluous = bracket == b'}' && self.open.len() == 1 && more_follows;
-        if let Some(opener) = self
-            .open
-            .pop_if(|opener| !superfluous && closing(opener.bracket) == bracket as char)
+        if let Some(opener) =
+            self.take_if(|opener| !superfluous && closing(opener.bracket) == bracket as char)
         {
             if opener.hidden {
                 self.scan.edit(at, at + 1, Fill::Blank);
@@ -186,10 +194,7 @@ impl Balance<'_> {
         let span = Span::new(at, at + 1);
         self.scan.damage.push(at);
         // `(` closed by `]`: one mistake, not two.
-        if let Some(opener) = self
-            .open
-            .pop_if(|opener| opener.bracket != b'{' && bracket != b'}')
-        {
+        if let Some(opener) = self.take_if(|opener| opener.bracket != b'{' && bracket != b'}') {
             let (opening, wanted) = (opener.bracket as char, closing(opener.bracket));
             let fill = if opener.hidden {
                 Fill::Blank

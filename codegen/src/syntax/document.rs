@@ -58,8 +58,8 @@ pub enum Statement {
     Transmission(Transmission),
     /// `sensitivity L2, L3;`
     Sensitivity(Sensitivity),
-    /// `monitor;`
-    Monitor(Monitor),
+    /// `monitor;`, `unguarded;`
+    Wish(Wish),
     /// `motion NAME { statements }`
     Motion(Motion),
 }
@@ -93,7 +93,7 @@ impl Statement {
             Statement::Output(statement) => statement.span,
             Statement::Transmission(statement) => statement.span,
             Statement::Sensitivity(statement) => statement.span,
-            Statement::Monitor(statement) => statement.span,
+            Statement::Wish(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }
     }
@@ -365,13 +365,24 @@ pub struct Sensitivity {
     pub span: Span,
 }
 
-/// `monitor;`: how close the mechanism is to a singular pose.
+/// A statement of one word.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Monitor {
+pub struct Wish {
+    /// What is wished.
+    pub kind: WishKind,
     /// The `///` lines above it.
     pub docs: Vec<String>,
     /// The whole statement with its semicolon.
     pub span: Span,
+}
+
+/// What a statement of one word wishes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WishKind {
+    /// `monitor`: every frame says how close the mechanism is to a singular pose.
+    Monitor,
+    /// `unguarded`: no frame is shown to lie on the path of the last one.
+    Unguarded,
 }
 
 /// One wanted quantity.

@@ -25,12 +25,43 @@ pub(super) fn unquoted(text: &str) -> &str {
 
 /// Whether a path means the same file wherever the description is copied together with it.
 pub(crate) fn is_relative(path: &str) -> bool {
-    !path.is_empty() && !path.starts_with('/') && !path.contains(['\\', ':'])
+    let is_refused = |it: char| matches!(it, '\\' | ':') || it.is_control();
+    !path.is_empty() && !path.starts_with('/') && !path.contains(is_refused)
+}
+
+/// Whether a relative path leads out of the folder that it starts in.
+pub(crate) fn leaves_folder(path: &str) -> bool {
+    let mut depth = 0;
+    path.split('/').any(|part| {
+        depth += match part {
+            "" | "." => 0,
+            ".." => -1,
+            _ => 1,
+        };
+        depth < 0
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::named_files;
+    use super::{is_relative, leaves_folder, named_files};
+
+    #[test]
+    fn a_path_leaves_its_folder_upwards() {
+        for inside in [
+            "a.csv",
+            "./a.csv",
+            "a/../b.csv",
+            "a//b/../../c.csv",
+            "..a/b",
+        ] {
+            assert!(is_relative(inside) && !leaves_folder(inside), "{inside}");
+        }
+        for outside in ["../a.csv", "a/../../b.csv", "./..//a.csv", ".."] {
+            assert!(is_relative(outside) && leaves_folder(outside), "{outside}");
+        }
+        assert!(!is_relative("a\nb"));
+    }
 
     #[test]
     fn only_tables_name_files() {

@@ -34,8 +34,8 @@ mod tokens;
 mod unreadable;
 
 pub use document::*;
-pub(crate) use files::is_relative;
 pub use files::named_files;
+pub(crate) use files::{is_relative, leaves_folder};
 pub use formula::*;
 pub use output::LEVELS;
 
@@ -49,7 +49,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 15] = [
+pub const KEYWORDS: [&str; 16] = [
     "const",
     "param",
     "input",
@@ -64,6 +64,7 @@ pub const KEYWORDS: [&str; 15] = [
     "transmission",
     "sensitivity",
     "monitor",
+    "unguarded",
     "motion",
 ];
 

@@ -1,8 +1,8 @@
-//! *Tokens → what a mechanism is asked for:* `output K;`, `output velocity K, phi(c1);`, `transmission K;`, `sensitivity L;`, `monitor;`.
+//! *Tokens → what a mechanism is asked for:* `output K;`, `output velocity K, phi(c1);`, `transmission K;`, `sensitivity L;`, `monitor;`, `unguarded;`.
 
 use proc_macro2::Delimiter;
 
-use super::document::{Monitor, Output, OutputItem, Sensitivity, Statement, Transmission};
+use super::document::{Output, OutputItem, Sensitivity, Statement, Transmission, Wish, WishKind};
 use super::reference::{identifier, operands, reference};
 use super::statement::{semicolon, semicolon_after_operands};
 use super::tokens::{Outcome, Tokens};
@@ -68,14 +68,15 @@ pub(super) fn sensitivity(
     Ok(Statement::Sensitivity(Sensitivity { docs, names, span }))
 }
 
-/// The statement after its first word.
-pub(super) fn monitor(
+/// A statement of one word, after that word.
+pub(super) fn wish(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
+    kind: WishKind,
     start: Span,
 ) -> Outcome<Statement> {
     let span = start.to(semicolon(tokens, start)?);
-    Ok(Statement::Monitor(Monitor { docs, span }))
+    Ok(Statement::Wish(Wish { kind, docs, span }))
 }
 
 /// One or more quantities; a comma may follow the last one.

@@ -5,10 +5,7 @@
 //! the [findings](Scan::findings) name every character that nobody reads. The scan knows no statement and no expression.
 
 use super::unreadable;
-use crate::diagnostic::{Code, Diagnostic, Span};
-
-/// Findings beyond this number are not reported: nobody reads them, and a large file of rubbish would produce millions.
-pub(super) const MOST_FINDINGS: usize = 100;
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 
 /// What a lexeme is. Brackets and marks are ASCII characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,7 +70,7 @@ pub(super) struct Scan {
 
 impl Scan {
     pub(super) fn report(&mut self, finding: Diagnostic) {
-        if self.findings.len() < MOST_FINDINGS {
+        if self.findings.len() < Diagnostics::MOST {
             self.findings.push(finding);
         }
     }

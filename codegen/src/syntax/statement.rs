@@ -7,12 +7,12 @@ use proc_macro2::Delimiter;
 use super::KEYWORDS;
 use super::body::body;
 use super::curve::curve;
-use super::document::{Constant, DrawnPoint, Drive, Joint, Points, Statement};
+use super::document::{Constant, DrawnPoint, Drive, Joint, Points, Statement, WishKind};
 use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
 use super::formula::Name;
 use super::motion::motion;
-use super::output::{monitor, output, sensitivity, transmission};
+use super::output::{output, sensitivity, transmission, wish};
 use super::reference::{body_name, direction, driven_coordinate, identifier, operands, separator};
 use super::table::table;
 use super::tokens::{Outcome, Tokens};
@@ -41,7 +41,8 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "output" => output(tokens, docs, first.span),
         "transmission" => transmission(tokens, docs, first.span),
         "sensitivity" => sensitivity(tokens, docs, first.span),
-        "monitor" => monitor(tokens, docs, first.span),
+        "monitor" => wish(tokens, docs, WishKind::Monitor, first.span),
+        "unguarded" => wish(tokens, docs, WishKind::Unguarded, first.span),
         "motion" => motion(tokens, docs, first.span),
         _ => joint(tokens, docs, None, first),
     }

@@ -11,8 +11,8 @@ use super::brackets::StatementStarts;
 use super::files::unquoted;
 use super::formula::Name;
 use super::repair::Repaired;
-use super::scan::{Documentation, MOST_FINDINGS};
-use crate::diagnostic::{Code, Diagnostic, Span};
+use super::scan::Documentation;
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 
 /// What a rule gives: its node, or the one finding that stopped it.
 pub(super) type Outcome<T> = Result<T, Box<Diagnostic>>;
@@ -60,14 +60,14 @@ impl<'a> Reader<'a> {
             .get(first)
             .is_some_and(|place| *place <= to as usize);
         let mut findings = self.findings.borrow_mut();
-        if !damaged && findings.len() < MOST_FINDINGS {
+        if !damaged && findings.len() < Diagnostics::MOST {
             findings.push(finding);
         }
     }
 
     /// Whether so much was found that going on is pointless.
     pub(super) fn is_full(&self) -> bool {
-        self.findings.borrow().len() >= MOST_FINDINGS
+        self.findings.borrow().len() >= Diagnostics::MOST
     }
 
     pub(super) fn into_findings(self) -> Vec<Diagnostic> {
@@ -98,6 +98,10 @@ impl<'a> Reader<'a> {
                 self.documented.borrow_mut().insert(comment.span.start);
                 lines.extend(comment.lines.iter().cloned());
             }
+        }
+        if lines.iter().all(String::is_empty) {
+            // Nothing is said.
+            lines.clear();
         }
         lines
     }

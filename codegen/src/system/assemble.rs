@@ -1,10 +1,15 @@
 //! The rows of every joint, and their derivatives.
 
+use std::collections::HashMap;
+
 use super::direction::{directions, rate_jacobian};
 use super::length::lengths;
 use super::pressure::pressures;
 use super::row_name::RowNames;
-use super::{Coordinate, Described, Entry, Output, Row, SymbolRole, System, VectorForm};
+use super::{
+    Bound, Coordinate, Described, Entry, Exceeded, Output, Row, SymbolRole, System, VectorForm,
+};
+use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{self, Quantity};
 use crate::model::{Body, Mechanism};
@@ -23,11 +28,13 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
         0 => 0..0,
         body => 3 * (body - 1)..3 * body,
     };
-    let (poses, all) = (3 * mechanism.moving_bodies().len(), &coordinates);
-    let of_joint = |joint: usize| {
-        let own = Described::Contact { joint };
-        (poses..all.len()).filter(move |&at| all[at].describes == own)
-    };
+    let mut contacts = HashMap::new();
+    for (at, coordinate) in coordinates.iter().enumerate() {
+        if let Described::Contact { joint } = coordinate.describes {
+            contacts.insert(joint, at);
+        }
+    }
+    let mut watch = Watch::default();
     let (mut rows, mut monitored, mut place) = (Vec::new(), Vec::new(), 0);
     // Of each joint, which of its rows are not solved.
     let mut dropped: Vec<Vec<bool>> = Vec::with_capacity(mechanism.joints.len());
@@ -48,7 +55,7 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
         let mut involved: Vec<usize> = bodies
             .iter()
             .flat_map(|&body| of_body(body))
-            .chain(of_joint(index))
+            .chain(contacts.get(&index).copied())
             .collect();
         involved.sort_unstable();
         involved.dedup();
@@ -69,10 +76,14 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
             place += 1;
         }
         dropped.push(own);
+        if watch.is_beyond(graph, joint.span) {
+            break;
+        }
     }
     let outputs = points
         .iter()
         .map(|point| {
+            watch.is_beyond(graph, point.span);
             let position = point.mark.position(graph);
             let moving: Vec<&Coordinate> = of_body(point.mark.frame.body.0)
                 .map(|at| &coordinates[at])
@@ -87,11 +98,12 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
             }
         })
         .collect();
-    let directions = directions(&mut mechanism, &rows, &coordinates);
+    let directions = directions(&mut mechanism, &rows, &coordinates, &mut watch);
     let rate_jacobian = rate_jacobian(&mut mechanism, &rows, &coordinates);
-    let pressures = pressures(&mut mechanism, &coordinates);
+    let pressures = pressures(&mut mechanism, &coordinates, &contacts);
     let lengths = lengths(&mut mechanism, &rows);
-    let vector_form = VectorForm::new(&mut mechanism, &coordinates, &dropped);
+    let vector_form = VectorForm::new(&mut mechanism, &coordinates, &dropped, &mut watch);
+    watch.is_beyond(&mechanism.graph, mechanism.span);
     let mut roles = roles(&mechanism, &coordinates);
     vector_form.note_roles(&mut roles, coordinates.len());
     System {
@@ -106,6 +118,24 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
         vector_form,
         lengths,
         roles,
+        exceeded: watch.exceeded,
+    }
+}
+
+/// Watches the bounds of the graph from statement to statement.
+#[derive(Debug, Default)]
+pub(super) struct Watch {
+    exceeded: Option<Exceeded>,
+}
+
+impl Watch {
+    /// Whether a bound has been passed; if only now, then with this statement.
+    pub(super) fn is_beyond(&mut self, graph: &Graph, at: Span) -> bool {
+        if let Some(excess) = graph.excess() {
+            let bound = Bound::Graph(excess);
+            self.exceeded.get_or_insert(Exceeded { at, bound });
+        }
+        self.exceeded.is_some()
     }
 }
 

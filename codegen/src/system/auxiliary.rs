@@ -6,19 +6,13 @@
 use super::orientation::as_symbol;
 use super::{Unknown, VectorForm};
 use crate::expr::{ExprId, Graph};
-use crate::joint::geometry::{Mark, dot, offset_along};
+use crate::joint::geometry::{Mark, length, offset_along};
 use crate::joint::{Auxiliary, AuxiliaryUnknown, Resolved};
-use crate::model::{Body, Joint, NamedMark, Point};
+use crate::model::{Body, Joint};
 
 impl VectorForm {
     /// The auxiliary unknowns of one joint, named after the points that it concerns.
-    pub(super) fn add_auxiliaries(
-        &mut self,
-        joint: &Joint,
-        bodies: &[Body],
-        points: &[Point],
-        graph: &mut Graph,
-    ) {
+    pub(super) fn add_auxiliaries(&mut self, joint: &Joint, bodies: &[Body], graph: &mut Graph) {
         // A driver on the line of another joint has that joint's unknowns, and none of its own.
         let own = joint.kind.auxiliaries().len();
         for auxiliary in joint.operands.auxiliaries.iter().take(own) {
@@ -30,20 +24,12 @@ impl VectorForm {
             let ends = [first, 1 - first].map(|side| {
                 let mark = joint.operands.marks.get(side)?;
                 let drawn = joint.operands.drawn.get(side)?;
-                let body = &bodies[mark.frame.body.0];
-                let own = |other: &&NamedMark| other.mark.local == mark.local;
-                let name = match body.marks.iter().find(own) {
-                    Some(named) => Some(&named.name),
+                let name = match self.mark_names.on_body(mark) {
+                    Some(name) => Some(name),
                     // A displacement against the ground is named after its joint.
                     None if auxiliary.kind == Auxiliary::Displacement => None,
                     // The ground lists no points: those it alone carries are points of the mechanism, others have their name from there.
-                    None => {
-                        let free = points.iter().find(|point| point.mark == *mark);
-                        let carried = bodies.iter().flat_map(|body| &body.marks);
-                        let mut there = carried.filter(|other| other.drawn == drawn.position);
-                        free.map(|point| &point.name)
-                            .or_else(|| there.next().map(|named| &named.name))
-                    }
+                    None => self.mark_names.elsewhere(mark, drawn.position),
                 };
                 name.map(|name| name.to_lowercase())
             });
@@ -125,8 +111,7 @@ fn in_drawing(
         },
         Auxiliary::Distance => {
             let gap = operands.drawn_gap(graph);
-            let square = dot(gap, gap, graph);
-            graph.sqrt(square)
+            length(gap, graph)
         }
         Auxiliary::LinkAngle => {
             let [x, y] = operands.drawn_gap(graph);

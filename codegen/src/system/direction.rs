@@ -5,10 +5,16 @@
 //! symbol δ and its column ∂Φ/∂δ. The textbook's rows themselves do not mention δ. A parameter p is a symbol of the rows already, and
 //! moves the rates too: (Φ_q q̇ + Φ_t) = 0 has its own column.
 
+use std::collections::HashMap;
+
+use super::assemble::Watch;
 use super::{Coordinate, Entry, Row, System};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::{Quantity, Resolved};
 use crate::model::{Mechanism, Role, field_name};
+
+/// What an entry of a column costs, in terms: what every block makes of it counts here too.
+const COLUMN_ENTRY: usize = 50;
 
 /// A direction in which the pose can be moved.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,9 +51,10 @@ pub(super) fn directions(
     mechanism: &mut Mechanism,
     rows: &[Row],
     coordinates: &[Coordinate],
+    watch: &mut Watch,
 ) -> Vec<Direction> {
-    let mut directions = drivers(mechanism, rows);
-    directions.extend(parameters(mechanism, rows, coordinates));
+    let mut directions = drivers(mechanism, rows, watch);
+    directions.extend(parameters(mechanism, rows, coordinates, watch));
     directions
 }
 
@@ -71,15 +78,24 @@ pub(super) fn rate_jacobian(
     if mechanism.sensitivities.is_empty() {
         return Vec::new();
     }
+    let positions = coordinates.iter().enumerate();
+    let places: HashMap<SymbolId, usize> = positions
+        .map(|(place, own)| (own.position, place))
+        .collect();
     let mut entries = Vec::with_capacity(rows.len());
     for row in rows {
         let rate = rate(row, mechanism, coordinates);
         let graph = &mut mechanism.graph;
-        let slope = |(coordinate, own): (usize, &Coordinate)| Entry {
+        let mentioned = graph.symbols(rate).iter();
+        let mut mentioned: Vec<usize> = mentioned
+            .filter_map(|symbol| places.get(symbol).copied())
+            .collect();
+        mentioned.sort_unstable();
+        let slope = |coordinate: usize| Entry {
             coordinate,
-            value: graph.derivative(rate, own.position),
+            value: graph.derivative(rate, coordinates[coordinate].position),
         };
-        let mut slopes: Vec<Entry> = coordinates.iter().enumerate().map(slope).collect();
+        let mut slopes: Vec<Entry> = mentioned.into_iter().map(slope).collect();
         let zero = mechanism.graph.zero();
         slopes.retain(|entry| entry.value != zero);
         entries.push(slopes);
@@ -92,6 +108,7 @@ fn parameters(
     mechanism: &mut Mechanism,
     rows: &[Row],
     coordinates: &[Coordinate],
+    watch: &mut Watch,
 ) -> Vec<Direction> {
     let mut directions = Vec::new();
     for parameter in mechanism.sensitivities.clone() {
@@ -99,6 +116,11 @@ fn parameters(
         let (symbol, name) = (own.symbol, field_name(&own.name));
         let mut column = Vec::with_capacity(rows.len());
         let mut rate_column = Vec::with_capacity(rows.len());
+        let span = own.span;
+        mechanism.graph.spend(COLUMN_ENTRY * rows.len());
+        if watch.is_beyond(&mechanism.graph, span) {
+            break;
+        }
         for row in rows {
             let rate = rate(row, mechanism, coordinates);
             column.push(mechanism.graph.derivative(row.residual, symbol));
@@ -116,7 +138,7 @@ fn parameters(
 }
 
 /// The directions of all drivers, where there is a transmission.
-fn drivers(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<Direction> {
+fn drivers(mechanism: &mut Mechanism, rows: &[Row], watch: &mut Watch) -> Vec<Direction> {
     if mechanism.transmissions.is_empty() {
         return Vec::new();
     }
@@ -137,6 +159,11 @@ fn drivers(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<Direction> {
             value: Some(graph.add(value, shift)),
             ..joint.operands.clone()
         };
+        // A column is as long as the system, whatever is in it.
+        graph.spend(COLUMN_ENTRY * rows.len());
+        if watch.is_beyond(graph, joint.span) {
+            break;
+        }
         let zero = graph.zero();
         let shifted_rows = joint.kind.rows(&shifted, graph);
         let mut own = shifted_rows.iter();

@@ -5,6 +5,8 @@
 //! estimate may stay behind when parameters change. Constants are represented by the largest. The list is empty where no
 //! parameter occurs: then the drawing's largest coordinate serves. The module does not know what is judged.
 
+use std::collections::HashSet;
+
 use crate::expr::{ExprId, Node};
 use crate::joint::Quantity;
 use crate::model::Mechanism;
@@ -36,12 +38,13 @@ pub(super) fn lengths(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<ExprId> {
     let value = |expr: ExprId| graph.constant_value(expr).map(f64::abs);
     let mut largest: Option<ExprId> = None;
     let mut following: Vec<ExprId> = Vec::new();
+    let mut known: HashSet<ExprId> = HashSet::new();
     for expr in found {
         if !graph.is_fixed(expr) {
             continue;
         }
         if !graph.is_constant(expr) {
-            if !following.contains(&expr) {
+            if known.insert(expr) {
                 following.push(expr);
             }
         } else if value(expr) > largest.and_then(value).or(Some(0.0)) {

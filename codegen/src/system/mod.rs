@@ -9,21 +9,28 @@
 mod assemble;
 mod auxiliary;
 mod direction;
+mod drawn;
 mod length;
+mod mark_names;
 mod orientation;
 mod pressure;
 mod row_name;
+mod turned;
 mod vector_form;
+mod vector_sum;
 mod written_order;
 
 pub use assemble::{assemble, assemble_without};
 pub use direction::{Cause, Direction};
 pub use orientation::Orientations;
 pub use pressure::Pressure;
+pub use turned::Turned;
 pub use vector_form::{Arm, Unknown, VectorForm, VectorRow};
+pub use vector_sum::VectorTerm;
 pub use written_order::WrittenOrder;
 
-use crate::expr::{ExprId, SymbolId};
+use crate::diagnostic::Span;
+use crate::expr::{Excess, ExprId, SymbolId};
 use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
 use crate::model::Mechanism;
@@ -54,6 +61,26 @@ pub struct System {
     pub lengths: Vec<ExprId>,
     /// What each symbol of the graph is, by [`SymbolId::index`].
     pub roles: Vec<SymbolRole>,
+    /// The bound that the equations or their solution passed, where they did: what is behind it is not derived.
+    pub exceeded: Option<Exceeded>,
+}
+
+/// A bound that was passed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Exceeded {
+    /// The statement with which it was.
+    pub at: Span,
+    /// Which one.
+    pub bound: Bound,
+}
+
+/// What bounds a system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bound {
+    /// The room and the work of the graph.
+    Graph(Excess),
+    /// How many unknowns may have to be found at once: so many would have to be.
+    Together(usize),
 }
 
 /// What a symbol stands for.
@@ -69,6 +96,8 @@ pub enum SymbolRole {
     Arm(usize),
     /// A value that is computed on the way.
     Intermediate,
+    /// What a symbol was in the last frame.
+    Last(SymbolId),
     /// The time t.
     Time,
     /// A parameter of the mechanism.
@@ -189,14 +218,41 @@ impl System {
         symbol
     }
 
+    /// What a symbol was in the last frame; what keeps its value is what it was.
+    pub fn last(&mut self, symbol: SymbolId) -> SymbolId {
+        let graph = &mut self.mechanism.graph;
+        if graph.nominal(symbol).is_some() {
+            return symbol;
+        }
+        let name = format!("last {}", graph.symbol_name(symbol));
+        let last = graph.symbol(&name);
+        if self.roles.len() <= last.index() {
+            self.roles
+                .resize(last.index() + 1, SymbolRole::Intermediate);
+        }
+        self.roles[last.index()] = SymbolRole::Last(symbol);
+        last
+    }
+
+    /// What an expression was in the last frame.
+    pub fn in_last_frame(&mut self, expr: ExprId) -> ExprId {
+        let symbols = self.mechanism.graph.symbols(expr).to_vec();
+        let replaced: Vec<(SymbolId, ExprId)> = symbols
+            .into_iter()
+            .map(|symbol| {
+                let last = self.last(symbol);
+                (symbol, self.mechanism.graph.variable(last))
+            })
+            .collect();
+        self.mechanism.graph.substitute(expr, &replaced)
+    }
+
     /// The arm R(φ) s of a local vector in the orientation of the unknown `angle`, and what its symbols are.
     pub fn arm(&mut self, angle: usize, local: Vector, name: &str) -> Vector {
         let graph = &mut self.mechanism.graph;
         let arm = self.vector_form.arm(angle, local, name, graph);
-        let arms = self.vector_form.arms.iter().enumerate();
-        let own = |found: &Arm| found.angle == angle && found.local == local;
-        if let Some((place, found)) = arms.rev().find(|(_, found)| own(found)) {
-            for symbol in found.symbols {
+        if let Some(place) = self.vector_form.place_of_arm(angle, local) {
+            for symbol in self.vector_form.arms[place].symbols {
                 if self.roles.len() <= symbol.index() {
                     self.roles
                         .resize(symbol.index() + 1, SymbolRole::Intermediate);
@@ -210,6 +266,33 @@ impl System {
     /// The name of an unknown: a coordinate, or an auxiliary unknown of the vector form.
     pub fn unknown_name(&self, unknown: usize) -> &str {
         &self.vector_form.unknowns[unknown].name
+    }
+
+    /// Whether a symbol is a coordinate, its rate or its acceleration.
+    pub fn is_coordinate(&self, symbol: SymbolId) -> bool {
+        match self.roles[symbol.index()] {
+            SymbolRole::Position(unknown)
+            | SymbolRole::Rate(unknown)
+            | SymbolRole::Acceleration(unknown) => unknown < self.coordinates.len(),
+            _ => false,
+        }
+    }
+
+    /// The plain name of a symbol: `phi_c3`, `phi_c3_rate`, `l_c3_x`.
+    pub fn symbol_name(&self, symbol: SymbolId) -> String {
+        match self.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => self.unknown_name(unknown).to_string(),
+            SymbolRole::Rate(unknown) => format!("{}_rate", self.unknown_name(unknown)),
+            SymbolRole::Acceleration(unknown) => {
+                format!("{}_acceleration", self.unknown_name(unknown))
+            }
+            SymbolRole::Time => "t".to_string(),
+            SymbolRole::Last(symbol) => format!("last_{}", self.symbol_name(symbol)),
+            SymbolRole::Arm(_)
+            | SymbolRole::Intermediate
+            | SymbolRole::Parameter(_)
+            | SymbolRole::Input { .. } => self.local_name(symbol).to_string(),
+        }
     }
 
     /// The name of a symbol that is no coordinate and no time: an arm, a parameter, an input or a value computed on the way.

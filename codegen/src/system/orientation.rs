@@ -3,15 +3,17 @@
 //! A translational joint, or an absolute angle, ties the angle of one body to that of another up to a constant. Such bodies share
 //! one sine and one cosine: that of their leader, the body that the joint names first.
 
-use crate::expr::{ExprId, Graph, Node};
+use std::collections::HashMap;
+
+use crate::expr::{ExprId, Graph, Node, SymbolId};
 use crate::joint::Row;
 use crate::joint::geometry::BodyId;
-use crate::model::Body;
 
 /// How the angle of each body follows from that of its leader.
 #[derive(Clone, Debug)]
 pub struct Orientations {
-    /// For each body its leader and φ − φ of the leader, a constant. A leader follows itself by zero.
+    /// For each body its leader and φ − φ of the leader, a constant. A leader follows itself by zero. Until all are settled, a body
+    /// on the way to its leader may stand for it.
     leaders: Vec<(usize, ExprId)>,
 }
 
@@ -29,12 +31,39 @@ impl Orientations {
         (BodyId(leader), offset)
     }
 
-    /// Ties two bodies where a row says φ_i − φ_j + constant = 0, or φ_i + constant = 0.
-    pub(super) fn tie(&mut self, row: &Row, bodies: &[Body], graph: &mut Graph) {
-        let Some((i, j, constant)) = constant_difference(row.residual, bodies, graph) else {
+    /// The leader that a body leads to, with the way there made as short as can be.
+    fn find(&mut self, body: usize, graph: &mut Graph) -> (usize, ExprId) {
+        let mut way = vec![body];
+        let mut at = body;
+        while self.leaders[at].0 != at {
+            at = self.leaders[at].0;
+            way.push(at);
+        }
+        // From the leader back, so that each finds the next one settled.
+        for &body in way.iter().rev() {
+            let (next, offset) = self.leaders[body];
+            let (leader, further) = self.leaders[next];
+            if leader != next {
+                self.leaders[body] = (leader, graph.add(offset, further));
+            }
+        }
+        self.leaders[body]
+    }
+
+    /// Gives every body its leader, once all are tied.
+    pub(super) fn settle(&mut self, graph: &mut Graph) {
+        for body in 0..self.leaders.len() {
+            self.find(body, graph);
+        }
+    }
+
+    /// Ties two bodies where a row says φ_i − φ_j + constant = 0, or φ_i + constant = 0. `angles` finds the body of an angle.
+    pub(super) fn tie(&mut self, row: &Row, angles: &HashMap<SymbolId, usize>, graph: &mut Graph) {
+        let Some((i, j, constant)) = constant_difference(row.residual, angles, graph) else {
             return;
         };
-        let ((leader, i_offset), (follower, j_offset)) = (self.leaders[i], self.leaders[j]);
+        let (leader, i_offset) = self.find(i, graph);
+        let (follower, j_offset) = self.find(j, graph);
         // The ground's angle is known, so it leads whatever is tied to it.
         let (leader, follower, offset) = if follower == 0 {
             // φ_leader = φ_follower + j_offset − i_offset − constant, with the ground as follower.
@@ -47,26 +76,17 @@ impl Orientations {
         if leader == follower {
             return;
         }
-        for entry in &mut self.leaders {
-            if entry.0 == follower {
-                *entry = (leader, graph.add(entry.1, offset));
-            }
-        }
+        self.leaders[follower] = (leader, offset);
     }
 }
 
 /// `(i, j, c)` of φ_i − φ_j + c, with the ground as j of φ_i + c.
 fn constant_difference(
     residual: ExprId,
-    bodies: &[Body],
+    angles: &HashMap<SymbolId, usize>,
     graph: &mut Graph,
 ) -> Option<(usize, usize, ExprId)> {
     let symbols = graph.symbols(residual).to_vec();
-    let angle_of = |symbol| {
-        bodies
-            .iter()
-            .position(|body| body.coordinates.is_some_and(|own| own[2] == symbol))
-    };
     let mut signed = [0, 0];
     let mut constant = residual;
     // Parameters are part of the constant.
@@ -75,7 +95,7 @@ fn constant_difference(
         .filter(|&symbol| graph.nominal(symbol).is_none())
         .collect::<Vec<_>>();
     for symbol in moving {
-        let body = angle_of(symbol)?;
+        let body = *angles.get(&symbol)?;
         let slope = graph.derivative(residual, symbol);
         let side = if slope == graph.one() {
             0
@@ -100,7 +120,7 @@ fn constant_difference(
 }
 
 /// Whether an expression is a single symbol.
-pub(super) fn as_symbol(expr: ExprId, graph: &Graph) -> Option<crate::expr::SymbolId> {
+pub(super) fn as_symbol(expr: ExprId, graph: &Graph) -> Option<SymbolId> {
     match graph.node(expr) {
         Node::Symbol(symbol) => Some(*symbol),
         _ => None,

@@ -1,6 +1,8 @@
 //! Joints that let bodies press on one another → how the follower moves there against the normal.
 
-use super::{Coordinate, Described};
+use std::collections::HashMap;
+
+use super::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Vector, dot, perpendicular};
 use crate::model::Mechanism;
@@ -23,7 +25,11 @@ pub struct Pressure {
 
 /// Of every joint between two moving bodies that touch. Where the curve or the follower is fixed to the ground, nothing is
 /// pushed by the curve.
-pub(super) fn pressures(mechanism: &mut Mechanism, coordinates: &[Coordinate]) -> Vec<Pressure> {
+pub(super) fn pressures(
+    mechanism: &mut Mechanism,
+    coordinates: &[Coordinate],
+    contacts: &HashMap<usize, usize>,
+) -> Vec<Pressure> {
     let Mechanism { graph, joints, .. } = mechanism;
     let mut found = Vec::new();
     for (index, joint) in joints.iter().enumerate() {
@@ -37,17 +43,12 @@ pub(super) fn pressures(mechanism: &mut Mechanism, coordinates: &[Coordinate]) -
         if body == 0 || curve.frame.body.0 == 0 {
             continue;
         }
-        let rate_of = |described: Described| {
-            let coordinate = coordinates.iter().find(|it| it.describes == described);
-            coordinate.map(|coordinate| coordinate.rate)
-        };
-        let pose = [0, 1, 2].map(|axis| rate_of(Described::Pose { body, axis }));
-        let ([Some(x), Some(y), Some(phi)], Some(s)) =
-            (pose, rate_of(Described::Contact { joint: index }))
-        else {
+        let Some(&contact_at) = contacts.get(&index) else {
             continue;
         };
-        let [x, y, phi, s] = [x, y, phi, s].map(|rate| graph.variable(rate));
+        // The poses come first, three coordinates to a body.
+        let [x, y, phi, s] = [3 * body - 3, 3 * body - 2, 3 * body - 1, contact_at]
+            .map(|at| graph.variable(coordinates[at].rate));
         let arm = crate::joint::geometry::subtract(contact.place, contact.follower.origin, graph);
         let turning = perpendicular(arm, graph).map(|component| graph.multiply(phi, component));
         let velocity = [graph.add(x, turning[0]), graph.add(y, turning[1])];

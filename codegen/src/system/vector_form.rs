@@ -6,10 +6,12 @@
 
 use std::collections::{HashMap, HashSet};
 
+use super::assemble::Watch;
+use super::mark_names::MarkNames;
 use super::orientation::Orientations;
 use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{Frame, Mark, Vector, turned};
+use crate::joint::geometry::{BodyId, Frame, Mark, Vector, turned};
 use crate::joint::{Kind, Quantity, Resolved, Row};
 use crate::model::{Body, Joint, Mechanism, Role, apart};
 
@@ -34,6 +36,15 @@ pub struct VectorForm {
     pub(super) auxiliary_places: HashMap<SymbolId, usize>,
     // The names of unknowns and arms; only looked up.
     pub(super) taken_names: HashSet<String>,
+    // Of a name the number up to which all are taken; only looked up.
+    name_numbers: HashMap<String, usize>,
+    // Which arms each angle turns.
+    arms_of: HashMap<usize, Vec<usize>>,
+    // Which arm a symbol belongs to; only looked up.
+    arm_of: HashMap<SymbolId, usize>,
+    // Which unknown a symbol is; only looked up.
+    unknown_of: HashMap<SymbolId, usize>,
+    pub(super) mark_names: MarkNames,
 }
 
 /// What is solved for.
@@ -62,6 +73,8 @@ pub struct VectorRow {
     pub residual: ExprId,
     /// What the residual is measured in.
     pub quantity: Quantity,
+    /// Which of the joint's rows it is: `x`, `angle`; empty where there is only one.
+    pub component: &'static str,
 }
 
 /// A local vector turned with a body or a link: a = R(φ) s.
@@ -84,6 +97,7 @@ impl VectorForm {
         mechanism: &mut Mechanism,
         coordinates: &[Coordinate],
         dropped: &[Vec<bool>],
+        watch: &mut Watch,
     ) -> VectorForm {
         let mut form = VectorForm {
             unknowns: coordinates.iter().map(unknown_of).collect(),
@@ -98,6 +112,11 @@ impl VectorForm {
                 .iter()
                 .map(|coordinate| coordinate.name.clone())
                 .collect(),
+            name_numbers: HashMap::new(),
+            arms_of: HashMap::new(),
+            arm_of: HashMap::new(),
+            unknown_of: HashMap::new(),
+            mark_names: MarkNames::new(&mechanism.bodies, &mechanism.points),
         };
         let moved = !mechanism.transmissions.is_empty();
         form.rates.extend(mechanism.explicit_rates());
@@ -112,6 +131,11 @@ impl VectorForm {
         let fixed = parameters.iter().map(|own| (own.symbol, graph.zero()));
         form.rates.extend(fixed);
         // Which angles are tied must be known before the first arm is made.
+        let angles = bodies.iter().enumerate().filter_map(|(body, own)| {
+            let [_, _, angle] = own.coordinates?;
+            Some((angle, body))
+        });
+        let angles: HashMap<SymbolId, usize> = angles.collect();
         for (joint, dropped) in joints.iter().zip(dropped) {
             // A driver that holds an angle ties it, unless its value is to be moved.
             if moved && joint.role == Role::Driver {
@@ -119,13 +143,14 @@ impl VectorForm {
             }
             for row in kept_rows(joint.kind, &joint.operands, dropped, graph) {
                 if row.quantity == Quantity::Angle {
-                    form.orientations.tie(&row, bodies, graph);
+                    form.orientations.tie(&row, &angles, graph);
                 }
             }
         }
+        form.orientations.settle(graph);
         for (index, (joint, dropped)) in joints.iter().zip(dropped).enumerate() {
             if !dropped.contains(&true) {
-                form.add_auxiliaries(joint, bodies, points, graph);
+                form.add_auxiliaries(joint, bodies, graph);
             }
             let operands = form.with_arms(&joint.operands, bodies, graph);
             let rows = kept_rows(joint.kind, &operands, dropped, graph);
@@ -133,7 +158,11 @@ impl VectorForm {
                 joint: index,
                 residual: row.residual,
                 quantity: row.quantity,
+                component: row.component,
             }));
+            if watch.is_beyond(graph, joint.span) {
+                break;
+            }
         }
         for point in points.iter() {
             let mark = form.mark_with_arm(&point.mark, bodies, graph);
@@ -148,6 +177,8 @@ impl VectorForm {
             form.rates.insert(unknown.position, rate);
             form.rates.insert(unknown.rate, acceleration);
         }
+        let unknowns = form.unknowns.iter().enumerate();
+        form.unknown_of = unknowns.map(|(place, own)| (own.position, place)).collect();
         form
     }
 
@@ -188,6 +219,9 @@ impl VectorForm {
             let Some(&rate) = self.rates.get(&symbol) else {
                 unreachable!("`{}` has no rule of motion", graph.symbol_name(symbol))
             };
+            if rate == graph.zero() {
+                continue;
+            }
             let partial = graph.derivative(expr, symbol);
             terms.push(graph.multiply(partial, rate));
         }
@@ -196,11 +230,16 @@ impl VectorForm {
 
     /// An expression with its arms written out as sines and cosines of the angles that turn them.
     pub fn written_out(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
+        let mut places: Vec<usize> = graph
+            .symbols(expr)
+            .iter()
+            .filter_map(|symbol| self.place_of_symbol(*symbol))
+            .collect();
+        places.sort_unstable();
+        places.dedup();
         let mut replacements = Vec::new();
-        for arm in &self.arms {
-            if !arm.symbols.iter().any(|&it| graph.depends_on(expr, it)) {
-                continue;
-            }
+        for place in places {
+            let arm = &self.arms[place];
             let angle = graph.variable(self.unknowns[arm.angle].position);
             let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
             let written = turned(cosine, sine, arm.local, graph);
@@ -219,9 +258,46 @@ impl VectorForm {
         3 * body - 1
     }
 
+    /// Whether a body turns with the angle `unknown`.
+    pub fn turns(&self, body: BodyId, unknown: usize) -> bool {
+        let (leader, _) = self.orientations.leader(body);
+        leader != BodyId::GROUND && self.angle_of(leader.0) == unknown
+    }
+
     /// The arms that turn with the angle `unknown`.
     pub fn arms_of(&self, unknown: usize) -> impl Iterator<Item = &Arm> {
-        self.arms.iter().filter(move |arm| arm.angle == unknown)
+        let places = self.arms_of.get(&unknown).into_iter().flatten();
+        places.map(|&place| &self.arms[place])
+    }
+
+    /// The place of the arm among all that a symbol is a component of.
+    pub fn place_of_symbol(&self, symbol: SymbolId) -> Option<usize> {
+        self.arm_of.get(&symbol).copied()
+    }
+
+    /// The unknown that a symbol is.
+    pub fn place_of_unknown(&self, symbol: SymbolId) -> Option<usize> {
+        self.unknown_of.get(&symbol).copied()
+    }
+
+    /// The unknowns that an expression mentions, themselves or through the arms that they turn: ascending.
+    pub fn mentioned(&self, expr: ExprId, graph: &Graph) -> Vec<usize> {
+        let symbols = graph.symbols(expr).iter();
+        let mut unknowns: Vec<usize> = symbols
+            .filter_map(|&symbol| {
+                let turned_by = |place: usize| self.arms[place].angle;
+                let turning = || self.place_of_symbol(symbol).map(turned_by);
+                self.place_of_unknown(symbol).or_else(turning)
+            })
+            .collect();
+        unknowns.sort_unstable();
+        unknowns.dedup();
+        unknowns
+    }
+
+    /// The place of the arm that this angle makes of a local vector.
+    pub(super) fn place_of_arm(&self, angle: usize, local: Vector) -> Option<usize> {
+        self.arm_places.get(&(angle, local)).copied()
     }
 
     /// The arm R(φ) s of a local vector in the orientation of the unknown `angle`; a zero vector stays zero.
@@ -245,11 +321,12 @@ impl VectorForm {
         // The symbols are told apart by these names, so no two arms may share one.
         let base = apart(name, "point");
         let mut name = base.clone();
-        let mut number = 2;
+        let mut number = self.name_numbers.get(&base).copied().unwrap_or(2);
         while taken(&name) {
             name = format!("{base}_{number}");
             number += 1;
         }
+        self.name_numbers.insert(base, number);
         let symbols = ["x", "y"].map(|axis| graph.symbol(&format!("{name}_{axis} arm")));
         let [x, y] = symbols.map(|symbol| graph.variable(symbol));
         let turning = graph.variable(self.unknowns[angle].rate);
@@ -257,7 +334,10 @@ impl VectorForm {
         self.rates.insert(symbols[0], graph.negate(backward));
         self.rates.insert(symbols[1], graph.multiply(turning, x));
         self.taken_names.insert(name.clone());
-        self.arm_places.insert((angle, local), self.arms.len());
+        let place = self.arms.len();
+        self.arm_places.insert((angle, local), place);
+        self.arms_of.entry(angle).or_default().push(place);
+        self.arm_of.extend(symbols.map(|symbol| (symbol, place)));
         self.arms.push(Arm {
             angle,
             local,
@@ -306,11 +386,7 @@ impl VectorForm {
 
     fn mark_with_arm(&mut self, mark: &Mark, bodies: &[Body], graph: &mut Graph) -> Mark {
         let body = &bodies[mark.frame.body.0];
-        let named = body
-            .marks
-            .iter()
-            .find(|other| other.mark.local == mark.local);
-        let point = named.map_or("arm", |named| &named.name);
+        let point = self.mark_names.on_body(mark).map_or("arm", String::as_str);
         let name = format!("{point}_{}", body.name).to_lowercase();
         let arm = self.turned(&mark.frame, mark.local, &name, graph);
         Mark { arm, ..*mark }

@@ -38,7 +38,7 @@ impl<'a> WrittenOrder<'a> {
                 let form = &self.system.vector_form;
                 (form.arms[arm].angle, 0)
             }
-            SymbolRole::Intermediate => {
+            SymbolRole::Intermediate | SymbolRole::Last(_) => {
                 return Some(usize::MAX - self.graph().symbol_count() + symbol.index());
             }
             SymbolRole::Time => return Some(usize::MAX),

@@ -1,41 +1,102 @@
 //! Mechanisms that are given parameters and signals → functions of the library.
 
-use linkwright::Motion;
+use linkwright::nalgebra::{Const, SVector};
+use linkwright::{Blocks, Equations, Mechanism, Motion, Settings, Shell, newton};
 
-macro_rules! given {
-    ($($module:ident: $mechanism:ident { $($motion:ident)+ })+) => {
-        $(
-            mod $module {
-                linkwright::include_mechanism!($module);
-            }
+type Parameters<M> = <<M as Mechanism>::Blocks as Blocks>::Parameters;
+type Inputs<M> = <<M as Mechanism>::Blocks as Blocks>::Inputs;
 
-            /// Assembles with these parameters, changes them, advances with the second signals and takes one Newton-Raphson
-            /// step; false and untouched points where one of them fails.
-            #[unsafe(no_mangle)]
-            extern "C" fn $module(
-                parameters: &[$module::Parameters; 2],
-                inputs: &[$module::Inputs; 2],
-                times: &[f64; 2],
-                points: &mut [Motion; [$(stringify!($motion)),+].len()],
-                update: &mut [f64; $module::Coordinates::COUNT],
-            ) -> bool {
-                use $module::$mechanism;
-                let [start, end] = times;
-                let Ok(mut mechanism) = $mechanism::assemble_for(&parameters[0], *start, &inputs[0]) else { return false };
-                mechanism.set_parameters(&parameters[1]);
-                let Ok(frame) = mechanism.advance(*end, &inputs[1]) else { return false };
-                *points = [$(frame.$motion()),+];
-                let step = $mechanism::newton_step(&frame.q, &parameters[1], &inputs[1], *end);
-                let Ok(step) = step else { return false };
-                *update = step.update.data.0[0];
-                true
-            }
-        )+
-    };
+/// What a mechanism is given, and where its answers go.
+pub struct Call<'a, M: Mechanism> {
+    parameters: &'a [Parameters<M>; 2],
+    inputs: &'a [Inputs<M>; 2],
+    times: &'a [f64; 2],
+    points: &'a mut [Motion],
+    update: &'a mut [f64],
 }
 
-given! {
-    four_bar_given: FourBarGiven { point_a point_b point_c point_d point_p }
-    platform_given: PlatformGiven { point_a point_p point_q point_r }
-    slider_given: SliderGiven { point_b point_t }
+/// Assembles with the first parameters, changes them, advances with the second signals and takes one Newton-Raphson step; false
+/// and untouched points where one of them fails.
+fn run<M, E, const N: usize>(
+    call: &mut Call<'_, M>,
+    textbook: fn(Parameters<M>, Inputs<M>) -> E,
+) -> bool
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+    E: Equations<f64, Const<N>>,
+{
+    let (blocks, settings) = (M::Blocks::default(), Settings::default());
+    let [start, end] = *call.times;
+    let [before, after] = call.parameters;
+    let [first, second] = call.inputs;
+    let (pose, branches) = (blocks.drawn_pose(before), blocks.drawn_branches());
+    let assembled = Shell::assemble(blocks, before, &pose, branches, start, first, settings);
+    let Ok(mut mechanism) = assembled else {
+        return false;
+    };
+    mechanism.set_parameters(after);
+    let Ok(frame) = mechanism.advance(end, second).cloned() else {
+        return false;
+    };
+    let blocks = mechanism.blocks();
+    for (index, place) in call.points.iter_mut().enumerate() {
+        if let Some(motion) = blocks.point(&frame, index) {
+            *place = motion;
+        }
+    }
+    let mut pose = SVector::<f64, N>::zeros();
+    for (index, value) in pose.iter_mut().enumerate() {
+        if let Some([found, ..]) = blocks.coordinate(&frame, index) {
+            *value = found;
+        }
+    }
+    let equations = textbook(after.clone(), second.clone());
+    let Ok(step) = newton::step(&equations, &pose, end, &settings) else {
+        return false;
+    };
+    for (place, value) in call.update.iter_mut().zip(step.update.iter()) {
+        *place = *value;
+    }
+    true
+}
+
+mod generated {
+    pub mod four_bar {
+        linkwright::include_mechanism!(four_bar_given);
+    }
+    pub mod platform {
+        linkwright::include_mechanism!(platform_given);
+    }
+    pub mod slider {
+        linkwright::include_mechanism!(slider_given);
+    }
+}
+
+use generated::{four_bar, platform, slider};
+
+/// See [`run`].
+#[unsafe(no_mangle)]
+pub fn four_bar_given(call: &mut Call<'_, four_bar::FourBarGiven>) -> bool {
+    run(call, |parameters, inputs| four_bar::Textbook {
+        parameters,
+        inputs,
+    })
+}
+
+/// See [`run`].
+#[unsafe(no_mangle)]
+pub fn platform_given(call: &mut Call<'_, platform::PlatformGiven>) -> bool {
+    run(call, |parameters, inputs| platform::Textbook {
+        parameters,
+        inputs,
+    })
+}
+
+/// See [`run`].
+#[unsafe(no_mangle)]
+pub fn slider_given(call: &mut Call<'_, slider::SliderGiven>) -> bool {
+    run(call, |parameters, inputs| slider::Textbook {
+        parameters,
+        inputs,
+    })
 }

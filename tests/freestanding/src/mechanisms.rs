@@ -3,35 +3,74 @@
 //! One exported function per mechanism does it all, so that nothing of a module can be dropped. The build script writes the
 //! list from the descriptions.
 
-use linkwright::Motion;
+use linkwright::nalgebra::{Const, SVector};
+use linkwright::{Blocks, Equations, Mechanism, Motion, Settings, Shell, Values, newton};
 
-macro_rules! registry {
-    ($($module:ident: $mechanism:ident { $($point:literal => $motion:ident,)+ })+) => {
-        $(
-            /// Assembles at `start` from an estimate, advances to `end` and takes one Newton-Raphson step; false and
-            /// untouched points where one of them fails.
-            #[unsafe(no_mangle)]
-            pub extern "C" fn $module(
-                estimate: &linkwright_mechanisms::$module::Coordinates,
-                start: f64,
-                end: f64,
-                points: &mut [Motion; [$($point),+].len()],
-                update: &mut [f64; linkwright_mechanisms::$module::Coordinates::COUNT],
-            ) -> bool {
-                use linkwright_mechanisms::$module::$mechanism;
-                let settings = linkwright::Settings::default();
-                let Ok(mut mechanism) = $mechanism::assemble_from(estimate, start, settings) else { return false };
-                let Ok(frame) = mechanism.advance(end) else { return false };
-                *points = [$(frame.$motion()),+];
-                let Ok(step) = $mechanism::newton_step(&frame.q, end) else { return false };
-                *update = step.update.data.0[0];
-                true
-            }
-        )+
-    };
+/// What is asked of a mechanism, and where its answers go.
+pub struct Call<'a> {
+    /// A value for each coordinate.
+    pub estimate: &'a [f64],
+    /// When it is assembled (s).
+    pub start: f64,
+    /// Where it is moved to (s).
+    pub end: f64,
+    /// The motion of each point.
+    pub points: &'a mut [Motion],
+    /// The Newton-Raphson step of the textbook view.
+    pub update: &'a mut [f64],
 }
 
-include!(concat!(env!("OUT_DIR"), "/registry.rs"));
+/// Assembles at `start` from an estimate, advances to `end` and takes one Newton-Raphson step; false and untouched points where
+/// one of them fails.
+fn run<M, E, const N: usize>(call: &mut Call<'_>) -> bool
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+    E: Equations<f64, Const<N>> + Default,
+{
+    let (blocks, settings) = (M::Blocks::default(), Settings::default());
+    let (parameters, inputs) = (blocks.nominal_parameters(), blocks.initial_inputs());
+    let mut estimate = blocks.drawn_pose(&parameters);
+    for (index, value) in call.estimate.iter().enumerate() {
+        estimate.set(index, *value);
+    }
+    let branches = blocks.drawn_branches();
+    let assembled = Shell::assemble(
+        blocks,
+        &parameters,
+        &estimate,
+        branches,
+        call.start,
+        &inputs,
+        settings,
+    );
+    let Ok(mut mechanism) = assembled else {
+        return false;
+    };
+    let Ok(frame) = mechanism.advance(call.end, &inputs).cloned() else {
+        return false;
+    };
+    let blocks = mechanism.blocks();
+    for (index, place) in call.points.iter_mut().enumerate() {
+        if let Some(motion) = blocks.point(&frame, index) {
+            *place = motion;
+        }
+    }
+    let mut pose = SVector::<f64, N>::zeros();
+    for (index, value) in pose.iter_mut().enumerate() {
+        if let Some([found, ..]) = blocks.coordinate(&frame, index) {
+            *value = found;
+        }
+    }
+    let Ok(step) = newton::step(&E::default(), &pose, call.end, &settings) else {
+        return false;
+    };
+    for (place, value) in call.update.iter_mut().zip(step.update.iter()) {
+        *place = *value;
+    }
+    true
+}
+
+include!(concat!(env!("OUT_DIR"), "/mechanisms.rs"));
 
 /// Assembles at `start`, advances to `end`, and gives the motion of the one point that is asked for; false where one of them
 /// fails.

@@ -4,8 +4,8 @@
 
 use arbitrary::{Result, Unstructured};
 use linkwright::Equations;
-use linkwright_cli::interpreter::Interpreter;
 use linkwright_codegen::diagnostic::Source;
+use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;
 
 use linkwright::nalgebra;
@@ -222,7 +222,7 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<()> {
             return Ok(());
         }
     };
-    let equations = Interpreter::new(&system);
+    let equations = TextbookEquations::new(&system);
     let q = DVector::zeros(3);
     let (mut phi, mut rates) = (DVector::zeros(3), DVector::zeros(3));
     equations.residual(&q, TIME, &mut phi);

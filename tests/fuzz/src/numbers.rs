@@ -3,8 +3,8 @@
 
 use arbitrary::{Result, Unstructured};
 use linkwright::{Settings, assemble_from_afar};
-use linkwright_cli::interpreter::Interpreter;
 use linkwright_codegen::diagnostic::Source;
+use linkwright_solver::textbook::TextbookEquations;
 
 const UNITS: [(&str, f64); 8] = [
     ("", 1.0),
@@ -113,7 +113,7 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<()> {
         assert!(!findings.render(&source).is_empty());
         return Ok(());
     }
-    let equations = Interpreter::new(&system);
+    let equations = TextbookEquations::new(&system);
     let settings = Settings::default();
     let found = assemble_from_afar(&equations, equations.estimate(), None, 0.0, &settings);
     let frame = match found {

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use linkwright_tests::files;
-use linkwright_tests::method::STUDIED;
+use linkwright_tests::method::studied;
 use linkwright_tests::reference;
 use linkwright_tests::study::environment::Environment;
 use linkwright_tests::study::measurement::{Effort, measure};
@@ -56,7 +56,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if cfg!(debug_assertions) {
         eprintln!("warning: not a release build; the times mean nothing");
     }
-    let known = |name: &String| STUDIED.contains(&name.as_str());
+    let known = |name: &String| studied().any(|it| it == name);
     if let Some(unknown) = arguments.only.iter().find(|name| !known(name)) {
         return Err(format!("`{unknown}` is not compared with the baseline").into());
     }
@@ -83,7 +83,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         effort.repeats
     );
     print!("{}", environment.lines());
-    for name in STUDIED {
+    for name in studied() {
         if !arguments.only.is_empty() && !arguments.only.iter().any(|it| it == name) {
             continue;
         }

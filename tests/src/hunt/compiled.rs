@@ -79,6 +79,7 @@ fn write_package(folder: &Path, texts: &[String]) -> io::Result<()> {
         files::repository().join("Cargo.lock"),
         folder.join("Cargo.lock"),
     )?;
+    write(source.join("values.rs"), include_str!("../values.rs"))?;
     write(source.join("ways.rs"), include_str!("ways.rs"))?;
     write(source.join("main.rs"), &program::main(texts.len()))?;
     for (index, text) in texts.iter().enumerate() {

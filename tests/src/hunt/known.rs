@@ -2,10 +2,10 @@
 //! or why there is nothing to hunt.
 
 use linkwright::Equations;
-use linkwright_cli::interpreter::Interpreter;
-use linkwright_cli::solved_interpreter::SolvedInterpreter;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::system::System;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;
 
 use super::mechanism::Mechanism;
@@ -41,7 +41,7 @@ pub struct Known {
     /// The equations.
     pub system: System,
     /// The same to be evaluated.
-    pub interpreter: Interpreter,
+    pub interpreter: TextbookEquations,
     /// The same in 384 bits.
     pub truth: Truth,
     /// What residuals in m are judged against.
@@ -76,7 +76,7 @@ pub enum Unused {
 /// What is true of the equations at `t` on the path through an exact pose near `start`.
 fn instant(
     truth: &Truth,
-    interpreter: &Interpreter,
+    interpreter: &TextbookEquations,
     t: f64,
     start: &DVector<f64>,
     length: f64,
@@ -130,7 +130,7 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
     let read = linkwright_codegen::read(&source).map_err(|errors| refused(&errors))?;
     let system = read.only().expect("one motion");
     linkwright_codegen::check(&system).map_err(|errors| refused(&errors))?;
-    let interpreter = Interpreter::new(&system);
+    let interpreter = TextbookEquations::new(&system);
     let truth = Truth::new(&system);
     let size = mechanism.size;
     let length = system.mechanism.characteristic_length.max(size);
@@ -196,8 +196,10 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
     if end == End::Unknown {
         return Err(Unused::Undecided);
     }
-    let is_closed = SolvedInterpreter::new(&system)
-        .is_some_and(|view| !(0..view.block_count()).any(|block| view.is_iterated(block)));
+    let is_closed = Interpreted::new(&system).is_some_and(|view| {
+        let mut forms = view.program().forms.iter().flatten();
+        forms.all(|form| form.modes().is_some())
+    });
     let task = task(&instants, &scales, times, seed);
     Ok(Known {
         system,

@@ -29,6 +29,11 @@ pub enum Law {
         /// What it approaches.
         height: f64,
     },
+    /// That of an input, which is zero at t = 0 as well.
+    Given {
+        /// Which input.
+        input: usize,
+    },
 }
 
 impl Law {
@@ -45,6 +50,49 @@ impl Law {
                 height * s * s * (3.0 - 2.0 * s)
             }
             Law::Decay { height } => -height * (-t).exp_m1(),
+            Law::Given { .. } => 0.0,
+        }
+    }
+
+    /// Value, rate and acceleration at `t`.
+    pub fn motion(self, t: f64) -> [f64; 3] {
+        let [rate, acceleration] = match self {
+            Law::Ramp { rate } => [rate, 0.0],
+            Law::Harmonic {
+                amplitude,
+                frequency,
+            } => {
+                let (sine, cosine) = (frequency * t).sin_cos();
+                [
+                    amplitude * frequency * cosine,
+                    -amplitude * frequency * frequency * sine,
+                ]
+            }
+            Law::Step { from, to, height } => {
+                let h = to - from;
+                let s = (t - from) / h;
+                match 0.0 < s && s < 1.0 {
+                    true => [
+                        height * 6.0 * s * (1.0 - s) / h,
+                        height * (6.0 - 12.0 * s) / (h * h),
+                    ],
+                    false => [0.0; 2],
+                }
+            }
+            Law::Decay { height } => [height * (-t).exp(), -height * (-t).exp()],
+            Law::Given { .. } => [0.0; 2],
+        };
+        [self.at(t), rate, acceleration]
+    }
+
+    /// The shortest time in which it repeats itself, or would (s); what it moves is of this size (m, or 1 for an angle).
+    pub fn period(self, size: f64) -> f64 {
+        match self {
+            Law::Ramp { rate } => std::f64::consts::TAU * size / rate.abs(),
+            Law::Harmonic { frequency, .. } => std::f64::consts::TAU / frequency,
+            Law::Step { from, to, .. } => 2.0 * (to - from),
+            Law::Decay { .. } => std::f64::consts::TAU,
+            Law::Given { .. } => f64::INFINITY,
         }
     }
 
@@ -60,6 +108,7 @@ impl Law {
                 format!("step(t, {from:?}s, {base:?}, {to:?}s, {:?})", base + height)
             }
             Law::Decay { height } => format!("{:?} - {height:?}*exp(-t)", base + height),
+            Law::Given { input } => format!("{base:?} + k{input}"),
         }
     }
 }

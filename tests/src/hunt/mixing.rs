@@ -5,11 +5,16 @@
 //! the scales of rows and coordinates, as the runtime eliminates it.
 
 use linkwright::Equations;
-use linkwright_cli::interpreter::Interpreter;
+use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector};
 
 /// The mixing of each of these solutions, entry by entry, in units of the coordinates; infinite where A is singular.
-pub fn mixing(equations: &Interpreter, q: &[f64], t: f64, solutions: [&[f64]; 2]) -> [Vec<f64>; 2] {
+pub fn mixing(
+    equations: &TextbookEquations,
+    q: &[f64],
+    t: f64,
+    solutions: [&[f64]; 2],
+) -> [Vec<f64>; 2] {
     let n = q.len();
     let mut matrix = DMatrix::zeros(n, n);
     equations.jacobian(&DVector::from_column_slice(q), t, &mut matrix);

@@ -13,6 +13,7 @@ pub mod known;
 pub mod law;
 pub mod mechanism;
 pub mod mixing;
+pub mod paths;
 pub mod program;
 pub mod report;
 pub mod run;

@@ -2,51 +2,27 @@
 
 use std::fmt::Write as _;
 
-/// What the package needs beside the generated modules and `ways.rs`.
-const MACRO: &str = r#"mod ways;
+/// What the package needs beside the generated modules, `values.rs` and `ways.rs`.
+const PROGRAM: &str = r#"#[allow(dead_code)]
+mod values;
+mod ways;
 
 use std::fmt::Write as _;
 
-use ways::{Answered, Task};
+use linkwright::nalgebra::Const;
+use linkwright::{Blocks, Equations, Mechanism, Settings};
+use ways::{Answered, Task, solved, textbook};
 
-macro_rules! runner {
-    ($module:ident, $scalar:ident, $file:literal) => {
-        mod $module {
-            #[allow(dead_code, missing_docs)]
-            mod generated {
-                include!($file);
-            }
-
-            use crate::ways::{Answered, Blocks, Task, named, solved, textbook};
-            use generated::{Coordinates, Found, Textbook};
-
-            impl Blocks for Found {
-                fn moved(&mut self, t: f64) -> Result<(), String> {
-                    match self.advance(t as $scalar) {
-                        Ok(_) => Ok(()),
-                        Err(failure) => Err(named(failure.kind)),
-                    }
-                }
-
-                fn levels(&self) -> [Vec<f64>; 3] {
-                    let frame = self.frame();
-                    let levels = [frame.q.to_array(), frame.qd.to_array(), frame.qdd.to_array()];
-                    levels.map(|level| level.iter().map(|it| f64::from(*it)).collect())
-                }
-            }
-
-            pub fn run(task: &Task) -> Vec<Answered> {
-                let mut answers = textbook(&Textbook::default(), task);
-                let assembled = |estimate: &[f64], t: f64| {
-                    let q = Coordinates::from_array(std::array::from_fn(|it| estimate[it] as $scalar));
-                    Found::assemble_from(&q, t as $scalar, linkwright::Settings::default())
-                        .map_err(|failure| named(failure.kind))
-                };
-                answers.extend(solved(assembled, task));
-                answers
-            }
-        }
-    };
+/// All answers of a mechanism.
+fn run<M, E, const N: usize>(task: &Task) -> Vec<Answered>
+where
+    M: Mechanism<Blocks: Default + Clone>,
+    E: Equations<<M::Blocks as Blocks>::Scalar, Const<N>> + Default,
+    Settings<<M::Blocks as Blocks>::Scalar>: Default,
+{
+    let mut answers = textbook(&E::default(), task);
+    answers.extend(solved(&M::Blocks::default(), task));
+    answers
 }
 
 /// The numbers of a line, each as its bits.
@@ -92,13 +68,16 @@ pub fn module(index: usize, scalar: &str) -> String {
 
 /// `main.rs` for as many mechanisms.
 pub fn main(count: usize) -> String {
-    let mut text = MACRO.to_string();
+    let mut text = PROGRAM.to_string();
     let mut calls = String::new();
     for index in 0..count {
         for scalar in ["f64", "f32"] {
             let module = module(index, scalar);
-            let _ = writeln!(text, "runner!({module}, {scalar}, \"{module}.rs\");");
-            let _ = writeln!(calls, "        {module}::run,");
+            let _ = writeln!(text, "mod {module};");
+            let _ = writeln!(
+                calls,
+                "        run::<{module}::Found, {module}::Textbook, _>,"
+            );
         }
     }
     let _ = write!(

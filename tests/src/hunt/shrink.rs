@@ -120,6 +120,7 @@ fn rounded(mechanism: &Mechanism, digits: i32) -> Mechanism {
                 Law::Decay { height } => Law::Decay {
                     height: to(height, unit),
                 },
+                given @ Law::Given { .. } => given,
             };
         }
     }

@@ -5,7 +5,7 @@
 //! Newton-Raphson. What it finds is made exact in 384 bits afterwards.
 
 use linkwright::Equations;
-use linkwright_cli::interpreter::Interpreter;
+use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector};
 
 /// The part of its scale by which no coordinate may miss the Taylor polynomial.
@@ -53,14 +53,14 @@ struct State {
 
 /// The equations with the scales of their coordinates.
 pub struct Tracker<'a> {
-    equations: &'a Interpreter,
+    equations: &'a TextbookEquations,
     scales: Vec<f64>,
     settled: f64,
 }
 
 impl Tracker<'_> {
     /// For these equations; `scales` are the sizes of the coordinates, and the largest of them is `away` sizes.
-    pub fn new(equations: &Interpreter, scales: Vec<f64>, away: f64) -> Tracker<'_> {
+    pub fn new(equations: &TextbookEquations, scales: Vec<f64>, away: f64) -> Tracker<'_> {
         Tracker {
             equations,
             scales,

@@ -1,13 +1,15 @@
 //! *Equations or a generated mechanism, and instants* → *what each call makes of each instant*.
 //!
-//! The file needs nothing but the runtime, because it is compiled in two places: here for interpreted mechanisms, and beside the
-//! generated ones in a package of their own.
+//! The file needs nothing but the runtime and [`crate::values`], because it is compiled in two places: here for interpreted
+//! mechanisms, and beside the generated ones in a package of their own.
 
 use linkwright::nalgebra::allocator::Allocator;
 use linkwright::nalgebra::{Const, DefaultAllocator, Dim, OVector};
 use linkwright::{
-    Branch, Equations, Frame, Real, Settings, advance, assemble, assemble_from_afar, follow,
+    Blocks, Branch, Equations, Frame, Real, Settings, advance, assemble, assemble_from_afar, follow,
 };
+
+use crate::values::{Levels, assembled_from, levels};
 
 /// In how many steps a fine motion goes from one instant to the next.
 pub const FINE: u32 = 8;
@@ -100,7 +102,7 @@ impl Call {
 }
 
 /// q, q̇ and q̈ (only q where that is all), or the name of a failure.
-pub type Answer = Result<[Vec<f64>; 3], String>;
+pub type Answer = Result<Levels, String>;
 
 /// What a call has made of an instant.
 #[derive(Clone, Debug)]
@@ -120,13 +122,6 @@ pub fn named<K: std::fmt::Debug>(kind: K) -> String {
     text[..end].to_string()
 }
 
-fn levels<T: Real>(levels: [&[T]; 3]) -> [Vec<f64>; 3]
-where
-    f64: From<T>,
-{
-    levels.map(|level| level.iter().map(|value| f64::from(*value)).collect())
-}
-
 /// The instants that a motion stops at, each with the times on the way there.
 fn stops(times: &[f64], steps: u32, stride: usize) -> Vec<(usize, Vec<f64>)> {
     let indices = (0..times.len()).step_by(stride).skip(1);
@@ -142,9 +137,9 @@ fn stops(times: &[f64], steps: u32, stride: usize) -> Vec<(usize, Vec<f64>)> {
 pub fn textbook<T: Real, D: Dim, E: Equations<T, D>>(equations: &E, task: &Task) -> Vec<Answered>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
-    f64: From<T>,
+    Settings<T>: Default,
 {
-    let settings = default_settings::<T>();
+    let settings = Settings::default();
     let vector = |values: &[f64]| {
         let values = values.iter().map(|it| T::from_f64(*it));
         OVector::<T, D>::from_iterator_generic(equations.dimension(), Const::<1>, values)
@@ -157,11 +152,10 @@ where
     let mut answers = Vec::new();
     let mut answer = |call, instant, found: &Result<Frame<T, D>, linkwright::Failure<T>>| {
         let answer = match found {
-            Ok(it) => Ok(levels([
-                it.q.as_slice(),
-                it.qd.as_slice(),
-                it.qdd.as_slice(),
-            ])),
+            Ok(it) => {
+                let levels = [&it.q, &it.qd, &it.qdd];
+                Ok(levels.map(|level| level.as_slice().iter().map(|it| it.to_f64()).collect()))
+            }
             Err(failure) => Err(named(failure.kind)),
         };
         answers.push(Answered {
@@ -210,35 +204,11 @@ where
     answers
 }
 
-/// The documented defaults of this scalar.
-fn default_settings<T: Real>() -> Settings<T> {
-    let single = T::EPSILON > T::from_f64(1e-10);
-    let settings = Settings::<f64>::default();
-    Settings {
-        tolerance: T::from_f64(if single { 1e-5 } else { settings.tolerance }),
-        iterations: settings.iterations,
-        pivot_ratio: T::EPSILON * T::from_f64(64.0),
-        polish: settings.polish,
-        substeps: settings.substeps,
-    }
-}
-
-/// A mechanism that is solved block by block.
-pub trait Blocks: Clone {
-    /// Moves it.
-    ///
-    /// # Errors
-    /// The name of the failure; the mechanism is then as it was.
-    fn moved(&mut self, t: f64) -> Result<(), String>;
-    /// Its motion.
-    fn levels(&self) -> [Vec<f64>; 3];
-}
-
-/// Solves a mechanism block by block in every way; `assembled` assembles it from an estimate at a time, or names the failure.
-pub fn solved<B: Blocks>(
-    assembled: impl Fn(&[f64], f64) -> Result<B, String>,
-    task: &Task,
-) -> Vec<Answered> {
+/// Solves a mechanism block by block in every way.
+pub fn solved<B: Blocks + Clone>(blocks: &B, task: &Task) -> Vec<Answered>
+where
+    Settings<B::Scalar>: Default,
+{
     let mut answers = Vec::new();
     let mut answer = |call, instant, answer| {
         answers.push(Answered {
@@ -247,28 +217,39 @@ pub fn solved<B: Blocks>(
             answer,
         });
     };
+    let assembled = |estimate: &[f64], t: f64| {
+        assembled_from(blocks.clone(), estimate, t, Settings::default())
+            .map_err(|failure| named(failure.kind))
+    };
     for (instant, t) in task.times.iter().enumerate() {
-        let found = assembled(&task.near[instant], *t);
-        answer(Call::SolvedAssemble, instant, found.map(|it| it.levels()));
-        let found = assembled(&task.scattered[instant], *t);
-        answer(Call::SolvedAfar, instant, found.map(|it| it.levels()));
+        for (call, estimates) in [
+            (Call::SolvedAssemble, &task.near),
+            (Call::SolvedAfar, &task.scattered),
+        ] {
+            let found = assembled(&estimates[instant], *t);
+            answer(call, instant, found.map(|it| levels(blocks, it.frame())));
+        }
     }
     let Ok(first) = assembled(&task.start, task.times[0]) else {
         return answers;
     };
+    let inputs = blocks.initial_inputs();
     for (call, steps, stride) in [
         (Call::SolvedFine, FINE, 1),
         (Call::Solved, 1, 1),
         (Call::SolvedLong, 1, LONG),
     ] {
         let mut moving = first.clone();
-        answer(call, 0, Ok(first.levels()));
+        answer(call, 0, Ok(levels(blocks, first.frame())));
         for (instant, times) in stops(&task.times, steps, stride) {
             let mut last = Ok(());
             for t in times {
-                last = moving.moved(t);
+                // After a failure the frame is the last valid one, and the next instant is tried from there.
+                let moved = moving.advance(B::Scalar::from_f64(t), &inputs);
+                last = moved.map(|_| ()).map_err(|failure| named(failure.kind));
             }
-            answer(call, instant, last.map(|()| moving.levels()));
+            let found = last.map(|()| levels(blocks, moving.frame()));
+            answer(call, instant, found);
         }
     }
     answers

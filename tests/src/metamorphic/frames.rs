@@ -1,15 +1,17 @@
 //! *The equations of a mechanism* → *its motion in both views*, each value with what rounding may make of it.
 
-use linkwright::{Failure, Frame, Settings, advance, assemble, assemble_from_afar};
-use linkwright_cli::interpreter::Interpreter;
-use linkwright_cli::solved_interpreter::SolvedInterpreter;
-use linkwright_codegen::structure::{Step, plan_of_motion};
+use linkwright::{Blocks, Failure, Frame, Settings, advance, assemble, assemble_from_afar};
+use linkwright_codegen::program::forms_of;
+use linkwright_codegen::structure::plan_of_motion;
 use linkwright_codegen::system::System;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::Dyn;
 
 use crate::stability::sample::named;
 use crate::stability::truth::{Given, Levels, Truth};
 use crate::stability::verdict::Scalar;
+use crate::values::{assembled_from, levels};
 
 /// The times (s); the mechanism is assembled at the first and moved to the others.
 pub const TIMES: [f64; 4] = [0.0, 0.01, 0.02, 0.03];
@@ -44,16 +46,13 @@ pub fn motions(system: &System) -> Vec<(&'static str, Moved)> {
 /// The steps of the plan that find something by more than a division, as kinds with their numbers. Whether a coefficient is divided
 /// by in a step of its own depends on whether it is a number.
 pub fn plan(system: &System) -> Vec<(String, usize)> {
-    let Some(plan) = plan_of_motion(&mut system.clone()) else {
+    let mut system = system.clone();
+    let Some(plan) = plan_of_motion(&mut system) else {
         return Vec::new();
     };
-    let mut names: Vec<String> = plan
-        .blocks
-        .iter()
-        .flat_map(|block| block.steps.iter())
-        .filter(|step| !matches!(step, Step::Linear { .. }))
-        .map(|step| step.name())
-        .collect();
+    let forms = forms_of(&mut system, &plan);
+    let names = forms.iter().flatten().map(|form| form.name());
+    let mut names: Vec<String> = names.filter(|name| name != "linear").collect();
     names.sort();
     let mut counted: Vec<(String, usize)> = Vec::new();
     for name in names {
@@ -114,7 +113,7 @@ fn given(system: &System) -> Given {
 }
 
 fn textbook(system: &System, judge: &Judge) -> Vec<(&'static str, Moved)> {
-    let interpreter = Interpreter::new(system);
+    let interpreter = TextbookEquations::new(system);
     let settings = Settings::default();
     let instant = |found: Result<Frame<f64, Dyn>, Failure<f64>>| {
         let frame = found.map_err(|failure| named(failure.kind).to_string())?;
@@ -148,19 +147,26 @@ fn textbook(system: &System, judge: &Judge) -> Vec<(&'static str, Moved)> {
 }
 
 fn solved(system: &System, judge: &Judge) -> Moved {
-    let Some(solved) = SolvedInterpreter::new(system) else {
+    let Some(blocks) = Interpreted::new(system) else {
         return vec![Err("no plan".to_string())];
     };
-    let signs = solved.drawn_signs();
-    let mut values = solved.begin(TIMES[0]);
-    let mut moved = Vec::new();
-    for t in TIMES {
-        if let Err(failure) = solved.solve(t, &signs, &mut values) {
-            moved.push(Err(named(failure.kind).to_string()));
-            break;
+    let instant =
+        |t: f64, frame: &<Interpreted as Blocks>::Frame| judge.instant(t, levels(&blocks, frame));
+    let failed = |failure: Failure<f64>| vec![Err(named(failure.kind).to_string())];
+    let mut shell = match assembled_from(blocks.clone(), &[], TIMES[0], Settings::default()) {
+        Ok(shell) => shell,
+        Err(failure) => return failed(failure),
+    };
+    let mut moved = vec![instant(TIMES[0], shell.frame())];
+    let inputs = blocks.initial_inputs();
+    for t in &TIMES[1..] {
+        match shell.advance(*t, &inputs) {
+            Ok(frame) => moved.push(instant(*t, frame)),
+            Err(failure) => {
+                moved.extend(failed(failure));
+                break;
+            }
         }
-        let levels = solved.levels(&values).map(|it| it.as_slice().to_vec());
-        moved.push(judge.instant(t, levels));
     }
     moved
 }

@@ -68,7 +68,7 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
             Statement::Output(_)
             | Statement::Transmission(_)
             | Statement::Sensitivity(_)
-            | Statement::Monitor(_) => {}
+            | Statement::Wish(_) => {}
         }
         names.extend(found.into_iter().map(|name| name.text.clone()));
     }
@@ -128,7 +128,7 @@ impl Renaming {
                 Statement::Output(it) => self.items(&it.items),
                 Statement::Transmission(it) => self.items(&it.items),
                 Statement::Sensitivity(it) => it.names.iter().for_each(|name| self.name(name)),
-                Statement::Monitor(_) => {}
+                Statement::Wish(_) => {}
                 Statement::Motion(it) => {
                     self.name(&it.name);
                     self.statements(&it.statements);

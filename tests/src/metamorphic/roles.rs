@@ -70,7 +70,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Output(_)
             | Statement::Transmission(_)
             | Statement::Sensitivity(_)
-            | Statement::Monitor(_) => {}
+            | Statement::Wish(_) => {}
         }
     }
 }
@@ -264,7 +264,7 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
             | Statement::Output(_)
             | Statement::Transmission(_)
             | Statement::Sensitivity(_)
-            | Statement::Monitor(_) => {}
+            | Statement::Wish(_) => {}
         }
     }
 }

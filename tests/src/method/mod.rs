@@ -9,32 +9,43 @@ mod textbook;
 
 pub use dense::Dense;
 
-use linkwright_codegen::structure::{self, Step};
+use linkwright::nalgebra::Const;
+use linkwright::{Blocks, Equations, Mechanism, Real, Settings};
+use linkwright_codegen::{program, structure};
 
 use crate::description;
+pub use crate::values::Levels;
 
-/// A setting under which iterations are measured: label, tolerance, polish.
-type Setting = (&'static str, f64, bool);
-
-/// The settings that make sense in a scalar: no residual can be smaller than its rounding.
-fn settings(scalar: &str) -> &'static [Setting] {
-    match scalar {
-        "f32" => &[
-            ("1e-4", 1e-4, false),
-            ("1e-5", 1e-5, false),
-            ("1e-5, polished", 1e-5, true),
-        ],
-        _ => &[
+/// The settings that make sense in a scalar, with their labels: no residual can be smaller than its rounding.
+fn settings<T: Real>() -> Vec<(&'static str, Settings<T>)>
+where
+    Settings<T>: Default,
+{
+    let (double, single) = (
+        [
             ("1e-6", 1e-6, false),
             ("1e-9", 1e-9, false),
             ("1e-12", 1e-12, false),
             ("1e-12, polished", 1e-12, true),
         ],
-    }
+        [
+            ("1e-4", 1e-4, false),
+            ("1e-5", 1e-5, false),
+            ("1e-5, polished", 1e-5, true),
+        ],
+    );
+    let is_double = T::EPSILON.to_f64() == f64::EPSILON;
+    let all = if is_double { &double[..] } else { &single[..] };
+    let with = |&(label, tolerance, polish): &(_, f64, _)| {
+        let settings = Settings {
+            tolerance: T::from_f64(tolerance),
+            polish,
+            ..Settings::default()
+        };
+        (label, settings)
+    };
+    all.iter().map(with).collect()
 }
-
-/// q, q̇ and q̈ at a time.
-pub type Levels = [Vec<f64>; 3];
 
 /// One way to solve a mechanism.
 pub trait Method {
@@ -66,7 +77,11 @@ pub trait Method {
 pub fn methods(mechanism: &str) -> Vec<Box<dyn Method>> {
     let mut methods: Vec<Box<dyn Method>> =
         vec![Box::new(Dense::new(&description::system(mechanism)))];
-    methods.extend(generated(mechanism));
+    let (_, generated) = GENERATED
+        .iter()
+        .find(|(name, _)| *name == mechanism)
+        .unwrap_or_else(|| panic!("`{mechanism}` is not compiled"));
+    methods.extend(generated(iterates(mechanism)));
     methods
 }
 
@@ -75,62 +90,134 @@ fn iterates(mechanism: &str) -> bool {
     let mut system = description::system(mechanism);
     let plan = structure::plan(&mut system);
     let plan = plan.unwrap_or_else(|| panic!("`{mechanism}` has no solved view"));
-    let mut steps = plan.blocks.iter().flat_map(|block| &block.steps);
-    steps.any(|step| matches!(step, Step::Newton { .. }))
+    let forms = program::forms_of(&mut system, &plan);
+    forms.iter().flatten().any(|form| form.modes().is_none())
 }
 
-/// A line per mechanism whose methods are compared: those that the baseline is written for. Types of different modules have nothing in common, so a macro per kind of generated solver
-/// implements [`Method`] in a module of its own; further kinds are further macros with their lines below.
-macro_rules! generated {
-    ($($module:ident: $mechanism:ident),+ $(,)?) => {
-        $(mod $module {
-            pub(super) mod textbook {
-                $crate::method::textbook::textbook!([linkwright_mechanisms::$module], f64, "f64");
-            }
+/// The generated solvers of a mechanism, given whether one of its blocks has no closed form: in double precision, then in single
+/// precision.
+type Generated = fn(bool) -> Vec<Box<dyn Method>>;
 
-            pub(super) mod single_textbook {
-                $crate::method::textbook::textbook!([$crate::single::$module], f32, "f32");
-            }
+fn generated<M, E, M32, E32, const N: usize>(iterates: bool) -> Vec<Box<dyn Method>>
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default + Clone + 'static>,
+    E: Equations<f64, Const<N>> + Default + 'static,
+    M32: Mechanism<Blocks: Blocks<Scalar = f32> + Default + Clone + 'static>,
+    E32: Equations<f32, Const<N>> + Default + 'static,
+{
+    let mut methods = textbook::methods::<M, E, N>();
+    methods.extend(textbook::methods::<M32, E32, N>());
+    methods.extend(solved::methods::<M>(iterates));
+    methods.extend(solved::methods::<M32>(iterates));
+    methods
+}
 
-            pub(super) mod solved {
-                $crate::method::solved::solved!([linkwright_mechanisms::$module], $mechanism, f64, "f64");
-            }
-
-            pub(super) mod single {
-                $crate::method::solved::solved!([$crate::single::$module], $mechanism, f32, "f32");
-            }
-        })+
-
-        /// The mechanisms whose methods are compared.
-        pub const STUDIED: &[&str] = &[$(stringify!($module)),+];
-
-        /// The generated solvers of a mechanism.
-        fn generated(mechanism: &str) -> Vec<Box<dyn Method>> {
-            match mechanism {
-                $(stringify!($module) => {
-                    let mut methods: Vec<Box<dyn Method>> = Vec::new();
-                    methods.extend($module::textbook::methods());
-                    methods.extend($module::single_textbook::methods());
-                    methods.extend($module::solved::methods(iterates(mechanism)));
-                    methods.extend($module::single::methods(iterates(mechanism)));
-                    // Further kinds: `methods.extend($module::<kind>::methods());`
-                    methods
-                })+
-                other => panic!("`{other}` is not compiled"),
-            }
-        }
+/// The mechanisms whose methods are compared: those that the baseline is written for.
+const GENERATED: &[(&str, Generated)] = {
+    use crate::single;
+    use linkwright_mechanisms::{
+        arm, excavator, excavator_pins, four_bar, inverted_slider_crank, platform_3rpr, scissor,
+        slider_crank, stephenson, two_body,
     };
-}
+    &[
+        (
+            "two_body",
+            generated::<
+                two_body::TwoBody,
+                two_body::Textbook,
+                single::two_body::TwoBody,
+                single::two_body::Textbook,
+                _,
+            >,
+        ),
+        (
+            "four_bar",
+            generated::<
+                four_bar::FourBar,
+                four_bar::Textbook,
+                single::four_bar::FourBar,
+                single::four_bar::Textbook,
+                _,
+            >,
+        ),
+        (
+            "slider_crank",
+            generated::<
+                slider_crank::SliderCrank,
+                slider_crank::Textbook,
+                single::slider_crank::SliderCrank,
+                single::slider_crank::Textbook,
+                _,
+            >,
+        ),
+        (
+            "inverted_slider_crank",
+            generated::<
+                inverted_slider_crank::InvertedSliderCrank,
+                inverted_slider_crank::Textbook,
+                single::inverted_slider_crank::InvertedSliderCrank,
+                single::inverted_slider_crank::Textbook,
+                _,
+            >,
+        ),
+        (
+            "stephenson",
+            generated::<
+                stephenson::Stephenson,
+                stephenson::Textbook,
+                single::stephenson::Stephenson,
+                single::stephenson::Textbook,
+                _,
+            >,
+        ),
+        (
+            "platform_3rpr",
+            generated::<
+                platform_3rpr::Platform3rpr,
+                platform_3rpr::Textbook,
+                single::platform_3rpr::Platform3rpr,
+                single::platform_3rpr::Textbook,
+                _,
+            >,
+        ),
+        (
+            "excavator",
+            generated::<
+                excavator::Excavator,
+                excavator::Textbook,
+                single::excavator::Excavator,
+                single::excavator::Textbook,
+                _,
+            >,
+        ),
+        (
+            "excavator_pins",
+            generated::<
+                excavator_pins::ExcavatorPins,
+                excavator_pins::Textbook,
+                single::excavator_pins::ExcavatorPins,
+                single::excavator_pins::Textbook,
+                _,
+            >,
+        ),
+        (
+            "arm",
+            generated::<arm::Arm, arm::Textbook, single::arm::Arm, single::arm::Textbook, _>,
+        ),
+        (
+            "scissor",
+            generated::<
+                scissor::Scissor,
+                scissor::Textbook,
+                single::scissor::Scissor,
+                single::scissor::Textbook,
+                _,
+            >,
+        ),
+    ]
+};
 
-generated! {
-    two_body: TwoBody,
-    four_bar: FourBar,
-    slider_crank: SliderCrank,
-    inverted_slider_crank: InvertedSliderCrank,
-    stephenson: Stephenson,
-    platform_3rpr: Platform3rpr,
-    excavator: Excavator,
-    excavator_pins: ExcavatorPins,
-    arm: Arm,
-    scissor: Scissor,
+/// The names of the mechanisms whose methods are compared.
+pub fn studied() -> impl Iterator<Item = &'static str> {
+    GENERATED.iter().map(|(name, _)| *name)
 }

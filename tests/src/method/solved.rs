@@ -1,99 +1,92 @@
-//! The solved view of generated modules as methods: closed forms, and Newton-Raphson on the blocks that have none.
+//! The solved view of a generated module as methods: closed forms, and Newton-Raphson on the blocks that have none.
 
-/// Implements [`super::Method`] for a module, given by its path in brackets, with the type of its mechanism, and lists its methods.
-/// The arguments after the mechanism are the scalar of the module and how it is called.
-macro_rules! solved {
-    ([$($source:tt)*], $mechanism:ident, $scalar:ty, $name:literal) => {
-        use std::hint::black_box;
+use std::any::type_name;
+use std::hint::black_box;
 
-        use linkwright::Settings;
-        use $($source)*::{Coordinates, $mechanism};
+use linkwright::{Blocks, Mechanism, Real, Settings, Shell};
 
-        use $crate::method::{Levels, Method, settings};
+use super::{Levels, Method, settings};
+use crate::values::{assembled_from, levels};
 
-        struct Solved {
-            settings: Settings<$scalar>,
-            family: &'static str,
-            setting: &'static str,
-        }
-
-        /// One method where all blocks have closed forms, otherwise one per setting.
-        pub(in $crate::method) fn methods(iterates: bool) -> Vec<Box<dyn Method>> {
-            if !iterates {
-                return vec![Box::new(Solved {
-                    settings: Settings::default(),
-                    family: "closed form",
-                    setting: "",
-                })];
-            }
-            let mut methods: Vec<Box<dyn Method>> = Vec::new();
-            for &(setting, tolerance, polish) in settings($name) {
-                methods.push(Box::new(Solved {
-                    settings: Settings {
-                        tolerance: tolerance as $scalar,
-                        polish,
-                        ..Settings::default()
-                    },
-                    family: "block Newton",
-                    setting,
-                }));
-            }
-            methods
-        }
-
-        impl Solved {
-            fn assembled(&self, t: f64) -> $mechanism {
-                $mechanism::assemble_from(&Coordinates::DRAWN, t as $scalar, self.settings)
-                    .unwrap_or_else(|failure| panic!("{failure}"))
-            }
-        }
-
-        impl Method for Solved {
-            fn family(&self) -> &str {
-                self.family
-            }
-
-            fn setting(&self) -> &str {
-                self.setting
-            }
-
-            fn scalar(&self) -> &'static str {
-                $name
-            }
-
-            fn sweep(&mut self, times: &[f64]) {
-                let mut mechanism = self.assembled(times[0]);
-                black_box(mechanism.frame());
-                for &t in &times[1..] {
-                    if let Err(failure) = mechanism.advance(t as $scalar) {
-                        panic!("{failure}");
-                    }
-                    black_box(mechanism.frame());
-                }
-            }
-
-            fn record(&mut self, times: &[f64], indices: &[usize]) -> Vec<Levels> {
-                let mut mechanism = self.assembled(times[0]);
-                let mut records = Vec::new();
-                for (index, &t) in times.iter().enumerate() {
-                    if index > 0 {
-                        if let Err(failure) = mechanism.advance(t as $scalar) {
-                            panic!("{failure}");
-                        }
-                    }
-                    if indices.contains(&index) {
-                        let frame = mechanism.frame();
-                        let levels = [&frame.q, &frame.qd, &frame.qdd];
-                        records
-                            .push(levels.map(|level| {
-                                level.to_array().into_iter().map(f64::from).collect()
-                            }));
-                    }
-                }
-                records
-            }
-        }
-    };
+struct Solved<B: Blocks> {
+    blocks: B,
+    settings: Settings<B::Scalar>,
+    family: &'static str,
+    setting: &'static str,
 }
 
-pub(super) use solved;
+/// One method where all blocks have closed forms, otherwise one per setting.
+pub(super) fn methods<M>(iterates: bool) -> Vec<Box<dyn Method>>
+where
+    M: Mechanism<Blocks: Default + Clone + 'static>,
+    Settings<<M::Blocks as Blocks>::Scalar>: Default,
+{
+    if !iterates {
+        return vec![Box::new(Solved {
+            blocks: M::Blocks::default(),
+            settings: Settings::default(),
+            family: "closed form",
+            setting: "",
+        })];
+    }
+    let mut methods: Vec<Box<dyn Method>> = Vec::new();
+    for (setting, settings) in settings() {
+        methods.push(Box::new(Solved {
+            blocks: M::Blocks::default(),
+            settings,
+            family: "block Newton",
+            setting,
+        }));
+    }
+    methods
+}
+
+impl<B: Blocks + Clone> Solved<B> {
+    fn assembled(&self, t: f64) -> Shell<B> {
+        assembled_from(self.blocks.clone(), &[], t, self.settings)
+            .unwrap_or_else(|failure| panic!("{failure}"))
+    }
+}
+
+impl<B: Blocks + Clone> Method for Solved<B> {
+    fn family(&self) -> &str {
+        self.family
+    }
+
+    fn setting(&self) -> &str {
+        self.setting
+    }
+
+    fn scalar(&self) -> &'static str {
+        type_name::<B::Scalar>()
+    }
+
+    fn sweep(&mut self, times: &[f64]) {
+        let mut mechanism = self.assembled(times[0]);
+        let inputs = self.blocks.initial_inputs();
+        black_box(mechanism.frame());
+        for &t in &times[1..] {
+            if let Err(failure) = mechanism.advance(B::Scalar::from_f64(t), &inputs) {
+                panic!("{failure}");
+            }
+            black_box(mechanism.frame());
+        }
+    }
+
+    fn record(&mut self, times: &[f64], indices: &[usize]) -> Vec<Levels> {
+        let mut mechanism = self.assembled(times[0]);
+        let inputs = self.blocks.initial_inputs();
+        let mut records = Vec::new();
+        for (index, &t) in times.iter().enumerate() {
+            if index > 0
+                && let Err(failure) = mechanism.advance(B::Scalar::from_f64(t), &inputs)
+            {
+                panic!("{failure}");
+            }
+            if indices.contains(&index) {
+                records.push(levels(&self.blocks, mechanism.frame()));
+            }
+        }
+        records
+    }
+}

@@ -8,7 +8,7 @@
 use std::cell::RefCell;
 
 use linkwright_codegen::expr::{ExprId, SymbolId};
-use linkwright_codegen::program::solved::{Action, Level, NewtonBlock, WholeBlock, whole};
+use linkwright_codegen::program::{Block, Branch, Function, Level, NewtonBlock, Statement, whole};
 use linkwright_codegen::structure;
 use linkwright_codegen::system::System;
 
@@ -22,7 +22,8 @@ use crate::magnitude::needed;
 /// The solved view of a mechanism.
 pub struct Blocks {
     system: System,
-    blocks: Vec<WholeBlock>,
+    blocks: Vec<Block>,
+    branches: Vec<Branch>,
 }
 
 /// The values and errors of all symbols so far.
@@ -42,8 +43,12 @@ impl Blocks {
         system.mechanism.transmissions.clear();
         system.directions.clear();
         let plan = structure::plan_of_motion(&mut system)?;
-        let blocks = whole(&mut system, &plan);
-        Some(Blocks { system, blocks })
+        let (blocks, branches) = whole(&mut system, &plan);
+        Some(Blocks {
+            system,
+            blocks,
+            branches,
+        })
     }
 
     /// By how much q, q̇ and q̈ may be off in a scalar; `length` is what residuals in m are judged against.
@@ -65,18 +70,20 @@ impl Blocks {
             margins: vec![Margin::NONE; graph.symbol_count()],
             scalar,
         };
+        for branch in &self.branches {
+            let sign = if branch.positive { 1.0 } else { -1.0 };
+            state.symbols[branch.symbol.index()] = Precise::from_f64(sign);
+        }
         for block in &self.blocks {
-            for branch in &block.branches {
-                let sign = if branch.positive { 1.0 } else { -1.0 };
-                state.symbols[branch.symbol.index()] = Precise::from_f64(sign);
-            }
-            for action in &block.program.actions {
-                if let Action::Section(Level::Response(_) | Level::ResponseRate(_)) = action {
+            for statement in &block.function.statements {
+                if let Statement::Section(Level::Response(_) | Level::ResponseRate(_)) = statement {
                     break;
                 }
-                match (action, &block.program.newton) {
-                    (Action::Newton, Some(newton)) => state.iterate(newton, exact, length)?,
-                    _ => state.run(action, exact),
+                match (statement, &block.newton) {
+                    (Statement::Newton { .. }, Some(newton)) => {
+                        state.iterate(newton, exact, length)?;
+                    }
+                    _ => state.run(statement, exact),
                 }
             }
         }
@@ -89,6 +96,11 @@ impl Blocks {
             coordinates().map(|it| of(it.acceleration)).collect(),
         ])
     }
+}
+
+/// What a function gives.
+fn results(function: &Function) -> Vec<ExprId> {
+    function.results.iter().map(|it| it.expr).collect()
 }
 
 /// What 384 bits leave of a difference.
@@ -115,18 +127,18 @@ impl State<'_> {
     }
 
     /// Runs one statement in the order of the program.
-    fn run(&mut self, action: &Action, exact: &Exact) {
-        let roots = match action {
-            Action::Let { value, .. } => vec![*value],
-            Action::SineCosine { angle, .. } => vec![*angle],
-            Action::Angle { sine, cosine, .. } => vec![*sine, *cosine],
+    fn run(&mut self, statement: &Statement, exact: &Exact) {
+        let roots = match statement {
+            Statement::Let { .. } | Statement::SineCosine { .. } | Statement::Angle { .. } => {
+                statement.values()
+            }
             _ => return,
         };
         let found = self.errors(&roots, &self.margins);
         let epsilon = self.scalar.epsilon();
-        match action {
-            Action::Let { target, value } => self.set(*target, self.value(*value), found[0]),
-            Action::SineCosine {
+        match statement {
+            Statement::Let { target, value, .. } => self.set(*target, self.value(*value), found[0]),
+            Statement::SineCosine {
                 sine,
                 cosine,
                 angle,
@@ -137,8 +149,8 @@ impl State<'_> {
                 self.set(*sine, s, to_sine);
                 self.set(*cosine, c, to_cosine);
             }
-            Action::Angle {
-                unknown,
+            Statement::Angle {
+                target,
                 sine,
                 cosine,
             } => {
@@ -148,12 +160,13 @@ impl State<'_> {
                     .times(x.to_f64() / size)
                     .plus(found[1].times(y.to_f64() / size))
                     .times(1.0 / size);
-                let near = exact.levels[0].get(*unknown);
+                let mut unknowns = self.system.vector_form.unknowns.iter();
+                let unknown = unknowns.position(|it| it.position == *target);
+                let near = unknown.and_then(|unknown| exact.levels[0].get(unknown));
                 let angle = wound(&arctangent(&y, &x), near);
                 // The promise of `linkwright::angle`: 2 ε of the angle, or of π/4 where that is larger.
                 let own = 2.0 * epsilon * angle.to_f64().abs().max(std::f64::consts::FRAC_PI_4);
-                let symbol = self.system.vector_form.unknowns[*unknown].position;
-                self.set(symbol, angle, moved.plus(Margin::even(own)));
+                self.set(*target, angle, moved.plus(Margin::even(own)));
             }
             _ => {}
         }
@@ -177,14 +190,15 @@ impl State<'_> {
             }
         }
         // The values of the geometry first.
-        for action in newton.geometry.clone() {
-            self.run(&action, exact);
+        for function in newton.functions() {
+            for statement in &function.statements {
+                self.run(statement, exact);
+            }
         }
         let n = unknowns.len();
-        let roots: Vec<ExprId> = newton.expressions().collect();
-        self.errors(&roots, &self.margins);
-        let rows: Vec<Vec<Precise>> = newton
-            .jacobian
+        let entries = results(&newton.jacobian);
+        self.errors(&entries, &self.margins);
+        let rows: Vec<Vec<Precise>> = entries
             .chunks(n)
             .map(|row| row.iter().map(|&entry| self.value(entry)).collect())
             .collect();
@@ -211,18 +225,18 @@ impl State<'_> {
             columns: unknowns.iter().map(|(_, it)| power(it.quantity)).collect(),
             levels,
         };
-        let geometry = |margins: &mut Vec<Margin>| {
-            for action in &newton.geometry {
-                match action {
-                    Action::Let { target, value } => {
-                        margins[target.index()] = self.errors(&[*value], margins)[0];
+        let of = |function: &Function, mut margins: Vec<Margin>| {
+            for statement in &function.statements {
+                match statement {
+                    Statement::Let { target, value, .. } => {
+                        margins[target.index()] = self.errors(&[*value], &margins)[0];
                     }
-                    Action::SineCosine {
+                    Statement::SineCosine {
                         sine,
                         cosine,
                         angle,
                     } => {
-                        let off = self.errors(&[*angle], margins)[0];
+                        let off = self.errors(&[*angle], &margins)[0];
                         let [s, c] = [sine, cosine].map(|it| &self.symbols[it.index()]);
                         let [to_sine, to_cosine] = turned(s, c, off, self.scalar.epsilon());
                         margins[sine.index()] = to_sine;
@@ -231,6 +245,7 @@ impl State<'_> {
                     _ => {}
                 }
             }
+            self.errors(&results(function), &margins)
         };
         let evaluate = |pose: &[Margin], rates: &[Margin]| {
             let mut margins = self.margins.clone();
@@ -238,10 +253,9 @@ impl State<'_> {
                 margins[unknown.position.index()] = *pose;
                 margins[unknown.rate.index()] = *rate;
             }
-            geometry(&mut margins);
-            let of = |roots: &[ExprId]| self.errors(roots, &margins);
+            let of = |function: &Function| of(function, margins.clone());
             Evaluated {
-                residuals: of(&newton.residuals),
+                residuals: of(&newton.residual),
                 jacobian: of(&newton.jacobian)
                     .chunks(n)
                     .map(<[Margin]>::to_vec)

@@ -1,231 +1,330 @@
 //! The compiled mechanisms of the study, in both scalars and both views.
 
-use super::sample::Runner;
+use linkwright::nalgebra::{Const, SMatrix, SVector};
+use linkwright::{
+    Blocks, Branch, Equations, Failure, Frame, Real, Settings, Shell, Signal, Signals, Values,
+};
 
-/// A compiled mechanism, solved in three ways in each scalar.
+use super::sample::{Outcomes, Sample, named};
+use super::verdict::Way;
+use crate::values::{filled, levels, pose};
+
+/// A compiled mechanism.
 pub struct Compiled {
     /// The name of its description.
     pub name: &'static str,
     /// What the solved view does.
     pub solved: &'static str,
-    /// The textbook view on its path and plain, and the solved view, in f64, then in f32.
-    pub runners: [Runner; 6],
+    /// In f64, then in f32.
+    views: [&'static dyn Run; 2],
 }
 
-macro_rules! scalar {
-    ($module:ident: $mechanism:ident, $scalar:ident, [$($parameter:ident),*], [$($input:ident),*]) => {
-        mod generated {
-            linkwright::include_mechanism!($module);
-        }
+impl Compiled {
+    /// Solves a sample; `side` is 0 in f64 and 1 in f32, and `is_negative` says of the determinant of the pose that is meant.
+    pub fn run(&self, side: usize, way: Way, sample: &Sample, is_negative: bool) -> Outcomes {
+        self.views[side].run(way, sample, is_negative)
+    }
+}
 
-        use generated::{Branches, Coordinates, $mechanism, Inputs, Parameters, Textbook};
+/// What can be taken through a motion.
+trait Run {
+    fn run(&self, way: Way, sample: &Sample, is_negative: bool) -> Outcomes;
+}
 
-        use crate::stability::sample::{Outcomes, Sample, named};
-        use linkwright::nalgebra::{Const, SMatrix, SVector};
-        use linkwright::{Branch, Equations, Settings, Signal};
+/// A generated mechanism, and its equations as one dense system with what they are given.
+struct Views<B: Blocks, E, const N: usize> {
+    blocks: B,
+    textbook: fn(B::Parameters, B::Inputs) -> E,
+}
 
-        const N: usize = Coordinates::COUNT;
+fn parameters<B: Blocks>(blocks: &B, sample: &Sample) -> B::Parameters {
+    let parameters = filled(blocks.nominal_parameters(), &sample.parameters);
+    assert_eq!(
+        parameters.count(),
+        sample.parameters.len(),
+        "a value per parameter"
+    );
+    parameters
+}
 
-        fn parameters(sample: &Sample) -> Parameters {
-            let mut values = sample.parameters.iter();
-            Parameters { $($parameter: *values.next().expect("a value per parameter") as $scalar),* }
-        }
+fn inputs<B: Blocks>(blocks: &B, sample: &Sample, t: f64) -> B::Inputs {
+    let mut inputs = blocks.initial_inputs();
+    let signals = (sample.signals)(t);
+    assert_eq!(inputs.count(), signals.len(), "a signal per input");
+    for (index, signal) in signals.into_iter().enumerate() {
+        let [value, rate, acceleration] = signal.map(B::Scalar::from_f64);
+        inputs.set(index, Signal::new(value, rate, acceleration));
+    }
+    inputs
+}
 
-        fn inputs(sample: &Sample, t: $scalar) -> Inputs {
-            let signals = (sample.signals)(f64::from(t));
-            let mut signals = signals.into_iter();
-            Inputs { $($input: {
-                let [value, rate, acceleration] = signals.next().expect("a signal per input");
-                Signal {
-                    value: value as $scalar,
-                    rate: rate as $scalar,
-                    acceleration: acceleration as $scalar,
-                }
-            }),* }
-        }
+/// The textbook view, with the signals of every time it is evaluated at.
+struct Moving<'a, B: Blocks, E, const N: usize> {
+    views: &'a Views<B, E, N>,
+    sample: &'a Sample,
+}
 
-        fn estimate(sample: &Sample) -> [$scalar; N] {
-            std::array::from_fn(|place| sample.estimate[place] as $scalar)
-        }
+impl<B: Blocks, E, const N: usize> Moving<'_, B, E, N> {
+    fn at(&self, t: f64) -> E {
+        let Views { blocks, textbook } = self.views;
+        textbook(
+            parameters(blocks, self.sample),
+            inputs(blocks, self.sample, t),
+        )
+    }
+}
 
-        fn levels(q: &[$scalar], qd: &[$scalar], qdd: &[$scalar]) -> [Vec<f64>; 3] {
-            [q, qd, qdd].map(|level| level.iter().map(|value| f64::from(*value)).collect())
-        }
+impl<T: Real, B: Blocks<Scalar = T>, E: Equations<T, Const<N>>, const N: usize>
+    Equations<T, Const<N>> for Moving<'_, B, E, N>
+{
+    fn dimension(&self) -> Const<N> {
+        Const
+    }
 
-        /// The textbook view, with the signals of every time it is evaluated at.
-        struct Moving<'a> {
-            sample: &'a Sample,
-            parameters: Parameters,
-        }
+    fn residual(&self, q: &SVector<T, N>, t: T, phi: &mut SVector<T, N>) {
+        self.at(t.to_f64()).residual(q, t, phi);
+    }
 
-        impl Moving<'_> {
-            fn at(&self, t: $scalar) -> Textbook {
-                Textbook::new(&self.parameters, &inputs(self.sample, t))
-            }
-        }
+    fn jacobian(&self, q: &SVector<T, N>, t: T, phi_q: &mut SMatrix<T, N, N>) {
+        self.at(t.to_f64()).jacobian(q, t, phi_q);
+    }
 
-        impl Equations<$scalar, Const<N>> for Moving<'_> {
-            fn dimension(&self) -> Const<N> {
-                Const
-            }
+    fn time_derivative(&self, q: &SVector<T, N>, t: T, phi_t: &mut SVector<T, N>) {
+        self.at(t.to_f64()).time_derivative(q, t, phi_t);
+    }
 
-            fn residual(&self, q: &SVector<$scalar, N>, t: $scalar, phi: &mut SVector<$scalar, N>) {
-                self.at(t).residual(q, t, phi);
-            }
+    fn gamma(&self, q: &SVector<T, N>, qd: &SVector<T, N>, t: T, gamma: &mut SVector<T, N>) {
+        self.at(t.to_f64()).gamma(q, qd, t, gamma);
+    }
 
-            fn jacobian(&self, q: &SVector<$scalar, N>, t: $scalar, phi_q: &mut SMatrix<$scalar, N, N>) {
-                self.at(t).jacobian(q, t, phi_q);
-            }
+    fn row_scale(&self, row: usize) -> T {
+        self.at(0.0).row_scale(row)
+    }
 
-            fn time_derivative(&self, q: &SVector<$scalar, N>, t: $scalar, phi_t: &mut SVector<$scalar, N>) {
-                self.at(t).time_derivative(q, t, phi_t);
-            }
+    fn coordinate_scale(&self, column: usize) -> T {
+        self.at(0.0).coordinate_scale(column)
+    }
+}
 
-            fn gamma(
-                &self,
-                q: &SVector<$scalar, N>,
-                qd: &SVector<$scalar, N>,
-                t: $scalar,
-                gamma: &mut SVector<$scalar, N>,
-            ) {
-                self.at(t).gamma(q, qd, t, gamma);
-            }
+type Moved<T, const N: usize> = Result<Frame<T, Const<N>>, Failure<T>>;
 
-            fn row_scale(&self, row: usize) -> $scalar {
-                self.at(0.0).row_scale(row)
-            }
-
-            fn coordinate_scale(&self, column: usize) -> $scalar {
-                self.at(0.0).coordinate_scale(column)
-            }
-        }
-
-        pub(super) fn followed(sample: &Sample, negative: bool) -> Outcomes {
-            let branch = if negative { Branch::Negative } else { Branch::Positive };
-            textbook(
+impl<T: Real, B: Blocks<Scalar = T> + Clone, E: Equations<T, Const<N>>, const N: usize> Run
+    for Views<B, E, N>
+where
+    Settings<T>: Default,
+{
+    fn run(&self, way: Way, sample: &Sample, is_negative: bool) -> Outcomes {
+        let branch = if is_negative {
+            Branch::Negative
+        } else {
+            Branch::Positive
+        };
+        match way {
+            Way::Followed => self.textbook(
                 sample,
                 |equations, start, t, settings| {
                     linkwright::assemble_from_afar(equations, start, Some(branch), t, settings)
                 },
-                |equations, frame, t, settings| linkwright::follow(equations, frame, branch, t, settings),
-            )
-        }
-
-        pub(super) fn plain(sample: &Sample, _: bool) -> Outcomes {
-            textbook(
+                |equations, frame, t, settings| {
+                    linkwright::follow(equations, frame, branch, t, settings)
+                },
+            ),
+            Way::Plain => self.textbook(
                 sample,
                 |equations, start, t, settings| linkwright::assemble(equations, start, t, settings),
                 |equations, frame, t, settings| linkwright::advance(equations, frame, t, settings),
-            )
+            ),
+            Way::Solved => self.solved(sample),
         }
+    }
+}
 
-        type Moved = linkwright::Frame<$scalar, Const<N>>;
-        type Solved = Result<Moved, linkwright::Failure<$scalar>>;
-
-        fn textbook(
-            sample: &Sample,
-            assemble: impl Fn(&Moving<'_>, &SVector<$scalar, N>, $scalar, &Settings<$scalar>) -> Solved,
-            advance: impl Fn(&Moving<'_>, &Moved, $scalar, &Settings<$scalar>) -> Solved,
-        ) -> Outcomes {
-            let equations = Moving {
-                sample,
-                parameters: parameters(sample),
+impl<T: Real, B: Blocks<Scalar = T> + Clone, E: Equations<T, Const<N>>, const N: usize>
+    Views<B, E, N>
+where
+    Settings<T>: Default,
+{
+    fn textbook(
+        &self,
+        sample: &Sample,
+        assemble: impl Fn(&Moving<'_, B, E, N>, &SVector<T, N>, T, &Settings<T>) -> Moved<T, N>,
+        advance: impl Fn(&Moving<'_, B, E, N>, &Frame<T, Const<N>>, T, &Settings<T>) -> Moved<T, N>,
+    ) -> Outcomes {
+        let equations = Moving {
+            views: self,
+            sample,
+        };
+        let settings = Settings::default();
+        let estimate = SVector::from_iterator(sample.estimate.iter().map(|it| T::from_f64(*it)));
+        let mut outcomes = Outcomes::new();
+        let mut last: Option<Frame<T, Const<N>>> = None;
+        for t in sample.times.iter().map(|t| T::from_f64(*t)) {
+            let solved = match &last {
+                None => assemble(&equations, &estimate, t, &settings),
+                Some(frame) => advance(&equations, frame, t, &settings),
             };
-            let settings = Settings::default();
-            let mut outcomes = Outcomes::new();
-            let mut last: Option<Moved> = None;
-            for t in sample.times.iter().map(|t| *t as $scalar) {
-                let solved = match &last {
-                    None => assemble(&equations, &SVector::from(estimate(sample)), t, &settings),
-                    Some(frame) => advance(&equations, frame, t, &settings),
-                };
-                match solved {
-                    Ok(frame) => {
-                        outcomes.push(Ok(levels(frame.q.as_slice(), frame.qd.as_slice(), frame.qdd.as_slice())));
-                        last = Some(frame);
-                    }
-                    Err(failure) => {
-                        outcomes.push(Err(named(failure.kind).to_string()));
-                        break;
-                    }
+            match solved {
+                Ok(frame) => {
+                    let levels = [&frame.q, &frame.qd, &frame.qdd];
+                    outcomes.push(Ok(
+                        levels.map(|level| level.iter().map(|it| it.to_f64()).collect())
+                    ));
+                    last = Some(frame);
+                }
+                Err(failure) => {
+                    outcomes.push(Err(named(failure.kind).to_string()));
+                    break;
                 }
             }
-            outcomes
         }
+        outcomes
+    }
 
-        pub(super) fn solved(sample: &Sample, _: bool) -> Outcomes {
-            let mut outcomes = Outcomes::new();
-            let mut mechanism = None;
-            for t in sample.times.iter().map(|t| *t as $scalar) {
-                let inputs = inputs(sample, t);
-                let moved = match mechanism.take() {
-                    None => $mechanism::assemble_with(
-                        &parameters(sample),
-                        &Coordinates::from_array(estimate(sample)),
-                        Branches::DRAWN,
-                        t,
-                        &inputs,
-                        Settings::default(),
-                    ),
-                    Some(mut before) => {
-                        let before: &mut $mechanism = &mut before;
-                        before.advance(t, &inputs).map(|_| ()).map(|()| *before)
-                    }
-                };
-                match moved {
-                    Ok(moved) => {
-                        let frame = moved.frame();
-                        let (q, qd, qdd) = (frame.q.to_array(), frame.qd.to_array(), frame.qdd.to_array());
-                        outcomes.push(Ok(levels(&q, &qd, &qdd)));
-                        mechanism = Some(moved);
-                    }
-                    Err(failure) => {
-                        outcomes.push(Err(named(failure.kind).to_string()));
-                        break;
-                    }
+    fn solved(&self, sample: &Sample) -> Outcomes {
+        let blocks = &self.blocks;
+        let parameters = parameters(blocks, sample);
+        let mut outcomes = Outcomes::new();
+        let mut mechanism: Option<Shell<B>> = None;
+        for t in sample.times.iter().map(|t| T::from_f64(*t)) {
+            let inputs = inputs(blocks, sample, t.to_f64());
+            let failed = match &mut mechanism {
+                None => {
+                    let (estimate, modes) =
+                        (pose(blocks, &sample.estimate), blocks.drawn_branches());
+                    let settings = Settings::default();
+                    let blocks = blocks.clone();
+                    Shell::assemble(blocks, &parameters, &estimate, modes, t, &inputs, settings)
+                        .map(|assembled| mechanism = Some(assembled))
+                }
+                Some(mechanism) => mechanism.advance(t, &inputs).map(|_| ()),
+            };
+            match (failed, &mechanism) {
+                (Ok(()), Some(mechanism)) => outcomes.push(Ok(levels(blocks, mechanism.frame()))),
+                (Ok(()), None) => unreachable!("what is assembled is kept"),
+                (Err(failure), _) => {
+                    outcomes.push(Err(named(failure.kind).to_string()));
+                    break;
                 }
             }
-            outcomes
         }
-    };
+        outcomes
+    }
 }
 
-macro_rules! compiled {
-    ($(pub const $constant:ident = $double:ident: $mechanism:ident, $single:ident: $single_mechanism:ident,
-        $solved:literal, $parameters:tt, $inputs:tt;)+) => {
-        $(
-            #[allow(missing_docs)]
-            mod $double {
-                scalar!($double: $mechanism, f64, $parameters, $inputs);
-            }
-
-            #[allow(missing_docs)]
-            mod $single {
-                scalar!($single: $single_mechanism, f32, $parameters, $inputs);
-            }
-
-            #[doc = concat!("`", stringify!($double), "`.")]
-            pub const $constant: Compiled = Compiled {
-                name: stringify!($double),
-                solved: $solved,
-                runners: [
-                    $double::followed, $double::plain, $double::solved,
-                    $single::followed, $single::plain, $single::solved,
-                ],
-            };
-        )+
-    };
+#[allow(missing_docs)]
+mod double {
+    pub mod exam {
+        linkwright::include_mechanism!(study_exam);
+    }
+    pub mod exam_by_rod {
+        linkwright::include_mechanism!(study_exam_by_rod);
+    }
+    pub mod four_bar {
+        linkwright::include_mechanism!(study_four_bar);
+    }
+    pub mod slider {
+        linkwright::include_mechanism!(study_slider);
+    }
+    pub mod platform {
+        linkwright::include_mechanism!(study_platform);
+    }
 }
 
-compiled! {
-    pub const EXAM = study_exam: StudyExam, single_study_exam: SingleStudyExam,
-        "closed form", [crank, rod, wall], [angle];
-    pub const EXAM_BY_ROD = study_exam_by_rod: StudyExamByRod, single_study_exam_by_rod: SingleStudyExamByRod,
-        "closed form", [crank, rod, wall], [angle];
-    pub const FOUR_BAR = study_four_bar: StudyFourBar, single_study_four_bar: SingleStudyFourBar,
-        "closed form", [g, l1, l2, l3, x0, y0, slow, ripple, fast, kick, growth, jump, width], [angle];
-    pub const SLIDER = study_slider: StudySlider, single_study_slider: SingleStudySlider,
-        "closed form", [r, l], [position];
-    pub const PLATFORM = study_platform: StudyPlatform, single_study_platform: SingleStudyPlatform,
-        "block Newton", [size, x0, y0], [first, second, third];
+#[allow(missing_docs)]
+mod single {
+    pub mod exam {
+        linkwright::include_mechanism!(single_study_exam);
+    }
+    pub mod exam_by_rod {
+        linkwright::include_mechanism!(single_study_exam_by_rod);
+    }
+    pub mod four_bar {
+        linkwright::include_mechanism!(single_study_four_bar);
+    }
+    pub mod slider {
+        linkwright::include_mechanism!(single_study_slider);
+    }
+    pub mod platform {
+        linkwright::include_mechanism!(single_study_platform);
+    }
 }
+
+/// `study_exam`.
+pub const EXAM: Compiled = Compiled {
+    name: "study_exam",
+    solved: "closed form",
+    views: [
+        &Views::<_, _, { double::exam::Coordinates::COUNT }> {
+            blocks: double::exam::Loops,
+            textbook: |parameters, inputs| double::exam::Textbook { parameters, inputs },
+        },
+        &Views::<_, _, { single::exam::Coordinates::COUNT }> {
+            blocks: single::exam::Loops,
+            textbook: |parameters, inputs| single::exam::Textbook { parameters, inputs },
+        },
+    ],
+};
+
+/// `study_exam_by_rod`.
+pub const EXAM_BY_ROD: Compiled = Compiled {
+    name: "study_exam_by_rod",
+    solved: "closed form",
+    views: [
+        &Views::<_, _, { double::exam_by_rod::Coordinates::COUNT }> {
+            blocks: double::exam_by_rod::Loops,
+            textbook: |parameters, inputs| double::exam_by_rod::Textbook { parameters, inputs },
+        },
+        &Views::<_, _, { single::exam_by_rod::Coordinates::COUNT }> {
+            blocks: single::exam_by_rod::Loops,
+            textbook: |parameters, inputs| single::exam_by_rod::Textbook { parameters, inputs },
+        },
+    ],
+};
+
+/// `study_four_bar`.
+pub const FOUR_BAR: Compiled = Compiled {
+    name: "study_four_bar",
+    solved: "closed form",
+    views: [
+        &Views::<_, _, { double::four_bar::Coordinates::COUNT }> {
+            blocks: double::four_bar::Loops,
+            textbook: |parameters, inputs| double::four_bar::Textbook { parameters, inputs },
+        },
+        &Views::<_, _, { single::four_bar::Coordinates::COUNT }> {
+            blocks: single::four_bar::Loops,
+            textbook: |parameters, inputs| single::four_bar::Textbook { parameters, inputs },
+        },
+    ],
+};
+
+/// `study_slider`.
+pub const SLIDER: Compiled = Compiled {
+    name: "study_slider",
+    solved: "closed form",
+    views: [
+        &Views::<_, _, { double::slider::Coordinates::COUNT }> {
+            blocks: double::slider::Loops,
+            textbook: |parameters, inputs| double::slider::Textbook { parameters, inputs },
+        },
+        &Views::<_, _, { single::slider::Coordinates::COUNT }> {
+            blocks: single::slider::Loops,
+            textbook: |parameters, inputs| single::slider::Textbook { parameters, inputs },
+        },
+    ],
+};
+
+/// `study_platform`.
+pub const PLATFORM: Compiled = Compiled {
+    name: "study_platform",
+    solved: "block Newton",
+    views: [
+        &Views::<_, _, { double::platform::Coordinates::COUNT }> {
+            blocks: double::platform::Loops,
+            textbook: |parameters, inputs| double::platform::Textbook { parameters, inputs },
+        },
+        &Views::<_, _, { single::platform::Coordinates::COUNT }> {
+            blocks: single::platform::Loops,
+            textbook: |parameters, inputs| single::platform::Textbook { parameters, inputs },
+        },
+    ],
+};

@@ -131,8 +131,9 @@ pub fn judged(mut family: Family, stride: usize) -> Judged {
                 blocks: &blocks,
                 scalar: [Scalar::F64, Scalar::F32][side],
             };
-            let runner = family.compiled.runners[way];
-            judge.judge(sample, &exact[side], Way::ALL[way % Way::ALL.len()], runner)
+            let way = Way::ALL[way % Way::ALL.len()];
+            let solve = |is_negative| family.compiled.run(side, way, sample, is_negative);
+            judge.judge(sample, &exact[side], way, solve)
         })
     });
     let verdicts = verdicts.collect();

@@ -31,9 +31,6 @@ pub struct Sample {
 /// What a solver made of the instants of a sample, up to its first failure.
 pub type Outcomes = Vec<Result<Levels<f64>, String>>;
 
-/// A way to solve a mechanism: the sample, and whether the determinant of the pose that is meant is negative.
-pub type Runner = fn(&Sample, bool) -> Outcomes;
-
 /// What a failure is called in a table.
 pub fn named<T>(kind: linkwright::FailureKind<T>) -> &'static str {
     use linkwright::FailureKind as Kind;

@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use linkwright::{Settings, assemble};
-use linkwright_cli::interpreter::Interpreter;
 use linkwright_codegen::diagnostic::Source;
+use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;
 
 use super::blocks::Blocks;
@@ -106,7 +106,7 @@ pub fn judged(text: &str) -> (Verdict, Option<String>) {
     let Some(blocks) = Blocks::new(&system) else {
         return refused("no plan");
     };
-    let interpreter = Interpreter::new(&system);
+    let interpreter = TextbookEquations::new(&system);
     let start: Vec<f64> = interpreter.estimate().iter().copied().collect();
     let sample = Sample {
         x: 0.0,

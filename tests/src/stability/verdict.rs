@@ -4,7 +4,7 @@ use super::blocks::Blocks;
 use super::bounded::Margin;
 use super::cause::{Cause, cause};
 use super::precise::Precise;
-use super::sample::{Outcomes, Runner, Sample};
+use super::sample::{Outcomes, Sample};
 use super::truth::{Exact, Given, Levels, Truth};
 
 /// A scalar.
@@ -173,19 +173,20 @@ pub struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// Solves a sample in a way and compares with the exact motion.
+    /// Solves a sample in a way and compares with the exact motion. Whoever solves is told whether the determinant of the pose that
+    /// is meant is negative.
     pub fn judge(
         &self,
         sample: &Sample,
         exact: &[(Given, Option<Exact>)],
         way: Way,
-        runner: Runner,
+        solve: impl FnOnce(bool) -> Outcomes,
     ) -> Verdict {
         let negative = exact
             .iter()
             .find_map(|(_, exact)| exact.as_ref())
             .is_some_and(|exact| exact.is_negative);
-        self.judge_outcomes(sample, exact, way, runner(sample, negative))
+        self.judge_outcomes(sample, exact, way, solve(negative))
     }
 
     /// Compares what has been made of a sample with the exact motion.

@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use linkwright::{Equations, Failure, Frame, Settings, assemble, assemble_from_afar, branch_of};
-use linkwright_cli::interpreter::Interpreter;
 use linkwright_codegen::joint::Quantity;
 use linkwright_codegen::system::System;
+use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::perturbation::{estimate, reach};
@@ -73,7 +73,7 @@ pub struct Measured {
 
 /// Equations that count their evaluations.
 struct Counted<'a> {
-    inner: &'a Interpreter,
+    inner: &'a TextbookEquations,
     residuals: Cell<u32>,
     jacobians: Cell<u32>,
 }
@@ -121,7 +121,7 @@ pub fn measure(system: &System, starts: u32) -> Measured {
         Some(motion) => format!("{}, {}", mechanism.name, motion.name),
         None => mechanism.name.clone(),
     };
-    let interpreter = Interpreter::new(system);
+    let interpreter = TextbookEquations::new(system);
     let settings = Settings::default();
     let drawn = interpreter.estimate();
     let truth = assemble(&interpreter, drawn, 0.0, &settings)
@@ -185,7 +185,7 @@ pub fn measure(system: &System, starts: u32) -> Measured {
 
 struct Judge<'a> {
     system: &'a System,
-    interpreter: &'a Interpreter,
+    interpreter: &'a TextbookEquations,
     truth: &'a DVector<f64>,
 }
 

@@ -1,15 +1,6 @@
 //! How the mechanisms of the joints are solved: what a person solves in closed form is.
 
-use linkwright_codegen::structure;
-use linkwright_tests::description;
-
-/// The steps that are more than explicit, in solve order.
-fn steps(name: &str) -> Vec<String> {
-    let mut system = description::system(name);
-    let plan = structure::plan(&mut system).unwrap_or_else(|| panic!("`{name}` has no plan"));
-    let steps = plan.blocks.iter().flat_map(|block| &block.steps);
-    steps.map(structure::Step::name).collect()
-}
+use linkwright_tests::plan::form_names;
 
 #[test]
 fn every_joint_is_solved_as_a_person_would() {
@@ -31,9 +22,9 @@ fn every_joint_is_solved_as_a_person_would() {
         ("driven_coupler", &two_rotations),
     ];
     for (name, wanted) in plans {
-        assert_eq!(steps(name), wanted, "{name}");
+        assert_eq!(form_names(name), wanted, "{name}");
     }
-    assert_eq!(steps("platform_on_cylinders"), ["Newton of size 4"]);
+    assert_eq!(form_names("platform_on_cylinders"), ["Newton of size 4"]);
     // Four angles of one loop, of which the gears tie two.
-    assert_eq!(steps("mirrored_cranks"), ["Newton of size 3"]);
+    assert_eq!(form_names("mirrored_cranks"), ["Newton of size 3"]);
 }

@@ -1,18 +1,15 @@
 //! *A description and times → its assemblies and where it comes closest to singular.*
 
 use linkwright_codegen::model::set;
+use linkwright_solver::check::Check;
+use linkwright_solver::schedule::Schedule;
+use linkwright_solver::view::View;
 
-use super::description::{determined, source};
-use super::{Outcome, Problem, print, say};
+use super::description::{determined, interpreted, outputs, source};
+use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Check as Arguments;
-use crate::check::Check;
-use crate::file::replace;
 use crate::progress::Progress;
-use crate::report::{assembly_plot, check_json, check_text};
-use crate::schedule::Schedule;
-
-/// How many frames are kept at most.
-const LARGEST: usize = 1_000_000;
+use crate::report::{assembly_plot, check_json, check_text, picture};
 
 /// Checks the mechanism and reports it.
 ///
@@ -27,13 +24,17 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
     }
     let schedule = Schedule::range(arguments.from, arguments.to, arguments.step)
         .map_err(|text| Problem(format!("error: {text}")))?;
-    if schedule.visits() > LARGEST {
-        return Err(Problem(format!(
-            "error: more than {LARGEST} frames: use a larger `--step`"
-        )));
-    }
+    let output = match &arguments.plot {
+        Some(folder) => {
+            let path = in_folder(folder, "assemblies.svg")?;
+            let mut outputs = outputs(&arguments.file, &source, arguments.force);
+            Some(outputs.file(&path, picture::SIGNATURE)?)
+        }
+        None => None,
+    };
     let mut progress = Progress::new(schedule.visits());
-    let check = Check::new(system, &schedule, |count| progress.reached(count));
+    let interpreted = interpreted(&system, &arguments.file)?;
+    let check = Check::new(interpreted, &schedule, |count| progress.reached(count));
     progress.finish();
     print(|output| match arguments.json {
         true => check_json::write(&check, output),
@@ -44,23 +45,23 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
             say(&format!("warning: {warning}"));
         }
     }
-    if let Some(error) = &check.solution.error {
-        say(&format!("error: `{}` {error}", check.solution.title()));
+    let system = check.interpreted.system();
+    if let Some(error) = &check.error {
+        say(&format!("error: `{}` {error}", system.mechanism.title()));
     }
-    if let Some(folder) = &arguments.plot {
-        let found = check.assemblies.as_ref().map_or(&[][..], |it| &it.found);
-        let picture = assembly_plot::draw(&check.solution.system, found)
+    if let Some(output) = output {
+        let picture = assembly_plot::draw(system, &check.assemblies.found)
             .map_err(|text| Problem(format!("error: {text}")))?;
         if !picture.is_empty() {
-            let path = folder.join("assemblies.svg");
-            replace(&path, |output| output.write_all(picture.as_bytes()))?;
+            let path = output.path().to_path_buf();
+            output.write(|output| output.write_all(picture.as_bytes()))?;
             if !arguments.json {
                 print(|output| writeln!(output, "wrote {}", path.display()))?;
             }
         }
     }
     let denied = arguments.deny_warnings && !check.warnings.is_empty();
-    Ok(match check.solution.error {
+    Ok(match check.error {
         None if !denied => Outcome::Done,
         _ => Outcome::Failed,
     })

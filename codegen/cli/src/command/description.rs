@@ -1,46 +1,67 @@
 //! *A path → the source and the system of each motion, findings printed.* What every command begins with.
 
-use std::fs::File;
-use std::io::Read as _;
 use std::path::Path;
+use std::{fs, io};
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source, nearest};
+use linkwright_codegen::files;
 use linkwright_codegen::system::System;
+use linkwright_solver::interpreted::Interpreted;
 
 use super::{Problem, say};
-use crate::file::FileError;
+use crate::output::Outputs;
 
 /// The text of the description at `path`, under the name that was given.
 ///
 /// # Errors
-/// The file cannot be read, is too large to be a description, or is not UTF-8.
+/// The file cannot be read, or it is not UTF-8.
 pub fn source(path: &Path) -> Result<Source, Problem> {
-    let mut bytes = Vec::new();
-    // One byte more than allowed is enough to know that there are too many.
-    let read = File::open(path).and_then(|file| {
-        file.take(Source::LARGEST as u64 + 1)
-            .read_to_end(&mut bytes)
-    });
-    if let Err(cause) = read {
-        return Err(Problem::from(FileError {
-            action: "read",
-            path: path.to_path_buf(),
-            cause,
-        }));
-    }
-    if bytes.len() > Source::LARGEST {
-        return Err(Problem(format!(
-            "error: `{}` is larger than {} bytes: it is no description",
-            path.display(),
-            Source::LARGEST
-        )));
-    }
+    let bytes = files::read(path, Source::LARGEST).map_err(|error| unreadable(path, &error))?;
     let source = Source::from_bytes(path.display().to_string(), &bytes).map_err(|refused| {
         let (source, found) = *refused;
         rendered(&found, &source)
     })?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    Ok(linkwright_codegen::attach_files(source, folder))
+    Ok(linkwright_codegen::attach_files(
+        source,
+        files::folder_of(path),
+    ))
+}
+
+/// The files that a command writes besides those that it reads: the description, and the tables that it names.
+pub fn outputs(path: &Path, source: &Source, is_forced: bool) -> Outputs {
+    let folder = files::folder_of(path);
+    let tables = source.attachments.iter().map(|it| folder.join(&it.path));
+    Outputs::new(
+        [path.to_path_buf()].into_iter().chain(tables).collect(),
+        is_forced,
+    )
+}
+
+/// Why a description cannot be read; of a folder, a description in it.
+fn unreadable(path: &Path, error: &io::Error) -> Problem {
+    let shown = path.display();
+    let reason = files::reason(error);
+    let help = match fs::read_dir(path) {
+        Ok(entries) => {
+            let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
+            let example = paths
+                .filter(|it| it.extension().is_some_and(|it| it == "mech"))
+                .min();
+            match example {
+                Some(example) => {
+                    format!("name a description in it, such as `{}`", example.display())
+                }
+                None => "name a description, a `.mech` file".to_string(),
+            }
+        }
+        Err(_) if path.exists() && !path.is_file() => {
+            "a description is a regular file, and its tables lie beside it".to_string()
+        }
+        Err(_) => return Problem(format!("error: cannot read `{shown}`: {reason}")),
+    };
+    Problem(format!(
+        "error: cannot read `{shown}`: {reason}\n  = help: {help}"
+    ))
 }
 
 /// The equations of every motion of a description, or of the one that is wanted; warnings go to stderr.
@@ -72,6 +93,22 @@ pub fn determined(source: &Source, wanted: Option<&str>) -> Result<System, Probl
     let system = motions.remove(0);
     linkwright_codegen::check(&system).map_err(|found| rendered(&found, source))?;
     Ok(system)
+}
+
+/// The blocks of a system.
+///
+/// # Errors
+/// There is no order in which they could be solved.
+pub fn interpreted(system: &System, path: &Path) -> Result<Interpreted, Problem> {
+    Interpreted::new(system).ok_or_else(|| no_order(path))
+}
+
+/// That a mechanism has no order in which its blocks could be solved.
+pub fn no_order(path: &Path) -> Problem {
+    Problem(format!(
+        "error: the equations of `{}` determine the motion, but no order in which they can be solved one block after the other",
+        path.display()
+    ))
 }
 
 /// The names of the motions in backticks.

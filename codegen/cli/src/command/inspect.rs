@@ -3,13 +3,14 @@
 use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::emit::{self, Notation, derivation};
+use linkwright_codegen::program::forms_of;
 use linkwright_codegen::structure::{self, Freedom};
 use linkwright_codegen::system::System;
+use linkwright_solver::number::counted;
 
 use super::description::{motions, rendered, source, warn};
 use super::{Outcome, Problem, print};
 use crate::arguments::{Format, Inspect};
-use crate::number::counted;
 
 /// Prints Φ, Φ_q, Φ_t and γ in the chosen format, as text also what generated code solves.
 ///
@@ -75,7 +76,8 @@ fn determinants(system: &System, notation: Notation) -> String {
     let Some(plan) = structure::plan_of_motion(&mut system) else {
         return String::new();
     };
-    let poses = derivation::singular_poses(&system, &plan, notation);
+    let forms = forms_of(&mut system, &plan);
+    let poses = derivation::singular_poses(&system, &plan, &forms, notation);
     if poses.is_empty() {
         return String::new();
     }

@@ -11,10 +11,11 @@ pub mod plan;
 pub mod solve;
 
 use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use crate::arguments::{Arguments, Command};
-use crate::file::FileError;
+use crate::output::Refused;
 
 /// How a command ended; the discriminant is the exit code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,8 +30,15 @@ pub enum Outcome {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem(pub String);
 
-impl From<FileError> for Problem {
-    fn from(error: FileError) -> Self {
+impl From<Refused> for Problem {
+    fn from(refused: Refused) -> Self {
+        Problem(format!("error: {refused}"))
+    }
+}
+
+impl Problem {
+    /// Why something could not be written.
+    pub fn of(error: io::Error) -> Problem {
         Problem(format!("error: {error}"))
     }
 }
@@ -68,6 +76,19 @@ pub fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(),
             let _ = output.into_parts();
             Ok(())
         }
+    }
+}
+
+/// A file in a folder for pictures.
+///
+/// # Errors
+/// The folder is `-`, which elsewhere is stdout.
+pub fn in_folder(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
+    match folder == Path::new("-") {
+        true => Err(Problem(
+            "error: `--plot` takes a folder, and `-` is stdout".to_string(),
+        )),
+        false => Ok(folder.join(name)),
     }
 }
 

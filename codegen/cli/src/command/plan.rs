@@ -3,7 +3,7 @@
 use linkwright_codegen::emit::{Notation, derivation};
 use linkwright_codegen::structure;
 
-use super::description::{determined, source};
+use super::description::{determined, no_order, source};
 use super::{Outcome, Problem, print};
 use crate::arguments::{Plan, Script};
 
@@ -14,12 +14,7 @@ use crate::arguments::{Plan, Script};
 pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
     let source = source(&arguments.file)?;
     let mut system = determined(&source, arguments.motion.as_deref())?;
-    let Some(plan) = structure::plan_of_motion(&mut system) else {
-        return Err(Problem(format!(
-            "error: the equations of `{}` determine the motion, but no order in which they can be solved one block after the other",
-            arguments.file.display()
-        )));
-    };
+    let plan = structure::plan_of_motion(&mut system).ok_or_else(|| no_order(&arguments.file))?;
     let text = match arguments.format {
         Script::Text => derivation::text(&system, &plan, Notation::Ascii),
         Script::Unicode => derivation::text(&system, &plan, Notation::Unicode),

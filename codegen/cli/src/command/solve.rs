@@ -1,24 +1,29 @@
-//! *A description and times → its motion: printed, and written as CSV and plots.*
+//! *A description and times* → *its motion*: printed, and written as CSV and plots.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
+use linkwright::Blocks;
+use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::model::set;
+use linkwright_codegen::system::System;
+use linkwright_solver::dense::Dense;
+use linkwright_solver::given::Modes;
+use linkwright_solver::instant::Instant;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::schedule::Schedule;
+use linkwright_solver::view::View;
+use linkwright_solver::wishes::Wishes;
 
-use super::description::{determined, source};
-use super::{Outcome, Problem, print, say};
-use crate::arguments::Solve;
-use crate::branches;
-use crate::file::replace;
-use crate::number::counted;
+use super::description::{determined, interpreted, outputs, source};
+use super::{Outcome, Problem, in_folder, print, say};
+use crate::arguments::{Equations, Solve};
+use crate::motion::{Followed, Shown, Sink, Wanted, select};
+use crate::output::{Output, Refused};
 use crate::progress::{PATIENCE, Progress};
-use crate::report::{comma_separated, json, plot, summary};
-use crate::schedule::Schedule;
-use crate::solution::{Solution, select};
-use crate::solved_interpreter::SolvedInterpreter;
-
-/// How many numbers the frames of a motion may consist of: two gigabytes.
-const LARGEST: usize = 250_000_000;
+use crate::report::comma_separated::{self, Table};
+use crate::report::json::Object;
+use crate::report::{picture, plot, summary};
 
 /// Solves the motion and reports it.
 ///
@@ -26,8 +31,7 @@ const LARGEST: usize = 250_000_000;
 /// The description has errors, its equations do not determine the motion, an option cannot be used, or a file cannot
 /// be written. That the mechanism cannot be solved is an outcome.
 pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
-    let to_stdout = arguments.csv.as_deref() == Some(Path::new("-"));
-    if to_stdout && arguments.json {
+    if is_stdout(&arguments.csv) && arguments.json {
         return Err(Problem(
             "error: `--json` and `--csv -` both want stdout".to_string(),
         ));
@@ -40,45 +44,95 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     let points =
         select(&system, &arguments.points).map_err(|text| Problem(format!("error: {text}")))?;
     let schedule = schedule(arguments)?;
-    let numbers = (1 + 3 * system.coordinates.len()).saturating_mul(schedule.wanted());
-    if numbers > LARGEST {
-        return Err(Problem(format!(
-            "error: {} of {} do not fit into memory: use a larger `--step`",
-            counted(schedule.wanted(), "frame"),
-            counted(system.coordinates.len(), "coordinate")
-        )));
-    }
-    let solved = SolvedInterpreter::new(&system);
-    let chosen_pose = match arguments.branch.as_slice() {
-        [] => None,
-        wishes => {
-            let pose = solved
-                .as_ref()
-                .ok_or_else(|| "the mechanism is not solved loop by loop".to_string())
-                .and_then(|solved| branches::assembled(solved, schedule.start.t, wishes));
-            Some(pose.map_err(|text| Problem(format!("error: {text}")))?)
+    let files = files(arguments, &source, &system, &points, &schedule)?;
+    let wanted = Wanted {
+        points,
+        monitor: arguments.monitor,
+        curves: !files.pictures.is_empty(),
+    };
+    match arguments.view {
+        Equations::Textbook => {
+            let dense = Dense::new(&system);
+            report(arguments, dense, wanted, &schedule, None, files)
         }
-    };
-    let mut progress = Progress::new(schedule.visits());
-    let solution = Solution::new(system, solved, points, &schedule, chosen_pose, |count| {
-        progress.reached(count)
-    });
-    let solution = match arguments.monitor {
-        true => solution.monitored(),
-        false => solution,
-    };
-    let elapsed = progress.finish();
+        Equations::Blocks => {
+            let interpreted = interpreted(&system, &arguments.file)?;
+            let chosen = chosen(arguments, &interpreted, schedule.start.t)?;
+            report(arguments, interpreted, wanted, &schedule, chosen, files)
+        }
+    }
+}
 
-    let chosen = !arguments.points.is_empty();
-    if arguments.json {
-        print(|output| json::write(&solution, output))?;
-    } else if to_stdout {
-        print(|output| comma_separated::write(&solution, output))?;
-        // If stderr is closed there is nobody to tell.
-        let _ = summary::write(&solution, chosen, &mut io::stderr());
+/// The pose and the modes that are wished for, where some are.
+fn chosen(
+    arguments: &Solve,
+    interpreted: &Interpreted,
+    t: f64,
+) -> Result<Option<(Instant, Modes)>, Problem> {
+    if arguments.branch.is_empty() {
+        return Ok(None);
+    }
+    let wishes = Wishes::read(interpreted, &arguments.branch);
+    let wishes = wishes.map_err(|text| Problem(format!("error: {text}")))?;
+    let assembled = wishes.assembled(interpreted, t).map_err(|failure| {
+        let explained = interpreted.explained(&failure);
+        Problem(format!(
+            "error: the mechanism cannot be assembled so: {explained}"
+        ))
+    });
+    assembled.map(Some)
+}
+
+fn report<V: View>(
+    arguments: &Solve,
+    view: V,
+    wanted: Wanted,
+    schedule: &Schedule,
+    chosen: Option<(Instant, Modes)>,
+    mut files: Files,
+) -> Result<Outcome, Problem> {
+    let mut progress = Progress::new(schedule.visits());
+    let mut motion = Followed::new(view, wanted, schedule.start.t, chosen);
+    // Nothing is written of a motion without a frame.
+    let table = files.frames.take().filter(|_| motion.start.is_some());
+    let mut written: Vec<String> = table
+        .iter()
+        .map(|it| it.path().display().to_string())
+        .collect();
+    let mut reached = |count| progress.reached(count);
+    let to_stdout = is_stdout(&arguments.csv);
+    if arguments.json || to_stdout {
+        let mut refused = Ok(());
+        print(|output| match arguments.json {
+            true => {
+                let mut object = Object::new(&motion, output)?;
+                refused = follow(
+                    &mut motion,
+                    schedule,
+                    Some(&mut object),
+                    table,
+                    &mut reached,
+                )?;
+                object.finish(&motion)
+            }
+            false => {
+                let mut rows = Table::new(&motion, output)?;
+                refused = follow(&mut motion, schedule, Some(&mut rows), table, &mut reached)?;
+                rows.finish()
+            }
+        })?;
+        refused?;
     } else {
+        follow(&mut motion, schedule, None, table, &mut reached).map_err(Problem::of)??;
+    }
+    let elapsed = progress.finish();
+    let is_chosen = !arguments.points.is_empty();
+    if to_stdout {
+        // If stderr is closed there is nobody to tell.
+        let _ = summary::write(&motion, is_chosen, &mut io::stderr());
+    } else if !arguments.json {
         print(|output| {
-            summary::write(&solution, chosen, output)?;
+            summary::write(&motion, is_chosen, output)?;
             match elapsed > PATIENCE {
                 true => writeln!(output, "solved in {:.1} s", elapsed.as_secs_f64()),
                 false => Ok(()),
@@ -86,14 +140,14 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
         })?;
     }
     if !arguments.json {
-        for warning in &solution.warnings {
+        for warning in &motion.warnings {
             say(&format!("warning: {warning}"));
         }
     }
-    if let Some(error) = &solution.error {
-        say(&format!("error: `{}` {error}", solution.title()));
+    if let Some(error) = &motion.error {
+        say(&format!("error: `{}` {error}", motion.title()));
     }
-    let written = write_files(arguments, &solution)?;
+    written.extend(files.draw(&motion)?);
     if !arguments.json && !to_stdout {
         print(|output| {
             written
@@ -101,10 +155,51 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
                 .try_for_each(|line| writeln!(output, "wrote {line}"))
         })?;
     }
-    Ok(match solution.error {
+    Ok(match motion.error {
         None => Outcome::Done,
         Some(_) => Outcome::Failed,
     })
+}
+
+/// Follows the motion, and writes its frames to a file too, where they are wanted there. What is refused there is the inner error.
+fn follow<V: View>(
+    motion: &mut Followed<V>,
+    schedule: &Schedule,
+    sink: Option<&mut dyn Sink>,
+    table: Option<Output>,
+    reached: &mut dyn FnMut(usize),
+) -> io::Result<Result<(), Refused>> {
+    let Some(table) = table else {
+        let mut sinks: Vec<&mut dyn Sink> = sink.into_iter().collect();
+        return motion.follow(schedule, &mut sinks, reached).map(Ok);
+    };
+    let written = table.write(|output| {
+        let mut table = Table::new(motion, output)?;
+        // The file is completed although a reader of stdout has gone away.
+        let mut patient = sink.map(Patient);
+        let mut sinks: Vec<&mut dyn Sink> = Vec::new();
+        sinks.extend(patient.as_mut().map(|it| it as &mut dyn Sink));
+        sinks.push(&mut table);
+        motion.follow(schedule, &mut sinks, reached)?;
+        table.finish()
+    });
+    Ok(written)
+}
+
+/// A sink whose reader may go away early.
+struct Patient<'a>(&'a mut dyn Sink);
+
+impl Sink for Patient<'_> {
+    fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
+        match self.0.take(shown) {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            taken => taken,
+        }
+    }
+}
+
+fn is_stdout(path: &Option<PathBuf>) -> bool {
+    path.as_deref() == Some(Path::new("-"))
 }
 
 fn schedule(arguments: &Solve) -> Result<Schedule, Problem> {
@@ -118,41 +213,99 @@ fn schedule(arguments: &Solve) -> Result<Schedule, Problem> {
     .map_err(|text| Problem(format!("error: {text}")))
 }
 
-/// Writes the frames and plots, where they are wanted and there are any; a line about each.
-fn write_files(arguments: &Solve, solution: &Solution) -> Result<Vec<String>, Problem> {
-    let mut written = Vec::new();
-    if solution.frames().is_empty() {
-        return Ok(written);
-    }
-    let unasked = !arguments.json && arguments.at.is_empty();
-    let folder = || Path::new("target/linkwright").join(solution.folder());
-    let wanted = |asked: &Option<PathBuf>, default: &dyn Fn() -> PathBuf| match asked {
-        None if unasked => Some(default()),
+/// The files that are wanted.
+struct Files {
+    frames: Option<Output>,
+    /// The name of each and, in the order of the points that are shown, where it goes.
+    pictures: Vec<(String, Output)>,
+    folder: PathBuf,
+}
+
+fn files(
+    arguments: &Solve,
+    source: &Source,
+    system: &System,
+    points: &[usize],
+    schedule: &Schedule,
+) -> Result<Files, Problem> {
+    let unasked = !arguments.json && !arguments.no_files && arguments.at.is_empty();
+    let wanted = |asked: &Option<PathBuf>, default: PathBuf| match asked {
+        None if unasked => Some(default),
         asked => asked.clone(),
     };
-    let csv = wanted(&arguments.csv, &|| folder().join("motion.csv"));
-    if let Some(path) = csv.filter(|path| path != Path::new("-")) {
-        replace(&path, |output| comma_separated::write(solution, output))?;
-        written.push(path.display().to_string());
+    // What nobody asked for, and cannot be written, can be asked for elsewhere.
+    let placed = |asked: &Option<PathBuf>, output: Result<Output, Refused>| {
+        output.map_err(|refused| match asked {
+            None => refused.or_help("`--csv FILE` and `--plot DIR` write to other places"),
+            Some(_) => refused,
+        })
+    };
+    let folder = folder(system);
+    let mut outputs = outputs(&arguments.file, source, arguments.force);
+    let frames = wanted(&arguments.csv, folder.join("motion.csv"));
+    let frames = frames.filter(|path| path != Path::new("-"));
+    let frames = frames.map(|path| {
+        let output = outputs.file(&path, comma_separated::SIGNATURE);
+        placed(&arguments.csv, output)
+    });
+    let frames = frames.transpose()?;
+    let mut pictures = Vec::new();
+    let folder = wanted(&arguments.plot, folder);
+    // A curve needs two frames.
+    if let (Some(folder), 2..) = (&folder, schedule.wanted()) {
+        let names = points
+            .iter()
+            .map(|&point| system.outputs[point].name.as_str());
+        for name in distinct(names) {
+            let path = in_folder(folder, &format!("{name}.svg"))?;
+            let output = outputs.file(&path, picture::SIGNATURE);
+            pictures.push((name, placed(&arguments.plot, output)?));
+        }
     }
-    if let Some(folder) = wanted(&arguments.plot, &folder) {
-        let pictures = plot::draw(solution).map_err(|text| Problem(format!("error: {text}")))?;
-        let names: Vec<String> = distinct(pictures.iter().map(|(name, _)| name.as_str()));
-        for (name, (_, picture)) in names.iter().zip(&pictures) {
-            let path = folder.join(format!("{name}.svg"));
-            replace(&path, |output| output.write_all(picture.as_bytes()))?;
+    Ok(Files {
+        frames,
+        pictures,
+        folder: folder.unwrap_or_default(),
+    })
+}
+
+/// The folder for what is written unasked: `target/linkwright/excavator`, `target/linkwright/excavator/reach`.
+fn folder(system: &System) -> PathBuf {
+    let mechanism = &system.mechanism;
+    let motion = mechanism.motion.as_ref().map(|motion| motion.name.as_str());
+    let names = [mechanism.name.as_str()].into_iter().chain(motion);
+    Path::new("target/linkwright").join(names.collect::<PathBuf>())
+}
+
+impl Files {
+    /// Draws the points, if there are frames; a line about each folder.
+    fn draw<V: View>(self, motion: &Followed<V>) -> Result<Vec<String>, Problem> {
+        let mut written = Vec::new();
+        if self.pictures.is_empty() {
+            return Ok(written);
+        }
+        let drawn = plot::draw(motion).map_err(|text| Problem(format!("error: {text}")))?;
+        let mut names = Vec::new();
+        for ((name, output), (_, picture)) in self.pictures.into_iter().zip(&drawn) {
+            output.write(|output| output.write_all(picture.as_bytes()))?;
+            names.push(name);
         }
         match names.as_slice() {
             [] => {}
-            [name] => written.push(folder.join(format!("{name}.svg")).display().to_string()),
+            [name] => written.push(
+                self.folder
+                    .join(format!("{name}.svg"))
+                    .display()
+                    .to_string(),
+            ),
             names => written.push(format!(
                 "{} ({})",
-                folder.join("*.svg").display(),
+                self.folder.join("*.svg").display(),
                 names.join(", ")
             )),
         }
+        Ok(written)
     }
-    Ok(written)
 }
 
 /// File names for points: where two differ in case only, the later one gets a number, since some file systems cannot

@@ -1,12 +1,13 @@
-//! *Assemblies → one SVG:* every body as the lines between its points, each assembly in a panel of its own, the drawing's first.
+//! *Assemblies* → *one SVG*: every body as the lines between its points, each assembly in a panel of its own, the drawing's first.
 //!
 //! All panels have the same scale. The module does not know files.
 
 use linkwright_codegen::expr::Tape;
 use linkwright_codegen::system::System;
+use linkwright_solver::assemblies::Assembly;
 use plotters::prelude::*;
 
-use crate::assemblies::Assembly;
+use super::picture::signed;
 
 /// Width and height of a panel in pixels.
 const PANEL: u32 = 320;
@@ -47,6 +48,7 @@ pub fn draw(system: &System, assemblies: &[Assembly]) -> Result<String, String> 
     if !shapes.is_empty() {
         picture(&mut text, &shapes, assemblies)
             .map_err(|error| format!("cannot draw the assemblies: {error}"))?;
+        text = signed(&text);
     }
     Ok(text)
 }
@@ -58,8 +60,8 @@ fn shape(system: &System, assembly: &Assembly) -> Shape {
     let graph = &mut mechanism.graph;
     let mut symbols = vec![0.0; graph.symbol_count()];
     graph.fill_nominal(&mut symbols);
-    symbols[mechanism.time.index()] = assembly.frame.t;
-    for (coordinate, value) in system.coordinates.iter().zip(assembly.frame.q.iter()) {
+    symbols[mechanism.time.index()] = assembly.instant.t();
+    for (coordinate, value) in system.coordinates.iter().zip(assembly.instant.q()) {
         symbols[coordinate.position.index()] = *value;
     }
     let bodies = mechanism.bodies.iter().skip(1);

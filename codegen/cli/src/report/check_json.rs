@@ -1,4 +1,4 @@
-//! *Check → one JSON object.*
+//! *What was checked* → *one JSON object*.
 //!
 //! | key | value |
 //! |---|---|
@@ -14,9 +14,9 @@
 
 use std::io::{self, Write};
 
+use linkwright_solver::check::Check;
+use linkwright_solver::view::View;
 use serde::Serialize;
-
-use crate::check::Check;
 
 #[derive(Serialize)]
 struct Object<'a> {
@@ -68,49 +68,51 @@ struct Assembly<'a> {
 /// # Errors
 /// Those of `output`.
 pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
-    let found = check.assemblies.as_ref();
-    let assemblies = found.iter().flat_map(|all| &all.found).map(|assembly| {
-        let sign = |positive: &bool| if *positive { 1 } else { -1 };
-        Assembly {
-            signs: assembly.signs.iter().map(sign).collect(),
-            poses: &assembly.poses,
-            drawn: assembly.drawn,
-            q: assembly.frame.q.as_slice(),
-        }
+    let found = &check.assemblies;
+    let assemblies = found.found.iter().map(|assembly| Assembly {
+        signs: assembly
+            .modes
+            .closed
+            .iter()
+            .map(|branch| branch.sign::<f64>() as i8)
+            .collect(),
+        poses: &assembly.poses,
+        drawn: assembly.drawn,
+        q: assembly.instant.q(),
     });
-    let blocks = check.steps.iter().map(|step| Block {
-        block: step.pose.block + 1,
-        unknowns: &step.pose.unknowns,
-        method: &step.pose.method,
-        determinant: step.pose.determinant.as_deref(),
-        singular_where: step.pose.meaning.as_deref(),
-        solutions: step.solutions,
-        closest: step.approach.as_ref().map(|approach| Closest {
+    let blocks = check.parts.iter().map(|part| Block {
+        block: part.pose.block + 1,
+        unknowns: &part.pose.unknowns,
+        method: &part.pose.method,
+        determinant: part.pose.determinant.as_deref(),
+        singular_where: part.pose.meaning.as_deref(),
+        solutions: part.solutions,
+        closest: part.approach.as_ref().map(|approach| Closest {
             measure: approach.measure,
-            t: approach.t,
+            t: approach.instant.t(),
             times: approach.times,
             at_end: approach.at_end,
-            rcond: step.reciprocal,
+            rcond: part.reciprocal,
         }),
     });
-    let solution = &check.solution;
+    let system = check.interpreted.system();
+    let motion = system.mechanism.motion.as_ref();
     let object = Object {
-        mechanism: solution.name(),
-        motion: solution.motion(),
+        mechanism: &system.mechanism.name,
+        motion: motion.map(|motion| motion.name.as_str()),
         kdof: check.kinematic_freedom,
         ndof: check.net_freedom,
         blocks: blocks.collect(),
-        assembly_modes: found.map_or(0, |all| all.modes),
-        coordinates: solution
-            .system
+        assembly_modes: found.modes,
+        coordinates: system
             .coordinates
             .iter()
             .map(|it| it.name.as_str())
             .collect(),
         assemblies: assemblies.collect(),
-        assemblies_cut_short: found.is_some_and(|all| all.cut_short),
+        assemblies_cut_short: found.cut_short,
         warnings: &check.warnings,
-        error: solution.error.as_deref(),
+        error: check.error.as_deref(),
     };
     serde_json::to_writer_pretty(&mut *output, &object)?;
     writeln!(output)

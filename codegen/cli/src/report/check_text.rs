@@ -1,11 +1,12 @@
-//! *Check → what a person reads.*
+//! *What was checked* → *what a person reads*.
 
 use std::io::{self, Write};
 
-use crate::check::{Check, CheckedStep};
-use crate::diagnosis::time;
-use crate::number::{fixed, scientific};
-use crate::solved_interpreter::STARTS;
+use linkwright_solver::check::{Check, CheckedPart};
+use linkwright_solver::number::{fixed, scientific, time};
+use linkwright_solver::search::STARTS;
+use linkwright_solver::view::View;
+use linkwright_solver::warnings::times;
 
 /// How many assemblies are listed.
 const LISTED: usize = 64;
@@ -18,8 +19,8 @@ const ANGLES: usize = 8;
 /// # Errors
 /// Those of `output`.
 pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
-    writeln!(output, "{}", check.solution.title())?;
-    let coordinates = check.solution.system.coordinates.len() as i64;
+    writeln!(output, "{}", check.interpreted.system().mechanism.title())?;
+    let coordinates = check.interpreted.system().coordinates.len() as i64;
     let (kinematic, net) = (check.kinematic_freedom, check.net_freedom);
     writeln!(
         output,
@@ -35,12 +36,12 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
 
 fn blocks(check: &Check, output: &mut dyn Write) -> io::Result<()> {
     writeln!(output, "\nblocks, with their determinants up to the sign")?;
-    if check.steps.is_empty() {
+    if check.parts.is_empty() {
         return writeln!(output, "  everything is explicit: no pose is singular");
     }
-    for step in &check.steps {
-        let pose = &step.pose;
-        let modes = match step.solutions {
+    for part in &check.parts {
+        let pose = &part.pose;
+        let modes = match part.solutions {
             Some(1) => "one solution".to_string(),
             Some(count) => format!("{count} solutions"),
             None => "number of solutions unknown".to_string(),
@@ -58,13 +59,8 @@ fn blocks(check: &Check, output: &mut dyn Write) -> io::Result<()> {
 }
 
 fn assemblies(check: &Check, output: &mut dyn Write) -> io::Result<()> {
-    let Some(all) = &check.assemblies else {
-        return Ok(());
-    };
-    let start = match &check.solution.trajectory.start {
-        Some(frame) => time(frame.t),
-        None => "the start".to_string(),
-    };
+    let all = &check.assemblies;
+    let start = time(check.start);
     let combinations = 2_f64.powi(all.modes.min(1000) as i32);
     let signs = format!(
         "of 2^{} = {combinations} that the signs of closed forms allow",
@@ -85,7 +81,7 @@ fn assemblies(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         },
         all.found.len(),
     )?;
-    let system = &check.solution.system;
+    let system = &check.interpreted.system();
     let angles: Vec<usize> = (0..system.coordinates.len())
         .filter(|&place| system.coordinates[place].name.starts_with("phi"))
         .take(ANGLES)
@@ -107,7 +103,7 @@ fn assemblies(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         let values: String = angles
             .iter()
             .map(|&place| {
-                let degrees = assembly.frame.q[place].to_degrees();
+                let degrees = assembly.instant.q()[place].to_degrees();
                 format!("  {:>11}°", fixed(degrees, 4))
             })
             .collect();
@@ -127,30 +123,24 @@ fn signs_width(characters: usize) -> usize {
 }
 
 fn approaches(check: &Check, output: &mut dyn Write) -> io::Result<()> {
-    let measured: Vec<&CheckedStep> = check
-        .steps
+    let measured: Vec<&CheckedPart> = check
+        .parts
         .iter()
         .filter(|it| it.approach.is_some())
         .collect();
-    let (Some(first), Some(last)) = (
-        check.solution.frames().first(),
-        check.solution.frames().last(),
-    ) else {
+    let Some([first, last]) = check.range.filter(|_| !measured.is_empty()) else {
         return Ok(());
     };
-    if measured.is_empty() {
-        return Ok(());
-    }
     writeln!(
         output,
         "\nclosest to singular from t = {} s to {} s (0 is singular, 1 as far from it as can be)",
-        time(first.t),
-        time(last.t)
+        time(first),
+        time(last)
     )?;
-    let closest = check.closest().map(|it| (it.pose.block, it.pose.step));
-    for step in measured {
-        if let Some(approach) = &step.approach {
-            let mark = match closest == Some((step.pose.block, step.pose.step)) {
+    let closest = check.closest().map(|it| (it.pose.block, it.pose.part));
+    for part in measured {
+        if let Some(approach) = &part.approach {
+            let mark = match closest == Some((part.pose.block, part.pose.part)) {
                 true => "*",
                 false => " ",
             };
@@ -159,21 +149,17 @@ fn approaches(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             } else {
                 ""
             };
-            let times = match approach.times {
-                1 => String::new(),
-                2 => ", and once more".to_string(),
-                count => format!(", and {} more times", count - 1),
-            };
-            let reciprocal = step.reciprocal.map_or(String::new(), |it| {
+            let times = times(approach.times);
+            let reciprocal = part.reciprocal.map_or(String::new(), |it| {
                 format!("; reciprocal condition of Φ_q {}", scientific(it, 2))
             });
             writeln!(
                 output,
                 "{mark} block {}, {}: {} at t = {} s{end}{times}{reciprocal}",
-                step.pose.block + 1,
-                step.pose.unknowns,
+                part.pose.block + 1,
+                part.pose.unknowns,
                 fixed(approach.measure, 9),
-                time(approach.t),
+                time(approach.instant.t()),
             )?;
         }
     }

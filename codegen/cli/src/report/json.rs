@@ -1,4 +1,4 @@
-//! *Solution → one JSON object.*
+//! *A motion* → *one JSON object*.
 //!
 //! | key | value |
 //! |---|---|
@@ -18,18 +18,20 @@
 
 use std::io::{self, Write};
 
-use linkwright::{Frame, Motion};
+use linkwright::Motion;
 use linkwright_codegen::model::Role;
-use nalgebra::Dyn;
+use linkwright_solver::check::equation_count;
+use linkwright_solver::pressure::LargestPressureAngle;
+use linkwright_solver::residuals::Residuals;
+use linkwright_solver::view::View;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::pressure::LargestPressureAngle;
-use crate::residuals::Residuals;
-use crate::solution::Solution;
+use crate::motion::{Followed, Shown, Sink};
 
+/// What is known before the motion is followed.
 #[derive(Serialize)]
-struct Object<'a> {
+struct Head<'a> {
     mechanism: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     motion: Option<&'a str>,
@@ -40,35 +42,49 @@ struct Object<'a> {
     rcond_dimensionless: f64,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     derivatives: &'a [String],
-    frames: Frames<'a>,
-    residuals: &'a Residuals,
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    pressure_angles: &'a [LargestPressureAngle],
+}
+
+/// What is known afterwards.
+#[derive(Serialize)]
+struct Tail<'a> {
+    residuals: Largest,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pressure_angles: Vec<Pressure<'a>>,
     newton_steps: u64,
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
 }
 
-/// The frames one by one, so that the whole text is never held.
-struct Frames<'a>(&'a Solution);
+#[derive(Serialize)]
+struct Largest {
+    position: f64,
+    scaled: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    monitored: Option<f64>,
+    velocity: f64,
+    acceleration: f64,
+}
 
-impl Serialize for Frames<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let frames = self.0.frames().iter().enumerate();
-        serializer.collect_seq(frames.map(|(index, frame)| Instant {
-            t: frame.t,
-            q: frame.q.as_slice(),
-            qd: frame.qd.as_slice(),
-            qdd: frame.qdd.as_slice(),
-            points: Points(self.0, frame),
-            derivatives: self.0.derivatives.values.get(index).map(Option::as_deref),
-        }))
+#[derive(Serialize)]
+struct Pressure<'a> {
+    joint: &'a str,
+    angle: Option<f64>,
+    t: f64,
+}
+
+impl<'a> From<&'a LargestPressureAngle> for Pressure<'a> {
+    fn from(it: &'a LargestPressureAngle) -> Self {
+        Pressure {
+            joint: &it.joint,
+            angle: it.angle,
+            t: it.t,
+        }
     }
 }
 
 #[derive(Serialize)]
-struct Instant<'a> {
+struct Frame<'a> {
     t: f64,
     q: &'a [f64],
     qd: &'a [f64],
@@ -79,13 +95,13 @@ struct Instant<'a> {
     derivatives: Option<Option<&'a [f64]>>,
 }
 
-struct Points<'a>(&'a Solution, &'a Frame<f64, Dyn>);
+struct Points<'a>(&'a [String], &'a [Motion]);
 
 impl Serialize for Points<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.points.len()))?;
-        for (name, motion) in self.0.motions(self.1) {
-            map.serialize_entry(name, &PointMotion::from(motion))?;
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (name, motion) in self.0.iter().zip(self.1) {
+            map.serialize_entry(name, &PointMotion::from(*motion))?;
         }
         map.end()
     }
@@ -98,8 +114,8 @@ struct PointMotion {
     acceleration: [f64; 2],
 }
 
-impl From<Motion<f64>> for PointMotion {
-    fn from(motion: Motion<f64>) -> Self {
+impl From<Motion> for PointMotion {
+    fn from(motion: Motion) -> Self {
         PointMotion {
             position: motion.position,
             velocity: motion.velocity,
@@ -108,30 +124,86 @@ impl From<Motion<f64>> for PointMotion {
     }
 }
 
-/// Writes the object and a line break.
-///
-/// # Errors
-/// Those of `output`.
-pub fn write(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
-    let coordinates = &solution.system.coordinates;
-    let object = Object {
-        mechanism: solution.name(),
-        motion: solution.motion(),
-        coordinates: coordinates.iter().map(|it| it.name.as_str()).collect(),
-        degrees_of_freedom: coordinates
-            .len()
-            .saturating_sub(solution.equation_count(Role::Constraint)),
-        det: solution.condition.determinant,
-        rcond: solution.condition.reciprocal,
-        rcond_dimensionless: solution.dimensionless_condition.reciprocal,
-        derivatives: &solution.derivatives.names,
-        frames: Frames(solution),
-        residuals: &solution.residuals,
-        pressure_angles: &solution.pressure_angles,
-        newton_steps: solution.trajectory.newton_steps,
-        warnings: &solution.warnings,
-        error: solution.error.as_deref(),
-    };
-    serde_json::to_writer(&mut *output, &object)?;
-    output.write_all(b"\n")
+/// The object of a motion, to which frames are added one by one, so that the whole text is never held.
+pub struct Object<'a> {
+    output: &'a mut dyn Write,
+    points: Vec<String>,
+    has_derivatives: bool,
+    is_first: bool,
+}
+
+impl<'a> Object<'a> {
+    /// Begins the object.
+    ///
+    /// # Errors
+    /// Those of `output`.
+    pub fn new<V: View>(motion: &Followed<V>, output: &'a mut dyn Write) -> io::Result<Object<'a>> {
+        let coordinates = &motion.system().coordinates;
+        let constrained = equation_count(motion.system(), Role::Constraint);
+        let head = serde_json::to_string(&Head {
+            mechanism: motion.name(),
+            motion: motion.motion(),
+            coordinates: coordinates.iter().map(|it| it.name.as_str()).collect(),
+            degrees_of_freedom: coordinates.len().saturating_sub(constrained),
+            det: motion.condition.determinant,
+            rcond: motion.condition.reciprocal,
+            rcond_dimensionless: motion.dimensionless_condition.reciprocal,
+            derivatives: &motion.derivative_names,
+        })?;
+        // The object goes on.
+        write!(output, "{},\"frames\":[", head.trim_end_matches('}'))?;
+        Ok(Object {
+            output,
+            points: motion.point_names().map(str::to_string).collect(),
+            has_derivatives: !motion.derivative_names.is_empty(),
+            is_first: true,
+        })
+    }
+
+    /// Ends the object.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn finish<V: View>(self, motion: &Followed<V>) -> io::Result<()> {
+        let Residuals {
+            position,
+            scaled,
+            monitored,
+            velocity,
+            acceleration,
+            ..
+        } = motion.residuals.largest;
+        let [newton_steps, _] = motion.view.newton_steps();
+        let tail = serde_json::to_string(&Tail {
+            residuals: Largest {
+                position,
+                scaled,
+                monitored,
+                velocity,
+                acceleration,
+            },
+            pressure_angles: motion.pressure.largest.iter().map(Pressure::from).collect(),
+            newton_steps,
+            warnings: &motion.warnings,
+            error: motion.error.as_deref(),
+        })?;
+        writeln!(self.output, "],{}", tail.trim_start_matches('{'))
+    }
+}
+
+impl Sink for Object<'_> {
+    fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
+        if !std::mem::take(&mut self.is_first) {
+            self.output.write_all(b",")?;
+        }
+        let frame = Frame {
+            t: shown.instant.t(),
+            q: shown.instant.q(),
+            qd: shown.instant.qd(),
+            qdd: shown.instant.qdd(),
+            points: Points(&self.points, shown.motions),
+            derivatives: self.has_derivatives.then_some(shown.derivatives),
+        };
+        Ok(serde_json::to_writer(&mut *self.output, &frame)?)
+    }
 }

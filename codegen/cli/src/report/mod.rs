@@ -1,4 +1,4 @@
-//! *A [`Solution`](crate::solution::Solution) → text, JSON, CSV and SVG.*
+//! *A motion, or what was checked of it* → *text, JSON, CSV and SVG*.
 //!
 //! One file per output. None of them evaluates more than the motion of points, and none knows where its output goes.
 
@@ -8,5 +8,6 @@ pub mod check_text;
 pub mod comma_separated;
 pub mod json;
 pub mod motion_table;
+pub mod picture;
 pub mod plot;
 pub mod summary;

@@ -1,11 +1,11 @@
-//! *The motion of a point → a table of a readable number of times.*
+//! *The motion of a point* → *a table of a readable number of times*.
 //!
 //! Columns are aligned at the decimal point; a column is in exponents only where six decimals would not show it. Numbers
 //! below 1e-12 of the mechanism's size count as zero. The module does not know what is to be said beside the table.
 
 use linkwright::Motion;
 
-use crate::number::{fixed, scientific};
+use linkwright_solver::number::{fixed, scientific};
 
 /// How many rows a table has at most.
 const ROWS: usize = 11;

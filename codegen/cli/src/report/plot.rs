@@ -1,14 +1,14 @@
-//! *Solution → one SVG per point:* position, velocity and acceleration over time, x and y in each panel.
+//! *A motion* → *one SVG per point*: position, velocity and acceleration over time, x and y in each panel.
 //!
-//! Curves of more than a few thousand frames are drawn by the extremes of each stretch, so that no peak is lost. What
-//! varies by less than rounding is drawn as a level line. The module does not know files.
+//! What varies by less than rounding is drawn as a level line. The module does not know files.
 
-use linkwright::Motion;
+use linkwright_solver::view::View;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::solution::Solution;
+use super::picture::signed;
+use crate::motion::{Curve, Followed};
 
 /// Width and height of a picture in pixels.
 const SIZE: (u32, u32) = (960, 900);
@@ -20,9 +20,6 @@ const UNITS: u32 = 4;
 /// Blue and vermillion of the palette of Okabe and Ito, which remain distinct for the color-blind.
 const COLORS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
 
-/// Curves with more frames are thinned out.
-const FRAMES: usize = 2000;
-
 /// A range below this fraction of the values' magnitude is rounding.
 const FLAT: f64 = 1e-9;
 
@@ -33,30 +30,27 @@ struct Panel {
     symbols: [&'static str; 2],
     /// The magnitude that variations are compared with.
     reference: f64,
-    pick: fn(&Motion<f64>) -> [f64; 2],
+    /// 0 for position, 1 for velocity, 2 for acceleration.
+    level: usize,
 }
 
-/// The picture of each shown point, in their order; nothing for fewer than two frames.
+/// The picture of each shown point with its name, in their order; nothing for fewer than two frames.
 ///
 /// # Errors
 /// What the drawing library refuses.
-pub fn draw(solution: &Solution) -> Result<Vec<(String, String)>, String> {
-    let frames = solution.frames();
-    if frames.len() < 2 {
+pub fn draw<V: View>(motion: &Followed<V>) -> Result<Vec<(String, String)>, String> {
+    let curves = &motion.curves;
+    if motion.count < 2 {
         return Ok(Vec::new());
     }
-    let mut motions: Vec<Vec<Motion<f64>>> =
-        vec![Vec::with_capacity(frames.len()); solution.points.len()];
-    for frame in frames {
-        for (curve, (_, motion)) in motions.iter_mut().zip(solution.motions(frame)) {
-            curve.push(motion);
-        }
-    }
-    let times: Vec<f64> = frames.iter().map(|frame| frame.t).collect();
-    let size = solution.system.mechanism.characteristic_length;
-    let largest = |pick: fn(&Motion<f64>) -> [f64; 2]| {
-        let values = motions.iter().flatten().flat_map(pick);
-        let largest = values.fold(0.0_f64, |most, it| most.max(it.abs()));
+    let size = motion.system().mechanism.characteristic_length;
+    let largest = |level: usize| {
+        let components = curves
+            .iter()
+            .flat_map(|curve| [0, 1].map(|axis| curve.component(level, axis)));
+        let largest = components
+            .flatten()
+            .fold(0.0_f64, |most, (_, it)| most.max(it.abs()));
         if largest > 0.0 { largest } else { size }
     };
     let panels = [
@@ -65,28 +59,27 @@ pub fn draw(solution: &Solution) -> Result<Vec<(String, String)>, String> {
             unit: "m",
             symbols: ["x", "y"],
             reference: size,
-            pick: |it| it.position,
+            level: 0,
         },
         Panel {
             title: "velocity",
             unit: "m/s",
             symbols: ["vx", "vy"],
-            reference: largest(|it| it.velocity),
-            pick: |it| it.velocity,
+            reference: largest(1),
+            level: 1,
         },
         Panel {
             title: "acceleration",
             unit: "m/s²",
             symbols: ["ax", "ay"],
-            reference: largest(|it| it.acceleration),
-            pick: |it| it.acceleration,
+            reference: largest(2),
+            level: 2,
         },
     ];
-    let mut pictures = Vec::with_capacity(motions.len());
-    for (curve, point) in motions.iter().zip(&solution.points) {
-        let name = solution.point_name(*point);
-        let title = format!("Point {name} of {}", solution.title());
-        let picture = picture(&title, &times, curve, &panels)
+    let mut pictures = Vec::with_capacity(curves.len());
+    for (curve, name) in curves.iter().zip(motion.point_names()) {
+        let title = format!("Point {name} of {}", motion.title());
+        let picture = picture(&title, curve, &panels)
             .map_err(|error| format!("cannot draw point `{name}`: {error}"))?;
         pictures.push((name.to_string(), picture));
     }
@@ -96,12 +89,7 @@ pub fn draw(solution: &Solution) -> Result<Vec<(String, String)>, String> {
 type Drawing<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Refused = Box<dyn std::error::Error>;
 
-fn picture(
-    title: &str,
-    times: &[f64],
-    motions: &[Motion<f64>],
-    panels: &[Panel],
-) -> Result<String, Refused> {
+fn picture(title: &str, curve: &Curve, panels: &[Panel]) -> Result<String, Refused> {
     let units = (SIZE.0 * UNITS, SIZE.1 * UNITS);
     let mut text = String::new();
     {
@@ -110,25 +98,20 @@ fn picture(
         let area = area.margin(8 * UNITS, 0, 0, 0);
         let body = area.titled(title, ("sans-serif", 22 * UNITS))?;
         for (area, panel) in body.split_evenly((panels.len(), 1)).iter().zip(panels) {
-            draw_panel(area, panel, times, motions)?;
+            draw_panel(area, panel, curve)?;
         }
         area.present()?;
     }
     // The view box keeps the units; only the size at which it is shown changes.
     let size = |(width, height): (u32, u32)| format!("width=\"{width}\" height=\"{height}\"");
-    Ok(text.replacen(&size(units), &size(SIZE), 1))
+    Ok(signed(&text.replacen(&size(units), &size(SIZE), 1)))
 }
 
-fn draw_panel(
-    area: &Drawing,
-    panel: &Panel,
-    times: &[f64],
-    motions: &[Motion<f64>],
-) -> Result<(), Refused> {
-    let components: [Vec<f64>; 2] =
-        [0, 1].map(|axis| motions.iter().map(|it| (panel.pick)(it)[axis]).collect());
-    let (low, high) = range(components.iter().flatten().copied(), panel.reference);
-    let (begin, end) = (times[0], times[times.len() - 1]);
+fn draw_panel(area: &Drawing, panel: &Panel, curve: &Curve) -> Result<(), Refused> {
+    let components = [0, 1].map(|axis| curve.component(panel.level, axis));
+    let values = components.iter().flatten().map(|(_, value)| *value);
+    let (low, high) = range(values, panel.reference);
+    let [begin, end] = curve.range().unwrap_or_default();
     let mut chart = ChartBuilder::on(area)
         .margin(8 * UNITS)
         .margin_right(72 * UNITS)
@@ -155,9 +138,9 @@ fn draw_panel(
     let units = UNITS as i32;
     let left = width as i32 - 62 * units;
     let curves = components.iter().zip(COLORS).zip(panel.symbols);
-    for (row, ((values, color), symbol)) in (0..).zip(curves) {
+    for (row, ((points, color), symbol)) in (0..).zip(curves) {
         let stroke = color.stroke_width(2 * UNITS);
-        chart.draw_series(LineSeries::new(thinned(times, values), stroke))?;
+        chart.draw_series(LineSeries::new(points.iter().copied(), stroke))?;
         // The legend stands beside the curves, where it hides nothing.
         let y = (24 + 22 * row) * units;
         let sample = vec![(left, y), (left + 20 * units, y)];
@@ -204,40 +187,10 @@ fn label_format(low: f64, high: f64) -> impl Fn(&f64) -> String {
             *value
         };
         match plain {
-            true => crate::number::fixed(value, decimals),
-            false => crate::number::scientific(value, digits),
+            true => linkwright_solver::number::fixed(value, decimals),
+            false => linkwright_solver::number::scientific(value, digits),
         }
     }
-}
-
-/// The points of a curve; of a long one the smallest and the largest value of each stretch, in the order of time.
-fn thinned(times: &[f64], values: &[f64]) -> Vec<(f64, f64)> {
-    let point = |index: usize| (times[index], values[index]);
-    if values.len() <= FRAMES {
-        return (0..values.len()).map(point).collect();
-    }
-    let stretch = values.len().div_ceil(FRAMES / 2);
-    let mut points = Vec::with_capacity(FRAMES + 2);
-    for begin in (0..values.len()).step_by(stretch) {
-        let stretch = begin..(begin + stretch).min(values.len());
-        let by_value = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
-        let extremes = [
-            stretch.clone().min_by(by_value),
-            stretch.clone().max_by(by_value),
-        ];
-        let (first, second) = (
-            extremes[0].min(extremes[1]).unwrap_or(begin),
-            extremes[0].max(extremes[1]).unwrap_or(begin),
-        );
-        points.push(point(first));
-        if second != first {
-            points.push(point(second));
-        }
-    }
-    // The ends of the curve belong to the picture, extreme or not.
-    points.insert(0, point(0));
-    points.push(point(values.len() - 1));
-    points
 }
 
 #[cfg(test)]
@@ -252,16 +205,5 @@ mod tests {
         assert_eq!(range([0.0, 1e-17].into_iter(), 1.0), (-0.1, 0.1));
         let (low, high) = range([1.0, 1.001].into_iter(), 1.0);
         assert!(low > 0.999 && high < 1.002, "{low} {high}");
-    }
-
-    #[test]
-    fn a_long_curve_keeps_its_peaks() {
-        let times: Vec<f64> = (0..100_000).map(f64::from).collect();
-        let mut values = vec![0.0; times.len()];
-        values[54_321] = 7.0;
-        let points = thinned(&times, &values);
-        assert!(points.len() <= FRAMES + 4, "{}", points.len());
-        assert!(points.contains(&(54_321.0, 7.0)));
-        assert!(points.is_sorted_by(|a, b| a.0 <= b.0));
     }
 }

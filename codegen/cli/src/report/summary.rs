@@ -1,4 +1,4 @@
-//! *Solution → what a person reads:* the mechanism, its equations, the start, the motion of the points, the residuals.
+//! *A motion* → *what a person reads*: the mechanism, its equations, the start, the motion of the points, the residuals.
 
 use std::io::{self, Write};
 
@@ -6,10 +6,13 @@ use linkwright_codegen::emit::Notation;
 use linkwright_codegen::emit::text::formula;
 use linkwright_codegen::model::Role;
 
+use linkwright_solver::check::equation_count;
+use linkwright_solver::diagnosis::unit;
+use linkwright_solver::number::{counted, fixed, scientific, time};
+use linkwright_solver::view::View;
+
 use super::motion_table;
-use crate::diagnosis::{time, unit};
-use crate::number::{counted, fixed, scientific};
-use crate::solution::Solution;
+use crate::motion::Followed;
 
 /// The width that lists are wrapped to, in characters.
 const WIDTH: usize = 110;
@@ -28,38 +31,43 @@ const INDENT: usize = 24;
 ///
 /// # Errors
 /// Those of `output`.
-pub fn write(solution: &Solution, chosen: bool, output: &mut dyn Write) -> io::Result<()> {
-    writeln!(output, "{}", solution.title())?;
-    start(solution, output)?;
-    mechanism(solution, output)?;
-    if solution.frames().is_empty() {
+pub fn write<V: View>(
+    motion: &Followed<V>,
+    chosen: bool,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    writeln!(output, "{}", motion.title())?;
+    start(motion, output)?;
+    mechanism(motion, output)?;
+    if motion.count == 0 {
         return Ok(());
     }
-    motions(solution, chosen, output)?;
+    motions(motion, chosen, output)?;
     writeln!(output)?;
-    pressure_angles(solution, output)?;
-    closest(solution, output)?;
-    residuals(solution, output)
+    pressure_angles(motion, output)?;
+    closest(motion, output)?;
+    residuals(motion, output)
 }
 
 /// Where blocks are closest to singular, where that is asked for.
-fn closest(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
-    let Some(monitor) = &solution.monitor else {
+fn closest<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    if !motion.wanted.monitor {
         return Ok(());
-    };
-    match monitor.smallest() {
-        Some((name, at, measure)) => writeln!(
+    }
+    match motion.smallest_measure {
+        Some((place, t, measure)) => writeln!(
             output,
-            "closest to singular\n  {name} = {} at t = {} s\n",
+            "closest to singular\n  {} = {} at t = {} s\n",
+            motion.measure_names[place],
             fixed(measure, 6),
-            time(solution.frames()[at].t)
+            time(t)
         ),
         None => writeln!(output, "closest to singular\n  no block can be\n"),
     }
 }
 
-fn pressure_angles(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
-    let found = &solution.pressure_angles;
+fn pressure_angles<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let found = &motion.pressure.largest;
     if found.is_empty() {
         return Ok(());
     }
@@ -79,8 +87,8 @@ fn pressure_angles(solution: &Solution, output: &mut dyn Write) -> io::Result<()
 }
 
 /// The parameters and inputs with what they are here.
-fn given(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
-    let system = &solution.system;
+fn given<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let system = motion.system();
     let mechanism = &system.mechanism;
     let parameters = mechanism.parameters.iter().map(|own| {
         let value = mechanism.graph.nominal(own.symbol).unwrap_or(f64::NAN);
@@ -99,14 +107,14 @@ fn given(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-fn mechanism(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
-    let system = &solution.system;
+fn mechanism<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let system = motion.system();
     let bodies = system.mechanism.moving_bodies();
     let names = bodies.iter().map(|body| body.name.clone());
     list(output, "bodies", bodies.len(), names)?;
     let names = system.coordinates.iter().map(|it| it.name.clone());
     shortened(output, "coordinates", system.coordinates.len(), names)?;
-    given(solution, output)?;
+    given(motion, output)?;
     for (title, role) in [
         ("constraint equations", Role::Constraint),
         ("driver equations", Role::Driver),
@@ -120,13 +128,13 @@ fn mechanism(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
                     rows => format!("{} [{rows}]", joint.label),
                 }
             });
-        list(output, title, solution.equation_count(role), labels)?;
+        list(output, title, equation_count(system, role), labels)?;
     }
     let free = system
         .coordinates
         .len()
-        .saturating_sub(solution.equation_count(Role::Constraint));
-    let driven = solution.equation_count(Role::Driver);
+        .saturating_sub(equation_count(system, Role::Constraint));
+    let driven = equation_count(system, Role::Driver);
     let text = format!(
         "{free} without drivers, {} with them",
         free.saturating_sub(driven)
@@ -134,35 +142,27 @@ fn mechanism(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
     line(output, "degrees of freedom", &text)
 }
 
-fn start(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
-    let when = match &solution.trajectory.start {
-        Some(frame) => format!("at t = {} s", time(frame.t)),
+fn start<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let when = match motion.start {
+        Some(t) => format!("at t = {} s", time(t)),
         None => "in the drawing".to_string(),
     };
     let text = format!(
         "det Φ_q = {}, reciprocal condition {} (dimensionless: {})",
-        scientific(solution.condition.determinant, 6),
-        scientific(solution.condition.reciprocal, 2),
-        scientific(solution.dimensionless_condition.reciprocal, 2),
+        scientific(motion.condition.determinant, 6),
+        scientific(motion.condition.reciprocal, 2),
+        scientific(motion.dimensionless_condition.reciprocal, 2),
     );
     line(output, &when, &text)
 }
 
-fn motions(solution: &Solution, chosen: bool, output: &mut dyn Write) -> io::Result<()> {
-    let size = solution.system.mechanism.characteristic_length;
-    let frames: Vec<_> = motion_table::shown(solution.frames().len())
-        .into_iter()
-        .map(|index| &solution.frames()[index])
-        .collect();
-    let times: Vec<f64> = frames.iter().map(|frame| frame.t).collect();
-    let all: Vec<Vec<_>> = frames
-        .iter()
-        .map(|frame| solution.motions(frame).collect())
-        .collect();
+fn motions<V: View>(motion: &Followed<V>, chosen: bool, output: &mut dyn Write) -> io::Result<()> {
+    let size = motion.system().mechanism.characteristic_length;
+    let rows = motion.rows.numbered(&motion_table::shown(motion.count));
+    let times: Vec<f64> = rows.iter().map(|row| row.t).collect();
     let (mut tables, mut unprinted, mut resting) = (0, Vec::new(), Vec::new());
-    for (position, point) in solution.points.iter().enumerate() {
-        let name = solution.point_name(*point);
-        let motions: Vec<_> = all.iter().map(|frame| frame[position].1).collect();
+    for (position, name) in motion.point_names().enumerate() {
+        let motions: Vec<_> = rows.iter().map(|row| row.motions[position]).collect();
         if motion_table::rests(&motions, size) {
             let [x, y] = motions[0].position.map(|it| fixed(it, 6));
             resting.push(format!("{name} stays at ({x}, {y}) m"));
@@ -187,20 +187,21 @@ fn motions(solution: &Solution, chosen: bool, output: &mut dyn Write) -> io::Res
     Ok(())
 }
 
-fn residuals(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
-    let found = &solution.residuals;
-    let frames = counted(solution.frames().len(), "frame");
+fn residuals<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let found = &motion.residuals.largest;
+    let system = motion.system();
+    let frames = counted(motion.count, "frame");
     writeln!(output, "largest residuals over {frames}")?;
-    let joint = solution.system.rows.get(found.row).map(|row| row.joint);
+    let joint = system.rows.get(found.row).map(|row| row.joint);
     let place = match joint {
         Some(joint) if found.position > 0.0 => {
-            format!(" in {}", solution.system.mechanism.joints[joint].label)
+            format!(" in {}", system.mechanism.joints[joint].label)
         }
         _ => String::new(),
     };
-    let unit = match solution.system.rows.is_empty() {
+    let unit = match system.rows.is_empty() {
         true => String::new(),
-        false => unit(&solution.system, found.row),
+        false => unit(system, found.row),
     };
     let text = format!(
         "{} {unit}{place}; relative to its terms at most {}",
@@ -209,18 +210,24 @@ fn residuals(solution: &Solution, output: &mut dyn Write) -> io::Result<()> {
     );
     line(output, "|Φ|", &text)?;
     if let Some(most) = found.monitored {
-        let row = &solution.system.monitored[found.monitored_row];
-        let joint = &solution.system.mechanism.joints[row.joint].label;
+        let row = &system.monitored[found.monitored_row];
+        let joint = &system.mechanism.joints[row.joint].label;
         let text = format!("{} in {joint}", scientific(most, 1));
         line(output, "redundant equations", &text)?;
     }
     line(output, "|Φ_q q̇ + Φ_t|", &scientific(found.velocity, 1))?;
     line(output, "|Φ_q q̈ - γ|", &scientific(found.acceleration, 1))?;
-    let steps = format!(
-        "{} in {}, polishing included",
-        solution.trajectory.newton_steps,
-        counted(solution.trajectory.visits, "solve")
-    );
+    let [steps, solves] = motion.view.newton_steps();
+    let steps = match solves {
+        0 => format!(
+            "none in {}: all blocks have closed forms",
+            counted(motion.visits, "instant")
+        ),
+        _ => format!(
+            "{steps} in {}, polishing included",
+            counted(solves as usize, "solve")
+        ),
+    };
     line(output, "Newton-Raphson steps", &steps)
 }
 

@@ -3,6 +3,7 @@
 mod branch;
 mod check;
 mod derivatives;
+mod files;
 mod folder;
 mod generate_and_inspect;
 mod motions;

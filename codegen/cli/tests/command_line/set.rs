@@ -86,25 +86,36 @@ fn what_cannot_be_set_is_said_with_its_place() {
         ("L=5deg", "K21", "expected a length, found an angle"),
         ("L=t", "K23", "the parameter `L` cannot depend on `t`"),
         ("L=1/0", "K22", "division by zero"),
-        ("L", "K02", "expected `=`"),
+        ("L", "K02", "expected `=`, found the end"),
+        ("L=", "K02", "expected a formula, found the end"),
+        ("=1", "K02", "expected the name of a parameter or an input"),
+        ("L=}", "K04", "closes nothing"),
     ] {
         let ran = folder
             .run(&format!("solve a.mech --set {assignment}"))
             .exits_with(2);
+        assert!(!ran.stderr.contains("constant"), "{}", ran.stderr);
         assert!(
             ran.stderr.contains(&format!("error[{code}]")),
             "{}",
             ran.stderr
         );
         assert!(ran.stderr.contains(text), "{}", ran.stderr);
-        assert!(ran.stderr.contains("--> --set:"), "{}", ran.stderr);
+        // The place is one of what was written, not of what is made of it.
+        let value = assignment.find('=').map_or(assignment.len(), |at| at + 1);
+        let column = match code {
+            "K11" => 1,
+            "K22" => value + 3,
+            _ if assignment.starts_with('=') => 1,
+            _ => value + 1,
+        };
+        let place = format!(" --> --set:1:{column}\n  |\n1 | {assignment}\n");
+        assert!(ran.stderr.contains(&place), "{place}{}", ran.stderr);
     }
-    let ran = folder
-        .run("solve a.mech --set L=1;revolute(P,P)")
-        .exits_with(2);
-    assert!(
-        ran.stderr.contains("takes one assignment"),
-        "{}",
-        ran.stderr
-    );
+    for several in ["L=1;revolute(P,P)", "L=1;", ";", "L=1;angle=2"] {
+        let ran = folder.run(&format!("solve a.mech --set {several}"));
+        let ran = ran.exits_with(2);
+        let words = "takes one assignment";
+        assert!(ran.stderr.contains(words), "{}", ran.stderr);
+    }
 }

@@ -24,14 +24,20 @@ impl Script {
         }
     }
 
-    /// An expression as a formula.
-    pub(super) fn expression(self, system: &System, parts: &NamedParts, expr: ExprId) -> String {
+    /// An expression as a formula, with the names of parts where it is long.
+    pub(super) fn expression(
+        self,
+        system: &System,
+        parts: &NamedParts,
+        is_long: bool,
+        expr: ExprId,
+    ) -> String {
         match self {
             Script::Text(notation) => text::Printer::new(system, &[], notation)
-                .naming(parts)
+                .naming(parts, is_long)
                 .expression(expr),
             Script::Latex => latex::Printer::new(system, &[])
-                .naming(parts)
+                .naming(parts, is_long)
                 .expression(expr),
         }
     }
@@ -72,10 +78,7 @@ impl Script {
     pub(super) fn vector(self, name: &str) -> String {
         match self {
             Script::Text(_) => name.to_string(),
-            Script::Latex if name.chars().count() > 1 => {
-                format!("\\overrightarrow{{\\mathrm{{{}}}}}", latex::escaped(name))
-            }
-            Script::Latex => format!("\\mathbf{{{name}}}"),
+            Script::Latex => latex::vector_name(name),
         }
     }
 
@@ -131,6 +134,22 @@ impl Script {
             Script::Text(Notation::Ascii) => format!("perp({name})"),
             Script::Text(Notation::Unicode) => format!("{name}⊥"),
             Script::Latex => format!("{}^{{\\perp}}", self.vector(name)),
+        }
+    }
+
+    /// A matrix with an index.
+    pub(super) fn matrix(self, name: &str, index: &str) -> String {
+        match self {
+            Script::Text(_) => format!("{name}_{index}"),
+            Script::Latex => format!("\\mathbf{{{name}}}_{{\\mathbf{{{index}}}}}"),
+        }
+    }
+
+    /// A symbol with a number: `g1`.
+    pub(super) fn numbered(self, name: &str, number: usize) -> String {
+        match self {
+            Script::Text(_) => format!("{name}{number}"),
+            Script::Latex => format!("{name}_{{{number}}}"),
         }
     }
 

@@ -1,7 +1,7 @@
 //! One expression → LaTeX for math mode.
 
 use super::super::named_parts::NamedParts;
-use super::super::parts::{Fraction, Part, fraction, terms};
+use super::super::parts::{Fraction, Part, addends, terms};
 use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
 use crate::system::{Described, SymbolRole, System, WrittenOrder};
 
@@ -11,6 +11,8 @@ pub(crate) struct Printer<'a> {
     system: &'a System,
     order: WrittenOrder<'a>,
     parts: Option<&'a NamedParts>,
+    /// Whether what is shared has a name, and not choices alone.
+    is_long: bool,
 }
 
 impl<'a> Printer<'a> {
@@ -20,13 +22,15 @@ impl<'a> Printer<'a> {
             system,
             order: WrittenOrder::new(system, bodies),
             parts: None,
+            is_long: false,
         }
     }
 
-    /// The same, with names in the place of long choices.
-    pub(crate) fn naming(self, parts: &'a NamedParts) -> Printer<'a> {
+    /// The same, with names in the place of long choices; in a long formula of everything that has one.
+    pub(crate) fn naming(self, parts: &'a NamedParts, is_long: bool) -> Printer<'a> {
         Printer {
             parts: Some(parts),
+            is_long,
             ..self
         }
     }
@@ -37,7 +41,17 @@ impl<'a> Printer<'a> {
 
     /// The whole expression.
     pub(crate) fn expression(&self, expr: ExprId) -> String {
-        self.sum(&terms(expr, self.graph(), &self.order))
+        match self.name(expr) {
+            Some(name) => local(&name),
+            None => self.sum(&terms(expr, self.graph(), &self.order)),
+        }
+    }
+
+    /// The name that stands for an expression.
+    fn name(&self, expr: ExprId) -> Option<String> {
+        let is_choice = matches!(self.graph().node(expr), Node::Choose { .. });
+        let parts = self.parts.filter(|_| is_choice || self.is_long)?;
+        parts.name(self.system, expr)
     }
 
     /// A choice, and those it continues with, as cases.
@@ -74,15 +88,18 @@ impl<'a> Printer<'a> {
     }
 
     fn sum(&self, terms: &[Term]) -> String {
+        let addends = addends(terms, self.graph(), &self.order, &|expr| {
+            self.name(expr).is_some()
+        });
         let mut text = String::new();
-        for (position, term) in terms.iter().enumerate() {
-            text.push_str(match (position, term.coefficient.is_negative()) {
+        for (position, addend) in addends.iter().enumerate() {
+            text.push_str(match (position, addend.negative) {
                 (0, false) => "",
                 (0, true) => "-",
                 (_, false) => " + ",
                 (_, true) => " - ",
             });
-            text.push_str(&self.fraction(&fraction(term, self.graph(), &self.order)));
+            text.push_str(&self.fraction(&addend.fraction));
         }
         text
     }
@@ -157,6 +174,9 @@ impl<'a> Printer<'a> {
                 };
                 // The exponent of a function stands between its name and its argument.
                 match self.graph().node(*base) {
+                    _ if self.name(*base).is_some() => {
+                        format!("{}^{{{power}}}", self.operand(*base, true))
+                    }
                     Node::Sin(angle) => {
                         format!("\\sin^{{{power}}} {}", self.argument(*angle, followed))
                     }
@@ -170,6 +190,9 @@ impl<'a> Printer<'a> {
     }
 
     fn operand(&self, expr: ExprId, followed: bool) -> String {
+        if let Some(name) = self.name(expr) {
+            return local(&name);
+        }
         match self.graph().node(expr) {
             Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
                 SymbolRole::Arm(_)
@@ -194,10 +217,7 @@ impl<'a> Printer<'a> {
                 "\\left\\lfloor {} \\right\\rfloor",
                 self.expression(*argument)
             ),
-            Node::Choose { .. } => {
-                let name = self.parts.and_then(|parts| parts.name(self.system, expr));
-                name.map_or_else(|| self.cases(expr), |name| local(&name))
-            }
+            Node::Choose { .. } => self.cases(expr),
             Node::Spline {
                 spline,
                 order,
@@ -239,7 +259,9 @@ impl<'a> Printer<'a> {
                 let signal = self.system.mechanism.inputs[input].symbols[level];
                 return local(self.system.local_name(signal));
             }
-            SymbolRole::Intermediate | SymbolRole::Time => return "t".to_string(),
+            SymbolRole::Intermediate | SymbolRole::Last(_) | SymbolRole::Time => {
+                return "t".to_string();
+            }
         };
         if coordinate >= self.system.coordinates.len() {
             let name = self.system.unknown_name(coordinate);
@@ -273,14 +295,28 @@ impl<'a> Printer<'a> {
     }
 }
 
-/// The name of an arm or of a value computed on the way; an axis at its end becomes an index.
+/// The name of an arm or of a value computed on the way; an axis at its end becomes an index, and the square of a length is one.
 fn local(name: &str) -> String {
+    let length = name
+        .strip_prefix('|')
+        .and_then(|rest| rest.strip_suffix("|^2"));
+    if let Some(vector) = length {
+        return format!("{{|{}|^2}}", vector_name(vector));
+    }
     let axis = ["x", "y"]
         .into_iter()
         .find_map(|axis| Some((name.strip_suffix(axis)?.strip_suffix('_')?, axis)));
     match axis {
         Some((vector, axis)) => format!("\\mathit{{{}}}_{{{axis}}}", escaped(vector)),
         None => format!("\\mathit{{{}}}", escaped(name)),
+    }
+}
+
+/// The vector from one point to another, or a vector with a name of its own.
+pub(crate) fn vector_name(name: &str) -> String {
+    match name.chars().count() > 1 {
+        true => format!("\\overrightarrow{{\\mathrm{{{}}}}}", escaped(name)),
+        false => format!("\\mathbf{{{name}}}"),
     }
 }
 

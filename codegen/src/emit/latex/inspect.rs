@@ -52,6 +52,14 @@ pub fn inspect(system: &System) -> String {
     text
 }
 
+/// A formula that mentions the bodies in the order of its row.
+fn formula(system: &System, parts: &NamedParts, row: &Row, expr: ExprId) -> String {
+    let is_long = parts.meet(&system.mechanism.graph, expr);
+    Printer::new(system, &row.bodies)
+        .naming(parts, is_long)
+        .expression(expr)
+}
+
 /// ∂Φ/∂s for the value s of each driver, where something is transmitted: the rows that are not zero.
 fn driven(system: &System, parts: &NamedParts) -> String {
     let lines: Vec<String> = system
@@ -94,9 +102,7 @@ fn column(column: &[ExprId], index_name: &str, system: &System, parts: &NamedPar
     entries
         .filter(|(_, (_, entry))| **entry != zero)
         .map(|(index, (row, &entry))| {
-            let formula = Printer::new(system, &row.bodies)
-                .naming(parts)
-                .expression(entry);
+            let formula = formula(system, parts, row, entry);
             let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
             format!(
                 "  (\\Phi_{{{index_name}}})_{{{}}} &= {formula} && \\text{{{joint}}}",
@@ -130,9 +136,7 @@ fn rows(
         .enumerate()
         .filter(|(_, row)| !left_out(row))
         .map(|(index, row)| {
-            let formula = Printer::new(system, &row.bodies)
-                .naming(parts)
-                .expression(of(row));
+            let formula = formula(system, parts, row, of(row));
             let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
             format!(
                 "  ({symbol})_{{{}}} &= {formula}{end} && \\text{{{joint}}}",
@@ -148,10 +152,9 @@ fn rows(
 
 fn jacobian(system: &System, parts: &NamedParts, coordinates: &[String]) -> String {
     let entries = |row: &Row| -> Vec<(usize, String)> {
-        let printer = Printer::new(system, &row.bodies).naming(parts);
         row.jacobian
             .iter()
-            .map(|entry| (entry.coordinate, printer.expression(entry.value)))
+            .map(|entry| (entry.coordinate, formula(system, parts, row, entry.value)))
             .collect()
     };
     if coordinates.len() <= LARGEST_MATRIX {

@@ -3,18 +3,19 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// One `///` line per line of text.
+use super::markdown::inert;
+
+/// One `///` line per line of text, of which nothing is compiled or run, whoever wrote it.
 pub(super) fn docs<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> TokenStream {
-    let mut tokens = TokenStream::new();
-    for line in lines {
-        // A space after the slashes, as a person writes it.
-        let line = line.as_ref().trim();
-        let line = if line.is_empty() {
-            String::new()
-        } else {
-            format!(" {line}")
-        };
-        tokens.extend(quote!(#[doc = #line]));
-    }
-    tokens
+    let lines = doc_lines(lines).into_iter();
+    lines.map(|line| quote!(#[doc = #line])).collect()
+}
+
+/// The lines of a text as they stand after the slashes: with a space before them, as a person writes it.
+pub(super) fn doc_lines<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> Vec<String> {
+    let spaced = |line: String| match line.is_empty() {
+        true => line,
+        false => format!(" {line}"),
+    };
+    inert(lines).into_iter().map(spaced).collect()
 }

@@ -9,6 +9,77 @@ use quote::quote;
 /// What a comment is until the source is laid out; no generated code uses a macro of this name.
 const MARKER: &str = "comment_in_generated_code!(";
 
+/// What a text that is laid out already is until then.
+const VERBATIM: &str = "const VERBATIM_IN_GENERATED_CODE: &str = ";
+
+/// An item that is laid out by hand: the call of a macro, of which the formatter knows nothing.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Verbatim {
+    lines: Vec<String>,
+    depth: usize,
+}
+
+impl Verbatim {
+    /// A line that the following ones are indented under.
+    pub(super) fn open(&mut self, line: &str) {
+        self.line(line);
+        self.depth += 1;
+    }
+
+    /// The line that ends them.
+    pub(super) fn close(&mut self, line: &str) {
+        self.depth = self.depth.saturating_sub(1);
+        self.line(line);
+    }
+
+    /// A line.
+    pub(super) fn line(&mut self, line: impl AsRef<str>) {
+        let text = format!("{}{}", "    ".repeat(self.depth), line.as_ref());
+        self.lines.push(text.trim_end().to_string());
+    }
+
+    /// Attributes, one a line.
+    pub(super) fn tokens(&mut self, attributes: TokenStream) {
+        let text = attributes
+            .to_string()
+            .replace("# [", "#[")
+            .replace(" (", "(");
+        for attribute in text.split("#[").filter(|it| !it.trim().is_empty()) {
+            self.line(format!(
+                "#[{}",
+                attribute.trim().replace(" ,", ",").replace("( ", "(")
+            ));
+        }
+    }
+
+    /// Lines of documentation, each as it stands after the slashes.
+    pub(super) fn docs<S: AsRef<str>>(&mut self, lines: impl IntoIterator<Item = S>) {
+        for line in lines {
+            let line = line.as_ref();
+            let space = if line.starts_with(' ') || line.is_empty() {
+                ""
+            } else {
+                " "
+            };
+            self.line(format!("///{space}{line}"));
+        }
+    }
+
+    /// The item.
+    pub(super) fn item(self) -> TokenStream {
+        let text = self.lines.join("\n");
+        quote!(const VERBATIM_IN_GENERATED_CODE: &str = #text;)
+    }
+}
+
+/// The text of such an item.
+fn verbatim(line: &str) -> Option<String> {
+    let literal = line.strip_prefix(VERBATIM)?.strip_suffix(';')?;
+    syn::parse_str::<syn::LitStr>(literal)
+        .ok()
+        .map(|it| it.value())
+}
+
 /// A statement that becomes the comment `// text`. The text must not hold quotes or backslashes.
 pub(super) fn comment(text: &str) -> TokenStream {
     let text: String = text
@@ -28,6 +99,18 @@ pub(super) fn laid_out(source: &str) -> String {
         let indent = &line[..line.len() - content.len()];
         if begins_item(content) && ends_item(previous.trim_start()) {
             text.push('\n');
+        }
+        if let Some(item) = verbatim(content) {
+            if !text.is_empty() && !text.ends_with("\n\n") {
+                text.push('\n');
+            }
+            for line in item.lines() {
+                text.push_str(if line.is_empty() { "" } else { indent });
+                text.push_str(line);
+                text.push('\n');
+            }
+            previous = "}";
+            continue;
         }
         match content.strip_prefix(MARKER) {
             Some(rest) => {

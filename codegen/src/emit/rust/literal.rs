@@ -3,24 +3,52 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// A finite number in the fewest digits that give it back, without a type suffix.
-pub(super) fn float(value: f64) -> TokenStream {
-    assert!(
-        value.is_finite(),
-        "non-finite constants are rejected when a description is read"
-    );
-    let magnitude = Literal::f64_unsuffixed(value.abs());
-    // Beyond this a literal would be hundreds of digits long.
-    let magnitude = if value != 0.0 && !(1e-5..1e16).contains(&value.abs()) {
-        let text = format!("{:e}", value.abs());
-        text.parse().unwrap_or(magnitude)
-    } else {
-        magnitude
-    };
-    if value.is_sign_negative() && value != 0.0 {
-        quote!(-#magnitude)
-    } else {
-        quote!(#magnitude)
+/// The scalar of the generated code.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scalar {
+    /// Double precision.
+    #[default]
+    F64,
+    /// Single precision, for processors without hardware for more.
+    F32,
+}
+
+impl Scalar {
+    /// The module of the runtime whose types have this scalar.
+    pub(super) fn precision(self) -> TokenStream {
+        match self {
+            Scalar::F64 => quote!(double),
+            Scalar::F32 => quote!(single),
+        }
+    }
+
+    /// A finite number in the fewest digits that give it back, without a type suffix.
+    pub(super) fn literal(self, value: f64) -> TokenStream {
+        let size = value.abs();
+        let text = match self {
+            // Beyond single precision a number would become infinite or zero; it stays, and the compiler says so.
+            Scalar::F32 if (size as f32).is_finite() => digits(size, size as f32),
+            _ => digits(size, size),
+        };
+        let magnitude = text
+            .parse()
+            .unwrap_or_else(|_| Literal::f64_unsuffixed(size));
+        match value < 0.0 {
+            true => quote!(-#magnitude),
+            false => quote!(#magnitude),
+        }
+    }
+}
+
+/// The digits of a number; beyond ordinary sizes a literal would be hundreds of digits long.
+fn digits<T: std::fmt::Display + std::fmt::LowerExp>(size: f64, value: T) -> String {
+    if size != 0.0 && !(1e-5..1e16).contains(&size) {
+        return format!("{value:e}");
+    }
+    let text = value.to_string();
+    match text.contains('.') {
+        true => text,
+        false => format!("{text}.0"),
     }
 }
 

@@ -2,20 +2,29 @@
 //!
 //! The file needs `linkwright` and nothing else, neither allocates nor panics, and is the same bytes on every run.
 
+mod block;
+mod closeness;
 mod coordinates;
 mod docs;
-mod equations;
+mod explained;
 mod expression;
 mod file;
+mod frame;
 mod given;
 mod layout;
 mod lints;
 mod literal;
+mod markdown;
 mod module;
-mod scalar;
-mod solved;
-mod solver;
+mod newton;
+mod path;
+mod points;
+mod scope;
+mod sensitivity;
+mod shell;
 mod tables;
+mod textbook;
+mod transmission;
 
 pub use file::file;
-pub use scalar::Scalar;
+pub use literal::Scalar;

@@ -1,74 +1,217 @@
-//! The parts of the module in their order.
+//! The parts of the module in their order, and what all of them are written with.
 
 use std::collections::HashSet;
 
-use proc_macro2::{TokenStream, TokenTree};
-use quote::quote;
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::{format_ident, quote};
 
-use super::coordinates::{coordinates, frame};
-use super::docs::docs;
-use super::equations::equations;
-use super::expression::identifier;
-use super::given::{Given, length_of_parameters, only, structures};
-use super::lints;
-use super::literal::float;
-use super::solved;
-use super::solver::{characteristic_length, mechanism, textbook};
-use super::tables::tables;
-use crate::emit::{Notation, derivation, report, text};
+use super::literal::Scalar;
+use super::scope::{identifier, spelled};
+use super::{
+    block, coordinates, explained, frame, given, lints, newton, path, shell, tables, textbook,
+};
+use crate::emit::derivation::{self, BlockWords, PlainWords, SingularPose};
+use crate::emit::rust::docs::docs;
+use crate::emit::{Notation, report, text};
+use crate::expr::SymbolId;
 use crate::model::Role;
-use crate::program::Program;
-use crate::program::solved::{Action, Output};
-use crate::system::System;
+use crate::program::passes::names::LocalNames;
+use crate::program::{LARGEST_TEXTBOOK, Program};
+use crate::structure::SolvedPlan;
+use crate::system::{SymbolRole, System};
+use crate::words::Phrase;
 
-/// The items of the module of a mechanism or of one of its motions.
-pub(super) fn items(system: &System, program: &Program) -> TokenStream {
-    let has_newton = program
-        .solved
-        .iter()
-        .flat_map(|solved| &solved.blocks)
-        .any(|block| block.newton.is_some());
-    let needs_length = has_newton || program.textbook.is_some();
-    let mut items = [
-        TokenStream::new(),
-        TokenStream::new(),
-        coordinates(system),
-        structures(system, program),
-        program
-            .textbook
-            .as_ref()
-            .map(|textbook| equations(system, program, textbook))
-            .unwrap_or_default(),
-        frame(system, program),
-        if needs_length {
-            let (length, found) = (
-                characteristic_length(system),
-                length_of_parameters(system, program),
-            );
-            quote!(#length #found)
-        } else {
-            TokenStream::new()
-        },
-        if program.textbook.is_some() {
-            textbook(system)
-        } else {
-            TokenStream::new()
-        },
-        solver(system, program),
-    ];
-    let written = items.iter().cloned().collect();
-    let mentioned = identifiers(written);
-    let tables = tables(system, &mentioned);
-    items[0] = imports(system, program, has_newton, !tables.is_empty());
-    let constants = constants(system, program, &mentioned);
-    items[1] = quote!(#constants #tables);
-    items.into_iter().collect()
+/// The fields that every frame has.
+const FRAME: &[&str] = &["t", "q", "qd", "qdd", "parameters"];
+
+/// A mechanism or one of its motions, as it is written.
+pub(super) struct Module<'a> {
+    pub system: &'a System,
+    pub program: &'a Program,
+    pub scalar: Scalar,
+    /// Where each part of the plan is singular.
+    pub poses: Vec<SingularPose>,
+    /// What each block of the program is called.
+    pub words: Vec<BlockWords>,
+    /// What the frame calls what it keeps beside the coordinates.
+    fields: LocalNames,
+    comments: PlainWords,
+    /// The sags that tubes are filled with.
+    tubes: HashSet<SymbolId>,
 }
 
-/// Every identifier of a piece of code.
-fn identifiers(code: TokenStream) -> HashSet<String> {
+impl<'a> Module<'a> {
+    pub(super) fn new(
+        system: &'a System,
+        plan: &SolvedPlan,
+        program: &'a Program,
+        scalar: Scalar,
+    ) -> Module<'a> {
+        let kept = program.fields.iter().copied();
+        let poses = derivation::singular_poses(system, plan, &program.forms, Notation::Unicode);
+        Module {
+            fields: LocalNames::of_symbols(kept, system, FRAME, spelled),
+            words: derivation::block_words(&program.blocks, system, plan, &poses),
+            poses,
+            comments: PlainWords::new(system, Notation::Unicode),
+            tubes: path::sags_of_tubes(program, system),
+            system,
+            program,
+            scalar,
+        }
+    }
+
+    /// Whether frames hold all coordinates, and not only what is asked for.
+    pub(super) fn is_whole(&self) -> bool {
+        self.program.outputs.is_none()
+    }
+
+    /// Whether the mechanism is too large for functions that go through all coordinates at once.
+    pub(super) fn is_large(&self) -> bool {
+        self.system.coordinates.len() > LARGEST_TEXTBOOK
+    }
+
+    /// A number.
+    pub(super) fn float(&self, value: f64) -> TokenStream {
+        self.scalar.literal(value)
+    }
+
+    /// `q`, `qd` or `qdd` and the coordinate's name.
+    pub(super) fn coordinate(&self, symbol: SymbolId) -> Option<(Ident, Ident)> {
+        let (vector, unknown) = match self.system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => ("q", unknown),
+            SymbolRole::Rate(unknown) => ("qd", unknown),
+            SymbolRole::Acceleration(unknown) => ("qdd", unknown),
+            _ => return None,
+        };
+        let coordinate = self.system.coordinates.get(unknown)?;
+        Some((format_ident!("{vector}"), identifier(&coordinate.name)))
+    }
+
+    /// Whether frames hold a value.
+    pub(super) fn is_field(&self, symbol: SymbolId) -> bool {
+        self.is_whole() && self.system.is_coordinate(symbol) || self.program.is_field(symbol)
+    }
+
+    /// A field of a frame.
+    pub(super) fn field(&self, symbol: SymbolId, frame: &Ident) -> TokenStream {
+        match self.coordinate(symbol).filter(|_| self.is_whole()) {
+            Some((vector, name)) => quote!(#frame.#vector.#name),
+            None => {
+                let name = self.field_name(symbol);
+                quote!(#frame.#name)
+            }
+        }
+    }
+
+    /// The name of a field that is none of the coordinates.
+    pub(super) fn field_name(&self, symbol: SymbolId) -> Ident {
+        identifier(self.fields.name_of(symbol).unwrap_or_default())
+    }
+
+    /// What a symbol is called that says what the span is like.
+    pub(super) fn span_part(&self, symbol: SymbolId) -> Option<&'static str> {
+        let span = &self.program.path.as_ref()?.span;
+        let parts = [
+            (span.time, "time"),
+            (span.stretch, "stretch"),
+            (span.bend, "bend"),
+            (span.beyond, "beyond"),
+        ];
+        parts
+            .into_iter()
+            .find(|(own, _)| *own == symbol)
+            .map(|(_, name)| name)
+    }
+
+    /// Whether a sag is that of a tube.
+    pub(super) fn has_tube(&self, sag: SymbolId) -> bool {
+        self.tubes.contains(&sag)
+    }
+
+    /// Words as a comment says them.
+    pub(super) fn said(&self, words: &Phrase) -> String {
+        self.comments.say(words)
+    }
+
+    /// The items of the module, in parts that belong together.
+    pub(super) fn items(&self, owns_parameters: bool) -> Vec<TokenStream> {
+        let precision = self.scalar.precision();
+        let mut parts = vec![
+            coordinates::coordinates(self),
+            given::structures(self, owns_parameters),
+            textbook::textbook(self),
+            frame::frame(self),
+            block::branches(self),
+            explained::block_names(self),
+            newton::equations(self),
+            block::functions(self),
+            path::path(self),
+            shell::mechanism(self),
+        ];
+        let mentioned = identifiers(&parts);
+        let constants = self.constants(&mentioned);
+        let tables = tables::tables(self, &mentioned);
+        parts.insert(
+            0,
+            quote!(use ::linkwright::#precision::*; #constants #tables),
+        );
+        parts
+    }
+
+    /// The named constants that the code mentions; what of the solved view is left out may have been all that needed one.
+    fn constants(&self, mentioned: &HashSet<String>) -> TokenStream {
+        let list = self.program.constants.list().iter();
+        let used = list.filter(|constant| mentioned.contains(&constant.name));
+        let constants = used.map(|constant| {
+            let exact = text::constant(self.system, &constant.part);
+            let text = docs(exact.map(|exact| format!("`{exact}`")));
+            let (name, value) = (identifier(&constant.name), self.float(constant.value));
+            let allow = lints::approximate(&value);
+            quote!(#text #allow const #name: Scalar = #value;)
+        });
+        constants.collect()
+    }
+
+    /// Lines of text that say what the module computes and what it costs.
+    pub(super) fn facts(&self) -> Vec<String> {
+        let system = self.system;
+        let mechanism = &system.mechanism;
+        let is_driver = |joint: usize| mechanism.joints[joint].role == Role::Driver;
+        let drivers = system
+            .rows
+            .iter()
+            .filter(|row| is_driver(row.joint))
+            .count();
+        let mut lines = vec![format!(
+            "{} bodies, {} coordinates, {} equations ({} of joints, {drivers} of drivers).",
+            mechanism.moving_bodies().len(),
+            system.coordinates.len(),
+            system.rows.len(),
+            system.rows.len() - drivers,
+        )];
+        if !system.monitored.is_empty() {
+            let names = system.monitored.iter().map(|row| row.name.as_str());
+            let names: Vec<&str> = names.collect();
+            lines.push(format!(
+                "Redundant equations, not solved: {}.",
+                names.join(", ")
+            ));
+        }
+        lines.extend(text::given(system).lines().map(capitalized));
+        lines.extend(report::lines(&self.program.report));
+        if self.program.textbook.is_none() {
+            let why = "Left out: the textbook view, whose dense matrices would not fit a stack.";
+            lines.push(why.to_string());
+        }
+        lines
+    }
+}
+
+/// Every identifier of pieces of code.
+fn identifiers(code: &[TokenStream]) -> HashSet<String> {
     let mut found = HashSet::new();
-    let mut open = vec![code];
+    let mut open = code.to_vec();
     while let Some(tokens) = open.pop() {
         for token in tokens {
             match token {
@@ -83,230 +226,26 @@ fn identifiers(code: TokenStream) -> HashSet<String> {
     found
 }
 
-/// The blocks and the type that a user holds; without a solved view the dense system alone.
-fn solver(system: &System, program: &Program) -> TokenStream {
-    match &program.solved {
-        Some(blocks) => {
-            let poses = derivation::singular_poses(system, &blocks.plan, Notation::Unicode);
-            let branches = solved::branches(system, blocks);
-            let newton = solved::newton_blocks(system, program, blocks);
-            let functions = solved::blocks(system, program, blocks, &poses);
-            let mechanism = solved::mechanism(system, program, blocks);
-            let explained = solved::explained(blocks, &poses);
-            quote!(#branches #explained #newton #functions #mechanism)
-        }
-        None => mechanism(system, program),
-    }
-}
-
-fn imports(system: &System, program: &Program, has_newton: bool, has_tables: bool) -> TokenStream {
-    let textbook = program.textbook.iter();
-    let functions = textbook.flat_map(|own| {
-        [
-            &own.residual,
-            &own.jacobian,
-            &own.time_derivative,
-            &own.gamma,
-        ]
-        .into_iter()
-        .chain(&own.monitored)
-    });
-    let mut straight = functions.chain(&program.points).chain(&program.drawn);
-    let calls_math = straight.any(|straight| straight.operations.calls_math());
-    let solved_math = program
-        .solved
-        .iter()
-        .flat_map(|solved| solved.report.operations)
-        .any(|operations| operations.calls_math());
-    let math = if calls_math || solved_math {
-        quote!(
-            use ::linkwright::math;
-        )
-    } else {
-        TokenStream::new()
-    };
-    let blocks = program.solved.iter().flat_map(|solved| &solved.blocks);
-    let (mut kinematics, mut closed) = (program.solved.is_none(), Vec::new());
-    let has =
-        |wanted: fn(&Action) -> bool| blocks.clone().flat_map(|block| &block.actions).any(wanted);
-    if program.solved.is_some() {
-        kinematics = has(|action| *action == Action::Newton);
-        closed.push(quote!(all_finite));
-        closed.push(quote!(failed));
-        if has(|action| matches!(action, Action::Angle { .. })) {
-            closed.push(quote!(angle_near));
-        }
-        if has(|action| matches!(action, Action::Reach { .. })) {
-            closed.push(quote!(no_span));
-        }
-        if has(|action| matches!(action, Action::Reach { .. } | Action::Nonzero { .. })) {
-            closed.push(quote!(spans));
-        }
-    }
-    let given = Given::of(system);
-    if program.solved.is_none() && given.any() {
-        closed.push(quote!(all_finite));
-        closed.push(quote!(failed));
-    }
-    let kind = if closed.is_empty() {
-        TokenStream::new()
-    } else {
-        quote!(FailureKind,)
-    };
-    let kinematics = if kinematics {
-        quote!(kinematics,)
-    } else {
-        TokenStream::new()
-    };
-    let closed = if closed.is_empty() {
-        TokenStream::new()
-    } else {
-        quote!(use ::linkwright::closed_form::{#(#closed),*};)
-    };
-    let has_branches = program
-        .solved
-        .iter()
-        .any(|solved| !solved.branches.is_empty())
-        || has_newton;
-    let branch = if has_branches {
-        quote!(Branch,)
-    } else {
-        TokenStream::new()
-    };
-    let has_textbook = program.textbook.is_some();
-    let transmits = program
-        .solved
-        .iter()
-        .any(|solved| !solved.transmissions.is_empty());
-    let (matrices, equations) = if has_textbook || has_newton {
-        (
-            quote!(
-                use ::linkwright::nalgebra::{Const, SMatrix, SVector};
-            ),
-            quote!(Equations,),
-        )
-    } else if transmits {
-        (
-            quote!(
-                use ::linkwright::nalgebra::{SMatrix, SVector};
-            ),
-            TokenStream::new(),
-        )
-    } else {
-        Default::default()
-    };
-    let step = if has_textbook {
-        quote!(Step, newton,)
-    } else {
-        TokenStream::new()
-    };
-    let motion = if has_motion(system, program) {
-        quote!(Motion,)
-    } else {
-        TokenStream::new()
-    };
-    let signal = only(given.inputs, quote!(Signal,));
-    let start = only(has_newton, quote!(Start,));
-    let block = only(has_newton, quote!(block,));
-    let explained = only(program.solved.is_some(), quote!(BlockName, Explained,));
-    let in_steps = only(program.solved.is_some(), quote!(in_steps,));
-    let table = only(has_tables, quote!(Table,));
-    let length = only(
-        given.lengths && (has_textbook || has_newton),
-        quote!(
-            use ::linkwright::scale::largest_length;
-        ),
-    );
-    let monitored = program.solved.is_some() && system.mechanism.monitor;
-    let measures = program.solved.iter().flat_map(|solved| &solved.blocks);
-    let measures = measures.flat_map(|block| &block.measured).next().is_some();
-    let closeness = only(monitored, quote!(Closeness,));
-    let measure = only(monitored && measures, quote!(Measure,));
-    quote! {
-        #closed
-        #math
-        #matrices
-        #length
-        use ::linkwright::{#branch #closeness #explained #equations Failure, #kind #measure #motion Settings, #signal #start #step #table #block #in_steps #kinematics};
-    }
-}
-
-/// Whether some function returns the motion of a point.
-fn has_motion(system: &System, program: &Program) -> bool {
-    match program
-        .solved
-        .as_ref()
-        .and_then(|solved| solved.outputs.as_ref())
-    {
-        Some(outputs) => outputs
-            .iter()
-            .any(|output| matches!(output, Output::Point { fields, .. } if fields.len() == 3)),
-        None => !system.outputs.is_empty(),
-    }
-}
-
-/// The named constants that the code mentions; what of the solved view is left out may have been all that needed one.
-fn constants(system: &System, program: &Program, mentioned: &HashSet<String>) -> TokenStream {
-    let list = program.constants.list().iter();
-    let used = list.filter(|constant| mentioned.contains(&constant.name));
-    let constants = used.map(|constant| {
-        let text = docs([format!("`{}`", text::constant(system, &constant.part))]);
-        let (name, value) = (identifier(&constant.name), float(constant.value));
-        let allow = lints::approximate(&value);
-        quote!(#text #allow const #name: f64 = #value;)
-    });
-    quote!(#(#constants)*)
-}
-
-/// Lines of text that say what the module computes and what it costs.
-pub(super) fn facts(system: &System, program: &Program) -> Vec<String> {
-    let mechanism = &system.mechanism;
-    let drivers = system
-        .rows
-        .iter()
-        .filter(|row| mechanism.joints[row.joint].role == Role::Driver)
-        .count();
-    let mut lines = vec![format!(
-        "{} bodies, {} coordinates, {} equations ({} of joints, {} of drivers).",
-        mechanism.moving_bodies().len(),
-        system.coordinates.len(),
-        system.rows.len(),
-        system.rows.len() - drivers,
-        drivers,
-    )];
-    if !system.monitored.is_empty() {
-        let names: Vec<&str> = system
-            .monitored
-            .iter()
-            .map(|row| row.name.as_str())
-            .collect();
-        lines.push(format!(
-            "Redundant equations, not solved: {}.",
-            names.join(", ")
-        ));
-    }
-    lines.extend(text::given(system).lines().map(capitalized));
-    match &program.solved {
-        Some(solved) => {
-            lines.extend(report::lines(&solved.report));
-            if program.textbook.is_none() {
-                lines.push(
-                    "Left out: the textbook view, whose dense matrices would not fit a stack."
-                        .to_string(),
-                );
-            }
-        }
-        None => lines.push(format!(
-            "Solved as one dense block of {} unknowns by Newton-Raphson.",
-            system.coordinates.len()
-        )),
-    }
-    lines
-}
-
 /// `Parameter L = 0.05 m.` of `parameter L = 0.05 m`.
 fn capitalized(line: &str) -> String {
     let mut letters = line.chars();
     let first = letters.next().map(|letter| letter.to_ascii_uppercase());
     first.into_iter().chain(letters).chain(['.']).collect()
+}
+
+/// The tokens where there is something to say.
+pub(super) fn only(there: bool, tokens: TokenStream) -> TokenStream {
+    match there {
+        true => tokens,
+        false => TokenStream::new(),
+    }
+}
+
+/// What a structure with this many numbers derives. Comparing and printing thousands of fields one by one is code that no compiler
+/// digests.
+pub(super) fn derives(fields: usize) -> TokenStream {
+    match fields <= LARGEST_TEXTBOOK {
+        true => quote!(#[derive(Clone, Copy, Debug, PartialEq)]),
+        false => quote!(#[derive(Clone, Copy)]),
+    }
 }

@@ -7,9 +7,9 @@ use quote::{format_ident, quote};
 
 use super::docs::docs;
 use super::lints;
-use super::literal::{count, float};
+use super::literal::count;
+use super::module::Module;
 use crate::expr::Spline;
-use crate::system::System;
 
 /// The constant that holds a table. No other constant begins like this.
 pub(super) fn table_name(table: &str) -> Ident {
@@ -17,7 +17,8 @@ pub(super) fn table_name(table: &str) -> Ident {
 }
 
 /// The tables that the code mentions.
-pub(super) fn tables(system: &System, mentioned: &HashSet<String>) -> TokenStream {
+pub(super) fn tables(module: &Module<'_>, mentioned: &HashSet<String>) -> TokenStream {
+    let system = module.system;
     let splines = system.mechanism.graph.splines();
     let constants = splines.map(|(id, spline)| {
         let name = table_name(&spline.name);
@@ -32,28 +33,28 @@ pub(super) fn tables(system: &System, mentioned: &HashSet<String>) -> TokenStrea
         if lines.is_empty() {
             lines.push(format!("The table `{}`.", spline.name));
         }
-        constant(&name, spline, lines)
+        constant(module, &name, spline, lines)
     });
     constants.collect()
 }
 
-fn constant(name: &Ident, spline: &Spline, lines: Vec<String>) -> TokenStream {
+fn constant(module: &Module<'_>, name: &Ident, spline: &Spline, lines: Vec<String>) -> TokenStream {
     let (text, length) = (docs(lines), count(spline.starts.len()));
-    let starts = spline.starts.iter().map(|&start| float(start));
+    let starts = spline.starts.iter().map(|&start| module.float(start));
     let pieces = spline.pieces.iter().map(|piece| {
-        let coefficients = piece.iter().map(|&coefficient| float(coefficient));
+        let coefficients = piece.iter().map(|&coefficient| module.float(coefficient));
         quote!([#(#coefficients),*])
     });
     let optional = |value: Option<f64>| match value {
         Some(value) => {
-            let value = float(value);
+            let value = module.float(value);
             quote!(Some(#value))
         }
         None => quote!(None),
     };
     let (spacing, period) = (optional(spacing(&spline.starts)), optional(spline.period));
     let table = quote! {
-        Table {
+        ::linkwright::Table {
             starts: [#(#starts),*],
             pieces: [#(#pieces),*],
             spacing: #spacing,
@@ -61,7 +62,7 @@ fn constant(name: &Ident, spline: &Spline, lines: Vec<String>) -> TokenStream {
         }
     };
     let allow = lints::approximate(&table);
-    quote!(#text #allow const #name: Table<#length, f64> = #table;)
+    quote!(#text #allow const #name: Table<#length> = #table;)
 }
 
 /// The distance between starts that are equally spaced, but for rounding.

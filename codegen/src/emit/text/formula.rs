@@ -3,7 +3,7 @@
 use super::super::named_parts::NamedParts;
 use super::super::notation::Notation;
 
-use super::super::parts::{Fraction, Part, fraction, terms};
+use super::super::parts::{Addend, Fraction, Part, addends, fraction, terms};
 use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
 use crate::program::ConstantPart;
 use crate::system::{Described, SymbolRole, System, WrittenOrder};
@@ -15,6 +15,10 @@ pub(crate) struct Printer<'a> {
     order: WrittenOrder<'a>,
     notation: Notation,
     parts: Option<&'a NamedParts>,
+    /// Whether what is shared has a name, and not choices alone.
+    is_long: bool,
+    /// Whether constants are written exactly, however long they are.
+    is_exact: bool,
 }
 
 impl<'a> Printer<'a> {
@@ -25,20 +29,33 @@ impl<'a> Printer<'a> {
             order: WrittenOrder::new(system, bodies),
             notation,
             parts: None,
+            is_long: false,
+            is_exact: false,
         }
     }
 
-    /// The same, with names in the place of long choices.
-    pub(crate) fn naming(self, parts: &'a NamedParts) -> Printer<'a> {
+    /// The same, with names in the place of long choices; in a long formula of everything that has one.
+    pub(crate) fn naming(self, parts: &'a NamedParts, is_long: bool) -> Printer<'a> {
         Printer {
             parts: Some(parts),
+            is_long,
             ..self
         }
     }
 
-    /// The name that stands for a choice.
-    fn name(&self, choice: ExprId) -> Option<String> {
-        self.parts?.name(self.system, choice)
+    /// The same with every constant written exactly, however long it is.
+    pub(crate) fn exact(self) -> Printer<'a> {
+        Printer {
+            is_exact: true,
+            ..self
+        }
+    }
+
+    /// The name that stands for an expression.
+    fn name(&self, expr: ExprId) -> Option<String> {
+        let is_choice = matches!(self.graph().node(expr), Node::Choose { .. });
+        let parts = self.parts.filter(|_| is_choice || self.is_long)?;
+        parts.name(self.system, expr)
     }
 
     fn graph(&self) -> &'a Graph {
@@ -55,14 +72,19 @@ impl<'a> Printer<'a> {
 
     /// The whole expression.
     pub(crate) fn expression(&self, expr: ExprId) -> String {
+        self.name(expr).unwrap_or_else(|| self.written_out(expr))
+    }
+
+    /// The whole expression, whether or not it has a name.
+    pub(crate) fn written_out(&self, expr: ExprId) -> String {
         match self.graph().node(expr) {
-            Node::Choose { .. } => self.name(expr).unwrap_or_else(|| self.choice(expr)),
+            Node::Choose { .. } => self.choice(expr),
             _ => self.sum(&terms(expr, self.graph(), &self.order)),
         }
     }
 
     /// `if t < 1 { 0 } else if t < 2 { t - 1 } else { 1 }`.
-    pub(crate) fn choice(&self, mut expr: ExprId) -> String {
+    fn choice(&self, mut expr: ExprId) -> String {
         let mut text = String::new();
         while let Node::Choose {
             condition,
@@ -112,18 +134,31 @@ impl<'a> Printer<'a> {
     }
 
     fn sum(&self, terms: &[Term]) -> String {
+        let addends = match self.is_exact {
+            true => self.exact_addends(terms),
+            false => addends(terms, self.graph(), &self.order, &|expr| {
+                self.name(expr).is_some()
+            }),
+        };
         let mut text = String::new();
-        for (position, term) in terms.iter().enumerate() {
-            let negative = term.coefficient.is_negative();
-            text.push_str(match (position, negative) {
+        for (position, addend) in addends.iter().enumerate() {
+            text.push_str(match (position, addend.negative) {
                 (0, false) => "",
                 (0, true) => self.either("-", "−"),
                 (_, false) => " + ",
                 (_, true) => self.either(" - ", " − "),
             });
-            text.push_str(&self.fraction(&fraction(term, self.graph(), &self.order)));
+            text.push_str(&self.fraction(&addend.fraction));
         }
         text
+    }
+
+    fn exact_addends(&self, terms: &[Term]) -> Vec<Addend> {
+        let terms = terms.iter().map(|term| Addend {
+            negative: term.coefficient.is_negative(),
+            fraction: fraction(term, self.graph(), &self.order),
+        });
+        terms.collect()
     }
 
     fn fraction(&self, fraction: &Fraction) -> String {
@@ -150,19 +185,18 @@ impl<'a> Printer<'a> {
     fn part(&self, part: &Part, followed: bool) -> String {
         match part {
             Part::Digits(digits) => digits.clone(),
-            Part::Root(radicand) => {
-                self.either(format!("sqrt({radicand})"), format!("√{radicand}"))
-            }
+            Part::Root(radicand) => match self.notation {
+                Notation::Ascii => format!("sqrt({radicand})"),
+                Notation::Unicode => format!("√{radicand}"),
+            },
             Part::Power(base, exponent) if *exponent == Rational::ONE => {
                 self.operand(*base, followed)
             }
             Part::Power(base, exponent)
                 if (exponent.numerator(), exponent.denominator()) == (1, 2) =>
             {
-                self.either(
-                    format!("sqrt({})", self.expression(*base)),
-                    format!("√({})", self.expression(*base)),
-                )
+                let radicand = self.expression(*base);
+                format!("{}({radicand})", self.either("sqrt", "√"))
             }
             Part::Power(base, exponent) => {
                 let base = self.operand(*base, true);
@@ -178,12 +212,22 @@ impl<'a> Printer<'a> {
 
     /// An expression that stands beside a multiplication sign or under a power.
     fn operand(&self, expr: ExprId, followed: bool) -> String {
+        if let Some(name) = self.name(expr) {
+            return name;
+        }
         match self.graph().node(expr) {
             Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
                 SymbolRole::Arm(_)
                 | SymbolRole::Intermediate
                 | SymbolRole::Parameter(_)
-                | SymbolRole::Input { .. } => self.system.local_name(*symbol).to_string(),
+                | SymbolRole::Input { .. } => {
+                    let name = self.system.local_name(*symbol);
+                    match self.notation {
+                        // The square of a length has it in its name.
+                        Notation::Unicode => name.replace("|^2", "|²"),
+                        Notation::Ascii => name.to_string(),
+                    }
+                }
                 role => self.symbol(role),
             },
             Node::Pi => self.either("pi", "π").to_string(),
@@ -193,10 +237,7 @@ impl<'a> Printer<'a> {
             Node::Exp(exponent) => self.function("exp", &[*exponent], followed),
             Node::Ln(argument) => self.function("ln", &[*argument], followed),
             Node::Floor(argument) => self.function("floor", &[*argument], true),
-            Node::Choose { .. } => match self.name(expr) {
-                Some(name) => name,
-                None => format!("({})", self.choice(expr)),
-            },
+            Node::Choose { .. } => format!("({})", self.choice(expr)),
             Node::Spline {
                 spline,
                 order,
@@ -207,7 +248,7 @@ impl<'a> Printer<'a> {
                 self.function(&format!("{name}{primes}"), &[*argument], true)
             }
             Node::Number(_) | Node::Sum(_) | Node::Product(_) => {
-                format!("({})", self.expression(expr))
+                format!("({})", self.written_out(expr))
             }
         }
     }
@@ -241,7 +282,9 @@ impl<'a> Printer<'a> {
                 let signal = self.system.mechanism.inputs[input].symbols[level];
                 return self.system.local_name(signal).to_string();
             }
-            SymbolRole::Intermediate | SymbolRole::Time => return "t".to_string(),
+            SymbolRole::Intermediate | SymbolRole::Last(_) | SymbolRole::Time => {
+                return "t".to_string();
+            }
         };
         let name = self.system.unknown_name(coordinate);
         let coordinate = self.system.coordinates.get(coordinate);

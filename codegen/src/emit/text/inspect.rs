@@ -89,7 +89,15 @@ struct Page<'a> {
 
 impl Page<'_> {
     fn printer<'b>(&'b self, bodies: &'b [usize]) -> Printer<'b> {
-        Printer::new(self.system, bodies, self.notation).naming(self.parts)
+        Printer::new(self.system, bodies, self.notation)
+    }
+
+    /// A formula that mentions the bodies in this order.
+    fn formula(&self, bodies: &[usize], expr: ExprId) -> String {
+        let is_long = self.parts.meet(&self.system.mechanism.graph, expr);
+        self.printer(bodies)
+            .naming(self.parts, is_long)
+            .expression(expr)
     }
 
     fn summary(&self) -> String {
@@ -136,9 +144,8 @@ impl Page<'_> {
             .monitored
             .iter()
             .map(|row| {
-                let printer = Printer::new(self.system, &row.bodies, self.notation);
                 let joint = &self.system.mechanism.joints[row.joint];
-                vec![joint.label.clone(), printer.expression(row.residual)]
+                vec![joint.label.clone(), self.formula(&row.bodies, row.residual)]
             })
             .collect();
         format!(
@@ -172,7 +179,7 @@ impl Page<'_> {
                 continue;
             }
             let mut line = self.label(index, previous);
-            line.push(self.printer(&row.bodies).expression(of(row)));
+            line.push(self.formula(&row.bodies, of(row)));
             lines.push(line);
             previous = Some(index);
         }
@@ -190,34 +197,32 @@ impl Page<'_> {
             .rows
             .iter()
             .map(|row| {
-                let printer = self.printer(&row.bodies);
                 row.jacobian
                     .iter()
-                    .map(|entry| (entry.coordinate, printer.expression(entry.value)))
+                    .map(|entry| (entry.coordinate, self.formula(&row.bodies, entry.value)))
                     .collect()
             })
             .collect();
         let names = self.printer(&[]);
         let name = |coordinate| names.symbol(crate::system::SymbolRole::Position(coordinate));
         let columns = self.system.coordinates.len();
-        let mut matrix: Vec<Vec<String>> = Vec::with_capacity(entries.len() + 1);
-        matrix.push(
-            [String::new(), String::new()]
-                .into_iter()
-                .chain((0..columns).map(name))
-                .collect(),
-        );
-        for (index, row) in entries.iter().enumerate() {
-            let mut line = self.label(index, index.checked_sub(1));
-            line.resize(columns + 2, "0".to_string());
-            for (coordinate, entry) in row {
-                line[coordinate + 2].clone_from(entry);
+        // A column is a character wide or more, and two spaces stand before it.
+        if 3 * columns <= WIDEST_MATRIX {
+            let mut matrix: Vec<Vec<String>> = Vec::with_capacity(entries.len() + 1);
+            let labels = [String::new(), String::new()].into_iter();
+            matrix.push(labels.chain((0..columns).map(name)).collect());
+            for (index, row) in entries.iter().enumerate() {
+                let mut line = self.label(index, index.checked_sub(1));
+                line.resize(columns + 2, "0".to_string());
+                for (coordinate, entry) in row {
+                    line[coordinate + 2].clone_from(entry);
+                }
+                matrix.push(line);
             }
-            matrix.push(line);
-        }
-        let text = aligned(&matrix);
-        if text.lines().all(|line| shown_width(line) <= WIDEST_MATRIX) {
-            return format!("\n{heading}\n{text}");
+            let text = aligned(&matrix);
+            if text.lines().all(|line| shown_width(line) <= WIDEST_MATRIX) {
+                return format!("\n{heading}\n{text}");
+            }
         }
         let lines: Vec<Vec<String>> = entries
             .iter()
@@ -282,7 +287,7 @@ impl Page<'_> {
             .filter(|(_, (_, entry))| **entry != zero)
             .map(|(index, (row, &entry))| {
                 let mut line = self.label(index, None);
-                line.push(Printer::new(self.system, &row.bodies, self.notation).expression(entry));
+                line.push(self.formula(&row.bodies, entry));
                 line
             })
             .collect()
@@ -292,13 +297,9 @@ impl Page<'_> {
         if self.system.outputs.is_empty() {
             return String::new();
         }
-        let printer = self.printer(&[]);
         let pair = |pair: [ExprId; 2]| {
-            format!(
-                "({}, {})",
-                printer.expression(pair[0]),
-                printer.expression(pair[1])
-            )
+            let [x, y] = pair.map(|part| self.formula(&[], part));
+            format!("({x}, {y})")
         };
         let line = |output: &Output| vec![output.name.clone(), pair(output.position)];
         let positions: Vec<Vec<String>> = self.system.outputs.iter().map(line).collect();

@@ -1,15 +1,19 @@
 //! Cells → aligned columns.
 
-/// Lines of cells, each column as wide as its widest cell, two spaces between, no space at the end of a line.
+/// So many spaces a column may have, however little stands in it.
+const FREE: usize = 16_384;
+
+/// Lines of cells, each column as wide as its widest cell, two spaces between, no space at the end of a line. Where that would be
+/// mostly space, the widest cells stand out of their column.
 pub(crate) fn aligned(lines: &[Vec<String>]) -> String {
     let columns = lines.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
-        lines
-            .iter()
-            .filter_map(|line| line.get(column))
-            .map(|cell| shown_width(cell))
-            .max()
-            .unwrap_or(0)
+        let cells = lines.iter().filter_map(|line| line.get(column));
+        let mut widths: Vec<usize> = cells.map(|cell| shown_width(cell)).collect();
+        widths.sort_unstable_by(|one, other| other.cmp(one));
+        let room = FREE + 4 * widths.iter().sum::<usize>();
+        let mut fitting = widths.iter().filter(|&&width| width * lines.len() <= room);
+        fitting.next().copied().unwrap_or(0)
     };
     let widths: Vec<usize> = (0..columns).map(width).collect();
     let mut text = String::new();
@@ -18,7 +22,7 @@ pub(crate) fn aligned(lines: &[Vec<String>]) -> String {
         for (cell, width) in line.iter().zip(&widths) {
             shown.push_str("  ");
             shown.push_str(cell);
-            shown.push_str(&" ".repeat(width - shown_width(cell)));
+            shown.push_str(&" ".repeat(width.saturating_sub(shown_width(cell))));
         }
         text.push_str(shown.trim_end());
         text.push('\n');
@@ -58,4 +62,33 @@ pub(crate) fn shown_width(text: &str) -> usize {
     text.chars()
         .filter(|character| !matches!(character, '\u{300}'..='\u{36f}'))
         .count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::aligned;
+
+    fn table(rows: usize, widest: usize) -> String {
+        let row = |place: usize| {
+            let cell = if place == 0 { widest } else { 3 };
+            vec!["x".repeat(cell), "end".to_string()]
+        };
+        aligned(&(0..rows).map(row).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn a_small_table_is_as_wide_as_its_widest_cell() {
+        let lines = table(20, 200);
+        assert!(
+            lines.lines().all(|line| line.len() == 2 + 200 + 2 + 3),
+            "{lines}"
+        );
+    }
+
+    #[test]
+    fn a_table_takes_room_in_proportion_to_its_cells() {
+        // Every row as wide as the widest cell would take 16-fold room.
+        let [short, long] = [1000, 4000].map(|n| table(n, n).len());
+        assert!(long < 5 * short, "{short} and {long}");
+    }
 }

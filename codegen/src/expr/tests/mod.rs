@@ -1,5 +1,6 @@
 //! Tests of the symbolic core. All random input comes from a fixed seed, named in every message.
 
+mod bounds;
 mod canonical;
 mod choices;
 mod estimate;
@@ -8,4 +9,6 @@ mod generator;
 mod identities;
 mod numbers;
 mod scale;
+mod tidy;
 mod tree;
+mod values;

@@ -80,16 +80,16 @@ impl Resolver<'_> {
         if found.fits(like.1) {
             return true;
         }
-        self.diagnostics.push(
-            Diagnostic::error(
-                Code::WrongDimension,
-                written.span,
-                format!("expected {}, found {}", like.1.name(), found.name()),
-            )
-            .label(format!("this is {}", found.name()))
-            .also(like.0.span, format!("this is {}", like.1.name()))
-            .help("give both the same kind of unit, or write bare numbers for SI units"),
-        );
+        let finding = Diagnostic::error(
+            Code::WrongDimension,
+            written.span,
+            format!("expected {}, found {}", like.1.name(), found.name()),
+        )
+        .label(format!("this is {}", found.name()))
+        .also(like.0.span, format!("this is {}", like.1.name()))
+        .help("give both the same kind of unit, or write bare numbers for SI units");
+        let finding = self.with_declarations(finding, &[like.0, written]);
+        self.diagnostics.push(finding);
         false
     }
 

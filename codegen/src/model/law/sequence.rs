@@ -17,6 +17,9 @@ use crate::syntax::{Expression, ExpressionKind};
 
 const FORM: &str = "sequence(x, cycloidal, (x0, h0), (x1, h1), …)";
 
+/// So many pieces are told apart one after the other, more of them by halves.
+const LONGEST_CHAIN: usize = 24;
+
 /// One station: the place and the height, as written and as values.
 type Station<'a> = [(&'a Expression, Value); 2];
 
@@ -206,22 +209,39 @@ fn joined(law: Rise, x: ExprId, mut phases: Vec<Phase>, graph: &mut Graph) -> Ex
     chosen(x, &motions, graph)
 }
 
-/// The value of the first pair whose place x has not reached; that of the last pair beyond all.
+/// The value of the first pair whose place x has not reached; that of the last pair beyond all. Neighbors of one value need no
+/// question between them.
 fn chosen(x: ExprId, pairs: &[(ExprId, ExprId)], graph: &mut Graph) -> ExprId {
-    let mut pairs = pairs.iter().rev();
-    let Some(&(_, mut next)) = pairs.next() else {
-        return graph.zero();
-    };
-    let mut value = next;
-    for &(end, own) in pairs {
-        // Neighbors of one value need no question between them.
-        if own != next {
-            let left = graph.subtract(x, end);
-            value = graph.choose(left, own, value);
+    let mut pieces: Vec<(ExprId, ExprId)> = Vec::with_capacity(pairs.len());
+    for &(end, value) in pairs {
+        match pieces.last_mut() {
+            Some(last) if last.1 == value => last.0 = end,
+            _ => pieces.push((end, value)),
         }
-        next = own;
     }
-    value
+    among(x, &pieces, graph)
+}
+
+/// The same by as few questions as can be, where there are many pieces; by one after the other where a person would write so.
+fn among(x: ExprId, pieces: &[(ExprId, ExprId)], graph: &mut Graph) -> ExprId {
+    match pieces {
+        [] => graph.zero(),
+        [(_, only)] => *only,
+        few if few.len() <= LONGEST_CHAIN => {
+            let mut pieces = few.iter().rev();
+            let last = pieces.next().map_or(graph.zero(), |last| last.1);
+            pieces.fold(last, |value, &(end, own)| {
+                let left = graph.subtract(x, end);
+                graph.choose(left, own, value)
+            })
+        }
+        many => {
+            let (before, after) = many.split_at(many.len() / 2);
+            let left = graph.subtract(x, before[before.len() - 1].0);
+            let [below, otherwise] = [before, after].map(|half| among(x, half, graph));
+            graph.choose(left, below, otherwise)
+        }
+    }
 }
 
 fn pair_of(stations: &[Station<'_>], component: usize) -> [ExprId; 2] {

@@ -5,7 +5,7 @@ use super::super::resolve::Resolver;
 use super::{Columns, Point, csv};
 use crate::diagnostic::{Attachment, Code, Diagnostic};
 use crate::expr::{ExprId, Number};
-use crate::syntax::{Name, is_relative};
+use crate::syntax::{Name, is_relative, leaves_folder};
 
 impl Resolver<'_> {
     /// The points of a file, each column in its unit.
@@ -30,6 +30,16 @@ impl Resolver<'_> {
                 return None;
             }
         };
+        // One file may stand behind many tables.
+        self.graph.spend(text.len() / 16);
+        if leaves_folder(&path.text) {
+            let message = format!("`{}` leaves the folder of the description", path.text);
+            self.diagnostics.push(
+                Diagnostic::warning(Code::UnreadableTable, path.span, message)
+                    .label("another folder is read")
+                    .help("put the file beside the description, so that both are copied together"),
+            );
+        }
         let rows = match csv::rows(text) {
             Ok(rows) => rows,
             Err(faults) => {

@@ -63,11 +63,12 @@ impl Resolver<'_> {
             );
             return false;
         }
-        let mut others = self.table_names.iter().map(|(other, _)| other);
-        let alike = others
-            .find(|other| other.text != text && field_name(&other.text) == field_name(text))
-            .map(|other| (other.text.clone(), other.span));
-        if let Some((other, span)) = alike {
+        let fields = &mut self.table_fields;
+        let earlier = fields
+            .entry(field_name(text))
+            .or_insert_with(|| name.clone());
+        let (other, span) = (earlier.text.clone(), earlier.span);
+        if other != text {
             self.diagnostics.push(
                 finding(format!("tables `{other}` and `{text}` differ only in case"))
                     .label("both would be one constant in the generated code")
@@ -272,19 +273,16 @@ impl Resolver<'_> {
         let (spline, place, value) = (table.spline, table.argument, table.value);
         let (argument, found) = argument?;
         if !found.fits(place) {
-            self.diagnostics.push(
-                Diagnostic::error(
-                    Code::WrongDimension,
-                    written.span,
-                    format!(
-                        "the table `{name}` takes {}, not {}",
-                        place.name(),
-                        found.name()
-                    ),
-                )
-                .label(format!("this is {}", found.name()))
-                .help("divide by a quantity of the same unit, or write bare numbers for SI units"),
+            let message = format!(
+                "the table `{name}` takes {}, not {}",
+                place.name(),
+                found.name()
             );
+            let finding = Diagnostic::error(Code::WrongDimension, written.span, message)
+                .label(format!("this is {}", found.name()))
+                .help("divide by a quantity of the same unit, or write bare numbers for SI units");
+            let finding = self.with_declarations(finding, &[written]);
+            self.diagnostics.push(finding);
             return None;
         }
         Some((self.graph.spline(spline, 0, argument), value))

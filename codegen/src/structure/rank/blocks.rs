@@ -51,6 +51,7 @@ pub(in crate::structure) fn singular(
     incidence: &Incidence,
     matching: &Matching,
 ) -> Option<Singular> {
+    let length = system.characteristic_length();
     let blocks: Vec<Functions<'_>> = components(incidence, matching)
         .into_iter()
         .map(|rows| {
@@ -59,7 +60,7 @@ pub(in crate::structure) fn singular(
                 .filter_map(|&row| matching.column_of[row])
                 .collect();
             columns.sort_unstable();
-            Functions::new(system, rows, columns)
+            Functions::measured_in(length, system, rows, columns)
         })
         .collect();
     let mut found = vec![Found::default(); blocks.len()];

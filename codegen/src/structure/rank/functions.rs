@@ -3,7 +3,8 @@
 //! Everything is dimensionless: lengths in characteristic lengths, angles in radians, rows divided by the size of their
 //! gradients in the pose from which a search starts.
 
-use crate::expr::{ExprId, Tape};
+use crate::expr::{ExprId, SymbolId, Tape};
+use crate::joint::Quantity;
 use crate::model::Role;
 use crate::system::System;
 
@@ -27,10 +28,22 @@ pub(super) struct Functions<'a> {
     residual: Tape,
     jacobian: Tape,
     places: Vec<[usize; 2]>,
+    /// What lengths are measured in, in m.
+    length: f64,
 }
 
 impl<'a> Functions<'a> {
     pub fn new(system: &'a System, rows: Vec<usize>, columns: Vec<usize>) -> Functions<'a> {
+        Functions::measured_in(system.characteristic_length(), system, rows, columns)
+    }
+
+    /// The same where the characteristic length is known, for many of them.
+    pub fn measured_in(
+        length: f64,
+        system: &'a System,
+        rows: Vec<usize>,
+        columns: Vec<usize>,
+    ) -> Functions<'a> {
         let graph = &system.mechanism.graph;
         let residuals: Vec<ExprId> = rows.iter().map(|&at| system.row(at).residual).collect();
         let (mut entries, mut places) = (Vec::new(), Vec::new());
@@ -49,6 +62,7 @@ impl<'a> Functions<'a> {
             places,
             rows,
             columns,
+            length,
         }
     }
 
@@ -59,7 +73,7 @@ impl<'a> Functions<'a> {
             .evaluate(&pose.symbols, &mut Vec::new(), &mut values);
         for (value, &at) in values.iter_mut().zip(&self.rows) {
             let row = self.system.row(at);
-            *value /= self.system.scale(row.quantity);
+            *value /= self.scale(row.quantity);
             if self.system.mechanism.joints[row.joint].role == Role::Driver {
                 // No two drivers are moved alike, so that nothing fits by accident.
                 *value -= pose.shift * (1.0 + 0.3 * spread(at, 0));
@@ -77,7 +91,7 @@ impl<'a> Functions<'a> {
         for (&[place, column], entry) in self.places.iter().zip(entries) {
             let of = self.system.row(self.rows[place]).quantity;
             let by = self.column_scale(column);
-            matrix[place][column] = entry * by / self.system.scale(of);
+            matrix[place][column] = entry * by / self.scale(of);
         }
         matrix
     }
@@ -85,17 +99,31 @@ impl<'a> Functions<'a> {
     /// What one unit of a dimensionless coordinate is.
     pub fn column_scale(&self, column: usize) -> f64 {
         let coordinate = &self.system.coordinates[self.columns[column]];
-        self.system.scale(coordinate.quantity)
+        self.scale(coordinate.quantity)
     }
 
-    /// Moves the coordinates of a pose by a dimensionless step.
-    pub fn moved(&self, pose: &Pose, step: &[f64]) -> Pose {
-        let mut moved = pose.clone();
-        for (column, by) in step.iter().enumerate() {
-            let symbol = self.system.coordinates[self.columns[column]].position;
-            moved.symbols[symbol.index()] += by * self.column_scale(column);
+    /// As [`System::scale`], without finding the characteristic length anew.
+    fn scale(&self, quantity: Quantity) -> f64 {
+        self.length.powi(quantity.power_of_length())
+    }
+
+    /// Where its coordinates are in a pose.
+    pub fn coordinates(&self, pose: &Pose) -> Vec<f64> {
+        let symbols = self.symbols();
+        symbols.map(|symbol| pose.symbols[symbol.index()]).collect()
+    }
+
+    /// Puts its coordinates into a pose, moved by a dimensionless step. A pose holds those of all blocks, so it is not copied.
+    pub fn place(&self, pose: &mut Pose, coordinates: &[f64], step: &[f64]) {
+        for (column, symbol) in self.symbols().enumerate() {
+            let by = step[column] * self.column_scale(column);
+            pose.symbols[symbol.index()] = coordinates[column] + by;
         }
-        moved
+    }
+
+    fn symbols(&self) -> impl Iterator<Item = SymbolId> {
+        let columns = self.columns.iter();
+        columns.map(|&column| self.system.coordinates[column].position)
     }
 }
 

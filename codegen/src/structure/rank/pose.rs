@@ -40,9 +40,11 @@ pub(super) fn start(system: &System, number: usize) -> Pose {
         let initial = graph.constant_value(input.initial).unwrap_or(f64::NAN);
         symbols[input.symbols[0].index()] = initial;
     }
+    let length = system.characteristic_length();
     for (index, coordinate) in system.coordinates.iter().enumerate() {
         let drawn = graph.constant_value(coordinate.estimate);
-        let shaken = off * spread(index, number) * system.scale(coordinate.quantity);
+        let scale = length.powi(coordinate.quantity.power_of_length());
+        let shaken = off * spread(index, number) * scale;
         symbols[coordinate.position.index()] = drawn.unwrap_or(f64::NAN) + shaken;
     }
     Pose {
@@ -65,6 +67,8 @@ pub(super) fn project(functions: &Functions<'_>, pose: &mut Pose) -> f64 {
     let weighted =
         |values: &[f64]| -> Vec<f64> { values.iter().zip(&weights).map(|(a, b)| a * b).collect() };
     let mut size = norm(&weighted(&residuals));
+    let mut coordinates = functions.coordinates(pose);
+    let rest = vec![0.0; coordinates.len()];
     let mut factor = 1e-3;
     for _ in 0..STEPS {
         if !(size.is_finite() && size > 1e-15) {
@@ -84,17 +88,20 @@ pub(super) fn project(functions: &Functions<'_>, pose: &mut Pose) -> f64 {
         if length > 0.5 {
             step.iter_mut().for_each(|by| *by *= 0.5 / length);
         }
-        let next = functions.moved(pose, &step);
-        let found = functions.residuals(&next);
+        functions.place(pose, &coordinates, &step);
+        let found = functions.residuals(pose);
         let next_size = norm(&weighted(&found));
         if next_size < size {
-            (*pose, residuals, size) = (next, found, next_size);
+            (residuals, size) = (found, next_size);
+            coordinates = functions.coordinates(pose);
             factor = (factor * 0.1).max(1e-6);
-        } else if factor > 1e6 || length < 1e-15 {
-            break;
-        } else {
-            factor *= 10.0;
+            continue;
         }
+        functions.place(pose, &coordinates, &rest);
+        if factor > 1e6 || length < 1e-15 {
+            break;
+        }
+        factor *= 10.0;
     }
     let largest = residuals
         .iter()

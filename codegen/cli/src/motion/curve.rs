@@ -1,0 +1,146 @@
+//! *The motion of a point, instant by instant* → *its extremes in a bounded number of stretches*, so that no peak of a long motion is
+//! lost.
+
+use linkwright::Motion;
+
+/// How many stretches there are at most.
+const STRETCHES: usize = 2000;
+
+/// A value and when it was taken (s).
+pub type Extreme = (f64, f64);
+
+/// The components of a motion: position, velocity and acceleration, x and y each.
+const COMPONENTS: usize = 6;
+
+/// The course of a point.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    stretches: Vec<Stretch>,
+    /// How many instants a full stretch has, and how many the last one has.
+    length: usize,
+    filled: usize,
+    ends: Option<[Stretch; 2]>,
+}
+
+/// The smallest and the largest value of each component, with their times.
+#[derive(Clone, Copy, Debug)]
+struct Stretch([[Extreme; 2]; COMPONENTS]);
+
+impl Default for Curve {
+    fn default() -> Self {
+        Curve {
+            stretches: Vec::new(),
+            length: 1,
+            filled: 1,
+            ends: None,
+        }
+    }
+}
+
+impl Curve {
+    /// Takes the next instant.
+    pub fn push(&mut self, t: f64, motion: &Motion) {
+        let Motion {
+            position: [x, y],
+            velocity: [vx, vy],
+            acceleration: [ax, ay],
+        } = *motion;
+        let own = Stretch([x, y, vx, vy, ax, ay].map(|value| [(t, value); 2]));
+        self.ends = Some([self.ends.map_or(own, |[first, _]| first), own]);
+        match self.stretches.last_mut() {
+            Some(last) if self.filled < self.length => {
+                last.extend(&own);
+                self.filled += 1;
+                return;
+            }
+            _ => {}
+        }
+        if self.stretches.len() == STRETCHES {
+            let pairs = self.stretches.chunks_exact(2).map(|pair| {
+                let mut both = pair[0];
+                both.extend(&pair[1]);
+                both
+            });
+            self.stretches = pairs.collect();
+            self.length *= 2;
+        }
+        self.stretches.push(own);
+        self.filled = 1;
+    }
+
+    /// The first and the last time.
+    pub fn range(&self) -> Option<[f64; 2]> {
+        self.ends.map(|ends| ends.map(|end| end.0[0][0].0))
+    }
+
+    /// The extremes of a component, by level and axis, in the order of time, with the ends of the motion.
+    pub fn component(&self, level: usize, axis: usize) -> Vec<Extreme> {
+        let component = 2 * level + axis;
+        let mut points = Vec::with_capacity(2 * self.stretches.len() + 2);
+        points.extend(self.ends.map(|[first, _]| first.0[component][0]));
+        for stretch in &self.stretches {
+            let [low, high] = stretch.0[component];
+            points.extend(if low.0 <= high.0 {
+                [low, high]
+            } else {
+                [high, low]
+            });
+        }
+        points.extend(self.ends.map(|[_, last]| last.0[component][0]));
+        points.dedup_by_key(|point| point.0);
+        points
+    }
+}
+
+impl Stretch {
+    fn extend(&mut self, other: &Stretch) {
+        for ([low, high], [lower, higher]) in self.0.iter_mut().zip(other.0) {
+            if lower.1 < low.1 {
+                *low = lower;
+            }
+            if higher.1 > high.1 {
+                *high = higher;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn moving(x: f64) -> Motion {
+        Motion {
+            position: [x, 0.0],
+            velocity: [0.0; 2],
+            acceleration: [0.0; 2],
+        }
+    }
+
+    #[test]
+    fn a_long_curve_keeps_its_peaks_and_its_ends() {
+        let mut curve = Curve::default();
+        for k in 0..100_001 {
+            let value = if k == 54_321 { 7.0 } else { 0.0 };
+            curve.push(f64::from(k), &moving(value));
+        }
+        let points = curve.component(0, 0);
+        assert!(points.len() <= 2 * STRETCHES + 2, "{}", points.len());
+        assert!(points.contains(&(54_321.0, 7.0)));
+        assert!(points.is_sorted_by(|a, b| a.0 < b.0));
+        assert_eq!(curve.range(), Some([0.0, 100_000.0]));
+        assert_eq!((points[0].0, points[points.len() - 1].0), (0.0, 100_000.0));
+    }
+
+    #[test]
+    fn a_short_curve_is_what_it_was() {
+        let mut curve = Curve::default();
+        for k in 0..STRETCHES {
+            curve.push(k as f64, &moving((k as f64).sin()));
+        }
+        let expected: Vec<Extreme> = (0..STRETCHES)
+            .map(|k| (k as f64, (k as f64).sin()))
+            .collect();
+        assert_eq!(curve.component(0, 0), expected);
+    }
+}

@@ -1,0 +1,160 @@
+//! *A path → whether a file can be written there, and where that is without links*, or why not.
+
+use std::fs::{self, File};
+use std::io::{self, BufRead as _, BufReader, Read as _};
+use std::path::{Path, PathBuf};
+
+use linkwright_codegen::files;
+
+use super::{Refused, Signature};
+
+/// The longest first line that is looked at: a table of ten thousand bodies has one of two megabytes.
+const LONGEST_LINE: u64 = 16 << 20;
+
+/// Why a file cannot be written, where it is clear which.
+pub(super) struct Why {
+    reason: String,
+    help: Option<String>,
+}
+
+impl From<io::Error> for Why {
+    fn from(error: io::Error) -> Why {
+        Why::new(files::reason(&error))
+    }
+}
+
+impl Why {
+    pub fn new(reason: impl Into<String>) -> Why {
+        Why {
+            reason: reason.into(),
+            help: None,
+        }
+    }
+
+    pub fn help(mut self, help: impl Into<String>) -> Why {
+        self.help = Some(help.into());
+        self
+    }
+
+    pub fn about(self, path: &Path) -> Refused {
+        Refused {
+            path: path.to_path_buf(),
+            reason: self.reason,
+            help: self.help,
+        }
+    }
+}
+
+/// What stands at a path, or what a link there leads to; `None` where nothing does.
+pub(super) fn existing(path: &Path) -> Result<Option<fs::FileType>, Why> {
+    match fs::metadata(path) {
+        Ok(found) => Ok(Some(found.file_type())),
+        Err(error) if leads_nowhere(&error) => match fs::read_link(path) {
+            Ok(target) => Err(Why::new(format!(
+                "`{}` is a link to `{}`, which does not exist",
+                path.display(),
+                target.display()
+            ))),
+            Err(_) => Ok(None),
+        },
+        Err(error) => Err(Why::from(error)),
+    }
+}
+
+fn leads_nowhere(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
+    )
+}
+
+/// Where a file that does not exist will be, without links: its folders exist or can be made.
+pub(super) fn missing(path: &Path) -> Result<PathBuf, Why> {
+    let (Some(name), false) = (path.file_name(), ends_as_folder(path)) else {
+        return Err(Why::new("this names no file"));
+    };
+    let mut rest = vec![name];
+    let mut folder = files::folder_of(path);
+    let kind = loop {
+        if let Some(kind) = existing(folder)? {
+            break kind;
+        }
+        let Some(name) = folder.file_name() else {
+            return Err(Why::new(format!("there is no `{}`", folder.display())));
+        };
+        rest.push(name);
+        folder = files::folder_of(folder);
+    };
+    if !kind.is_dir() {
+        return Err(Why::new(format!("`{}` is no folder", folder.display())));
+    }
+    let place = fs::canonicalize(folder)?;
+    may_write_in(&place, folder)?;
+    Ok(rest
+        .iter()
+        .rev()
+        .fold(place, |place, name| place.join(name)))
+}
+
+/// Whether a path can only be that of a folder.
+fn ends_as_folder(path: &Path) -> bool {
+    let text = path.as_os_str().as_encoded_bytes();
+    text.last()
+        .is_some_and(|last| std::path::is_separator(char::from(*last)))
+}
+
+fn may_write_in(folder: &Path, shown: &Path) -> Result<(), Why> {
+    files::may_write_in(folder).map_err(|error| {
+        Why::new(format!(
+            "no file can be made in `{}`: {}",
+            shown.display(),
+            files::reason(&error)
+        ))
+    })
+}
+
+/// Whether an existing file can be replaced by another.
+pub(super) fn replaceable(place: &Path) -> Result<(), Why> {
+    if fs::metadata(place)?.permissions().readonly() {
+        return Err(Why::new("the file is write-protected"));
+    }
+    // Opened to be extended, since that changes nothing.
+    File::options().append(true).open(place)?;
+    let folder = files::folder_of(place);
+    may_write_in(folder, folder)
+}
+
+/// Whether a file is empty or begins with the first line of what may replace it.
+pub(super) fn ours(place: &Path, signature: Signature) -> Result<(), Why> {
+    let mut line = Vec::new();
+    BufReader::new(File::open(place)?)
+        .take(LONGEST_LINE)
+        .read_until(b'\n', &mut line)?;
+    let text = std::str::from_utf8(&line).map(|line| line.trim_end_matches(['\n', '\r']));
+    if line.is_empty() || text.is_ok_and(signature.is_first_line) {
+        return Ok(());
+    }
+    let why = Why::new(format!(
+        "there is a file already, and it is not {}",
+        signature.noun
+    ));
+    Err(why.help("name another file, or replace this one with `--force`"))
+}
+
+/// Whether what is written to something of this kind is for somebody else to keep.
+#[cfg(unix)]
+pub(super) fn is_stream(kind: fs::FileType) -> bool {
+    use std::os::unix::fs::FileTypeExt as _;
+    kind.is_fifo() || kind.is_char_device()
+}
+
+#[cfg(not(unix))]
+pub(super) fn is_stream(_: fs::FileType) -> bool {
+    false
+}
+
+pub(super) fn is_stdout(place: &Path) -> bool {
+    let same = same_file::Handle::from_path(place)
+        .and_then(|place| Ok(place == same_file::Handle::stdout()?));
+    same.unwrap_or(false)
+}

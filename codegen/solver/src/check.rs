@@ -1,0 +1,168 @@
+//! *A mechanism and a schedule* → *what can be said about its assemblies and its singular poses*.
+//!
+//! The module does not know how it is printed.
+
+use std::convert::Infallible;
+
+use linkwright::{Blocks, Shell};
+use linkwright_codegen::emit::derivation::SingularPose;
+use linkwright_codegen::model::Role;
+use linkwright_codegen::system::System;
+use nalgebra::DVector;
+
+use crate::approach::{Approach, Watch};
+use crate::assemblies::{Assemblies, assemblies};
+use crate::condition::{Condition, dimensionless, jacobian};
+use crate::interpreted::Interpreted;
+use crate::measures::Measures;
+use crate::schedule::Schedule;
+use crate::textbook::TextbookEquations;
+use crate::trajectory::follow;
+use crate::view::View;
+use crate::warnings::warnings;
+
+/// A measure below this is worth a warning: links within about half a degree of being in line.
+pub const CLOSE: f64 = 0.01;
+
+/// One part of the plan.
+#[derive(Clone, Debug)]
+pub struct CheckedPart {
+    /// Where it is singular, in words.
+    pub pose: SingularPose,
+    /// How many solutions its closed form has; `None` for Newton-Raphson.
+    pub solutions: Option<usize>,
+    /// Where it comes closest to singular; `None` where it never is singular or the motion could not be followed.
+    pub approach: Option<Approach>,
+    /// The reciprocal condition of the dimensionless Φ_q there.
+    pub reciprocal: Option<f64>,
+}
+
+/// Everything that is checked.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// The mechanism.
+    pub interpreted: Interpreted,
+    /// KDOF: coordinates less the equations of joints.
+    pub kinematic_freedom: i64,
+    /// NDOF: the same less the equations of drivers.
+    pub net_freedom: i64,
+    /// The parts in solve order.
+    pub parts: Vec<CheckedPart>,
+    /// When the mechanism is assembled (s).
+    pub start: f64,
+    /// The first and the last time that could be solved (s); `None` where the mechanism cannot be assembled.
+    pub range: Option<[f64; 2]>,
+    /// The assemblies at the start.
+    pub assemblies: Assemblies,
+    /// What to look at.
+    pub warnings: Vec<String>,
+    /// Why the motion ends early, if it does.
+    pub error: Option<String>,
+}
+
+impl Check {
+    /// Checks a mechanism over a schedule whose times are all wanted; `reached` hears how many were visited.
+    pub fn new(
+        interpreted: Interpreted,
+        schedule: &Schedule,
+        mut reached: impl FnMut(usize),
+    ) -> Check {
+        let system = interpreted.system();
+        let coordinates = system.coordinates.len() as i64;
+        let kinematic_freedom = coordinates - equation_count(system, Role::Constraint) as i64;
+        let net_freedom = kinematic_freedom - equation_count(system, Role::Driver) as i64;
+        let start = schedule.start.t;
+        let assemblies = assemblies(&interpreted, start);
+        let laws = interpreted.input_laws();
+        let parameters = interpreted.nominal_parameters();
+        let pose = interpreted.drawn_pose(&parameters);
+        let modes = interpreted.drawn_branches();
+        let (blocks, inputs) = (interpreted.clone(), laws.at(start));
+        let assembled = Shell::assemble(
+            blocks,
+            &parameters,
+            &pose,
+            modes,
+            start,
+            &inputs,
+            Default::default(),
+        );
+        let (mut range, mut error, mut approaches) = (None, None, Vec::new());
+        match assembled {
+            Err(failure) => error = Some(interpreted.not_assembled(&failure)),
+            Ok(mut shell) => {
+                let mut watch = Watch::new(Measures::new(&interpreted), laws.clone());
+                watch.see(&shell);
+                let (mut count, mut last) = (1, start);
+                let seen = |shell: &Shell<Interpreted>, _| {
+                    watch.see(shell);
+                    count += 1;
+                    last = shell.frame().t();
+                    reached(count);
+                    Ok::<(), Infallible>(())
+                };
+                if let Ok(Some(end)) = follow(&mut shell, &laws, &schedule.forward, seen) {
+                    // Where a motion ends its last pose counts too.
+                    watch.see(&shell);
+                    error = Some(interpreted.ended(&end.failure, &end.last));
+                }
+                range = Some([start, last]);
+                approaches = watch.finish(&shell);
+            }
+        }
+        let poses = interpreted.singular_poses();
+        Check {
+            kinematic_freedom,
+            net_freedom,
+            warnings: warnings(&approaches, poses, CLOSE),
+            parts: parts(&interpreted, &approaches),
+            start,
+            range,
+            assemblies,
+            error,
+            interpreted,
+        }
+    }
+
+    /// The part that comes closest to singular.
+    pub fn closest(&self) -> Option<&CheckedPart> {
+        let measured = self.parts.iter().filter(|it| it.approach.is_some());
+        let measure = |it: &CheckedPart| it.approach.as_ref().map_or(1.0, |it| it.measure);
+        measured.min_by(|a, b| measure(a).total_cmp(&measure(b)))
+    }
+}
+
+/// How many scalar equations come from joints of `role`.
+pub fn equation_count(system: &System, role: Role) -> usize {
+    let joints = &system.mechanism.joints;
+    system
+        .rows
+        .iter()
+        .filter(|row| joints[row.joint].role == role)
+        .count()
+}
+
+fn parts(interpreted: &Interpreted, approaches: &[Approach]) -> Vec<CheckedPart> {
+    let textbook = TextbookEquations::new(interpreted.system());
+    let poses = interpreted.singular_poses().iter();
+    let checked = poses.map(|pose| {
+        let own = (pose.block, pose.part);
+        let approach = approaches
+            .iter()
+            .find(|it| (it.part.block, it.part.part) == own);
+        CheckedPart {
+            solutions: interpreted.program().forms[pose.block][pose.part].modes(),
+            approach: approach.cloned(),
+            reciprocal: approach.map(|it| reciprocal(&textbook, it)),
+            pose: pose.clone(),
+        }
+    });
+    checked.collect()
+}
+
+/// The reciprocal condition of the dimensionless Φ_q at the closest approach.
+fn reciprocal(textbook: &TextbookEquations, approach: &Approach) -> f64 {
+    let q = DVector::from_column_slice(approach.instant.q());
+    let matrix = jacobian(textbook, &q, approach.instant.t());
+    Condition::of(&dimensionless(textbook, matrix)).reciprocal
+}

@@ -1,0 +1,87 @@
+//! *Weak directions of Φ_q* → *the joints and bodies they concern, by name*.
+//!
+//! At a singular pose a combination of equations restricts nothing new (left null vector) and some coordinates can move
+//! although every driver stands still (right null vector). What takes part with less than [`SHARE`] of the largest
+//! component is left out. Names come in written order, each once. The module does not know how the directions were found.
+
+use linkwright_codegen::system::System;
+
+use crate::condition::Weakness;
+
+/// The smallest component, relative to the largest, that counts as taking part.
+pub const SHARE: f64 = 0.1;
+
+/// How many names a sentence lists before it counts the rest.
+const LISTED: usize = 6;
+
+/// Who takes part in a singularity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Concerned {
+    /// Labels of joints and drivers, as the description writes them.
+    pub joints: Vec<String>,
+    /// Names of bodies that can move.
+    pub bodies: Vec<String>,
+}
+
+impl Concerned {
+    /// The names behind the directions of `weakness`.
+    pub fn of(system: &System, weakness: &Weakness) -> Concerned {
+        let mechanism = &system.mechanism;
+        let joints = taking_part(
+            mechanism.joints.len(),
+            system.rows.iter().map(|row| row.joint),
+            weakness.equations.as_slice(),
+        );
+        let bodies = taking_part(
+            mechanism.bodies.len(),
+            system
+                .coordinates
+                .iter()
+                .filter_map(|coordinate| coordinate.describes.body()),
+            // The poses come first; where a joint touches its curve follows from them.
+            weakness.coordinates.as_slice(),
+        );
+        Concerned {
+            joints: joints
+                .map(|joint| mechanism.joints[joint].label.clone())
+                .collect(),
+            bodies: bodies
+                .map(|body| mechanism.bodies[body].name.clone())
+                .collect(),
+        }
+    }
+}
+
+impl std::fmt::Display for Concerned {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            formatter,
+            "joints concerned: {}; bodies that can move: {}",
+            listed(&self.joints),
+            listed(&self.bodies)
+        )
+    }
+}
+
+/// The groups whose largest component is at least [`SHARE`] of the largest of all.
+fn taking_part(
+    groups: usize,
+    group_of: impl Iterator<Item = usize>,
+    components: &[f64],
+) -> impl Iterator<Item = usize> {
+    let mut largest = vec![0.0_f64; groups];
+    for (group, component) in group_of.zip(components) {
+        largest[group] = largest[group].max(component.abs());
+    }
+    let limit = SHARE * largest.iter().copied().fold(0.0, f64::max);
+    (0..groups).filter(move |group| largest[*group] >= limit && largest[*group] > 0.0)
+}
+
+/// `a, b, c and 4 more`.
+pub fn listed(names: &[String]) -> String {
+    match names.len() {
+        0 => "none".to_string(),
+        count if count <= LISTED => names.join(", "),
+        count => format!("{} and {} more", names[..LISTED].join(", "), count - LISTED),
+    }
+}

@@ -1,0 +1,281 @@
+//! *A [`System`]* → *all of its equations, solved at once*: the textbook view as one block.
+
+use std::cell::Cell;
+use std::sync::Arc;
+
+use linkwright::{
+    BlockName, Blocks, Equations, Failure, Given, Motion, Pair, Span, Start, block, path,
+};
+use linkwright_codegen::emit::derivation::SingularPose;
+use linkwright_codegen::system::System;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use crate::diagnosis::cause;
+use crate::given::{InputSignals, ModeName, Modes, Numbers, ParameterValues, Pose};
+use crate::instant::{Instant, Layout};
+use crate::measures::Measures;
+use crate::number::time;
+use crate::textbook::TextbookEquations;
+use crate::view::View;
+
+/// Φ(q, t) = 0 as one dense system, in SI units: m, rad, s.
+#[derive(Clone, Debug)]
+pub struct Dense {
+    system: Arc<System>,
+    layout: Arc<Layout>,
+    equations: TextbookEquations,
+    residuals: Cell<u64>,
+    solves: Cell<u64>,
+}
+
+/// What the one block is called.
+const ALL: BlockName<'static> = BlockName {
+    name: "all equations",
+    singular: "Φ_q is singular",
+};
+
+impl Dense {
+    /// The equations of `system`, which must have as many rows as coordinates: `linkwright_codegen::check` says so.
+    ///
+    /// # Panics
+    /// If the system is not square.
+    pub fn new(system: &System) -> Dense {
+        Dense {
+            layout: Arc::new(Layout::new(system, &[])),
+            equations: TextbookEquations::new(system),
+            system: Arc::new(system.clone()),
+            residuals: Cell::new(0),
+            solves: Cell::new(0),
+        }
+    }
+
+    /// The equations themselves.
+    pub fn equations(&self) -> &TextbookEquations {
+        &self.equations
+    }
+}
+
+impl Blocks for Dense {
+    type Scalar = f64;
+    type Frame = Instant;
+    type Coordinates = Pose;
+    type Branches = Modes;
+    type Parameters = ParameterValues;
+    type Inputs = InputSignals;
+    type Tubes = ();
+
+    /// Each step looks by itself whether it may have left the path; see [`linkwright::path::step`].
+    fn is_guarded(&self) -> bool {
+        false
+    }
+
+    fn tubes(&self) {}
+
+    fn keeps_to_path(&self, _: &Pair<'_, Dense>, _: &Span, (): &mut ()) -> Result<(), u16> {
+        Ok(())
+    }
+
+    fn is_within(&self, _: &Instant, (): &(), _: f64) -> bool {
+        true
+    }
+
+    fn nominal_parameters(&self) -> ParameterValues {
+        Numbers::nominal_parameters(&self.system)
+    }
+
+    fn initial_inputs(&self) -> InputSignals {
+        InputSignals::initial(&self.system)
+    }
+
+    fn drawn_branches(&self) -> Modes {
+        Modes {
+            closed: Vec::new(),
+            iterated: vec![None],
+        }
+    }
+
+    fn exchanged(&self, _: &Modes, _: u16) -> Option<Modes> {
+        None
+    }
+
+    fn drawn_pose(&self, _parameters: &ParameterValues) -> Pose {
+        Numbers(self.equations.estimate().as_slice().to_vec())
+    }
+
+    fn estimate(&self, pose: &Pose, parameters: &ParameterValues, t: f64) -> Instant {
+        let mut instant = self.layout.empty();
+        let rest = DVector::zeros(pose.0.len());
+        instant.set_frame(&linkwright::Frame {
+            t,
+            q: DVector::from_column_slice(&pose.0),
+            qd: rest.clone(),
+            qdd: rest,
+        });
+        instant.set_given(parameters, &self.initial_inputs());
+        instant
+    }
+
+    fn time(frame: &Instant) -> f64 {
+        frame.t()
+    }
+
+    fn solve(
+        &self,
+        at: &mut Instant,
+        last: &Instant,
+        modes: &mut Modes,
+        given: &Given<'_, f64, ParameterValues, InputSignals>,
+    ) -> Result<(), Failure> {
+        self.equations.supply(given.parameters, given.inputs);
+        self.solves.set(self.solves.get() + 1);
+        let (counted, last) = (Counted(self), last.frame());
+        let mode = &mut modes.iterated[0];
+        let Given {
+            t, start, settings, ..
+        } = *given;
+        let found = match (start, *mode) {
+            (Start::LastFrame, Some(branch)) => path::step(&counted, &last, branch, t, settings)?,
+            _ => block::solve(&counted, &last, Start::Estimate, mode, t, settings)?,
+        };
+        at.set_frame(&found);
+        at.set_given(given.parameters, given.inputs);
+        Ok(())
+    }
+
+    fn name(&self) -> &str {
+        &self.system.mechanism.name
+    }
+
+    fn coordinate_name(&self, index: usize) -> Option<&str> {
+        self.system
+            .coordinates
+            .get(index)
+            .map(|it| it.name.as_str())
+    }
+
+    fn parameter_name(&self, index: usize) -> Option<&str> {
+        let parameters = &self.system().mechanism.parameters;
+        parameters.get(index).map(|it| it.name.as_str())
+    }
+
+    fn input_name(&self, index: usize) -> Option<&str> {
+        let inputs = &self.system().mechanism.inputs;
+        inputs.get(index).map(|it| it.name.as_str())
+    }
+
+    fn coordinate(&self, frame: &Instant, index: usize) -> Option<[f64; 3]> {
+        frame.coordinate(index)
+    }
+
+    fn point_name(&self, index: usize) -> Option<&str> {
+        self.system.outputs.get(index).map(|it| it.name.as_str())
+    }
+
+    fn point(&self, frame: &Instant, index: usize) -> Option<Motion<f64>> {
+        self.points(frame).get(index).copied()
+    }
+
+    fn block_name(&self, index: usize) -> Option<BlockName<'_>> {
+        (index == 0).then_some(ALL)
+    }
+}
+
+impl View for Dense {
+    fn system(&self) -> &System {
+        &self.system
+    }
+
+    fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    fn mode_names(&self) -> Vec<ModeName> {
+        Vec::new()
+    }
+
+    fn newton_steps(&self) -> [u64; 2] {
+        let solves = self.solves.get();
+        [self.residuals.get().saturating_sub(solves), solves]
+    }
+
+    fn points(&self, instant: &Instant) -> Vec<Motion> {
+        self.equations.points(&instant.frame())
+    }
+
+    fn derivatives(&self, instant: &Instant) -> Option<Vec<f64>> {
+        let frame = instant.frame();
+        let responses = self.equations.responses(&frame.q, frame.t).ok()?;
+        let mut values = Vec::new();
+        for matrix in self.equations.transmissions(&frame.q, frame.t, &responses) {
+            values.extend(matrix.transpose().iter());
+        }
+        let drivers = self.system.driven().count();
+        if drivers < self.system.directions.len() {
+            let rates = self.equations.sensitivity_rates(&frame, &responses).ok()?;
+            let responses = responses.column_iter().skip(drivers);
+            for (response, rate) in responses.zip(rates.column_iter()) {
+                values.extend(response.iter());
+                values.extend(rate.iter());
+            }
+        }
+        Some(values)
+    }
+
+    fn measures(&self) -> Option<Measures> {
+        None
+    }
+
+    fn singular_poses(&self) -> &[SingularPose] {
+        &[]
+    }
+
+    fn not_assembled(&self, failure: &Failure) -> String {
+        let t = time(failure.time);
+        format!(
+            "cannot be assembled at t = {t} s: {}",
+            cause(self, failure, None)
+        )
+    }
+
+    fn ended(&self, failure: &Failure, last: &Instant) -> String {
+        let t = time(last.t());
+        format!(
+            "cannot be solved beyond t = {t} s: {}",
+            cause(self, failure, Some(last))
+        )
+    }
+}
+
+/// The equations, and how often the residual is evaluated.
+struct Counted<'a>(&'a Dense);
+
+impl Equations<f64, Dyn> for Counted<'_> {
+    fn dimension(&self) -> Dyn {
+        self.0.equations.dimension()
+    }
+
+    fn residual(&self, q: &DVector<f64>, t: f64, phi: &mut DVector<f64>) {
+        self.0.residuals.set(self.0.residuals.get() + 1);
+        self.0.equations.residual(q, t, phi);
+    }
+
+    fn jacobian(&self, q: &DVector<f64>, t: f64, phi_q: &mut DMatrix<f64>) {
+        self.0.equations.jacobian(q, t, phi_q);
+    }
+
+    fn time_derivative(&self, q: &DVector<f64>, t: f64, phi_t: &mut DVector<f64>) {
+        self.0.equations.time_derivative(q, t, phi_t);
+    }
+
+    fn gamma(&self, q: &DVector<f64>, qd: &DVector<f64>, t: f64, gamma: &mut DVector<f64>) {
+        self.0.equations.gamma(q, qd, t, gamma);
+    }
+
+    fn row_scale(&self, row: usize) -> f64 {
+        self.0.equations.row_scale(row)
+    }
+
+    fn coordinate_scale(&self, column: usize) -> f64 {
+        self.0.equations.coordinate_scale(column)
+    }
+}

@@ -1,0 +1,162 @@
+//! *How the solution of all equations at once fails* → *a sentence with times, joints and bodies*.
+//!
+//! The module does not solve anything; it evaluates Φ and Φ_q where the solver stopped.
+
+use linkwright::{Equations, Failure, FailureKind};
+use linkwright_codegen::joint::Quantity;
+use linkwright_codegen::system::System;
+use nalgebra::{DMatrix, DVector};
+
+use crate::concerned::Concerned;
+use crate::condition::{Condition, Weakness, dimensionless, jacobian};
+use crate::dense::Dense;
+use crate::instant::Instant;
+use crate::number::{scientific, time};
+use crate::textbook::TextbookEquations;
+use crate::view::View;
+
+/// A reciprocal condition below this is that of a singular pose, about the square root of ε: half of the digits of an acceleration
+/// may be lost.
+pub const ABSOLUTE: f64 = 1e-8;
+
+/// The last pose before the end of a motion is called singular below this. Near a turning point the reciprocal condition falls with the
+/// square root of the time that is left.
+const NEAR_END: f64 = 1e-5;
+
+/// Why there is no motion beyond the last instant, or none at all, and which joints are concerned.
+pub fn cause(dense: &Dense, failure: &Failure, last: Option<&Instant>) -> String {
+    let (system, equations) = (dense.system(), dense.equations());
+    let (q, t) = match last {
+        Some(last) => (DVector::from_column_slice(last.q()), last.t()),
+        None => (equations.estimate().clone(), failure.time),
+    };
+    let matrix = scaled_jacobian(equations, &q, t);
+    let reciprocal = Condition::of(&matrix).reciprocal;
+    let already_said = matches!(failure.kind, FailureKind::Singular { .. });
+    let limit = if last.is_some() { NEAR_END } else { ABSOLUTE };
+    let mut sentence = reason(system, equations, failure, last);
+    if last.is_none() && reciprocal.is_finite() {
+        sentence.push_str(&drawing(system, equations, t));
+    }
+    if reciprocal < limit || already_said {
+        if !already_said {
+            sentence.push_str("; Φ_q is singular there");
+        }
+        sentence.push_str("; ");
+        sentence.push_str(&concerned(system, &matrix));
+    } else if last.is_none() && failure.kind != FailureKind::NotFinite {
+        sentence.push_str(
+            "; the drawing is too far from any pose that satisfies the equations, or there is none",
+        );
+    }
+    sentence
+}
+
+/// What happened, with the joint whose equation is farthest from being satisfied.
+fn reason(
+    system: &System,
+    equations: &TextbookEquations,
+    failure: &Failure,
+    last: Option<&Instant>,
+) -> String {
+    let label = |row: usize| match system.rows.get(row) {
+        Some(row) => system.mechanism.joints[row.joint].label.as_str(),
+        None => "",
+    };
+    let not_finite = |row: usize, what: &str| {
+        format!(
+            "{what} of `{}` is not finite at t = {} s",
+            label(row),
+            time(failure.time)
+        )
+    };
+    let row = usize::from(failure.row);
+    let what = match failure.kind {
+        FailureKind::Singular { pivot_ratio, .. } => {
+            return format!(
+                "Φ_q is singular (pivot ratio {})",
+                scientific(pivot_ratio, 1)
+            );
+        }
+        FailureKind::NotFinite if !failure.residual.is_finite() => {
+            return not_finite(row, "the residual");
+        }
+        FailureKind::NotFinite => {
+            return match row_of_infinite_rate(equations, failure.time, last) {
+                Some(row) => not_finite(row, "a time derivative"),
+                None => "a coordinate, velocity or acceleration is not finite".to_string(),
+            };
+        }
+        FailureKind::Diverged => "Newton-Raphson runs away",
+        FailureKind::Cycling => "Newton-Raphson repeats itself",
+        FailureKind::Stalled => "Newton-Raphson stalls",
+        FailureKind::WrongBranch => "Newton-Raphson finds only another assembly mode",
+        FailureKind::StepTooLarge => "the step is too large for the motion to be followed",
+        // Later versions of the runtime may know more kinds of failure; each has these figures.
+        _ => "Newton-Raphson does not converge",
+    };
+    if failure.iterations == 0 {
+        return what.to_string();
+    }
+    format!(
+        "{what}; after {} steps `{}` is violated by {} of its scale",
+        failure.iterations,
+        label(row),
+        scientific(failure.residual, 1)
+    )
+}
+
+/// The first equation with a time derivative that is not finite where the motion ends.
+fn row_of_infinite_rate(
+    equations: &TextbookEquations,
+    t: f64,
+    last: Option<&Instant>,
+) -> Option<usize> {
+    let last = last?.frame();
+    let mut rate = DVector::zeros(last.q.len());
+    equations.time_derivative(&last.q, t, &mut rate);
+    let mut gamma = rate.clone();
+    equations.gamma(&last.q, &last.qd, t, &mut gamma);
+    (0..rate.len()).find(|row| !(rate[*row].is_finite() && gamma[*row].is_finite()))
+}
+
+/// By how much the drawing violates its worst equation.
+fn drawing(system: &System, equations: &TextbookEquations, t: f64) -> String {
+    let q = equations.estimate();
+    let mut phi = DVector::zeros(q.len());
+    equations.residual(q, t, &mut phi);
+    let scaled = |row: usize| phi[row].abs() / equations.row_scale(row);
+    let worst = (0..phi.len())
+        .filter(|row| phi[*row].is_finite())
+        .max_by(|a, b| scaled(*a).total_cmp(&scaled(*b)));
+    match worst {
+        Some(row) if phi[row] != 0.0 => format!(
+            "; the drawing violates `{}` most, by {} {}",
+            system.mechanism.joints[system.rows[row].joint].label,
+            scientific(phi[row].abs(), 1),
+            unit(system, row)
+        ),
+        _ => String::new(),
+    }
+}
+
+/// What the residual of a row is measured in.
+pub fn unit(system: &System, row: usize) -> String {
+    match system.rows[row].quantity {
+        Quantity::Length => "m".to_string(),
+        Quantity::Angle => "rad".to_string(),
+        Quantity::Power(0) => "1".to_string(),
+        Quantity::Power(exponent) => format!("m^{exponent}"),
+    }
+}
+
+fn concerned(system: &System, matrix: &DMatrix<f64>) -> String {
+    match Weakness::of(matrix) {
+        Some(weakness) => Concerned::of(system, &weakness).to_string(),
+        None => "Φ_q has entries that are not finite".to_string(),
+    }
+}
+
+fn scaled_jacobian(equations: &TextbookEquations, q: &DVector<f64>, t: f64) -> DMatrix<f64> {
+    dimensionless(equations, jacobian(equations, q, t))
+}

@@ -1,0 +1,150 @@
+//! What a caller supplies of a described mechanism: pose, parameters, inputs and assembly modes, in the order of its description.
+
+use linkwright::{Branch, Signal, Signals, Values};
+use linkwright_codegen::expr::Tape;
+use linkwright_codegen::system::System;
+
+/// Numbers in the order of a description and in SI units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Numbers(pub Vec<f64>);
+
+/// A value for each coordinate.
+pub type Pose = Numbers;
+
+/// The parameters of a description.
+pub type ParameterValues = Numbers;
+
+/// The inputs of a description at one time, in its order and in SI units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct InputSignals(pub Vec<Signal>);
+
+/// The assembly mode of every loop.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Modes {
+    /// Of those that are solved in closed form and have two.
+    pub closed: Vec<Branch>,
+    /// Of those that Newton-Raphson solves; `None` for what the estimate decides.
+    pub iterated: Vec<Option<Branch>>,
+}
+
+/// What an assembly mode is called, and where it is among the [`Modes`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ModeName {
+    /// The name that generated code has for it.
+    pub name: String,
+    /// Its place in [`Modes::closed`], or else in [`Modes::iterated`].
+    pub place: usize,
+    /// Whether it is one of a closed form.
+    pub is_closed: bool,
+}
+
+impl Numbers {
+    /// The parameters of a description.
+    pub fn nominal_parameters(system: &System) -> ParameterValues {
+        let mechanism = &system.mechanism;
+        let nominal = |symbol| mechanism.graph.nominal(symbol).unwrap_or(f64::NAN);
+        let parameters = mechanism.parameters.iter();
+        Numbers(parameters.map(|it| nominal(it.symbol)).collect())
+    }
+}
+
+impl InputSignals {
+    /// Those of the description, at rest.
+    pub fn initial(system: &System) -> InputSignals {
+        let mechanism = &system.mechanism;
+        let value = |expr| mechanism.graph.constant_value(expr).unwrap_or(f64::NAN);
+        let inputs = mechanism.inputs.iter();
+        InputSignals(
+            inputs
+                .map(|it| Signal::constant(value(it.initial)))
+                .collect(),
+        )
+    }
+}
+
+impl Values<f64> for Numbers {
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn value(&self, index: usize) -> Option<f64> {
+        self.0.get(index).copied()
+    }
+
+    fn set(&mut self, index: usize, value: f64) {
+        if let Some(place) = self.0.get_mut(index) {
+            *place = value;
+        }
+    }
+
+    fn are_finite(&self) -> bool {
+        self.0.iter().all(|value| value.is_finite())
+    }
+}
+
+impl Signals<f64> for InputSignals {
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn signal(&self, index: usize) -> Option<Signal> {
+        self.0.get(index).copied()
+    }
+
+    fn set(&mut self, index: usize, signal: Signal) {
+        if let Some(place) = self.0.get_mut(index) {
+            *place = signal;
+        }
+    }
+
+    fn are_finite(&self) -> bool {
+        let numbers = |it: &Signal| [it.value, it.rate, it.acceleration];
+        self.0.iter().flat_map(numbers).all(f64::is_finite)
+    }
+
+    fn towards(&self, last: &Self, h: f64, part: f64) -> Self {
+        let pairs = self.0.iter().zip(&last.0);
+        InputSignals(pairs.map(|(from, to)| from.towards(to, h, part)).collect())
+    }
+}
+
+/// The inputs of a description as functions of time: what they are while nobody supplies them.
+#[derive(Clone, Debug)]
+pub struct InputLaws {
+    tape: Tape,
+    /// By symbol, with the nominal parameters.
+    symbols: Vec<f64>,
+    time: usize,
+    count: usize,
+}
+
+impl InputLaws {
+    /// The laws that the description, or who reads it, gives the inputs.
+    pub fn of(system: &System) -> InputLaws {
+        let mechanism = &system.mechanism;
+        let mut symbols = vec![0.0; mechanism.graph.symbol_count()];
+        mechanism.graph.fill_nominal(&mut symbols);
+        let signals: Vec<_> = mechanism.inputs.iter().flat_map(|it| it.signal).collect();
+        InputLaws {
+            tape: Tape::new(&mechanism.graph, &signals),
+            symbols,
+            time: mechanism.time.index(),
+            count: signals.len(),
+        }
+    }
+
+    /// The inputs at time `t` (s).
+    pub fn at(&self, t: f64) -> InputSignals {
+        if self.count == 0 {
+            return InputSignals::default();
+        }
+        let mut symbols = self.symbols.clone();
+        symbols[self.time] = t;
+        let mut values = vec![0.0; self.count];
+        self.tape.evaluate(&symbols, &mut Vec::new(), &mut values);
+        let signals = values
+            .chunks_exact(3)
+            .map(|it| Signal::new(it[0], it[1], it[2]));
+        InputSignals(signals.collect())
+    }
+}

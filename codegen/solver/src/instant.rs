@@ -1,0 +1,156 @@
+//! What is kept of one solved instant, and where.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use linkwright::Frame;
+use linkwright_codegen::expr::SymbolId;
+use linkwright_codegen::system::System;
+use nalgebra::{DVector, Dyn};
+
+use crate::given::{InputSignals, ParameterValues};
+
+/// One solved instant, in m, rad and s: the time, what was given, q, q̇, q̈, and what else a [`Layout`] says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instant {
+    values: Vec<f64>,
+    /// Where q begins, and how many coordinates there are.
+    pose: [usize; 2],
+}
+
+/// Where instants keep what.
+#[derive(Clone, Debug)]
+pub struct Layout {
+    slots: HashMap<SymbolId, usize>,
+    symbols: Vec<SymbolId>,
+    parameters: usize,
+    inputs: usize,
+    coordinates: usize,
+}
+
+impl Layout {
+    /// Instants of a system that keep these values too.
+    pub(crate) fn new(system: &System, fields: &[SymbolId]) -> Layout {
+        let mechanism = &system.mechanism;
+        let mut symbols = vec![mechanism.time];
+        symbols.extend(mechanism.parameters.iter().map(|it| it.symbol));
+        symbols.extend(mechanism.inputs.iter().flat_map(|it| it.symbols));
+        symbols.extend(system.coordinates.iter().map(|it| it.position));
+        symbols.extend(system.coordinates.iter().map(|it| it.rate));
+        symbols.extend(system.coordinates.iter().map(|it| it.acceleration));
+        symbols.extend(fields);
+        Layout {
+            slots: symbols.iter().copied().zip(0..).collect(),
+            symbols,
+            parameters: mechanism.parameters.len(),
+            inputs: 3 * mechanism.inputs.len(),
+            coordinates: system.coordinates.len(),
+        }
+    }
+
+    /// The place of a symbol's value; `None` where instants do not keep it.
+    pub fn slot(&self, symbol: SymbolId) -> Option<usize> {
+        self.slots.get(&symbol).copied()
+    }
+
+    /// An instant of zeros.
+    pub(crate) fn empty(&self) -> Instant {
+        Instant {
+            values: vec![0.0; self.symbols.len()],
+            pose: [self.given().end, self.coordinates],
+        }
+    }
+
+    /// The places of parameters and inputs.
+    pub(crate) fn given(&self) -> Range<usize> {
+        1..1 + self.parameters + self.inputs
+    }
+
+    /// The places of what is solved for: q, q̇, q̈ and all that follows.
+    pub(crate) fn solved(&self) -> Range<usize> {
+        self.given().end..self.symbols.len()
+    }
+
+    /// The symbols by place.
+    pub(crate) fn symbols(&self) -> &[SymbolId] {
+        &self.symbols
+    }
+}
+
+impl Instant {
+    /// The time (s).
+    pub fn t(&self) -> f64 {
+        self.values[0]
+    }
+
+    /// The coordinates q.
+    pub fn q(&self) -> &[f64] {
+        self.level(0)
+    }
+
+    /// Their rates q̇.
+    pub fn qd(&self) -> &[f64] {
+        self.level(1)
+    }
+
+    /// Their accelerations q̈.
+    pub fn qdd(&self) -> &[f64] {
+        self.level(2)
+    }
+
+    /// All values by [`Layout::slot`].
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    pub(crate) fn values_mut(&mut self) -> &mut [f64] {
+        &mut self.values
+    }
+
+    /// The same for solvers of one dense system.
+    pub fn frame(&self) -> Frame<f64, Dyn> {
+        Frame {
+            t: self.t(),
+            q: DVector::from_column_slice(self.q()),
+            qd: DVector::from_column_slice(self.qd()),
+            qdd: DVector::from_column_slice(self.qdd()),
+        }
+    }
+
+    pub(crate) fn set_frame(&mut self, frame: &Frame<f64, Dyn>) {
+        self.values[0] = frame.t;
+        for (level, vector) in [&frame.q, &frame.qd, &frame.qdd].into_iter().enumerate() {
+            let range = self.range(level);
+            self.values[range].copy_from_slice(vector.as_slice());
+        }
+    }
+
+    /// A coordinate with its rate and its acceleration.
+    pub fn coordinate(&self, index: usize) -> Option<[f64; 3]> {
+        Some([
+            *self.q().get(index)?,
+            *self.qd().get(index)?,
+            *self.qdd().get(index)?,
+        ])
+    }
+
+    pub(crate) fn set_given(&mut self, parameters: &ParameterValues, inputs: &InputSignals) {
+        let signals = inputs
+            .0
+            .iter()
+            .flat_map(|it| [it.value, it.rate, it.acceleration]);
+        let given = parameters.0.iter().copied().chain(signals);
+        for (place, value) in self.values[1..].iter_mut().zip(given) {
+            *place = value;
+        }
+    }
+
+    fn level(&self, level: usize) -> &[f64] {
+        &self.values[self.range(level)]
+    }
+
+    fn range(&self, level: usize) -> Range<usize> {
+        let [from, length] = self.pose;
+        from + level * length..from + (level + 1) * length
+    }
+}

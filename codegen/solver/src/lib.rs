@@ -1,0 +1,27 @@
+//! *A description's equations* → *its motion, solved at once*.
+pub mod approach;
+pub mod assemblies;
+pub mod check;
+pub mod concerned;
+pub mod condition;
+pub mod dense;
+pub mod derivatives;
+pub mod diagnosis;
+pub mod given;
+pub mod instant;
+pub mod interpreted;
+pub mod measures;
+mod newton;
+pub mod number;
+mod operation;
+mod path;
+pub mod pressure;
+pub mod reader;
+pub mod residuals;
+pub mod schedule;
+pub mod search;
+pub mod textbook;
+pub mod trajectory;
+pub mod view;
+pub mod warnings;
+pub mod wishes;

@@ -1,0 +1,237 @@
+//! *The equations of a block without a closed form* → [`Equations`] on registers.
+
+use std::cell::RefCell;
+use std::ops::Range;
+
+use linkwright::{Equations, Frame};
+use linkwright_codegen::expr::{Code, Register};
+use linkwright_codegen::joint::Quantity;
+use linkwright_codegen::program::{Block, Function, Statement};
+use linkwright_codegen::system::System;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use crate::operation::{Operation, Writer, run};
+
+/// The Newton-Raphson of a block.
+#[derive(Clone, Debug)]
+pub(crate) struct Newton {
+    /// The tears with their rates and accelerations.
+    pub tears: [Vec<Register>; 3],
+    /// The same at the last instant.
+    pub last: [Vec<Register>; 3],
+    /// The determinant and the reciprocal condition, where they are asked for.
+    pub measure: Option<[Register; 2]>,
+    /// Which tears are angles, whose whole turns make no other pose.
+    pub is_angle: Vec<bool>,
+    residual: Part,
+    jacobian: Part,
+    time_derivative: Part,
+    gamma: Part,
+    rows: Vec<Quantity>,
+    columns: Vec<Quantity>,
+    lengths: (Range<usize>, Vec<Register>),
+    /// What lengths are scaled by where none follows a parameter, in m.
+    length: f64,
+}
+
+/// One of the functions.
+#[derive(Clone, Debug)]
+struct Part {
+    operations: Vec<Operation>,
+    results: Vec<Register>,
+}
+
+impl Newton {
+    /// Writes the equations of a block, and binds its tears.
+    pub fn new(block: &Block, system: &System, writer: &mut Writer<'_>) -> Option<Newton> {
+        let newton = block.newton.as_ref()?;
+        let unknowns = newton
+            .unknowns
+            .iter()
+            .map(|&it| &system.vector_form.unknowns[it]);
+        let symbols: Vec<_> = unknowns
+            .clone()
+            .map(|it| [it.position, it.rate, it.acceleration])
+            .collect();
+        let level = |level: usize| symbols.iter().map(move |it| it[level]);
+        let last = [0, 1, 2].map(|it| level(it).map(|symbol| writer.last(symbol)).collect());
+        let tears = [0, 1, 2].map(|it| level(it).map(|symbol| writer.found(symbol)).collect());
+        let measure = block
+            .function
+            .statements
+            .iter()
+            .find_map(|statement| match statement {
+                Statement::Newton { measure, .. } => *measure,
+                _ => None,
+            });
+        let columns: Vec<Quantity> = unknowns.map(|it| it.quantity).collect();
+        let lengths = writer.aside(|writer| {
+            let lengths = system.lengths.iter();
+            lengths.map(|&it| writer.recorder.value(it)).collect()
+        });
+        Some(Newton {
+            measure: measure.map(|both| both.map(|symbol| writer.found(symbol))),
+            residual: Part::new(&newton.residual, writer),
+            jacobian: Part::new(&newton.jacobian, writer),
+            time_derivative: Part::new(&newton.time_derivative, writer),
+            gamma: Part::new(&newton.gamma, writer),
+            is_angle: columns.iter().map(|it| *it == Quantity::Angle).collect(),
+            rows: newton.quantities.clone(),
+            columns,
+            lengths,
+            length: system.characteristic_length(),
+            tears,
+            last,
+        })
+    }
+
+    /// The equations after the blocks before them; `count` hears of every evaluation of the residual.
+    pub fn at<'a>(
+        &'a self,
+        code: &'a Code,
+        registers: &'a mut [f64],
+        count: &'a dyn Fn(),
+    ) -> NewtonEquations<'a> {
+        let (range, lengths) = &self.lengths;
+        code.run(range.clone(), registers);
+        let lengths = lengths.iter().map(|it| registers[it.index()].abs());
+        let largest = lengths.fold(0.0, f64::max);
+        let length = if largest > 0.0 && largest.is_finite() {
+            largest
+        } else {
+            self.length
+        };
+        NewtonEquations {
+            newton: self,
+            code,
+            registers: RefCell::new(registers),
+            length,
+            count,
+        }
+    }
+
+    /// The tears at the last instant, at time `t`.
+    pub fn last_frame(&self, registers: &[f64], t: f64) -> Frame<f64, Dyn> {
+        let [q, qd, qdd] = [0, 1, 2].map(|level| vector(&self.last[level], registers));
+        Frame { t, q, qd, qdd }
+    }
+
+    /// Sets the tears of the last instant, from which an assembly starts.
+    pub fn set_last(&self, pose: &DVector<f64>, registers: &mut [f64]) {
+        for (place, value) in self.last[0].iter().zip(pose.iter()) {
+            registers[place.index()] = *value;
+        }
+    }
+
+    /// What a change of a tear is scaled by, at the nominal parameters.
+    pub fn scale(&self, place: usize) -> f64 {
+        self.length.powi(self.columns[place].power_of_length())
+    }
+
+    /// The tears that were found.
+    pub fn pose(&self, registers: &[f64]) -> DVector<f64> {
+        vector(&self.tears[0], registers)
+    }
+}
+
+fn vector(places: &[Register], registers: &[f64]) -> DVector<f64> {
+    DVector::from_iterator(places.len(), places.iter().map(|it| registers[it.index()]))
+}
+
+impl Part {
+    fn new(function: &Function, writer: &mut Writer<'_>) -> Part {
+        let (operations, results) = writer.function(function);
+        Part {
+            operations,
+            results,
+        }
+    }
+}
+
+/// The equations of a block at one instant.
+pub(crate) struct NewtonEquations<'a> {
+    pub newton: &'a Newton,
+    code: &'a Code,
+    registers: RefCell<&'a mut [f64]>,
+    length: f64,
+    count: &'a dyn Fn(),
+}
+
+impl NewtonEquations<'_> {
+    /// Writes the tears that were found.
+    pub fn set(&self, frame: &Frame<f64, Dyn>) {
+        let levels = [&frame.q, &frame.qd, &frame.qdd];
+        for (places, values) in self.newton.tears.iter().zip(levels) {
+            self.write(places, values);
+        }
+    }
+
+    fn write(&self, places: &[Register], values: &DVector<f64>) {
+        let registers = &mut *self.registers.borrow_mut();
+        for (place, value) in places.iter().zip(values.iter()) {
+            registers[place.index()] = *value;
+        }
+    }
+
+    /// Evaluates at these tears.
+    fn evaluate(&self, part: &Part, t: f64, tears: &DVector<f64>, mut see: impl FnMut(usize, f64)) {
+        self.write(&self.newton.tears[0], tears);
+        let registers = &mut *self.registers.borrow_mut();
+        let mut operations = part.operations.iter();
+        let ran = operations.all(|it| run(it, self.code, registers, t, 0).is_ok());
+        for (place, result) in part.results.iter().enumerate() {
+            see(
+                place,
+                if ran {
+                    registers[result.index()]
+                } else {
+                    f64::NAN
+                },
+            );
+        }
+    }
+
+    fn scale(&self, quantity: Quantity) -> f64 {
+        self.length.powi(quantity.power_of_length())
+    }
+}
+
+impl Equations<f64, Dyn> for NewtonEquations<'_> {
+    fn dimension(&self) -> Dyn {
+        Dyn(self.newton.columns.len())
+    }
+
+    fn residual(&self, q: &DVector<f64>, t: f64, phi: &mut DVector<f64>) {
+        (self.count)();
+        self.evaluate(&self.newton.residual, t, q, |row, value| phi[row] = value);
+    }
+
+    fn jacobian(&self, q: &DVector<f64>, t: f64, phi_q: &mut DMatrix<f64>) {
+        let columns = self.newton.columns.len();
+        let see = |place: usize, value| phi_q[(place / columns, place % columns)] = value;
+        self.evaluate(&self.newton.jacobian, t, q, see);
+    }
+
+    fn time_derivative(&self, q: &DVector<f64>, t: f64, phi_t: &mut DVector<f64>) {
+        self.evaluate(&self.newton.time_derivative, t, q, |row, value| {
+            phi_t[row] = value
+        });
+    }
+
+    fn gamma(&self, q: &DVector<f64>, qd: &DVector<f64>, t: f64, gamma: &mut DVector<f64>) {
+        self.write(&self.newton.tears[1], qd);
+        self.evaluate(&self.newton.gamma, t, q, |row, value| gamma[row] = value);
+    }
+
+    fn row_scale(&self, row: usize) -> f64 {
+        self.scale(self.newton.rows[row])
+    }
+
+    fn coordinate_scale(&self, column: usize) -> f64 {
+        self.scale(self.newton.columns[column])
+    }
+
+    fn is_angle(&self, column: usize) -> bool {
+        self.newton.is_angle[column]
+    }
+}

@@ -1,0 +1,332 @@
+//! *The statements of a function* → *operations on registers*.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use linkwright::closed_form::{angle_near, no_span, singular_divisor, spans};
+use linkwright::{Failure, FailureKind};
+use linkwright_codegen::expr::{Code, ExprId, Recorder, Register, SymbolId};
+use linkwright_codegen::program::{Function, Statement};
+
+use crate::path::Isolation;
+
+/// What a block does, step by step.
+#[derive(Clone, Debug)]
+pub(crate) enum Operation {
+    /// Runs instructions.
+    Run(Range<usize>),
+    /// Finds an angle near its last value.
+    Angle {
+        target: Register,
+        sine: Register,
+        cosine: Register,
+        last: Register,
+    },
+    /// Fails where links do not reach; how far they do is computed only then.
+    Reach {
+        excess: Register,
+        scale: Register,
+        bounds: Range<usize>,
+        /// The distance, and the longest and the shortest that the links bridge.
+        bridged: [Register; 3],
+    },
+    /// Fails where a divisor vanishes.
+    Nonzero { value: Register, scale: Register },
+    /// Runs the Newton-Raphson of the block.
+    Newton,
+    /// Factorizes its Jacobian at the tears that were found.
+    Factorize,
+    /// Solves with it.
+    Solve {
+        targets: Vec<Option<Register>>,
+        right_hand_side: Vec<Register>,
+    },
+    /// Finds the bounds of an input.
+    Signal {
+        input: usize,
+        /// Its radius and its sag.
+        found: [Register; 2],
+    },
+    /// Fails where a value is negative, and blames a block of the plan.
+    Require(Register, usize),
+    /// Finds how far unknowns may be from a straight line.
+    Isolate(Isolation),
+}
+
+/// Writes the operations of one function after another.
+pub(crate) struct Writer<'a> {
+    pub recorder: Recorder<'a>,
+    /// The registers with the values that symbols had at the last instant.
+    last: HashMap<SymbolId, Register>,
+    last_order: Vec<(SymbolId, Register)>,
+    written: Vec<Operation>,
+    from: usize,
+}
+
+impl<'a> Writer<'a> {
+    pub fn new(recorder: Recorder<'a>) -> Writer<'a> {
+        Writer {
+            from: recorder.position(),
+            recorder,
+            last: HashMap::new(),
+            last_order: Vec::new(),
+            written: Vec::new(),
+        }
+    }
+
+    /// Where the last value of a symbol is found.
+    pub fn last(&mut self, symbol: SymbolId) -> Register {
+        if let Some(&register) = self.last.get(&symbol) {
+            return register;
+        }
+        let register = self.recorder.register();
+        self.last.insert(symbol, register);
+        self.last_order.push((symbol, register));
+        register
+    }
+
+    /// A register for what an operation finds.
+    pub fn found(&mut self, symbol: SymbolId) -> Register {
+        let register = self.recorder.register();
+        self.recorder.bind(symbol, register);
+        register
+    }
+
+    /// Writes a statement.
+    pub fn statement(&mut self, statement: &Statement) {
+        let mut value = |expr: &ExprId| self.recorder.value(*expr);
+        match statement {
+            Statement::Section(_)
+            | Statement::Heading(_)
+            | Statement::Note(_)
+            | Statement::Shown { .. } => {}
+            Statement::Let {
+                target,
+                value: expr,
+                ..
+            } => {
+                let register = value(expr);
+                self.recorder.bind(*target, register);
+            }
+            Statement::SineCosine {
+                sine,
+                cosine,
+                angle,
+            } => {
+                let [s, c] = self.recorder.sine_cosine(*angle);
+                self.recorder.bind(*sine, s);
+                self.recorder.bind(*cosine, c);
+            }
+            Statement::Lookup {
+                targets,
+                spline,
+                argument,
+            } => {
+                for (order, target) in (0..).zip(targets) {
+                    if let Some(target) = *target {
+                        let register = self.recorder.lookup(*spline, order, *argument);
+                        self.recorder.bind(target, register);
+                    }
+                }
+            }
+            Statement::Angle {
+                target,
+                sine,
+                cosine,
+            } => {
+                let [sine, cosine] = [sine, cosine].map(value);
+                let last = self.last(*target);
+                let target = self.found(*target);
+                self.operation(Operation::Angle {
+                    target,
+                    sine,
+                    cosine,
+                    last,
+                });
+            }
+            Statement::Reach {
+                excess,
+                scale,
+                distance,
+                longest,
+                shortest,
+            } => {
+                let [excess, scale] = [excess, scale].map(value);
+                let (bounds, bridged) = self.aside(|writer| {
+                    [distance, longest, shortest].map(|it| writer.recorder.value(*it))
+                });
+                self.operation(Operation::Reach {
+                    excess,
+                    scale,
+                    bounds,
+                    bridged,
+                });
+            }
+            Statement::Nonzero {
+                value: divisor,
+                scale,
+            } => {
+                let [value, scale] = [divisor, scale].map(value);
+                self.operation(Operation::Nonzero { value, scale });
+            }
+            Statement::Newton { .. } => self.operation(Operation::Newton),
+            Statement::Factorize => self.operation(Operation::Factorize),
+            Statement::Solve {
+                targets,
+                right_hand_side,
+            } => {
+                let right_hand_side = right_hand_side.iter().map(value).collect();
+                let targets = targets.iter().map(|it| it.map(|symbol| self.found(symbol)));
+                let targets = targets.collect();
+                self.operation(Operation::Solve {
+                    targets,
+                    right_hand_side,
+                });
+            }
+            Statement::Signal { input, found } => {
+                let found = found.map(|symbol| self.found(symbol));
+                let input = *input;
+                self.operation(Operation::Signal { input, found });
+            }
+            Statement::Require {
+                value: required,
+                block,
+            } => {
+                let required = value(required);
+                self.operation(Operation::Require(required, *block));
+            }
+            Statement::Isolate {
+                blocks,
+                found,
+                bounds,
+                jacobian,
+                varied,
+                variation,
+            } => {
+                let bounds = bounds.iter().map(&mut value).collect();
+                let entries = jacobian.iter();
+                let jacobian = entries
+                    .map(|(place, entry)| (*place, value(entry)))
+                    .collect();
+                let found = found.iter().map(|&symbol| self.found(symbol)).collect();
+                let (variation, variations) = self.function(variation);
+                self.operation(Operation::Isolate(Isolation {
+                    blocks: blocks.clone(),
+                    bounds,
+                    jacobian,
+                    found,
+                    variation,
+                    varied: varied.iter().copied().zip(variations).collect(),
+                }));
+            }
+        }
+    }
+
+    /// Writes a function, whose results nothing else may rely on: what it does, and where its results are.
+    pub fn function(&mut self, function: &Function) -> (Vec<Operation>, Vec<Register>) {
+        self.apart(|writer| {
+            for statement in &function.statements {
+                writer.statement(statement);
+            }
+            let results = function.results.iter();
+            results.map(|it| writer.recorder.value(it.expr)).collect()
+        })
+    }
+
+    /// Writes an operation after the instructions that were recorded.
+    fn operation(&mut self, operation: Operation) {
+        self.flush();
+        self.written.push(operation);
+    }
+
+    fn flush(&mut self) {
+        let range = self.from..self.recorder.position();
+        if !range.is_empty() {
+            self.from = range.end;
+            self.written.push(Operation::Run(range));
+        }
+    }
+
+    /// What was written since the last time.
+    pub fn take(&mut self) -> Vec<Operation> {
+        self.flush();
+        std::mem::take(&mut self.written)
+    }
+
+    /// Records instructions that run when somebody asks for them, and says where they are. Nothing else may rely on what they compute.
+    pub fn aside<T>(&mut self, record: impl FnOnce(&mut Self) -> T) -> (Range<usize>, T) {
+        let from = self.recorder.position();
+        let (_, result) = self.apart(record);
+        (from..self.recorder.position(), result)
+    }
+
+    /// Writes operations that run when somebody asks for them. Nothing else may rely on what they compute.
+    pub fn apart<T>(&mut self, write: impl FnOnce(&mut Self) -> T) -> (Vec<Operation>, T) {
+        let before = self.take();
+        let mark = self.recorder.mark();
+        let result = write(self);
+        self.recorder.forget(mark);
+        let operations = self.take();
+        self.written = before;
+        (operations, result)
+    }
+
+    /// The code, and the symbols whose last values it reads.
+    pub fn finish(self) -> (Code, Vec<(SymbolId, Register)>) {
+        (self.recorder.finish(), self.last_order)
+    }
+}
+
+/// Runs an operation that concerns no Newton-Raphson, in the block of this number.
+#[inline]
+pub(crate) fn run(
+    operation: &Operation,
+    code: &Code,
+    registers: &mut [f64],
+    t: f64,
+    block: u16,
+) -> Result<(), Failure> {
+    match *operation {
+        Operation::Run(ref range) => code.run(range.clone(), registers),
+        Operation::Angle {
+            target,
+            sine,
+            cosine,
+            last,
+        } => {
+            let [sine, cosine, last] = [sine, cosine, last].map(|it| registers[it.index()]);
+            registers[target.index()] = angle_near(sine, cosine, last);
+        }
+        Operation::Reach {
+            excess,
+            scale,
+            ref bounds,
+            bridged,
+        } => {
+            if !spans(registers[excess.index()], registers[scale.index()]) {
+                code.run(bounds.clone(), registers);
+                let [distance, longest, shortest] = bridged.map(|it| registers[it.index()]);
+                return Err(no_span(distance, longest, shortest, t, block));
+            }
+        }
+        Operation::Nonzero { value, scale } => {
+            let [value, scale] = [value, scale].map(|it| registers[it.index()]);
+            if !spans(value * value, scale * scale) {
+                return Err(singular_divisor(value, scale, t, block));
+            }
+        }
+        Operation::Newton
+        | Operation::Factorize
+        | Operation::Solve { .. }
+        | Operation::Signal { .. }
+        | Operation::Require(..)
+        | Operation::Isolate(_) => {
+            return Err(linkwright::closed_form::failed(
+                FailureKind::NotFinite,
+                t,
+                block,
+            ));
+        }
+    }
+    Ok(())
+}

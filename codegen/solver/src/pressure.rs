@@ -1,0 +1,67 @@
+//! *Instants* → *the largest pressure angle of every contact over all of them*.
+
+use linkwright::contact::pressure_angle;
+use linkwright_codegen::expr::ExprId;
+use linkwright_codegen::system::System;
+
+use crate::instant::{Instant, Layout};
+use crate::reader::Reader;
+
+/// The largest pressure angle of one contact over a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LargestPressureAngle {
+    /// The joint as the description writes it.
+    pub joint: String,
+    /// The angle between the common normal and the velocity of the follower's point, in rad; `None` where the follower rests
+    /// all the time.
+    pub angle: Option<f64>,
+    /// When it is that large, in s.
+    pub t: f64,
+}
+
+/// Evaluates the pressure angles at one instant after another.
+#[derive(Clone, Debug)]
+pub struct PressureCheck {
+    /// For each contact the velocity of the follower along and across the normal, and the square of the sliding speed.
+    reader: Reader,
+    /// The largest so far, in the order of [`System::pressures`].
+    pub largest: Vec<LargestPressureAngle>,
+}
+
+impl PressureCheck {
+    /// Nothing has been seen yet.
+    ///
+    /// # Panics
+    /// Where instants of this layout do not keep what the equations mention.
+    pub fn new(system: &System, layout: &Layout) -> PressureCheck {
+        let pressures = system.pressures.iter();
+        let roots: Vec<ExprId> = pressures
+            .clone()
+            .flat_map(|it| [it.along, it.across, it.sliding])
+            .collect();
+        let joints = &system.mechanism.joints;
+        let largest = pressures.map(|it| LargestPressureAngle {
+            joint: joints[it.joint].label.clone(),
+            angle: None,
+            t: 0.0,
+        });
+        PressureCheck {
+            reader: Reader::new(&system.mechanism.graph, layout, &roots),
+            largest: largest.collect(),
+        }
+    }
+
+    /// Sees an instant.
+    pub fn see(&mut self, instant: &Instant) {
+        if self.largest.is_empty() {
+            return;
+        }
+        let values = self.reader.values(instant);
+        for (largest, it) in self.largest.iter_mut().zip(values.chunks_exact(3)) {
+            let angle = pressure_angle(it[0], it[1], it[2]);
+            if angle > largest.angle {
+                (largest.angle, largest.t) = (angle, instant.t());
+            }
+        }
+    }
+}

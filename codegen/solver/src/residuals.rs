@@ -1,0 +1,115 @@
+//! *Instants* → *the largest residuals of position, velocity and acceleration over all of them*.
+//!
+//! The equations are evaluated again at each instant, independently of what the solver believed. The module does not judge
+//! the figures.
+
+use linkwright_codegen::system::System;
+
+use crate::instant::{Instant, Layout};
+use crate::reader::Reader;
+
+/// The largest residuals over a motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Residuals {
+    /// max |Φ_i|, in m or rad.
+    pub position: f64,
+    /// The row of `position`.
+    pub row: usize,
+    /// max |Φ_i| / m_i, where m_i is the sum of the absolute values of the terms of Φ_i, or the scale of the row if that is
+    /// larger: a multiple of ε = 2.2e-16 where the rest is rounding.
+    pub scaled: f64,
+    /// The largest residual of the redundant equations, which are not solved, in m or rad; `None` where there are none.
+    pub monitored: Option<f64>,
+    /// The redundant equation of `monitored`.
+    pub monitored_row: usize,
+    /// max |Φ_q q̇ + Φ_t|, in m/s or rad/s.
+    pub velocity: f64,
+    /// max |Φ_q q̈ - γ|, in m/s² or rad/s².
+    pub acceleration: f64,
+}
+
+/// Evaluates the equations at one instant after another.
+#[derive(Clone, Debug)]
+pub struct ResidualCheck {
+    /// For each row its residual, its magnitude, Φ_t, γ and the entries of Φ_q; then the residuals that are monitored.
+    reader: Reader,
+    rows: Vec<CheckedRow>,
+    values: Vec<f64>,
+    /// The largest so far.
+    pub largest: Residuals,
+}
+
+#[derive(Clone, Debug)]
+struct CheckedRow {
+    scale: f64,
+    /// The coordinates of the entries of Φ_q.
+    columns: Vec<usize>,
+}
+
+impl ResidualCheck {
+    /// Nothing has been seen yet.
+    ///
+    /// # Panics
+    /// Where instants of this layout do not keep what the equations mention.
+    pub fn new(system: &System, layout: &Layout) -> ResidualCheck {
+        let reader = Reader::recorded(&system.mechanism.graph, layout, |recorder| {
+            let mut results = Vec::new();
+            for row in &system.rows {
+                results.push(recorder.value(row.residual));
+                results.push(recorder.magnitude(row.residual));
+                results.push(recorder.value(row.time_derivative));
+                results.push(recorder.value(row.gamma));
+                results.extend(row.jacobian.iter().map(|entry| recorder.value(entry.value)));
+            }
+            results.extend(
+                system
+                    .monitored
+                    .iter()
+                    .map(|row| recorder.value(row.residual)),
+            );
+            results
+        });
+        let rows = system.rows.iter().map(|row| CheckedRow {
+            scale: system.scale(row.quantity),
+            columns: row.jacobian.iter().map(|entry| entry.coordinate).collect(),
+        });
+        ResidualCheck {
+            reader,
+            rows: rows.collect(),
+            values: Vec::new(),
+            largest: Residuals::default(),
+        }
+    }
+
+    /// Sees an instant.
+    pub fn see(&mut self, instant: &Instant) {
+        self.reader.read(instant, &mut self.values);
+        let mut rest = self.values.as_slice();
+        let largest = &mut self.largest;
+        for (number, row) in self.rows.iter().enumerate() {
+            let (own, others) = rest.split_at(4 + row.columns.len());
+            rest = others;
+            let [residual, magnitude, mut velocity, mut acceleration] =
+                [own[0], own[1], own[2], -own[3]];
+            for (&column, entry) in row.columns.iter().zip(&own[4..]) {
+                velocity += entry * instant.qd()[column];
+                acceleration += entry * instant.qdd()[column];
+            }
+            if residual.abs() > largest.position {
+                largest.position = residual.abs();
+                largest.row = number;
+            }
+            largest.scaled = largest
+                .scaled
+                .max(residual.abs() / magnitude.max(row.scale));
+            largest.velocity = largest.velocity.max(velocity.abs());
+            largest.acceleration = largest.acceleration.max(acceleration.abs());
+        }
+        for (number, value) in rest.iter().enumerate() {
+            if largest.monitored.is_none_or(|most| value.abs() > most) {
+                largest.monitored = Some(value.abs());
+                largest.monitored_row = number;
+            }
+        }
+    }
+}

@@ -1,0 +1,327 @@
+//! The functions of all blocks → the sections of a derivation.
+
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use super::document::{Document, Equation, Item, Section};
+use super::outline::{outline, summary};
+use super::script::Script;
+use super::singular::singular_poses;
+use super::spelling::Spelling;
+use crate::expr::{ExprId, SymbolId};
+use crate::program::forms::Form;
+use crate::program::{Block, Branch, Level, PageName, Statement, whole};
+use crate::structure::{SolvedBlock, SolvedPlan};
+use crate::system::{SymbolRole, System};
+use crate::words::{Phrase, Piece};
+
+/// So many accelerations are written out; more would fill the page with what differentiating once more says.
+pub(super) const FEW: usize = 3;
+
+/// A derivation in the making.
+pub(super) struct Writer<'a> {
+    plan: &'a SolvedPlan,
+    blocks: Vec<Block>,
+    branches: Vec<Branch>,
+    spelling: Spelling,
+    items: Vec<Item>,
+}
+
+impl<'a> Writer<'a> {
+    pub(super) fn new(system: &System, plan: &'a SolvedPlan, script: Script) -> Writer<'a> {
+        let mut system = system.clone();
+        let (blocks, branches) = whole(&mut system, plan);
+        Writer {
+            plan,
+            blocks,
+            branches,
+            spelling: Spelling::new(&system, script),
+            items: Vec::new(),
+        }
+    }
+
+    /// The whole derivation.
+    pub(super) fn document(mut self) -> Document {
+        let blocks = std::mem::take(&mut self.blocks);
+        let forms: Vec<Vec<Arc<dyn Form>>> = blocks.iter().map(|it| it.forms.clone()).collect();
+        let script = self.spelling.script;
+        let summary = summary(&self.spelling.system, self.plan, &forms);
+        let outline = outline(&self.spelling.system, self.plan, &forms, script);
+        for branch in std::mem::take(&mut self.branches) {
+            let graph = self.spelling.graph();
+            let one = graph.one();
+            let sign = if branch.positive {
+                one
+            } else {
+                graph.negate(one)
+            };
+            self.spelling.replace(branch.symbol, sign);
+        }
+        let plan = self.plan;
+        let mut sections: Vec<Section> = Vec::new();
+        for (block, solved) in blocks.iter().zip(&plan.blocks) {
+            let heading = self.block(block, solved);
+            let heading = format!("Block {}. {heading}", sections.len() + 1);
+            let items = std::mem::take(&mut self.items);
+            sections.push(Section { heading, items });
+        }
+        sections.extend(self.singular_section(&forms));
+        let title = self.spelling.system.mechanism.title();
+        Document {
+            name: script.word(&title),
+            summary,
+            outline,
+            sections,
+        }
+    }
+
+    /// Writes a block's section and returns its heading.
+    fn block(&mut self, block: &Block, solved: &SolvedBlock) -> String {
+        let skipped = self.skipped(solved);
+        let mut headings = Vec::new();
+        let mut equations = Vec::new();
+        let mut is_asked = true;
+        for statement in &block.function.statements {
+            if let Statement::Section(level) = statement {
+                // What drivers and parameters do is not derived by hand.
+                is_asked = matches!(level, Level::Velocity | Level::Acceleration);
+            }
+            if !is_asked {
+                continue;
+            }
+            match statement {
+                Statement::Heading(words) => headings.push(self.spelling.phrase(words)),
+                Statement::Note(words) => {
+                    self.equations(&mut equations);
+                    let text = self.spelling.phrase(words);
+                    self.paragraph(text);
+                }
+                Statement::Shown {
+                    left,
+                    right,
+                    remark,
+                } => {
+                    let (left, right) = (self.spelling.side(left), self.spelling.side(right));
+                    let note = self.spelling.phrase(remark);
+                    equations.push(Equation { left, right, note });
+                }
+                Statement::Let {
+                    target,
+                    value,
+                    remark,
+                } => {
+                    let equation = self.assignment(block, *target, *value, remark);
+                    equations.extend(equation.filter(|_| !skipped.contains(target)));
+                }
+                Statement::SineCosine {
+                    sine,
+                    cosine,
+                    angle,
+                } => {
+                    let angle = self.spelling.written(*angle);
+                    let graph = self.spelling.graph();
+                    let written = [graph.sin(angle), graph.cos(angle)];
+                    self.spelling.replace(*sine, written[0]);
+                    self.spelling.replace(*cosine, written[1]);
+                }
+                Statement::Angle {
+                    target,
+                    sine,
+                    cosine,
+                } => {
+                    let script = self.spelling.script;
+                    let function = script.either("atan2", "atan2", "\\operatorname{atan2}");
+                    let [sine, cosine] = [sine, cosine].map(|part| self.spelling.formula(*part));
+                    equations.push(Equation {
+                        left: self.symbol(*target),
+                        right: format!("{function}({sine}, {cosine})"),
+                        note: String::new(),
+                    });
+                }
+                _ => {}
+            }
+        }
+        self.equations(&mut equations);
+        headings.join("; ")
+    }
+
+    /// The equation of an assignment; none for what the page writes out.
+    fn assignment(
+        &mut self,
+        block: &Block,
+        target: SymbolId,
+        value: ExprId,
+        remark: &Phrase,
+    ) -> Option<Equation> {
+        self.relate(value);
+        let value = self.spelling.written(value);
+        if block.written_out.contains(&target) {
+            self.spelling.replace(target, value);
+            return None;
+        }
+        let left = match (block.page_names.get(&target), self.role(target)) {
+            (Some(name), _) => {
+                let name = self.page_name(name);
+                self.spelling.replace(target, name);
+                self.spelling.formula_as_is(name)
+            }
+            // An arm is written as cosines and sines.
+            (None, SymbolRole::Arm(_)) => return None,
+            (None, role) => {
+                let left = self.symbol(target);
+                if matches!(role, SymbolRole::Position(_)) && self.spelling.graph().is_fixed(value)
+                {
+                    self.spelling.replace(target, value);
+                }
+                left
+            }
+        };
+        Some(Equation {
+            left,
+            right: self.spelling.formula_as_is(value),
+            note: self.spelling.phrase(remark),
+        })
+    }
+
+    fn role(&self, symbol: SymbolId) -> SymbolRole {
+        self.spelling.system.roles[symbol.index()]
+    }
+
+    /// A symbol as a formula.
+    fn symbol(&mut self, symbol: SymbolId) -> String {
+        let variable = self.spelling.graph().variable(symbol);
+        self.spelling.formula_as_is(variable)
+    }
+
+    /// What stands for a local value on the page.
+    fn page_name(&mut self, name: &PageName) -> ExprId {
+        match name {
+            PageName::Component(vector, axis) => {
+                let name = format!("{vector}_{}", ["x", "y"][*axis]);
+                let symbol = self.spelling.system.intermediate(&name);
+                self.spelling.graph().variable(symbol)
+            }
+            PageName::Cosine(unknown) | PageName::Sine(unknown) => {
+                let position = self.spelling.system.vector_form.unknowns[*unknown].position;
+                let graph = self.spelling.graph();
+                let angle = graph.variable(position);
+                match name {
+                    PageName::Cosine(_) => graph.cos(angle),
+                    _ => graph.sin(angle),
+                }
+            }
+        }
+    }
+
+    /// The accelerations that are not written out: where many follow, only those of functions of time are.
+    fn skipped(&self, solved: &SolvedBlock) -> HashSet<SymbolId> {
+        let system = &self.spelling.system;
+        let graph = &system.mechanism.graph;
+        let moving = solved
+            .definitions
+            .iter()
+            .filter(|it| !graph.is_fixed(it.value));
+        let is_timed = |symbol: &SymbolId| {
+            matches!(
+                system.roles[symbol.index()],
+                SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. }
+            )
+        };
+        let unknowns = &system.vector_form.unknowns;
+        let fixed = solved
+            .definitions
+            .iter()
+            .filter(|it| graph.is_fixed(it.value));
+        // What does not move has no rates worth writing.
+        let at_rest = fixed.flat_map(|it| {
+            let unknown = &unknowns[it.unknown];
+            [unknown.rate, unknown.acceleration]
+        });
+        let mut skipped: HashSet<SymbolId> = at_rest.collect();
+        if moving.clone().count() > FEW {
+            let many = moving.filter(|it| !graph.symbols(it.value).iter().all(is_timed));
+            skipped.extend(many.map(|it| unknowns[it.unknown].acceleration));
+        }
+        skipped
+    }
+
+    fn singular_section(&mut self, forms: &[Vec<Arc<dyn Form>>]) -> Option<Section> {
+        // A determinant stands alone: only what the page has defined already may be written by its name.
+        let mut spelling = Spelling::new(&self.spelling.system, self.spelling.script);
+        spelling.parts = self.spelling.parts.settled();
+        let poses = singular_poses(&mut spelling, self.plan, forms);
+        let items = poses.iter().map(|pose| {
+            let sentence = pose.sentence();
+            Item::Paragraph(format!(
+                "Block {}, {}: {sentence}",
+                pose.block + 1,
+                pose.unknowns
+            ))
+        });
+        (!poses.is_empty()).then(|| Section {
+            heading: "Singular poses, by the determinant of each block up to its sign".to_string(),
+            items: items.collect(),
+        })
+    }
+
+    fn paragraph(&mut self, text: String) {
+        self.define(self.items.len());
+        self.items.push(Item::Paragraph(text));
+    }
+
+    /// Displays the equations that have gathered.
+    fn equations(&mut self, equations: &mut Vec<Equation>) {
+        if !equations.is_empty() {
+            let introduced = matches!(self.items.last(), Some(Item::Paragraph(_)));
+            self.define(self.items.len() - usize::from(introduced));
+            self.items.push(Item::Equations(std::mem::take(equations)));
+        }
+    }
+
+    /// Notes which choices are derivatives of those in an expression.
+    fn relate(&mut self, expr: ExprId) {
+        self.spelling
+            .parts
+            .relate(&mut self.spelling.system, expr, 2);
+    }
+
+    /// Says at a place what the names stand for that were used since they were last defined.
+    fn define(&mut self, place: usize) {
+        let spelling = &mut self.spelling;
+        let definitions = spelling.parts.definitions(&mut spelling.system);
+        let equations: Vec<Equation> = definitions
+            .iter()
+            .map(|definition| Equation {
+                left: spelling.formula_as_is(definition.name),
+                right: spelling.script.value(&spelling.system, definition.value),
+                note: String::new(),
+            })
+            .collect();
+        if equations.is_empty() {
+            return;
+        }
+        let any = |part: &str| {
+            equations
+                .iter()
+                .any(|equation| equation.left.contains(part))
+        };
+        let words = match any("slope") {
+            true => "Given piece by piece, slopes and curvatures as first and second derivatives:",
+            false if any("piece") => "Given piece by piece:",
+            false => "With these parts:",
+        };
+        let items = [
+            Item::Paragraph(words.to_string()),
+            Item::Equations(equations),
+        ];
+        self.items.splice(place..place, items);
+    }
+}
+
+/// Unknowns as words.
+pub(super) fn names(unknowns: &[usize]) -> Vec<Phrase> {
+    unknowns
+        .iter()
+        .map(|&unknown| Piece::Unknown(unknown).into())
+        .collect()
+}

@@ -1,0 +1,211 @@
+//! Expressions and phrases → formulas and sentences in a script.
+//!
+//! What a page knows of a symbol stands in its place: the number that an unknown is, the cosines and sines that an arm consists of, the
+//! value of a local name that a person would not give.
+
+use std::collections::HashMap;
+
+use super::script::Script;
+use crate::emit::named_parts::NamedParts;
+use crate::expr::{ExprId, Graph, SymbolId};
+use crate::joint::geometry::{Vector, turned};
+use crate::system::{SymbolRole, System, VectorTerm};
+use crate::words::{Phrase, Piece};
+
+/// How the formulas of one page are written.
+pub(super) struct Spelling {
+    /// A copy, since new formulas are made in its graph.
+    pub system: System,
+    pub script: Script,
+    /// The names of long choices.
+    pub parts: NamedParts,
+    /// What stands in the place of a symbol; only looked up.
+    replacements: HashMap<SymbolId, ExprId>,
+}
+
+impl Spelling {
+    pub(super) fn new(system: &System, script: Script) -> Spelling {
+        Spelling {
+            system: system.clone(),
+            script,
+            parts: NamedParts::default(),
+            replacements: HashMap::new(),
+        }
+    }
+
+    pub(super) fn graph(&mut self) -> &mut Graph {
+        &mut self.system.mechanism.graph
+    }
+
+    /// Writes an expression, which holds no other replaced symbol, wherever a symbol stands.
+    pub(super) fn replace(&mut self, symbol: SymbolId, value: ExprId) {
+        self.replacements.insert(symbol, value);
+    }
+
+    /// An expression as the page writes it.
+    pub(super) fn written(&mut self, expr: ExprId) -> ExprId {
+        let symbols = self.system.mechanism.graph.symbols(expr).to_vec();
+        let mut found = Vec::new();
+        for symbol in symbols {
+            if let Some(&value) = self.replacements.get(&symbol) {
+                found.push((symbol, value));
+            } else if let SymbolRole::Arm(place) = self.system.roles[symbol.index()] {
+                found.push((symbol, self.written_arm(place, symbol)));
+            }
+        }
+        match found.is_empty() {
+            true => expr,
+            false => self.graph().substitute(expr, &found),
+        }
+    }
+
+    /// A component of an arm as cosines and sines of the angle that turns it.
+    fn written_arm(&mut self, place: usize, symbol: SymbolId) -> ExprId {
+        let System {
+            mechanism,
+            vector_form,
+            ..
+        } = &mut self.system;
+        let arm = &vector_form.arms[place];
+        let component = usize::from(symbol != arm.symbols[0]);
+        let graph = &mut mechanism.graph;
+        let angle = graph.variable(vector_form.unknowns[arm.angle].position);
+        let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
+        let written = turned(cosine, sine, arm.local, graph)[component];
+        self.written(written)
+    }
+
+    /// An expression as a formula.
+    pub(super) fn formula(&mut self, expr: ExprId) -> String {
+        let written = self.written(expr);
+        self.formula_as_is(written)
+    }
+
+    /// A formula of which nothing is replaced.
+    pub(super) fn formula_as_is(&self, expr: ExprId) -> String {
+        let is_long = self.parts.meet(&self.system.mechanism.graph, expr);
+        self.script
+            .expression(&self.system, &self.parts, is_long, expr)
+    }
+
+    /// An unknown, its rate or its acceleration.
+    pub(super) fn symbol(&self, role: SymbolRole) -> String {
+        self.script.symbol(&self.system, role)
+    }
+
+    /// A phrase as a sentence: formulas stand between words.
+    pub(super) fn phrase(&mut self, phrase: &Phrase) -> String {
+        let spelled = phrase.pieces().iter().map(|piece| match piece {
+            Piece::Text(text) => text.clone(),
+            Piece::Name(name) => self.script.word(name),
+            other => {
+                let formula = self.piece(other);
+                self.script.inline(&formula)
+            }
+        });
+        // Formulas that follow one another are one.
+        spelled.collect::<String>().replace("$$", "")
+    }
+
+    /// A phrase as a formula of its own.
+    pub(super) fn side(&mut self, phrase: &Phrase) -> String {
+        let spelled = phrase.pieces().iter().map(|piece| match piece {
+            Piece::Text(text) | Piece::Name(text) => text.clone(),
+            other => self.piece(other),
+        });
+        spelled.collect()
+    }
+
+    fn piece(&mut self, piece: &Piece) -> String {
+        let script = self.script;
+        match piece {
+            Piece::Text(text) | Piece::Name(text) => text.clone(),
+            Piece::Unknown(unknown) => self.symbol(SymbolRole::Position(*unknown)),
+            Piece::Rate(unknown) => self.symbol(SymbolRole::Rate(*unknown)),
+            Piece::Acceleration(unknown) => self.symbol(SymbolRole::Acceleration(*unknown)),
+            Piece::Formula(expr) => self.formula(*expr),
+            Piece::Pair(pair) => self.pair(*pair),
+            Piece::Turned(angle, v) => self.turned(*angle, *v),
+            Piece::Sum(pair) => self.sum(*pair),
+            Piece::Local(name) => self.local(name),
+            Piece::Vector(name) => script.vector(name),
+            Piece::Length(name) => script.length(name),
+            Piece::Square(name) => script.square(&script.length(name)),
+            Piece::Across(name) => script.perpendicular(name),
+            Piece::Dot(first, second) => script.dot(first, second),
+            Piece::Cross(first, second) => script.cross(first, second),
+            Piece::Matrix(name, index) => script.matrix(name, index),
+            Piece::Numbered(name, number) => script.numbered(name, *number),
+            Piece::Times => script.times().to_string(),
+            Piece::Minus => format!(" {} ", script.minus()),
+            Piece::Opposite => script.minus().to_string(),
+        }
+    }
+
+    /// A name as a symbol.
+    fn local(&mut self, name: &str) -> String {
+        let symbol = self.system.intermediate(name);
+        let variable = self.graph().variable(symbol);
+        self.formula_as_is(variable)
+    }
+
+    /// `(a, b)`.
+    fn pair(&mut self, pair: Vector) -> String {
+        let [x, y] = pair.map(|part| self.formula(part));
+        self.script.pair(&x, &y)
+    }
+
+    /// `R(phi) (a, b)`.
+    fn turned(&mut self, angle: usize, v: Vector) -> String {
+        let angle = self.symbol(SymbolRole::Position(angle));
+        format!("{} {}", self.script.rotation(&angle), self.pair(v))
+    }
+
+    /// The two expressions as one vector: `r_c3 + R(phi_c3) (0.3, 0.2) - (0.4, -0.2)`; as a pair of components where they are no
+    /// such sum.
+    fn sum(&mut self, pair: Vector) -> String {
+        let Some(terms) = self.system.vector_sum(pair) else {
+            return self.pair(pair);
+        };
+        let mut terms: Vec<(bool, String)> = terms.into_iter().map(|it| self.term(it)).collect();
+        // A sum does not begin with a minus where that can be avoided.
+        if let Some(first) = terms.iter().position(|(negative, _)| !negative) {
+            terms[..=first].rotate_right(1);
+        }
+        let minus = self.script.minus();
+        let mut text = String::new();
+        for (place, (negative, term)) in terms.iter().enumerate() {
+            text.push_str(&match (place, negative) {
+                (0, false) => String::new(),
+                (0, true) => minus.to_string(),
+                (_, false) => " + ".to_string(),
+                (_, true) => format!(" {minus} "),
+            });
+            text.push_str(term);
+        }
+        text
+    }
+
+    /// A term of a sum of vectors, and whether it is subtracted.
+    fn term(&mut self, term: VectorTerm) -> (bool, String) {
+        let (factor, vector) = match term {
+            VectorTerm::Constant(pair) => return (false, self.pair(pair)),
+            VectorTerm::Origin(body, factor) => {
+                let name = &self.system.mechanism.bodies[body].name;
+                (factor, self.script.origin(name))
+            }
+            VectorTerm::Turned(angle, v, factor) => (factor, self.turned(angle, v)),
+        };
+        let graph = self.graph();
+        let (one, minus) = (graph.one(), graph.negate(factor));
+        if factor == one {
+            return (false, vector);
+        }
+        if minus == one {
+            return (true, vector);
+        }
+        let negative = self.formula(factor).starts_with(['-', '−']);
+        let size = self.formula(if negative { minus } else { factor });
+        (negative, format!("{size}{}{vector}", self.script.times()))
+    }
+}

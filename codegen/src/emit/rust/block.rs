@@ -1,0 +1,274 @@
+//! One function per block.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::docs::docs;
+use super::explained::determinants;
+use super::lints;
+use super::literal::count;
+use super::module::{Module, only};
+use super::newton;
+use super::scope::{Place, Scope, identifier};
+use crate::program::{Block, Statement};
+
+/// Up to so many blocks become one function.
+const MOST_INLINED: usize = 16;
+
+/// What a block's function needs to be given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Needs {
+    last: bool,
+    branches: bool,
+    /// Whether it finds its own mode.
+    finds_branch: bool,
+    /// Time, parameters, inputs, settings and what the last frame is.
+    given: bool,
+    /// Whether a failure says the time.
+    time: bool,
+    fails: bool,
+}
+
+impl Needs {
+    fn of(block: &Block, module: &Module<'_>) -> Needs {
+        let scope = Scope::new(module, &block.function, Place::Frame);
+        let reads = scope.reads();
+        let newton = block.newton.is_some();
+        let has = |wanted: fn(&Statement) -> bool| block.function.statements.iter().any(wanted);
+        let checks = has(|it| matches!(it, Statement::Reach { .. } | Statement::Nonzero { .. }));
+        let fails = newton || checks || module.is_large();
+        Needs {
+            last: newton || has(|it| matches!(it, Statement::Angle { .. })),
+            branches: newton || reads.branches,
+            finds_branch: newton,
+            time: checks || module.is_large() || reads.time,
+            given: fails || reads.time || reads.parameters || reads.inputs,
+            fails,
+        }
+    }
+
+    /// The arguments as they are declared, and as they are passed.
+    fn arguments(self) -> (TokenStream, TokenStream) {
+        let exclusive = only(self.finds_branch, quote!(mut));
+        let arguments = [
+            (true, quote!(at: &mut Frame), quote!(at)),
+            (self.last, quote!(last: &Frame), quote!(last)),
+            (
+                self.branches,
+                quote!(branches: &#exclusive Branches),
+                quote!(branches),
+            ),
+            (self.given, quote!(given: &Given<'_>), quote!(given)),
+        ];
+        let needed = arguments.into_iter().filter(|(is_needed, ..)| *is_needed);
+        let (declared, passed): (Vec<_>, Vec<_>) = needed
+            .map(|(_, declared, passed)| (declared, passed))
+            .unzip();
+        (quote!(#(#declared),*), quote!(#(#passed),*))
+    }
+}
+
+/// The call of a block's function.
+pub(super) fn call(block: &Block, module: &Module<'_>) -> TokenStream {
+    let needs = Needs::of(block, module);
+    let (name, (_, arguments)) = (identifier(&block.name), needs.arguments());
+    match needs.fails {
+        true => quote!(#name(#arguments)?;),
+        false => quote!(#name(#arguments);),
+    }
+}
+
+/// The functions of all blocks.
+pub(super) fn functions(module: &Module<'_>) -> TokenStream {
+    // One function of thousands of blocks would take the compiler longer than all of them alone.
+    let inline = match module.program.blocks.len() > MOST_INLINED {
+        true => quote!(#[inline(never)]),
+        false => quote!(#[inline]),
+    };
+    // Most mechanisms have no capital letter in any name, and then no token needs to be looked at.
+    let mut bodies = module.system.mechanism.bodies.iter();
+    let has_capitals = bodies.any(|body| body.name.contains(char::is_uppercase));
+    let blocks = module.program.blocks.iter().enumerate();
+    let functions = blocks.map(|(index, block)| {
+        let needs = Needs::of(block, module);
+        let scope = Scope::new(module, &block.function, Place::Frame);
+        let iterated = |statement: &Statement| newton::statement(statement, index, block, &scope);
+        let statements = scope.statements(index, &iterated);
+        let (name, (arguments, _)) = (identifier(&block.name), needs.arguments());
+        let title = docs(
+            [block.title.clone()]
+                .into_iter()
+                .chain(determinants(block, module)),
+        );
+        let check = match module.is_large() {
+            true => own_check(index, block, &scope),
+            false => TokenStream::new(),
+        };
+        let reads = scope.reads();
+        let taken = [
+            (needs.time, quote!(t)),
+            (reads.parameters, quote!(parameters)),
+            (reads.inputs, quote!(inputs)),
+        ];
+        let taken = taken.into_iter().filter(|(is_read, _)| *is_read);
+        let taken: Vec<TokenStream> = taken.map(|(_, name)| name).collect();
+        let take = only(
+            !taken.is_empty(),
+            quote!(let &Given { #(#taken,)* .. } = given;),
+        );
+        let body = match needs.fails {
+            true => quote! {
+                #inline
+                fn #name(#arguments) -> Result<(), Failure> { #take #(#statements)* #check Ok(()) }
+            },
+            false => quote!(#inline fn #name(#arguments) { #take #(#statements)* }),
+        };
+        let capitals = if has_capitals {
+            lints::capitals(&body)
+        } else {
+            TokenStream::new()
+        };
+        let approximate = lints::approximate(&body);
+        quote!(#title #capitals #approximate #body)
+    });
+    functions.collect()
+}
+
+/// Fails where a coordinate, a rate or an acceleration of the block is not finite. A frame of thousands of coordinates is not
+/// looked through at once: the compiler would turn it into as many local values.
+fn own_check(index: usize, block: &Block, scope: &Scope<'_>) -> TokenStream {
+    let found = block
+        .function
+        .targets()
+        .filter(|&symbol| scope.is_field(symbol));
+    let fields: Vec<TokenStream> = found.map(|symbol| scope.symbol(symbol)).collect();
+    let number = count(index);
+    quote! {
+        if !all_finite(&[#(#fields),*]) {
+            return Err(failed(FailureKind::NotFinite, t, #number));
+        }
+    }
+}
+
+/// `struct Branches` with the drawing's choice.
+pub(super) fn branches(module: &Module<'_>) -> TokenStream {
+    let closed = module.program.branches.iter().map(|branch| {
+        let drawn = format_ident!(
+            "{}",
+            if branch.positive {
+                "Positive"
+            } else {
+                "Negative"
+            }
+        );
+        let (text, name) = (docs([sentence(&branch.meaning)]), identifier(&branch.name));
+        (text, name, quote!(Branch), quote!(Branch::#drawn))
+    });
+    let iterated = module.program.blocks.iter().filter_map(|block| {
+        let newton = block.newton.as_ref()?;
+        let text = docs([format!(
+            "The sign of the determinant of `{}`, which finds {}. `None` lets the estimate decide.",
+            block.name,
+            newton::listed(newton, module)
+        )]);
+        let drawn = match newton.drawn {
+            Some(positive) => {
+                let drawn = format_ident!("{}", if positive { "Positive" } else { "Negative" });
+                quote!(Some(Branch::#drawn))
+            }
+            None => quote!(None),
+        };
+        Some((text, identifier(&block.name), quote!(Option<Branch>), drawn))
+    });
+    let iterated: Vec<_> = iterated.collect();
+    let text = match iterated.is_empty() {
+        true => "The assembly mode of every loop that is solved in closed form.",
+        false => "The assembly mode of every loop.",
+    };
+    let (mut fields, mut values) = (Vec::new(), Vec::new());
+    for (text, name, kind, drawn) in closed.chain(iterated) {
+        fields.push(quote!(#text pub #name: #kind,));
+        values.push(quote!(#name: #drawn,));
+    }
+    let structure = quote! {
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub struct Branches {
+            #(#fields)*
+        }
+    };
+    let (capitals, text) = (lints::capitals(&structure), docs([text]));
+    let exchanged = exchanged(module);
+    quote! {
+        #text
+        #capitals
+        #structure
+
+        impl Branches {
+            /// The modes of the drawing.
+            pub const DRAWN: Self = Self { #(#values)* };
+
+            #exchanged
+        }
+    }
+}
+
+/// `fn exchanged`: the modes beyond a pose at which those of one block meet.
+fn exchanged(module: &Module<'_>) -> TokenStream {
+    let program = module.program;
+    let graph = &module.system.mechanism.graph;
+    let arms = program
+        .blocks
+        .iter()
+        .enumerate()
+        .filter_map(|(number, block)| {
+            let number = count(number);
+            if block.newton.is_some() {
+                let name = identifier(&block.name);
+                return Some(quote!(#number => other.#name = Some(self.#name?.opposite())));
+            }
+            let reads = |symbol| {
+                block
+                    .function
+                    .values()
+                    .any(|expr| graph.depends_on(expr, symbol))
+            };
+            let mut own = program
+                .branches
+                .iter()
+                .filter(|branch| reads(branch.symbol));
+            match (own.next(), own.next()) {
+                (Some(branch), None) => {
+                    let name = identifier(&branch.name);
+                    Some(quote!(#number => other.#name = self.#name.opposite()))
+                }
+                _ => None,
+            }
+        });
+    let arms: Vec<TokenStream> = arms.collect();
+    let parameter = format_ident!("{}", if arms.is_empty() { "_block" } else { "block" });
+    let body = match arms.is_empty() {
+        true => quote!(None),
+        false => quote! {
+            let mut other = self;
+            match block {
+                #(#arms,)*
+                _ => return None,
+            }
+            Some(other)
+        },
+    };
+    quote! {
+        /// Those beyond a pose at which the two modes of a block meet.
+        fn exchanged(self, #parameter: u16) -> Option<Self> {
+            #body
+        }
+    }
+}
+
+fn sentence(text: &str) -> String {
+    let mut characters = text.chars();
+    let first = characters.next().map(char::to_uppercase);
+    first.map_or(String::new(), |first| {
+        first.chain(characters).chain(['.']).collect()
+    })
+}

@@ -1,0 +1,311 @@
+//! The equations of blocks without a closed form, as the runtime sees them, and the calls that solve them.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::docs::docs;
+use super::lints;
+use super::literal::count;
+use super::module::{Module, only};
+use super::scope::{Place, Reads, Scope, identifier};
+use super::textbook::{length, scales};
+use crate::expr::SymbolId;
+use crate::joint::Quantity;
+use crate::program::{Block, Function, NewtonBlock, Statement};
+use crate::system::Unknown;
+
+/// A type with the equations of every Newton block.
+pub(super) fn equations(module: &Module<'_>) -> TokenStream {
+    let blocks = module.program.blocks.iter();
+    let types = blocks.filter_map(|block| Some(structure(block, block.newton.as_ref()?, module)));
+    types.collect()
+}
+
+/// The unknowns of a block.
+fn tears<'a>(newton: &NewtonBlock, module: &'a Module<'_>) -> Vec<&'a Unknown> {
+    let unknowns = newton.unknowns.iter();
+    unknowns
+        .map(|&unknown| &module.system.vector_form.unknowns[unknown])
+        .collect()
+}
+
+/// `LoopPQR` of the block `loop_p_q_r`.
+fn type_name(block: &Block) -> Ident {
+    format_ident!("{}", crate::model::type_name(&block.name))
+}
+
+/// What the equations of a block read of what was found before it and of what is given.
+fn reads(newton: &NewtonBlock, module: &Module<'_>) -> Reads {
+    let mut all = Reads::default();
+    for function in newton.functions() {
+        let reads = scope(newton, function, true, module).reads();
+        all.frame |= reads.frame;
+        all.parameters |= reads.parameters;
+        all.inputs |= reads.inputs;
+    }
+    all
+}
+
+/// The names of one of the functions; `with_rates` where it is given the rates of the tears.
+fn scope<'a>(
+    newton: &NewtonBlock,
+    function: &'a Function,
+    with_rates: bool,
+    module: &'a Module<'a>,
+) -> Scope<'a> {
+    let tears = tears(newton, module);
+    let positions = tears.iter().map(|it| it.position);
+    let rates = tears.iter().map(|it| it.rate).filter(|_| with_rates);
+    Scope::with_tears(
+        module,
+        function,
+        Place::Tears,
+        positions.chain(rates).collect(),
+    )
+}
+
+/// The lengths of a block as a function of the parameters, where they change one.
+fn lengths<'a>(newton: &NewtonBlock, module: &'a Module<'_>) -> Option<&'a Function> {
+    let tears = tears(newton, module);
+    let columns = tears.iter().map(|it| it.quantity);
+    let mut quantities = columns.chain(newton.quantities.iter().copied());
+    let measures_length = quantities.any(|it| it.power_of_length() != 0);
+    module.program.lengths.as_ref().filter(|_| measures_length)
+}
+
+fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
+    let (name, size) = (type_name(block), count(newton.unknowns.len()));
+    let tears = tears(newton, module);
+    let lengths = lengths(newton, module);
+    let reads = reads(newton, module);
+    let at = only(reads.frame, quote!(at: &'a Frame,));
+    let parameters = only(
+        reads.parameters || lengths.is_some(),
+        quote!(parameters: &'a Parameters,),
+    );
+    let inputs = only(reads.inputs, quote!(inputs: &'a Inputs,));
+    let fields = quote!(#at #parameters #inputs);
+    let (declaration, lifetime) = match fields.is_empty() {
+        true => (quote!(struct #name;), TokenStream::new()),
+        false => (quote!(struct #name<'a> { #fields }), quote!(<'_>)),
+    };
+    let borrowed = only(!fields.is_empty(), quote!('_,));
+    let part = |function: &Function, with_rates: bool| {
+        let scope = scope(newton, function, with_rates, module);
+        let reads = scope.reads();
+        let at = only(reads.frame, quote!(let at = self.at;));
+        let parameters = only(reads.parameters, quote!(let parameters = self.parameters;));
+        let inputs = only(reads.inputs, quote!(let inputs = self.inputs;));
+        let (statements, results) = (scope.plain_statements(), scope.results());
+        let body = quote!(#at #parameters #inputs #(#statements)*);
+        let code = quote!(#body #(#results)*).to_string();
+        let is_read = |name: &Ident| mentions(&code, &name.to_string());
+        let pattern = |of: fn(&Unknown) -> SymbolId, whole: &str| {
+            let names: Vec<Ident> = tears.iter().map(|it| local(of(it), module)).collect();
+            if !names.iter().any(is_read) {
+                let unused = format_ident!("_{whole}");
+                return quote!(#unused);
+            }
+            let names = names.iter().map(|name| match is_read(name) {
+                true => quote!(#name),
+                false => quote!(_),
+            });
+            quote!(&[#(#names),*])
+        };
+        let q = pattern(|it| it.position, "q");
+        let qd = pattern(|it| it.rate, "qd");
+        let t = format_ident!("{}", if reads.time { "t" } else { "_t" });
+        (body, results, q, qd, t)
+    };
+    let (residual_body, residual, residual_q, _, residual_t) = part(&newton.residual, false);
+    let (jacobian_body, jacobian, jacobian_q, _, jacobian_t) = part(&newton.jacobian, false);
+    let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
+    let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
+    let columns: Vec<Quantity> = tears.iter().map(|it| it.quantity).collect();
+    let length = length(module, lengths, module.system.characteristic_length());
+    let scales = scales(&length, &newton.quantities, &columns);
+    let angles = angles(&columns);
+    let found = listed(newton, module);
+    let title = docs([format!("The equations of `{}` for {found}.", block.name)]);
+    let implementation = quote! {
+        impl BlockEquations<Scalar, #size> for #name #lifetime {
+            fn residual(&self, #residual_q: &[Scalar; #size], #residual_t: Scalar) -> [Scalar; #size] {
+                #residual_body
+                [#(#residual),*]
+            }
+
+            fn jacobian(&self, #jacobian_q: &[Scalar; #size], #jacobian_t: Scalar) -> Matrix<#size, #size> {
+                #jacobian_body
+                Matrix::from_row_slice(&[#(#jacobian),*])
+            }
+
+            fn time_derivative(&self, #drift_q: &[Scalar; #size], #drift_t: Scalar) -> [Scalar; #size] {
+                #drift_body
+                [#(#drift),*]
+            }
+
+            fn gamma(
+                &self,
+                #gamma_q: &[Scalar; #size],
+                #gamma_qd: &[Scalar; #size],
+                #gamma_t: Scalar,
+            ) -> [Scalar; #size] {
+                #gamma_body
+                [#(#gamma),*]
+            }
+
+            #scales
+            #angles
+        }
+    };
+    let (capitals, approximate) = (
+        lints::capitals(&implementation),
+        lints::approximate(&implementation),
+    );
+    quote! {
+        #title #declaration #capitals #approximate #implementation
+        ::linkwright::equations!(#name, #borrowed #size);
+    }
+}
+
+/// What a tear or its rate is called inside the equations.
+fn local(symbol: SymbolId, module: &Module<'_>) -> Ident {
+    identifier(&module.system.symbol_name(symbol))
+}
+
+/// Whether code mentions a name.
+fn mentions(code: &str, name: &str) -> bool {
+    code.split(|character: char| !(character.is_alphanumeric() || character == '_'))
+        .any(|word| word == name)
+}
+
+/// The unknowns that a block finds: `` `phi2`, `l1` ``.
+pub(super) fn listed(newton: &NewtonBlock, module: &Module<'_>) -> String {
+    let names = newton.unknowns.iter();
+    let names = names.map(|&unknown| format!("`{}`", module.system.unknown_name(unknown)));
+    names.collect::<Vec<_>>().join(", ")
+}
+
+/// A statement of a block that concerns its Newton-Raphson.
+pub(super) fn statement(
+    statement: &Statement,
+    index: usize,
+    block: &Block,
+    scope: &Scope<'_>,
+) -> TokenStream {
+    let Some(newton) = &block.newton else {
+        return TokenStream::new();
+    };
+    match statement {
+        Statement::Newton { measure, .. } => solve(index, block, newton, *measure, scope),
+        Statement::Factorize => factorize(index, block, newton, scope),
+        _ => TokenStream::new(),
+    }
+}
+
+/// The equations with what they read.
+fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
+    let name = type_name(block);
+    let reads = reads(newton, module);
+    let reads_parameters = reads.parameters || lengths(newton, module).is_some();
+    let at = only(reads.frame, quote!(at: &*at,));
+    let parameters = only(reads_parameters, quote!(parameters: given.parameters,));
+    let inputs = only(reads.inputs, quote!(inputs: given.inputs,));
+    let fields = quote!(#at #parameters #inputs);
+    match fields.is_empty() {
+        true => quote!(#name),
+        false => quote!(#name { #fields }),
+    }
+}
+
+/// The call of the runtime that finds the tears with their rates.
+fn solve(
+    index: usize,
+    block: &Block,
+    newton: &NewtonBlock,
+    measure: Option<[SymbolId; 2]>,
+    scope: &Scope<'_>,
+) -> TokenStream {
+    let module = scope.module;
+    let tears = tears(newton, module);
+    let fields = |of: fn(&Unknown) -> SymbolId, frame: &str| -> Vec<TokenStream> {
+        let frame = format_ident!("{frame}");
+        tears
+            .iter()
+            .map(|it| module.field(of(it), &frame))
+            .collect()
+    };
+    let of: [fn(&Unknown) -> SymbolId; 3] = [|it| it.position, |it| it.rate, |it| it.acceleration];
+    let [q, qd, qdd] = of.map(|of| fields(of, "at"));
+    let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
+    let (number, mode) = (count(index), identifier(&block.name));
+    let equations = instance(block, newton, module);
+    let (call, declared, passed, measured) = match measure {
+        None => (
+            quote!(solve),
+            TokenStream::new(),
+            TokenStream::new(),
+            TokenStream::new(),
+        ),
+        Some(both) => {
+            let [determinant, condition] = both.map(|symbol| scope.symbol(symbol));
+            let measured = quote! {
+                #determinant = measure.determinant;
+                #condition = measure.reciprocal_condition;
+            };
+            let declared = quote!(let mut measure = Measure::sine(0.0););
+            (
+                quote!(solve_measured),
+                declared,
+                quote!(, &mut measure),
+                measured,
+            )
+        }
+    };
+    quote! {
+        #declared
+        let tears = kinematics::Frame {
+            t: last.t,
+            q: Vector::from([#(#last_q),*]),
+            qd: Vector::from([#(#last_qd),*]),
+            qdd: Vector::from([#(#last_qdd),*]),
+        };
+        let equations = #equations;
+        let tears = block::#call(&equations, &tears, given.start, &mut branches.#mode, given.t, given.settings #passed)
+            .map_err(|failure| failure.in_block(#number))?;
+        [#(#q),*] = tears.q.data.0[0];
+        [#(#qd),*] = tears.qd.data.0[0];
+        [#(#qdd),*] = tears.qdd.data.0[0];
+        #measured
+    }
+}
+
+/// The Jacobian at the tears that were found, factorized once more for what responds to drivers and parameters.
+fn factorize(index: usize, block: &Block, newton: &NewtonBlock, scope: &Scope<'_>) -> TokenStream {
+    let module = scope.module;
+    let at = format_ident!("at");
+    let tears = tears(newton, module);
+    let q = tears.iter().map(|it| module.field(it.position, &at));
+    let (number, equations) = (count(index), instance(block, newton, module));
+    quote! {
+        let tears = Vector::from([#(#q),*]);
+        let factorization = kinematics::factorize(&#equations, &tears, given.t, given.settings)
+            .map_err(|failure| failure.in_block(#number))?;
+    }
+}
+
+/// `fn angles`, where there are any.
+fn angles(columns: &[Quantity]) -> TokenStream {
+    let is_angle: Vec<bool> = columns.iter().map(|it| *it == Quantity::Angle).collect();
+    let size = count(columns.len());
+    let values = match (is_angle.contains(&true), is_angle.contains(&false)) {
+        (false, _) => return TokenStream::new(),
+        (true, false) => quote!([true; #size]),
+        (true, true) => quote!([#(#is_angle),*]),
+    };
+    quote! {
+        fn angles(&self) -> [bool; #size] {
+            #values
+        }
+    }
+}

@@ -1,0 +1,352 @@
+//! Φ, Φ_q, Φ_t and γ as functions, and all equations as one dense system.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::docs::docs;
+use super::layout::comment;
+use super::lints;
+use super::literal::count;
+use super::module::{Module, only};
+use super::scope::{Place, Reads, Scope, identifier};
+use crate::emit::{Notation, text};
+use crate::expr::ExprId;
+use crate::joint::Quantity;
+use crate::program::Function;
+use crate::system::{Row, System};
+
+/// The functions of the textbook view, what is monitored besides, and the type that the runtime solves.
+pub(super) fn textbook(module: &Module<'_>) -> TokenStream {
+    let Some(textbook) = &module.program.textbook else {
+        return TokenStream::new();
+    };
+    let phi = vector(
+        module,
+        &textbook.residual,
+        "phi",
+        "Φ(q, t): the residuals of all joints and drivers, zero where the mechanism is assembled.",
+        |row| row.residual,
+    );
+    let phi_t = vector(
+        module,
+        &textbook.time_derivative,
+        "phi_t",
+        "Φ_t(q, t): the partial derivatives of the residuals in t. The rates solve Φ_q q̇ = −Φ_t.",
+        |row| row.time_derivative,
+    );
+    let gamma = vector(
+        module,
+        &textbook.gamma,
+        "gamma",
+        "γ(q, q̇, t) = −((Φ_q q̇)_q q̇ + 2 Φ_qt q̇ + Φ_tt). The accelerations solve Φ_q q̈ = γ.",
+        |row| row.gamma,
+    );
+    let phi_q = matrix(module, &textbook.jacobian);
+    let monitored = textbook
+        .monitored
+        .as_ref()
+        .map(|function| monitored(module, function));
+    let dense = dense(module);
+    quote! { #phi #phi_q #phi_t #gamma #monitored #dense }
+}
+
+/// The arguments of a function; one that is not read begins with an underscore.
+fn arguments(module: &Module<'_>, reads: Reads, with_rates: bool) -> TokenStream {
+    let name = |name: &str, is_read: bool| match is_read {
+        true => identifier(name),
+        false => identifier(&format!("_{name}")),
+    };
+    let (q, qd, t) = (
+        name("q", reads.position),
+        name("qd", reads.rate),
+        name("t", reads.time),
+    );
+    let rates = only(with_rates, quote!(#qd: &Coordinates,));
+    let given = module.declared().arguments(reads.parameters, reads.inputs);
+    quote!(#q: &Coordinates, #rates #given #t: Scalar)
+}
+
+/// What a row is, before the first one of its joint.
+fn row_comment(module: &Module<'_>, index: usize) -> TokenStream {
+    let rows = &module.system.rows;
+    let joint = rows[index].joint;
+    match index > 0 && rows[index - 1].joint == joint {
+        true => TokenStream::new(),
+        false => comment(&module.system.mechanism.joints[joint].label),
+    }
+}
+
+fn vector(
+    module: &Module<'_>,
+    function: &Function,
+    name: &str,
+    title: &str,
+    of: fn(&Row) -> ExprId,
+) -> TokenStream {
+    let system = module.system;
+    let scope = Scope::new(module, function, Place::Coordinates);
+    let (statements, results) = (scope.plain_statements(), scope.results());
+    let zero = system.mechanism.graph.zero();
+    let mut lines = vec![title.to_string()];
+    if name == "phi" {
+        lines.push(String::new());
+        lines.extend(row_lines(system, &system.rows));
+    }
+    let text = docs(lines);
+    let reads = scope.reads();
+    let arguments = arguments(module, reads, name == "gamma");
+    let size = count(system.rows.len());
+    let mut last = usize::MAX;
+    let named = system
+        .rows
+        .iter()
+        .zip(&results)
+        .filter(|(row, _)| of(row) != zero);
+    let bindings = named.map(|(row, value)| {
+        let name = identifier(&row.name);
+        let label = match std::mem::replace(&mut last, row.joint) == row.joint {
+            true => TokenStream::new(),
+            false => comment(&system.mechanism.joints[row.joint].label),
+        };
+        quote!(#label let #name = #value;)
+    });
+    let bindings: Vec<TokenStream> = bindings.collect();
+    let entries = system.rows.iter().map(|row| match of(row) == zero {
+        true => quote!(0.0),
+        false => {
+            let name = identifier(&row.name);
+            quote!(#name)
+        }
+    });
+    let name = identifier(name);
+    let function = quote! {
+        pub fn #name(#arguments) -> Vector<#size> {
+            #(#statements)*
+            #(#bindings)*
+            Vector::from([#(#entries),*])
+        }
+    };
+    let allow = lints::unused_item(&function);
+    quote!(#text #allow #function)
+}
+
+/// Each row with its joint and its residual as a person writes it.
+fn row_lines(system: &System, rows: &[Row]) -> Vec<String> {
+    let line = |(index, row): (usize, &Row)| {
+        let formula = text::readable(system, &row.bodies, Notation::Ascii, row.residual);
+        let formula = formula.map_or(String::new(), |formula| format!(": `{formula}`"));
+        let label = &system.mechanism.joints[row.joint].label;
+        format!("- {index}, {label}{formula}")
+    };
+    rows.iter().enumerate().map(line).collect()
+}
+
+/// The residuals of the rows that are not solved.
+fn monitored(module: &Module<'_>, function: &Function) -> TokenStream {
+    let system = module.system;
+    let scope = Scope::new(module, function, Place::Coordinates);
+    let (statements, results) = (scope.plain_statements(), scope.results());
+    let size = count(system.monitored.len());
+    let mut lines = vec![
+        "The residuals of the redundant equations, in m or rad: they follow from those that are solved, so they are zero but for rounding wherever Φ is."
+            .to_string(),
+        String::new(),
+    ];
+    lines.extend(row_lines(system, &system.monitored));
+    let text = docs(lines);
+    let arguments = arguments(module, scope.reads(), false);
+    let function = quote! {
+        pub fn monitored(#arguments) -> [Scalar; #size] {
+            #(#statements)*
+            [#(#results),*]
+        }
+    };
+    let allow = lints::unused_item(&function);
+    quote!(#text #allow #function)
+}
+
+fn matrix(module: &Module<'_>, function: &Function) -> TokenStream {
+    let system = module.system;
+    let scope = Scope::new(module, function, Place::Coordinates);
+    let (statements, results) = (scope.plain_statements(), scope.results());
+    let size = count(system.rows.len());
+    let mut values = results.iter();
+    let mut entries = Vec::with_capacity(results.len());
+    for (index, row) in system.rows.iter().enumerate() {
+        entries.push(row_comment(module, index));
+        let row_number = count(index);
+        for (entry, value) in row.jacobian.iter().zip(values.by_ref()) {
+            let column = count(entry.coordinate);
+            entries.push(quote!(phi_q[(#row_number, #column)] = #value;));
+        }
+    }
+    let columns = numbered(
+        system
+            .coordinates
+            .iter()
+            .map(|coordinate| coordinate.name.as_str()),
+    );
+    let rows = numbered(system.rows.iter().map(|row| row.name.as_str()));
+    let text = docs([
+        "Φ_q(q, t): the Jacobian, one row per equation and one column per coordinate. What is not assigned is zero."
+            .to_string(),
+        String::new(),
+        format!("Columns: {columns}."),
+        String::new(),
+        format!("Rows: {rows}."),
+    ]);
+    let arguments = arguments(module, scope.reads(), false);
+    let function = quote! {
+        pub fn phi_q(#arguments) -> Matrix<#size, #size> {
+            #(#statements)*
+            let mut phi_q = Matrix::zeros();
+            #(#entries)*
+            phi_q
+        }
+    };
+    let allow = lints::unused_item(&function);
+    quote!(#text #allow #function)
+}
+
+/// `0 x1, 1 y1, …`
+fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names = names.enumerate();
+    let names: Vec<String> = names
+        .map(|(index, name)| format!("{index} `{name}`"))
+        .collect();
+    names.join(", ")
+}
+
+/// `struct Textbook`: the dense system as the runtime solves it.
+fn dense(module: &Module<'_>) -> TokenStream {
+    let system = module.system;
+    let size = count(system.rows.len());
+    let declared = module.declared();
+    let parameters = only(
+        declared.parameters,
+        quote! {
+            /// The parameters.
+            pub parameters: Parameters,
+        },
+    );
+    let inputs = only(
+        declared.inputs,
+        quote! {
+            /// The signals at the time for which the equations are evaluated.
+            pub inputs: Inputs,
+        },
+    );
+    let structure = match declared.parameters || declared.inputs {
+        true => quote!(pub struct Textbook { #parameters #inputs }),
+        false => quote!(
+            pub struct Textbook;
+        ),
+    };
+    let own_parameters = only(declared.parameters, quote!(&self.parameters,));
+    let own_inputs = only(declared.inputs, quote!(&self.inputs,));
+    let passed = quote!(#own_parameters #own_inputs);
+    let rows: Vec<Quantity> = system.rows.iter().map(|row| row.quantity).collect();
+    let columns: Vec<Quantity> = system.coordinates.iter().map(|it| it.quantity).collect();
+    let lengths = module.program.lengths.as_ref();
+    let length = length(module, lengths, system.characteristic_length());
+    let scales = scales(&length, &rows, &columns);
+    quote! {
+        /// All equations as one dense system, as `linkwright::newton` solves it.
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #structure
+
+        impl BlockEquations<Scalar, #size> for Textbook {
+            fn residual(&self, q: &[Scalar; #size], t: Scalar) -> [Scalar; #size] {
+                phi(&Coordinates::from_array(*q), #passed t).data.0[0]
+            }
+
+            fn jacobian(&self, q: &[Scalar; #size], t: Scalar) -> Matrix<#size, #size> {
+                phi_q(&Coordinates::from_array(*q), #passed t)
+            }
+
+            fn time_derivative(&self, q: &[Scalar; #size], t: Scalar) -> [Scalar; #size] {
+                phi_t(&Coordinates::from_array(*q), #passed t).data.0[0]
+            }
+
+            fn gamma(&self, q: &[Scalar; #size], qd: &[Scalar; #size], t: Scalar) -> [Scalar; #size] {
+                gamma(&Coordinates::from_array(*q), &Coordinates::from_array(*qd), #passed t).data.0[0]
+            }
+
+            #scales
+        }
+
+        ::linkwright::equations!(Textbook, #size);
+    }
+}
+
+/// By what lengths are scaled: a statement that finds it, and what it is called then.
+pub(super) struct Length {
+    pub statement: TokenStream,
+    pub name: TokenStream,
+}
+
+/// The largest of some lengths, or a number where no parameter changes them.
+pub(super) fn length(module: &Module<'_>, lengths: Option<&Function>, fixed: f64) -> Length {
+    let otherwise = module.float(fixed);
+    let Some(function) = lengths else {
+        return Length {
+            statement: TokenStream::new(),
+            name: otherwise,
+        };
+    };
+    let scope = Scope::new(module, function, Place::Coordinates);
+    let (statements, results) = (scope.plain_statements(), scope.results());
+    Length {
+        statement: quote! {
+            let parameters = &self.parameters;
+            #(#statements)*
+            let length = largest_length(&[#(#results),*], #otherwise);
+        },
+        name: quote!(length),
+    }
+}
+
+/// The two functions that say by what rows and columns with these quantities are scaled.
+pub(super) fn scales(length: &Length, rows: &[Quantity], columns: &[Quantity]) -> TokenStream {
+    let size = count(rows.len());
+    let list = |quantities: &[Quantity]| {
+        let scales: Vec<TokenStream> = quantities
+            .iter()
+            .map(|it| scale(*it, &length.name))
+            .collect();
+        let is_first = |scale: &TokenStream| scale.to_string() == scales[0].to_string();
+        let needs_length = quantities.iter().any(|it| it.power_of_length() != 0);
+        let statement = only(needs_length, length.statement.clone());
+        match scales.iter().all(is_first) && !scales.is_empty() {
+            true => {
+                let first = &scales[0];
+                quote!(#statement [#first; #size])
+            }
+            false => quote!(#statement [#(#scales),*]),
+        }
+    };
+    let (rows, columns) = (list(rows), list(columns));
+    quote! {
+        fn row_scales(&self) -> [Scalar; #size] {
+            #rows
+        }
+
+        fn column_scales(&self) -> [Scalar; #size] {
+            #columns
+        }
+    }
+}
+
+/// What values of a quantity are scaled by.
+fn scale(quantity: Quantity, length: &TokenStream) -> TokenStream {
+    let power = quantity.power_of_length();
+    let mut product = length.clone();
+    for _ in 1..power.unsigned_abs() {
+        product = quote!(#product * #length);
+    }
+    match power {
+        0 => quote!(1.0),
+        1.. => product,
+        _ => quote!(1.0 / (#product)),
+    }
+}

@@ -1,0 +1,201 @@
+//! *Paths → the bytes of regular files; contents → files that are complete or as they were.*
+//!
+//! A pipe or a device is never read: it could have no end, or nobody who writes it. A file is written beside its destination,
+//! which it then replaces in one operation. Deliberately unknown here: what is read and written.
+
+use std::fs::{self, File, FileType, OpenOptions};
+use std::io::{self, BufWriter, Read as _, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The bytes of a regular file; of one with more than `largest` bytes one byte more than that.
+///
+/// # Errors
+/// There is no such file, it is a folder, a pipe or a device, or the file system refuses.
+pub fn read(path: &Path, largest: usize) -> io::Result<Vec<u8>> {
+    // Asked before it is opened: opening a pipe waits for somebody who writes it.
+    let kind = fs::metadata(path)?.file_type();
+    if !kind.is_file() {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, noun(kind)));
+    }
+    let mut bytes = Vec::new();
+    File::open(path)?
+        .take(largest as u64 + 1)
+        .read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// What stands at a path where a regular file is wanted.
+pub fn noun(kind: FileType) -> &'static str {
+    if kind.is_dir() {
+        return "it is a folder";
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt as _;
+        if kind.is_fifo() {
+            return "it is a pipe, no regular file";
+        }
+    }
+    "it is a device, no regular file"
+}
+
+/// Why a file cannot be read or written: the words of the operating system differ for what happens most.
+pub fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_string(),
+        io::ErrorKind::PermissionDenied => "there is no permission".to_string(),
+        _ => error.to_string(),
+    }
+}
+
+/// Replaces the file at `path` by what `write` produces, with the permissions that it has. What a link points to is replaced;
+/// the link stays.
+///
+/// # Errors
+/// Those of `write`, and whatever the file system refuses; the file is then as it was.
+pub fn replace(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let (partial, file) = partial(folder_of(&path))?;
+    let written = complete(file, write)
+        .and_then(|file| match fs::metadata(&path) {
+            Ok(existing) => file.set_permissions(existing.permissions()),
+            Err(_) => Ok(()),
+        })
+        .and_then(|()| fs::rename(&partial, &path));
+    if written.is_err() {
+        // The first error is the one to report; that the partial file may be left is its consequence.
+        let _ = fs::remove_file(&partial);
+    }
+    written
+}
+
+/// Whether [`replace`] can make a file in this folder.
+///
+/// # Errors
+/// Why it cannot.
+pub fn may_write_in(folder: &Path) -> io::Result<()> {
+    let (path, file) = partial(folder)?;
+    drop(file);
+    fs::remove_file(path)
+}
+
+/// The folder that a path lies in.
+pub fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// A new file under a name that no other file has, whoever else is writing in this folder.
+fn partial(folder: &Path) -> io::Result<(PathBuf, File)> {
+    static WRITTEN: AtomicUsize = AtomicUsize::new(0);
+    loop {
+        let number = WRITTEN.fetch_add(1, Ordering::Relaxed);
+        let name = format!(".linkwright-{}-{number}.partial", std::process::id());
+        let path = folder.join(name);
+        match OpenOptions::new().write(true).create_new(true).open(&path) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            file => return Ok((path, file?)),
+        }
+    }
+}
+
+fn complete(file: File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<File> {
+    let mut buffered = BufWriter::new(file);
+    write(&mut buffered)?;
+    buffered
+        .into_inner()
+        .map_err(io::IntoInnerError::into_error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A folder of its own that is removed in the end.
+    struct Folder(PathBuf);
+
+    impl Folder {
+        fn new(name: &str) -> Folder {
+            let name = format!("linkwright-files-{name}-{}", std::process::id());
+            let path = std::env::temp_dir().join(name);
+            fs::create_dir_all(&path).expect("a folder of the test");
+            Folder(path)
+        }
+
+        fn names(&self) -> Vec<String> {
+            let entries = fs::read_dir(&self.0).expect("the folder exists");
+            let name = |entry: io::Result<fs::DirEntry>| entry.expect("an entry").file_name();
+            let mut names: Vec<String> = entries
+                .map(|it| name(it).to_string_lossy().into_owned())
+                .collect();
+            names.sort();
+            names
+        }
+    }
+
+    impl Drop for Folder {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    #[test]
+    fn a_file_is_replaced_as_a_whole_or_not_at_all() {
+        let folder = Folder::new("replace");
+        let path = folder.0.join("a.rs");
+        replace(&path, |output| output.write_all(b"one")).expect("it can be written");
+        assert_eq!(fs::read(&path).expect("it is there"), b"one");
+        let failed = replace(&path, |output| {
+            output.write_all(b"half of it")?;
+            Err(io::Error::other("no more"))
+        });
+        assert_eq!(failed.expect_err("it fails").to_string(), "no more");
+        assert_eq!(fs::read(&path).expect("it is there"), b"one");
+        assert_eq!(folder.names(), ["a.rs"], "no partial file is left");
+        may_write_in(&folder.0).expect("it may");
+        assert!(may_write_in(&path).is_err());
+        assert_eq!(folder.names(), ["a.rs"]);
+    }
+
+    #[test]
+    fn only_as_much_is_read_as_is_wanted() {
+        let folder = Folder::new("read");
+        let path = folder.0.join("a.csv");
+        fs::write(&path, "12345").expect("it can be written");
+        assert_eq!(read(&path, 5).expect("it is there"), b"12345");
+        assert_eq!(read(&path, 3).expect("it is there"), b"1234");
+        let refused = |path: &Path| reason(&read(path, 5).expect_err("it is refused"));
+        assert_eq!(refused(&folder.0), "it is a folder");
+        assert_eq!(
+            refused(&path.with_extension("none")),
+            "there is no such file"
+        );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_stay_and_permissions_are_kept() {
+        use std::os::unix::fs::{PermissionsExt as _, symlink};
+        let folder = Folder::new("links");
+        let (path, link) = (folder.0.join("a.rs"), folder.0.join("link"));
+        fs::write(&path, "one").expect("it can be written");
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).expect("it is ours");
+        symlink("a.rs", &link).expect("a link");
+        replace(&link, |output| output.write_all(b"two")).expect("it can be written");
+        assert_eq!(fs::read_link(&link).expect("a link"), Path::new("a.rs"));
+        assert_eq!(fs::read(&path).expect("it is there"), b"two");
+        let mode = fs::metadata(&path)
+            .expect("it is there")
+            .permissions()
+            .mode();
+        assert_eq!(mode & 0o777, 0o640);
+        let device = read(Path::new("/dev/null"), 5).expect_err("it is refused");
+        assert_eq!(device.to_string(), "it is a device, no regular file");
+    }
+}

@@ -1,0 +1,268 @@
+//! A system, and the program that solves it → what in them is infinite, undefined, or past a bound, with its place.
+//!
+//! The front end refuses such numbers where they are written. What is derived from the description multiplies and divides what it
+//! wrote: the square of a length may be too large although the length is not, and a distance that is zero may be divided by.
+//! [Graphs](crate::expr::Graph) let no such number into an expression, but make the whole expression undefined; so every expression
+//! that is to be written is looked at once, and afterwards every constant of the program is a number of its scalar. Deliberately
+//! unknown here: how an expression became undefined.
+
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::expr::ExprId;
+use crate::model::beyond_bounds;
+use crate::program::{Block, Found, Function, Program, Sensitivity};
+use crate::structure::LARGEST_TOGETHER;
+use crate::system::{Bound, Exceeded, System};
+
+/// How many places a finding points at.
+const SHOWN: usize = 6;
+
+/// What scalars hold: magnitudes from the least but zero to the largest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Range {
+    /// The least with all its digits.
+    pub least: f64,
+    /// The largest.
+    pub largest: f64,
+}
+
+/// Expressions and where they come from.
+struct Part {
+    /// What a message calls them.
+    subject: String,
+    /// The statements, never none.
+    spans: Vec<Span>,
+    exprs: Vec<ExprId>,
+}
+
+/// What is infinite or undefined in the equations of a system.
+pub(crate) fn of_system(system: &System) -> Diagnostics {
+    let mut found = Diagnostics::new();
+    match passed(system) {
+        Some(passed) => found.push(passed),
+        None => found.extend(undefined(&of_equations(system), system)),
+    }
+    found
+}
+
+/// What is infinite or undefined in the program of a system, or no number of its scalar. Without a program only the bound that
+/// was passed is looked for.
+pub(crate) fn of_program(system: &System, program: Option<&Program>, range: Range) -> Diagnostics {
+    let mut found = Diagnostics::new();
+    let Some(program) = program else {
+        found.extend(passed(system));
+        return found;
+    };
+    let path = program.path.iter().map(|path| Part {
+        subject: "what shows that frames lie on their path".to_string(),
+        spans: vec![system.mechanism.span],
+        exprs: path.functions().flat_map(Function::values).collect(),
+    });
+    let blocks = program.blocks.iter().map(|block| of_block(block, system));
+    let blocks: Vec<Part> = blocks.chain(path).collect();
+    let undefined: Vec<Diagnostic> = undefined(&blocks, system).collect();
+    let first = undefined.first().map(|first| first.primary.span);
+    let in_program = system.mechanism.graph.excess();
+    let in_program =
+        in_program.map(|excess| beyond_bounds(excess, first.unwrap_or(system.mechanism.span)));
+    if let Some(passed) = passed(system).or(in_program) {
+        found.push(passed);
+        return found;
+    }
+    found.extend(undefined);
+    for sensitivity in &program.sensitivities {
+        found.extend(undefined_sensitivity(sensitivity, system));
+    }
+    let constants = program.constants.list().iter();
+    let are_finite = constants.clone().all(|constant| constant.value.is_finite());
+    if range != Range::F64 {
+        let parts = blocks.into_iter().chain(of_equations(system));
+        found.extend(parts.filter_map(|part| out_of_range(&part, system, range)));
+    }
+    if !are_finite && !found.has_errors() {
+        let message = "a number that follows from the drawing is infinite or undefined";
+        found.push(Diagnostic::error(
+            Code::NotFinite,
+            system.mechanism.span,
+            message,
+        ));
+    }
+    found
+}
+
+impl Range {
+    /// Of `f64`: what an expression holds is one.
+    pub(crate) const F64: Range = Range {
+        least: 0.0,
+        largest: f64::MAX,
+    };
+    /// Of `f32`.
+    pub(crate) const F32: Range = Range {
+        least: f32::MIN_POSITIVE as f64,
+        largest: f32::MAX as f64,
+    };
+}
+
+/// The bound that the equations or their plan passed.
+fn passed(system: &System) -> Option<Diagnostic> {
+    let Exceeded { at, bound } = system.exceeded?;
+    Some(match bound {
+        Bound::Graph(excess) => beyond_bounds(excess, at),
+        Bound::Together(unknowns) => Diagnostic::error(
+            Code::TooMuchWork,
+            at,
+            format!(
+                "{unknowns} unknowns would have to be found together, more than {LARGEST_TOGETHER}"
+            ),
+        )
+        .label("one of the joints that depend on one another")
+        .help("drive more of the bodies, or describe the mechanism in parts"),
+    })
+}
+
+/// The equations of every joint, the drawing of every body and the motion of every point.
+fn of_equations(system: &System) -> Vec<Part> {
+    let mechanism = &system.mechanism;
+    let part = |subject: String, span: Span, exprs: Vec<ExprId>| Part {
+        subject,
+        spans: vec![span],
+        exprs,
+    };
+    let joints = mechanism.joints.iter();
+    let mut parts: Vec<Part> = joints
+        .map(|it| {
+            part(
+                format!("the equations of `{}`", it.label),
+                it.span,
+                Vec::new(),
+            )
+        })
+        .collect();
+    let parameters = mechanism.parameters.iter();
+    let parameters = parameters.map(|it| (&it.name, it.span, it.nominal));
+    let inputs = mechanism.inputs.iter();
+    let inputs = inputs.map(|it| (&it.name, it.span, it.initial));
+    parts.extend(parameters.chain(inputs).map(|(name, span, default)| {
+        part(format!("the default of `{name}`"), span, vec![default])
+    }));
+    for row in system.rows.iter().chain(&system.monitored) {
+        let entries = row.jacobian.iter().map(|entry| entry.value);
+        let own = &mut parts[row.joint].exprs;
+        own.extend([row.residual, row.time_derivative, row.gamma]);
+        own.extend(entries);
+    }
+    for row in &system.vector_form.rows {
+        parts[row.joint].exprs.push(row.residual);
+    }
+    for it in &system.pressures {
+        let own = &mut parts[it.joint].exprs;
+        own.extend([it.along, it.across, it.sliding]);
+    }
+    for direction in &system.directions {
+        for column in [&direction.column, &direction.rate_column] {
+            for (row, &entry) in system.rows.iter().zip(column) {
+                parts[row.joint].exprs.push(entry);
+            }
+        }
+    }
+    for (row, entries) in system.rows.iter().zip(&system.rate_jacobian) {
+        let own = &mut parts[row.joint].exprs;
+        own.extend(entries.iter().map(|entry| entry.value));
+    }
+    parts.extend(mechanism.moving_bodies().iter().map(|body| {
+        let subject = format!("the drawing of body `{}`", body.name);
+        part(subject, body.span, body.estimate().to_vec())
+    }));
+    for unknown in &system.vector_form.unknowns[system.coordinates.len()..] {
+        if !mechanism.graph.is_sound(unknown.estimate) {
+            let rows = &system.vector_form.rows;
+            let mentions = |residual| mechanism.graph.depends_on(residual, unknown.position);
+            let row = rows.iter().find(|row| mentions(row.residual));
+            let joint = row.map(|row| &mechanism.joints[row.joint]);
+            let span = joint.map_or(mechanism.span, |joint| joint.span);
+            let subject = format!("the drawing of `{}`", unknown.name);
+            parts.push(part(subject, span, vec![unknown.estimate]));
+        }
+    }
+    let points = mechanism.points.iter().zip(&system.outputs);
+    parts.extend(points.map(|(point, it)| {
+        let subject = format!("the motion of point `{}`", point.name);
+        let levels = [it.position, it.velocity, it.acceleration];
+        part(subject, point.span, levels.concat())
+    }));
+    parts
+}
+
+/// What a block computes.
+fn of_block(block: &Block, system: &System) -> Part {
+    let exprs: Vec<ExprId> = block.functions().flat_map(Function::values).collect();
+    let joints = &system.mechanism.joints;
+    let own: Vec<_> = block.joints.iter().map(|&joint| &joints[joint]).collect();
+    let Some(first) = own.first() else {
+        return Part {
+            subject: "what follows from the pose".to_string(),
+            spans: vec![system.mechanism.span],
+            exprs,
+        };
+    };
+    let subject = match own.len() {
+        1 => format!("what solves `{}`", first.label),
+        2 => format!("what solves `{}` and `{}`", first.label, own[1].label),
+        more => format!("what solves `{}` and {} more", first.label, more - 1),
+    };
+    Part {
+        subject,
+        spans: own.iter().map(|joint| joint.span).collect(),
+        exprs,
+    }
+}
+
+/// The parts with a number that is none.
+fn undefined(parts: &[Part], system: &System) -> impl Iterator<Item = Diagnostic> {
+    let graph = &system.mechanism.graph;
+    let is_undefined = |part: &&Part| part.exprs.iter().any(|&expr| !graph.is_sound(expr));
+    parts.iter().filter(is_undefined).map(|part| {
+        let message = format!("a number in {} is infinite or undefined", part.subject);
+        finding(part, message)
+            .label("follows from this")
+            .help("look for a distance that is zero in every pose, and for a length whose square is beyond 1.8e308 or below 5e-324: is a unit or an exponent wrong?")
+    })
+}
+
+/// A sensitivity that is a number, but none.
+fn undefined_sensitivity(sensitivity: &Sensitivity, system: &System) -> Option<Diagnostic> {
+    let coordinates = sensitivity.coordinates.iter().flatten().flatten();
+    let quantities = sensitivity.quantities.iter().flat_map(|it| &it.levels);
+    let mut all = coordinates.chain(quantities.flatten());
+    let is_none = |found: &Found| matches!(found, Found::Constant(it) if !it.is_finite());
+    let own = &system.mechanism.parameters[sensitivity.parameter];
+    all.any(is_none).then(|| {
+        let message = format!("a sensitivity to `{}` is infinite or undefined", own.name);
+        Diagnostic::error(Code::NotFinite, own.span, message)
+            .label("at this default")
+            .help("what depends on it has no slope there; choose another default")
+    })
+}
+
+/// A part with a number that the scalar does not hold.
+fn out_of_range(part: &Part, system: &System, range: Range) -> Option<Diagnostic> {
+    let found = system.mechanism.graph.magnitudes(&part.exprs);
+    let beyond = if found.largest > range.largest {
+        found.largest
+    } else if found.least < range.least {
+        found.least
+    } else {
+        return None;
+    };
+    let message = format!("a number in {} does not fit the scalar", part.subject);
+    let (least, largest) = (range.least, range.largest);
+    let finding = finding(part, message).label(format!("{beyond:.1e} follows from this"));
+    Some(finding.help(format!(
+        "numbers of this scalar are zero or between {least:.1e} and {largest:.1e}; is a unit or an exponent wrong?"
+    )))
+}
+
+fn finding(part: &Part, message: String) -> Diagnostic {
+    let error = Diagnostic::error(Code::NotFinite, part.spans[0], message);
+    let others = part.spans.iter().skip(1).take(SHOWN - 1);
+    others.fold(error, |error, &span| error.also(span, "together with this"))
+}

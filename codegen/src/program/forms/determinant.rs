@@ -1,0 +1,161 @@
+//! The determinant of a form's Jacobian, factored, in terms of unknowns.
+//!
+//! Rates and accelerations exist exactly where it is not zero, and its sign is the assembly mode of a closed form. Afterwards arms are
+//! written out, so that the expressions hold unknowns and what is given only. The sign depends on the order in which equations are
+//! written and says nothing by itself. Since Φ_q becomes block triangular in solve order (Duff, Erisman and Reid, Direct Methods
+//! for Sparse Matrices), its determinant is the product of those of all parts up to a factor that does not vanish. The module does
+//! not know pins, nor how formulas are printed.
+
+use crate::expr::{ExprId, Graph};
+use crate::joint::geometry::{Vector, dot};
+use crate::system::VectorForm;
+
+/// The largest Newton-Raphson whose determinant is written out.
+pub const LARGEST_WRITTEN_OUT: usize = 3;
+
+/// The determinant of one form.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Determinant {
+    /// The determinant, up to its sign; `None` for a Newton-Raphson of more than [`LARGEST_WRITTEN_OUT`] unknowns, and where
+    /// its constants are too large to be numbers.
+    pub value: Option<ExprId>,
+    /// The same divided by the lengths of the Jacobian's columns, or for one angle by the length of the vector that it turns:
+    /// the sine of the angle between them, dimensionless, at most 1 in size. `None` where `jacobian` has to be evaluated
+    /// instead, or where nothing says how large a coefficient is at most.
+    pub normalized: Option<ExprId>,
+    /// What it is divided by for that, in unknowns and arms; `None` where it is not.
+    pub size: Option<ExprId>,
+    /// ∂residual/∂unknown of a Newton-Raphson, row by row; empty for closed forms.
+    pub jacobian: Vec<Vec<ExprId>>,
+}
+
+impl Determinant {
+    /// That of a closed form with its size.
+    pub(super) fn closed(
+        value: ExprId,
+        size: ExprId,
+        form: &VectorForm,
+        graph: &mut Graph,
+    ) -> Determinant {
+        let ratio = graph.divide(value, size);
+        let [value, ratio] = [value, ratio].map(|it| form.written_out(it, graph));
+        let finite = |expr: ExprId| graph.is_finite(expr).then_some(expr);
+        Determinant {
+            value: finite(value),
+            size: finite(size),
+            normalized: finite(ratio),
+            jacobian: Vec::new(),
+        }
+    }
+}
+
+/// c cos φ + s sin φ has the derivative s cos φ − c sin φ.
+pub(super) fn of_one_angle(
+    unknown: usize,
+    [c, s]: [ExprId; 2],
+    form: &VectorForm,
+    graph: &mut Graph,
+) -> ExprId {
+    // (c, s) as a vector that another angle turns, or its mirror image.
+    let minus = graph.negate(s);
+    if let (Some(leader), [u, v]) = orientation([c, s], form, graph) {
+        let difference = difference([Some(unknown), Some(leader)], form, graph);
+        return wave(u, v, difference, graph);
+    }
+    if let (Some(leader), [u, v]) = orientation([c, minus], form, graph) {
+        let [own, other] =
+            [unknown, leader].map(|angle| graph.variable(form.unknowns[angle].position));
+        let sum = graph.add(own, other);
+        let value = wave(u, v, sum, graph);
+        return graph.negate(value);
+    }
+    let angle = graph.variable(form.unknowns[unknown].position);
+    let minus = graph.negate(c);
+    wave(minus, s, angle, graph)
+}
+
+/// R(φ_a) p × R(φ_b) q = (p · q) sin(φ_b − φ_a) + (p × q) cos(φ_b − φ_a); a vector without an angle does not turn.
+pub(super) fn crossed(
+    angles: [Option<usize>; 2],
+    [p, q]: [Vector; 2],
+    form: &VectorForm,
+    graph: &mut Graph,
+) -> ExprId {
+    let along = dot(p, q, graph);
+    let [forward, backward] = [graph.multiply(p[0], q[1]), graph.multiply(p[1], q[0])];
+    let across = graph.subtract(forward, backward);
+    match angles {
+        [None, None] => across,
+        _ => {
+            let difference = difference(angles, form, graph);
+            wave(along, across, difference, graph)
+        }
+    }
+}
+
+/// φ_b − φ_a.
+fn difference(angles: [Option<usize>; 2], form: &VectorForm, graph: &mut Graph) -> ExprId {
+    let [first, second] = angles.map(|angle| match angle {
+        Some(angle) => graph.variable(form.unknowns[angle].position),
+        None => graph.zero(),
+    });
+    graph.subtract(second, first)
+}
+
+/// a sin δ + b cos δ as one factor and one function of δ.
+fn wave(a: ExprId, b: ExprId, delta: ExprId, graph: &mut Graph) -> ExprId {
+    let zero = graph.zero();
+    if b == zero {
+        let sine = graph.sin(delta);
+        return graph.multiply(a, sine);
+    }
+    if a == zero {
+        let cosine = graph.cos(delta);
+        return graph.multiply(b, cosine);
+    }
+    // A displacement that is a factor of both stays outside the root.
+    let ratio = graph.divide(b, a);
+    if graph.is_constant(ratio) && !graph.is_constant(a) {
+        let one = graph.one();
+        let shifted = wave(one, ratio, delta, graph);
+        return graph.multiply(a, shifted);
+    }
+    let squares = [graph.multiply(a, a), graph.multiply(b, b)];
+    let square = graph.sum(&squares);
+    let size = graph.sqrt(square);
+    let ahead = graph.atan2(b, a);
+    let shifted = graph.add(delta, ahead);
+    let sine = graph.sin(shifted);
+    graph.multiply(size, sine)
+}
+
+/// The known angle that turns a vector with the vector in its orientation; the vector as it is where there is none.
+pub(super) fn orientation(
+    vector: Vector,
+    form: &VectorForm,
+    graph: &mut Graph,
+) -> (Option<usize>, Vector) {
+    let zero = graph.zero();
+    let symbols = vector.iter().flat_map(|&part| graph.symbols(part));
+    let turning = symbols.filter_map(|&symbol| form.place_of_symbol(symbol));
+    if let Some(angle) = turning.min().map(|place| form.arms[place].angle)
+        && let Some((local, rest)) = form.turned_vector(vector, angle, graph)
+        && rest == [zero, zero]
+    {
+        return (Some(angle), local);
+    }
+    (None, vector)
+}
+
+/// |v|.
+pub(super) fn length(v: Vector, form: &VectorForm, graph: &mut Graph) -> ExprId {
+    let (_, v) = orientation(v, form, graph);
+    let square = dot(v, v, graph);
+    graph.sqrt(square)
+}
+
+/// |p| |q|.
+pub(super) fn sizes([p, q]: [Vector; 2], form: &VectorForm, graph: &mut Graph) -> ExprId {
+    let (p, q) = (length(p, form, graph), length(q, form, graph));
+    graph.multiply(p, q)
+}

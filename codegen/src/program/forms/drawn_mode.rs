@@ -1,0 +1,86 @@
+//! The equations of a block without a closed form → the sign of their determinant in the drawing.
+//!
+//! The sign tells the assembly modes of a block apart, and it is that of the drawn geometry, whatever drives the mechanism: drivers
+//! need not be where they are drawn, but everything else must fit. Deliberately unknown here: how the block is solved.
+
+use crate::expr::ExprId;
+use crate::joint::Quantity;
+use crate::system::{SymbolRole, System};
+
+/// By how much an equation may miss, as a part of what it is scaled by: drawings are written with some digits.
+const FITS: f64 = 1e-4;
+
+/// The least determinant of rows of length 1 that decides, of blocks up to so many unknowns.
+const DECIDED: f64 = 1e-6;
+const LARGEST: usize = 64;
+
+/// The sign, true where it is positive; `None` where the drawing does not fit or does not decide it. The Jacobian is given row by row.
+pub(super) fn drawn_mode(
+    residuals: &[ExprId],
+    jacobian: &[ExprId],
+    [rows, columns]: [&[Quantity]; 2],
+    system: &System,
+) -> Option<bool> {
+    let order = residuals.len();
+    if order > LARGEST {
+        return None;
+    }
+    let length = system.characteristic_length();
+    let scale = |quantity: &Quantity| length.powi(quantity.power_of_length());
+    let fits = |(residual, row): (&ExprId, &Quantity)| {
+        is_driven(*residual, system) || system.drawn_value(*residual).abs() <= FITS * scale(row)
+    };
+    if !residuals.iter().zip(rows).all(fits) {
+        return None;
+    }
+    let mut matrix: Vec<Vec<f64>> = Vec::with_capacity(order);
+    for entries in jacobian.chunks(order) {
+        let entries = entries.iter().zip(columns);
+        let row: Vec<f64> = entries
+            .map(|(entry, column)| system.drawn_value(*entry) * scale(column))
+            .collect();
+        let size = row.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+        matrix.push(row.into_iter().map(|entry| entry / size).collect());
+    }
+    let determinant = determinant(matrix);
+    // Written so that NaN decides nothing.
+    (determinant.abs() >= DECIDED).then_some(determinant > 0.0)
+}
+
+/// Whether what is given from outside changes an equation.
+fn is_driven(residual: ExprId, system: &System) -> bool {
+    let symbols = system.mechanism.graph.symbols(residual).iter();
+    let mut roles = symbols.map(|symbol| system.roles.get(symbol.index()));
+    roles.any(|role| {
+        matches!(
+            role,
+            Some(SymbolRole::Time | SymbolRole::Input { .. } | SymbolRole::Parameter(_))
+        )
+    })
+}
+
+fn determinant(mut rows: Vec<Vec<f64>>) -> f64 {
+    let mut product = 1.0;
+    for column in 0..rows.len() {
+        let pivots = (column..rows.len())
+            .max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()));
+        let Some(pivot) = pivots else { break };
+        if pivot != column {
+            rows.swap(pivot, column);
+            product = -product;
+        }
+        let (before, after) = rows.split_at_mut(column + 1);
+        let own = &before[column];
+        product *= own[column];
+        if product == 0.0 {
+            break;
+        }
+        for row in after {
+            let factor = row[column] / own[column];
+            for (entry, own) in row.iter_mut().zip(own).skip(column) {
+                *entry -= factor * own;
+            }
+        }
+    }
+    product
+}

@@ -1,0 +1,126 @@
+//! c u + rest = 0: one unknown that its equation holds once.
+
+use std::sync::Arc;
+
+use super::{Candidate, Determinant, Form, Solved};
+use crate::expr::{ExprId, Graph};
+use crate::program::builder::Builder;
+use crate::program::function::Level;
+use crate::system::VectorForm;
+use crate::words::{Piece, Singular, phrase};
+
+/// c u + rest = 0.
+#[derive(Clone, Debug)]
+struct Linear {
+    unknown: usize,
+    coefficient: ExprId,
+    rest: ExprId,
+}
+
+pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
+    let (equation, unknown) = candidate.single()?;
+    let Candidate { form, graph, .. } = candidate;
+    let symbol = form.unknowns[unknown].position;
+    if form.is_turned_by(equation, unknown, graph) {
+        return None;
+    }
+    let coefficient = graph.derivative(equation, symbol);
+    let zero = graph.zero();
+    (!graph.depends_on(coefficient, symbol)).then(|| {
+        let rest = graph.substitute(equation, &[(symbol, zero)]);
+        Arc::new(Linear {
+            unknown,
+            coefficient,
+            rest,
+        }) as Arc<dyn Form>
+    })
+}
+
+impl Form for Linear {
+    fn name(&self) -> String {
+        "linear".to_string()
+    }
+
+    fn unknowns(&self) -> Vec<usize> {
+        vec![self.unknown]
+    }
+
+    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
+        let value = form.written_out(self.coefficient, graph);
+        let one = graph.one();
+        Determinant {
+            value: Some(value),
+            size: None,
+            normalized: graph.is_fixed(value).then_some(one),
+            jacobian: Vec::new(),
+        }
+    }
+
+    fn singular(&self) -> Singular {
+        Singular::Coefficient(self.unknown)
+    }
+
+    fn modes(&self) -> Option<usize> {
+        Some(1)
+    }
+
+    fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
+        let name = Piece::Unknown(self.unknown);
+        builder.heading(phrase![name.clone(), " from a linear equation"]);
+        let position = builder.position(self.unknown);
+        let product = builder.graph().multiply(self.coefficient, position);
+        let equation = builder.graph().add(product, self.rest);
+        builder.say(|_| phrase!["The equation is linear in ", name, ":"]);
+        builder.show(|_| vec![[Piece::Formula(equation).into(), "0".into(), "".into()]]);
+        let coefficient = builder.factor("coefficient", self.coefficient);
+        let scale = builder.graph().one();
+        builder.nonzero(coefficient, scale);
+        let ratio = builder.graph().divide(self.rest, coefficient);
+        let value = builder.graph().negate(ratio);
+        builder.find(self.unknown, Level::Position, value);
+        builder.explicit_angle(self.unknown);
+        Box::new(Found {
+            unknown: self.unknown,
+            coefficient,
+            equation,
+        })
+    }
+}
+
+struct Found {
+    unknown: usize,
+    coefficient: ExprId,
+    equation: ExprId,
+}
+
+impl Solved for Found {
+    fn determinant(&self) -> Option<ExprId> {
+        Some(self.coefficient)
+    }
+
+    fn prepare(&mut self, builder: &mut Builder<'_>) {
+        builder.say(|_| {
+            phrase![
+                "Velocity: differentiated, the equation has the same coefficient ",
+                Piece::Formula(self.coefficient),
+                ":"
+            ]
+        });
+    }
+
+    fn rates(&self, level: Level, builder: &mut Builder<'_>) {
+        say_again(level, builder);
+        let drift = builder.drift_at(self.equation, &[self.unknown], level);
+        let ratio = builder.graph().divide(drift, self.coefficient);
+        let value = builder.graph().negate(ratio);
+        builder.find(self.unknown, level, value);
+    }
+}
+
+/// Says how the acceleration of a single unknown is found.
+pub(super) fn say_again(level: Level, builder: &mut Builder<'_>) {
+    if level == Level::Acceleration {
+        builder
+            .say(|_| "Acceleration: differentiated once more, it has the same coefficient:".into());
+    }
+}

@@ -1,0 +1,273 @@
+//! Anything else: Newton-Raphson on all equations of the part at once.
+//!
+//! The tears are found with their rates and accelerations by the runtime, from the residuals g of the block, their Jacobian,
+//! and their first and second rates with the tears held; all four are functions of the tears and of what is known.
+
+use std::sync::Arc;
+
+use super::determinant::LARGEST_WRITTEN_OUT;
+use super::drawn_mode::drawn_mode;
+use super::{Candidate, Determinant, Form, Solved};
+use crate::expr::{ExprId, Graph, SymbolId};
+use crate::joint::Quantity;
+use crate::joint::geometry::Vector;
+use crate::program::block::NewtonBlock;
+use crate::program::builder::Builder;
+use crate::program::function::{Function, Level, Statement};
+use crate::program::passes::liveness;
+use crate::system::VectorForm;
+use crate::words::{Phrase, Piece, Singular, counted, enumerated, phrase};
+
+/// g(z) = 0.
+#[derive(Clone, Debug)]
+struct Newton {
+    unknowns: Vec<usize>,
+    residuals: Vec<ExprId>,
+    quantities: Vec<Quantity>,
+}
+
+pub(super) fn form(candidate: &Candidate<'_>) -> Arc<dyn Form> {
+    Arc::new(Newton {
+        unknowns: candidate.unknowns.to_vec(),
+        residuals: candidate.equations.clone(),
+        quantities: candidate.quantities.clone(),
+    })
+}
+
+impl Form for Newton {
+    fn name(&self) -> String {
+        format!("Newton of size {}", self.unknowns.len())
+    }
+
+    fn unknowns(&self) -> Vec<usize> {
+        self.unknowns.clone()
+    }
+
+    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
+        let jacobian: Vec<Vec<ExprId>> = self
+            .residuals
+            .iter()
+            .map(|&residual| {
+                let residual = form.written_out(residual, graph);
+                let slope =
+                    |&unknown: &usize| graph.derivative(residual, form.unknowns[unknown].position);
+                self.unknowns.iter().map(slope).collect()
+            })
+            .collect();
+        let written =
+            jacobian.len() <= LARGEST_WRITTEN_OUT && self.unknowns.len() == jacobian.len();
+        let value = written.then(|| expanded(&jacobian, graph));
+        Determinant {
+            value: value.filter(|&value| graph.is_finite(value)),
+            size: None,
+            normalized: None,
+            jacobian,
+        }
+    }
+
+    fn singular(&self) -> Singular {
+        Singular::Jacobian(self.unknowns.clone())
+    }
+
+    fn modes(&self) -> Option<usize> {
+        None
+    }
+
+    fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
+        self.open(builder);
+        let own = self.unknowns.iter();
+        let own = own.map(|&unknown| &builder.system.vector_form.unknowns[unknown]);
+        let found: Vec<[SymbolId; 3]> = own
+            .map(|it| [it.position, it.rate, it.acceleration])
+            .collect();
+        let held: Vec<SymbolId> = found.iter().map(|it| it[1]).collect();
+        let steady: Vec<SymbolId> = found.iter().map(|it| it[2]).collect();
+        let (mut jacobian, mut time_derivative, mut gamma) = (Vec::new(), Vec::new(), Vec::new());
+        for &residual in &self.residuals {
+            let first = builder.rate(residual);
+            let second = builder.rate(first);
+            // The residual's rate is linear in the rates of the tears; its coefficients are the Jacobian's row.
+            let slopes = held
+                .iter()
+                .map(|&rate| builder.graph().derivative(first, rate));
+            jacobian.extend(slopes.collect::<Vec<_>>());
+            time_derivative.push(builder.without(first, &held));
+            let drift = builder.without(second, &steady);
+            gamma.push(builder.graph().negate(drift));
+        }
+        let unknowns = &builder.system.vector_form.unknowns;
+        let columns: Vec<Quantity> = self
+            .unknowns
+            .iter()
+            .map(|&it| unknowns[it].quantity)
+            .collect();
+        let drawn = drawn_mode(
+            &self.residuals,
+            &jacobian,
+            [&self.quantities, &columns],
+            builder.system,
+        );
+        let geometry = builder.geometry(&self.unknowns);
+        let function = |results: Vec<ExprId>| {
+            let results = Function::of_results(results);
+            let statements = geometry.clone();
+            liveness::for_results(
+                Function {
+                    statements,
+                    ..results
+                },
+                &builder.system.mechanism.graph,
+            )
+        };
+        let block = NewtonBlock {
+            unknowns: self.unknowns.clone(),
+            drawn,
+            quantities: self.quantities.clone(),
+            residual: function(self.residuals.clone()),
+            jacobian: function(jacobian),
+            time_derivative: function(time_derivative),
+            gamma: function(gamma),
+        };
+        let measure = None;
+        builder.state(Statement::Newton { found, measure });
+        // The arms are found anew from the converged tears, now for everyone.
+        for &unknown in &self.unknowns {
+            builder.explicit_angle(unknown);
+        }
+        Box::new(Found {
+            block,
+            residuals: self.residuals.clone(),
+        })
+    }
+}
+
+impl Newton {
+    /// Says why there is no closed form, and writes the residuals down.
+    fn open(&self, builder: &mut Builder<'_>) {
+        let names = self.unknowns.iter().map(|&it| Piece::Unknown(it).into());
+        let names: Vec<Phrase> = names.collect();
+        let count = self.residuals.len();
+        let loops = self.loops(builder);
+        let loops_counted = loops
+            .as_ref()
+            .map(|it| counted(it.len(), "loop", "coupled loops"));
+        let equations = counted(count, "equation", "equations");
+        let source = loops_counted.as_ref().unwrap_or(&equations);
+        builder.heading(phrase![
+            enumerated(&names),
+            format!(" from {source} at once")
+        ]);
+        builder.say(|_| match (&names[..], &loops_counted) {
+            ([only], None) => phrase![
+                "There is no closed form here: the equation is linear neither in ",
+                only,
+                " nor in its cosine and sine. Newton-Raphson finds it, starting from the last pose."
+            ],
+            (_, made_of) => {
+                let made_of = made_of.as_ref().map(|it| format!(", the components of {it},"));
+                phrase![
+                    format!("There is no closed form here: {equations}{} hold ", made_of.unwrap_or_default()),
+                    enumerated(&names),
+                    " together. No part of the equations holds only as many unknowns as it has equations, so they cannot be \
+                     solved one loop after the other, and the whole is not one of the pairs of circles and lines whose \
+                     intersection is a square root. Newton-Raphson finds all of them at once, starting from the last pose."
+                ]
+            }
+        });
+        if let Some(loops) = loops {
+            builder.say(|_| "The loops as vectors:".into());
+            builder.show(|_| {
+                let shown = loops
+                    .into_iter()
+                    .map(|it| [Piece::Sum(it).into(), "0".into(), "".into()]);
+                shown.collect()
+            });
+        }
+        builder.say(|_| "The residuals by components:".into());
+        builder.show(|_| {
+            let numbered = self.residuals.iter().enumerate();
+            let shown = numbered.map(|(place, &residual)| {
+                let name = Piece::Numbered("g", place + 1);
+                [name.into(), Piece::Formula(residual).into(), "".into()]
+            });
+            shown.collect()
+        });
+    }
+
+    /// The residuals pair by pair as vectors, where they are the components of such.
+    fn loops(&self, builder: &mut Builder<'_>) -> Option<Vec<Vector>> {
+        let pairs = self.residuals.chunks_exact(2);
+        if !pairs.remainder().is_empty() {
+            return None;
+        }
+        let pairs: Vec<Vector> = pairs.map(|pair| [pair[0], pair[1]]).collect();
+        let are_sums = pairs
+            .iter()
+            .all(|&pair| builder.system.vector_sum(pair).is_some());
+        are_sums.then_some(pairs)
+    }
+}
+
+struct Found {
+    block: NewtonBlock,
+    residuals: Vec<ExprId>,
+}
+
+impl Solved for Found {
+    fn determinant(&self) -> Option<ExprId> {
+        None
+    }
+
+    fn prepare(&mut self, builder: &mut Builder<'_>) {
+        let size = self.residuals.len();
+        builder.say(|_| {
+            let matrix = || Piece::Matrix("G", "z");
+            phrase![
+                format!("Velocity and acceleration: with the {size} by {size} Jacobian "),
+                matrix(),
+                " of the residuals in these unknowns, the rates of the unknowns solve one linear system with the right-hand side \
+                 minus the rates of the residuals with the unknowns held; the accelerations solve the same system. Both exist while \
+                 the determinant of ",
+                matrix(),
+                " is not zero."
+            ]
+        });
+    }
+
+    fn rates(&self, level: Level, builder: &mut Builder<'_>) {
+        builder.newton_response(&self.block.unknowns, &self.residuals, level);
+    }
+
+    fn newton(self: Box<Self>) -> Option<NewtonBlock> {
+        Some(self.block)
+    }
+}
+
+/// The determinant by cofactors of the first row.
+fn expanded(rows: &[Vec<ExprId>], graph: &mut Graph) -> ExprId {
+    let Some((first, others)) = rows.split_first() else {
+        return graph.one();
+    };
+    let zero = graph.zero();
+    let mut terms = Vec::with_capacity(first.len());
+    for (column, &entry) in first.iter().enumerate() {
+        if entry == zero {
+            continue;
+        }
+        let minor: Vec<Vec<ExprId>> = others
+            .iter()
+            .map(|row| {
+                let kept = row.iter().enumerate().filter(|(place, _)| *place != column);
+                kept.map(|(_, &entry)| entry).collect()
+            })
+            .collect();
+        let cofactor = expanded(&minor, graph);
+        let term = graph.multiply(entry, cofactor);
+        terms.push(if column % 2 == 0 {
+            term
+        } else {
+            graph.negate(term)
+        });
+    }
+    graph.sum(&terms)
+}

@@ -1,0 +1,257 @@
+//! R(φ) (p + ℓ u) + c = 0 with a unit vector u: a line that turns passes through a known point.
+//!
+//! With a = p · u and b = u × p the known vector m = −c has the length √((a + ℓ)² + b²), so k = a + ℓ = ±√(m² − b²), the assembly
+//! mode. The determinant of the block's Jacobian [Ω m, R u] is −k.
+
+use std::sync::Arc;
+
+use super::determinant::sizes;
+use super::rotation_and_slide::Found;
+use super::two_rotations::turning;
+use super::{Candidate, Determinant, Form, Solved};
+use crate::expr::{ExprId, Graph};
+use crate::joint::geometry::{Vector, dot};
+use crate::program::builder::Builder;
+use crate::program::function::Level;
+use crate::system::VectorForm;
+use crate::words::{Phrase, Piece, Singular, phrase};
+
+/// R(φ) (p + ℓ u) + c = 0.
+#[derive(Clone, Debug)]
+struct TurningSlide {
+    angle: usize,
+    slide: usize,
+    /// p, where the line begins, constant in its body.
+    start: Vector,
+    /// u, the line's direction, constant in its body.
+    direction: Vector,
+    /// c, the known vector that closes the loop.
+    closure: Vector,
+}
+
+pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
+    let (equations, [angle, slide]) = candidate.pair_of([true, false])?;
+    let form = candidate.form;
+    let symbol = form.unknowns[slide].position;
+    let zero = candidate.graph.zero();
+    for arranged in candidate.arrangements(equations) {
+        let graph = &mut *candidate.graph;
+        let slope = arranged.map(|equation| graph.derivative(equation, symbol));
+        let without = arranged.map(|equation| graph.substitute(equation, &[(symbol, zero)]));
+        let Some((start, closure)) = form.turned_vector(without, angle, graph) else {
+            continue;
+        };
+        let is_constant = |part: &ExprId| !graph.depends_on(*part, symbol);
+        if !slope.iter().all(is_constant) {
+            return None;
+        }
+        let Some((direction, rest)) = form.turned_vector(slope, angle, graph) else {
+            continue;
+        };
+        // A direction that does not turn is that of a rotation and a slide.
+        if rest == [zero, zero] && direction != [zero, zero] {
+            return Some(Arc::new(TurningSlide {
+                angle,
+                slide,
+                start,
+                direction,
+                closure,
+            }));
+        }
+    }
+    None
+}
+
+impl Form for TurningSlide {
+    fn name(&self) -> String {
+        "rotation and slide".to_string()
+    }
+
+    fn unknowns(&self) -> Vec<usize> {
+        vec![self.angle, self.slide]
+    }
+
+    /// [Ω m, R u] with m = R (p + ℓ u) has the determinant −(p + ℓ u) · u.
+    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
+        let (p, u) = (self.start, self.direction);
+        let along = graph.variable(form.unknowns[self.slide].position);
+        let reach = [0, 1].map(|axis| {
+            let slid = graph.multiply(along, u[axis]);
+            graph.add(p[axis], slid)
+        });
+        let (start, square) = (dot(p, u, graph), dot(u, u, graph));
+        let slid = graph.multiply(along, square);
+        let value = graph.add(start, slid);
+        let size = sizes([reach, u], form, graph);
+        Determinant::closed(value, size, form, graph)
+    }
+
+    fn singular(&self) -> Singular {
+        Singular::TurningLine {
+            angle: self.angle,
+            slide: self.slide,
+            start: self.start,
+            direction: self.direction,
+        }
+    }
+
+    fn modes(&self) -> Option<usize> {
+        Some(2)
+    }
+
+    fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
+        let (angle, slide) = (self.angle, self.slide);
+        let (name, is_backward) = self.open(builder);
+        // The vectors are taken in the direction in which a person goes along the line.
+        let [p, u, c] = [self.start, self.direction, self.closure].map(|vector| {
+            if is_backward {
+                builder.negated(vector)
+            } else {
+                vector
+            }
+        });
+        self.close([p, u], c, &name, builder);
+        let minus = builder.negated(c);
+        let m = builder.vector(&name, minus);
+        let m_square = builder.dot(m, m);
+        let m_square = builder.value(&format!("|{name}|^2"), m_square);
+        let (a, b) = (builder.dot(p, u), builder.cross(u, p));
+        let b_square = builder.graph().multiply(b, b);
+        let excess = builder.graph().subtract(m_square, b_square);
+        let excess = builder.factor("excess", excess);
+        let graph = builder.graph();
+        let (distance, shortest) = (graph.sqrt(m_square), graph.sqrt(b_square));
+        builder.reach(excess, m_square, [distance, distance, shortest]);
+        let drawn = builder.system.drawn_value(a) + builder.system.drawn_unknown(slide);
+        let meaning = "whether the point lies ahead on the line or behind its foot".to_string();
+        let branch_name = builder.system.unknown_name(angle).to_string();
+        let branch = builder.branch(branch_name, meaning, drawn);
+        let root = builder.graph().sqrt(excess);
+        let k = builder.graph().multiply(branch, root);
+        let k = builder.value_with("k", k, "with the sign of the drawing");
+        let length = builder.graph().subtract(k, a);
+        builder.find(slide, Level::Position, length);
+        // p + ℓ u = k u + b Ω u in the body; the direction that turns it into m.
+        let across = builder.across(u);
+        let local = builder.combined(k, u, b, across);
+        let [x, y] = local;
+        let local = [builder.factor("local_x", x), builder.factor("local_y", y)];
+        let direction = turning(angle, local, m, m_square, &name, builder);
+        builder.angle(angle, direction);
+        let value = builder.turn(direction, u);
+        let d = builder.link(
+            angle,
+            u,
+            value,
+            "u",
+            phrase!["u = ", Piece::Turned(angle, u)],
+        );
+        let zero = builder.graph().zero();
+        let start = match p == [zero, zero] {
+            true => p,
+            false => {
+                let value = builder.turn(direction, p);
+                builder.link(
+                    angle,
+                    p,
+                    value,
+                    "start",
+                    phrase!["start = ", Piece::Turned(angle, p)],
+                )
+            }
+        };
+        // What changes these links beside the angle turns with it.
+        builder.arms(angle, direction);
+        builder.say(|_| {
+            phrase![
+                "The sign of ",
+                Piece::Local("k".to_string()),
+                " is the assembly mode: on which side of its foot the point lies on the line."
+            ]
+        });
+        let length = builder.position(slide);
+        let slid = d.map(|part| builder.graph().multiply(length, part));
+        let chain = [start, slid, c];
+        Box::new(Found::new([angle, slide], m, d, k, &chain, None, builder))
+    }
+}
+
+impl TurningSlide {
+    /// Says between which two known points the line lies; returns what the vector between them is called, and whether the plan's
+    /// vector leads the other way.
+    fn open(&self, builder: &mut Builder<'_>) -> (String, bool) {
+        let known = builder.known.known_pins(self.angle, builder.system);
+        let [angle, slide] = [self.angle, self.slide].map(Piece::Unknown);
+        let [(first, first_end), (second, second_end)] = &known[..] else {
+            let source = " from a line that turns and slides";
+            builder.heading(phrase![angle, " and ", slide, source]);
+            return ("m".to_string(), false);
+        };
+        let name = format!("{}{}", first.name, second.name);
+        let [a, b] = [first, second].map(|pin| Piece::Name(pin.name.clone()));
+        let length = Piece::Length(name.clone());
+        builder.heading(phrase![
+            angle.clone(),
+            " and ",
+            slide.clone(),
+            " from the sliding line between ",
+            a.clone(),
+            " and ",
+            b.clone(),
+            " with ",
+            length,
+            " known"
+        ]);
+        builder.say(|builder| {
+            let ends = [first_end, second_end];
+            let [here, there] = ends.map(|mark| builder.known.whereabouts(mark, builder.system));
+            phrase![
+                a,
+                ", ",
+                here,
+                ", and ",
+                b,
+                ", ",
+                there,
+                ", are known. Between them lies a line that turns by ",
+                angle,
+                " and on which ",
+                slide,
+                " is the part in use."
+            ]
+        });
+        let ends = [first_end, second_end].map(|mark| builder.system.drawn_position(*mark));
+        let drawn = self.closure.map(|part| -builder.system.drawn_value(part));
+        let along = drawn[0] * (ends[1][0] - ends[0][0]) + drawn[1] * (ends[1][1] - ends[0][1]);
+        (name, along < 0.0)
+    }
+
+    /// The loop as vectors and by components.
+    fn close(&self, [p, u]: [Vector; 2], c: Vector, name: &str, builder: &mut Builder<'_>) {
+        builder.say(|_| "The loop closes, as vectors and by components:".into());
+        builder.show(|builder| {
+            let length = builder.position(self.slide);
+            let local = [0, 1].map(|axis| {
+                let slid = builder.graph().multiply(length, u[axis]);
+                builder.graph().add(p[axis], slid)
+            });
+            let minus = builder.negated(c);
+            let turned = builder.turned_by(self.angle, local);
+            let whole = [0, 1].map(|axis| builder.graph().add(turned[axis], c[axis]));
+            let mut equations = builder.closed_loop(Phrase::default(), whole);
+            equations[0] = [
+                Piece::Turned(self.angle, local).into(),
+                Piece::Sum(minus).into(),
+                Piece::Vector(name.to_string()).into(),
+            ];
+            equations
+        });
+        builder.say(|_| {
+            phrase![
+                "Both sides have the same length, and what lies across the turning line does not change; so the part ",
+                Piece::Local("k".to_string()),
+                " along it is a square root (Pythagoras):"
+            ]
+        });
+    }
+}

@@ -1,0 +1,465 @@
+//! R(φ_a) p + R(φ_b) q + c = 0: the dyad with three revolute joints, where two circles meet.
+//!
+//! With the turned links w_a = R(φ_a) p and w_b = R(φ_b) q and their sum d = −c, the triangle gives
+//! k = w_a · w_b = (d² − p² − q²)/2 and h = w_a × w_b = ±√(p² q² − k²), the sign being the assembly mode; both links
+//! follow from d without an angle. The cross product is also the determinant of the block's Jacobian [Ω w_a, Ω w_b], so
+//! the rates cost one division. Nothing here loses digits where the links are nearly in line: the radicand is a difference
+//! of squares of what is given, and its relative error is that of the given distance, magnified as geometry magnifies it.
+
+use std::sync::Arc;
+
+use super::closing::Closing;
+use super::determinant::{crossed, sizes};
+use super::{Candidate, Determinant, Form, Solved};
+use crate::expr::{ExprId, Graph};
+use crate::joint::geometry::Vector;
+use crate::program::builder::{Builder, Direction};
+use crate::program::function::Level;
+use crate::system::VectorForm;
+use crate::words::{Phrase, Piece, Singular, Triangle, phrase};
+
+/// R(φ_a) p + R(φ_b) q + c = 0.
+#[derive(Clone, Debug)]
+struct TwoRotations {
+    /// φ_a and φ_b.
+    angles: [usize; 2],
+    /// p and q, constant in their bodies.
+    links: [Vector; 2],
+    /// c, the known vector that closes the triangle.
+    closure: Vector,
+}
+
+pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
+    let (equations, angles) = candidate.pair_of([true, true])?;
+    for arranged in candidate.arrangements(equations) {
+        let form = candidate.form;
+        let split = |pair, angle, candidate: &mut Candidate<'_>| {
+            form.turned_vector(pair, angle, candidate.graph)
+        };
+        let Some((p, rest)) = split(arranged, angles[0], candidate) else {
+            continue;
+        };
+        let Some((q, closure)) = split(rest, angles[1], candidate) else {
+            continue;
+        };
+        let mut parts = [p, q, closure].into_iter().flatten();
+        let known = |part| angles.iter().all(|&angle| !candidate.mentions(part, angle));
+        if parts.all(known) {
+            return Some(Arc::new(TwoRotations {
+                angles,
+                links: [p, q],
+                closure,
+            }));
+        }
+    }
+    None
+}
+
+impl Form for TwoRotations {
+    fn name(&self) -> String {
+        "two rotations".to_string()
+    }
+
+    fn unknowns(&self) -> Vec<usize> {
+        self.angles.to_vec()
+    }
+
+    /// [Ω w_a, Ω w_b] has the determinant w_a × w_b.
+    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
+        let value = crossed(self.angles.map(Some), self.links, form, graph);
+        let size = sizes(self.links, form, graph);
+        Determinant::closed(value, size, form, graph)
+    }
+
+    fn singular(&self) -> Singular {
+        Singular::Links {
+            angles: self.angles,
+            links: self.links,
+        }
+    }
+
+    fn modes(&self) -> Option<usize> {
+        Some(2)
+    }
+
+    fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
+        let angles = self.angles;
+        let triangle = builder.known.triangle(angles, self.links, builder.system);
+        // The links are taken in the direction in which a person goes round the triangle.
+        let is_backward = triangle.as_ref().is_some_and(|found| !found.forward);
+        let [p, q, c] = [self.links[0], self.links[1], self.closure].map(|vector| {
+            if is_backward {
+                builder.negated(vector)
+            } else {
+                vector
+            }
+        });
+        let names = self.open(triangle.as_ref(), [p, q], builder);
+        self.close(&names, triangle.as_ref(), [p, q], c, builder);
+        let drawn = {
+            let [first, second] =
+                [0, 1].map(|side| builder.system.drawn_turn(angles[side], [p, q][side]));
+            first[0] * second[1] - first[1] * second[0]
+        };
+        self.say_mode(triangle.as_ref(), drawn, builder);
+        let minus = builder.negated(c);
+        let d = builder.vector(&names.base, minus);
+        let d_square = builder.dot(d, d);
+        let d_square = builder.value(&format!("|{}|^2", names.base), d_square);
+        let squares = [builder.dot(p, p), builder.dot(q, q)];
+        let [first, second] = names.links.clone();
+        let p_square = builder.value(&format!("|{first}|^2"), squares[0]);
+        let q_square = builder.value(&format!("|{second}|^2"), squares[1]);
+        builder.show(|_| {
+            let squares = [&names.base, &first, &second].map(|name| Piece::Square(name.clone()));
+            let [d, p, q] = squares;
+            let half = phrase!["(", d, Piece::Minus, p, Piece::Minus, q, ")/2"];
+            let product = Piece::Dot(first.clone(), second.clone());
+            vec![[Piece::Local("k".to_string()).into(), half, product.into()]]
+        });
+        let links_square = builder.graph().add(p_square, q_square);
+        let twice = builder.graph().subtract(d_square, links_square);
+        let k = builder.half(twice);
+        let k = builder.value("k", k);
+        let scale = builder.graph().multiply(p_square, q_square);
+        let k_square = builder.graph().multiply(k, k);
+        let excess = builder.graph().subtract(scale, k_square);
+        let excess = builder.factor("excess", excess);
+        let spanned = [d_square, p_square, q_square].map(|square| builder.graph().sqrt(square));
+        let ends = {
+            let ([distance, p, q], graph) = (spanned, builder.graph());
+            [distance, graph.add(p, q), graph.subtract(p, q)]
+        };
+        builder.reach(excess, scale, ends);
+        let names_of = angles.map(|angle| builder.system.unknown_name(angle).to_string());
+        let meaning = format!(
+            "whether {} is found ahead of {} or behind it",
+            names_of[1], names_of[0]
+        );
+        let branch = builder.branch(names_of.join("_"), meaning, drawn);
+        let root = builder.graph().sqrt(excess);
+        let h = builder.graph().multiply(branch, root);
+        let remark = phrase![
+            Piece::Cross(first.clone(), second.clone()),
+            ", twice the area"
+        ];
+        let h = builder.value_with("h", h, remark);
+        let one = builder.graph().one();
+        let inverse = builder.graph().divide(one, d_square);
+        let inverse = builder.factor("inverse", inverse);
+        // d · w_a = p² + k and d × w_a = −h.
+        let forward = builder.graph().add(p_square, k);
+        let forward = builder.graph().multiply(forward, inverse);
+        let forward = builder.factor("forward", forward);
+        let sideways = builder.graph().multiply(h, inverse);
+        let sideways = builder.factor("sideways", sideways);
+        builder.show(|_| {
+            let base = &names.base;
+            let along = phrase![
+                "(",
+                Piece::Square(first.clone()),
+                " + ",
+                Piece::Local("k".to_string()),
+                ")",
+                Piece::Times
+            ];
+            let across = phrase![
+                Piece::Local("h".to_string()),
+                Piece::Times,
+                Piece::Across(base.clone())
+            ];
+            let square = Piece::Square(base.clone());
+            let sum = phrase![
+                "(",
+                along,
+                Piece::Vector(base.clone()),
+                Piece::Minus,
+                across,
+                ")/",
+                square
+            ];
+            vec![[Piece::Vector(first.clone()).into(), sum, "".into()]]
+        });
+        let clockwise = [d[1], builder.graph().negate(d[0])];
+        let value = builder.combined(forward, d, sideways, clockwise);
+        let w = builder.link(angles[0], p, value, &first, "");
+        let value = [0, 1].map(|axis| builder.graph().subtract(d[axis], w[axis]));
+        let u = builder.link(angles[1], q, value, &second, "");
+        let directions = [
+            turning(angles[0], p, w, p_square, &first, builder),
+            turning(angles[1], q, u, q_square, &second, builder),
+        ];
+        builder.angle(angles[0], directions[0]);
+        builder.angle(angles[1], directions[1]);
+        let stretches = [
+            builder.moving_link(angles[0], p, w, directions[0]),
+            builder.moving_link(angles[1], q, u, directions[1]),
+        ];
+        Box::new(Found {
+            angles,
+            names: names.links,
+            links: [w, u],
+            stretches,
+            c,
+            h,
+            rates: None,
+        })
+    }
+}
+
+/// What the two links and their sum are called.
+struct Names {
+    links: [String; 2],
+    base: String,
+}
+
+impl TwoRotations {
+    /// Says what is known of the triangle and what its sides are called.
+    fn open(
+        &self,
+        triangle: Option<&Triangle>,
+        links: [Vector; 2],
+        builder: &mut Builder<'_>,
+    ) -> Names {
+        let [first, second] = self.angles.map(Piece::Unknown);
+        let Some(triangle) = triangle else {
+            let source = " from a loop of two turning links";
+            builder.heading(phrase![first, " and ", second, source]);
+            return Names {
+                links: ["p", "q"].map(str::to_string),
+                base: "d".to_string(),
+            };
+        };
+        let [a, b] = [0, 1].map(|side| triangle.outer[side].0.name.clone());
+        let apex = triangle.apex.name.clone();
+        let mut lengths: Vec<Phrase> = Vec::new();
+        let mut driven: Vec<Phrase> = Vec::new();
+        for (side, name) in [format!("{a}{apex}"), format!("{b}{apex}")]
+            .into_iter()
+            .enumerate()
+        {
+            let Some((value, reason, is_driven)) = builder.known_length(links[side]) else {
+                continue;
+            };
+            let length = Piece::Length(name);
+            lengths.push(phrase![length.clone(), " is ", value, ", ", reason]);
+            if is_driven {
+                driven.push(length.into());
+            }
+        }
+        let condition = match driven.is_empty() {
+            true => Phrase::default(),
+            false => phrase![
+                " with ",
+                crate::words::enumerated(&driven),
+                " known from the driver"
+            ],
+        };
+        let [a_name, b_name, apex_name] = [&a, &b, &apex].map(|name| Piece::Name(name.clone()));
+        let source = phrase![
+            " from the triangle ",
+            a_name.clone(),
+            "-",
+            b_name.clone(),
+            "-",
+            apex_name.clone(),
+            condition
+        ];
+        builder.heading(phrase![first, " and ", second, source]);
+        builder.say(|builder| {
+            let [here, there] = [0, 1].map(|side| {
+                builder
+                    .known
+                    .whereabouts(&triangle.outer[side].1, builder.system)
+            });
+            let known = match here == there {
+                true => phrase![a_name, " and ", b_name, ", ", here, ", are known."],
+                false => phrase![
+                    a_name,
+                    ", ",
+                    here,
+                    ", and ",
+                    b_name,
+                    ", ",
+                    there,
+                    ", are known."
+                ],
+            };
+            let mut words = phrase![
+                known,
+                " Sought is ",
+                apex_name,
+                ", the third point of the triangle."
+            ];
+            for (place, length) in lengths.into_iter().enumerate() {
+                words.push(if place == 0 { " " } else { "; " });
+                words.push(length);
+            }
+            words.push(".");
+            words
+        });
+        Names {
+            links: [format!("{a}{apex}"), format!("{apex}{b}")],
+            base: format!("{a}{b}"),
+        }
+    }
+
+    /// The loop as vectors and by components.
+    fn close(
+        &self,
+        names: &Names,
+        triangle: Option<&Triangle>,
+        links: [Vector; 2],
+        c: Vector,
+        builder: &mut Builder<'_>,
+    ) {
+        builder.say(|_| {
+            let loop_words = match triangle {
+                Some(it) => {
+                    let pins = [&it.outer[0].0, &it.apex, &it.outer[1].0];
+                    let [a, apex, b] = pins.map(|pin| Piece::Name(pin.name.clone()));
+                    phrase!["The loop ", a, "-", apex, "-", b]
+                }
+                None => "The loop".into(),
+            };
+            phrase![loop_words, " closes, as vectors and by components:"]
+        });
+        builder.show(|builder| {
+            let [first, second] = names.links.clone().map(Piece::Vector);
+            let turned = [0, 1].map(|side| Piece::Turned(self.angles[side], links[side]));
+            let [along, back] = turned;
+            let minus = builder.negated(c);
+            let mut equations = vec![
+                [
+                    phrase![first, " + ", second],
+                    Piece::Vector(names.base.clone()).into(),
+                    "".into(),
+                ],
+                [
+                    phrase![along, " + ", back],
+                    Piece::Sum(minus).into(),
+                    "".into(),
+                ],
+            ];
+            let [a, b] = [0, 1].map(|side| builder.turned_by(self.angles[side], links[side]));
+            for axis in [0, 1] {
+                let sum = builder.graph().add(a[axis], b[axis]);
+                equations.push([
+                    Piece::Formula(sum).into(),
+                    Piece::Formula(minus[axis]).into(),
+                    ["x", "y"][axis].into(),
+                ]);
+            }
+            equations
+        });
+    }
+
+    /// Says which of the two points is kept.
+    fn say_mode(&self, triangle: Option<&Triangle>, drawn: f64, builder: &mut Builder<'_>) {
+        builder.say(|_| {
+            // d × w_a is −h.
+            let side = if drawn >= 0.0 { "right" } else { "left" };
+            let kept = phrase![
+                ", and this assembly mode is kept: it is the sign of ",
+                Piece::Local("h".to_string()),
+                " below. By the law of cosines:"
+            ];
+            match triangle {
+                Some(it) => {
+                    let pins = [&it.outer[0].0, &it.apex, &it.outer[1].0];
+                    let [a, apex, b] = pins.map(|pin| Piece::Name(pin.name.clone()));
+                    phrase![
+                        "Two circles about ",
+                        a.clone(),
+                        " and ",
+                        b.clone(),
+                        " meet in two points. In the drawing ",
+                        apex,
+                        format!(" lies to the {side} of the line from "),
+                        a,
+                        " to ",
+                        b,
+                        kept
+                    ]
+                }
+                None => phrase![
+                    "The equations have two solutions. In the drawing the first link points to the ",
+                    side,
+                    " of the sum of both",
+                    kept
+                ],
+            }
+        });
+    }
+}
+
+/// The cosine and the sine of the angle that turns p into w, which a page knows by this name.
+pub(super) fn turning(
+    angle: usize,
+    p: Vector,
+    w: Vector,
+    p_square: ExprId,
+    name: &str,
+    builder: &mut Builder<'_>,
+) -> Direction {
+    let (along, across) = (builder.dot(p, w), builder.cross(p, w));
+    let [cosine, sine] = [along, across].map(|part| builder.graph().divide(part, p_square));
+    let remark = phrase![
+        Piece::Vector(name.to_string()),
+        " = ",
+        Piece::Turned(angle, p)
+    ];
+    builder.direction(angle, cosine, sine, remark)
+}
+
+struct Found {
+    angles: [usize; 2],
+    names: [String; 2],
+    links: [Vector; 2],
+    stretches: [Option<crate::program::stretch::Stretch>; 2],
+    c: Vector,
+    h: ExprId,
+    /// 1/h, and what the loop does while the angles rest.
+    rates: Option<(ExprId, Closing)>,
+}
+
+impl Solved for Found {
+    fn determinant(&self) -> Option<ExprId> {
+        Some(self.h)
+    }
+
+    fn prepare(&mut self, builder: &mut Builder<'_>) {
+        let one = builder.graph().one();
+        let inverse = builder.graph().divide(one, self.h);
+        let inverse = builder.factor("inverse_h", inverse);
+        let parts = [self.links[0], self.links[1], self.c];
+        let stretches = self.stretches.iter().flatten().copied();
+        let closing = Closing::new(self.angles, &parts, stretches, builder);
+        let [first, second] = self.names.clone();
+        let cross = Piece::Cross(first.clone(), second.clone());
+        closing.say(phrase![cross, " = ", Piece::Formula(self.h)], builder);
+        builder.show(|_| {
+            let term = |angle, link| phrase![Piece::Rate(angle), Piece::Times, Piece::Across(link)];
+            let [a, b] = self.angles;
+            let left = phrase![term(a, first), " + ", term(b, second)];
+            let right = phrase![Piece::Opposite, Piece::Vector("v".to_string())];
+            vec![[left, right, "".into()]]
+        });
+        self.rates = Some((inverse, closing));
+    }
+
+    /// [Ω w_a, Ω w_b] (φ̇_a, φ̇_b) = −v, by Cramer's rule.
+    fn rates(&self, level: Level, builder: &mut Builder<'_>) {
+        let Some((inverse, closing)) = &self.rates else {
+            return;
+        };
+        let v = closing.drift(level, builder);
+        let (with_second, with_first) =
+            (builder.dot(v, self.links[1]), builder.dot(v, self.links[0]));
+        let first = builder.graph().multiply(with_second, *inverse);
+        let first = builder.graph().negate(first);
+        let second = builder.graph().multiply(with_first, *inverse);
+        builder.find(self.angles[0], level, first);
+        builder.find(self.angles[1], level, second);
+    }
+}

@@ -1,0 +1,138 @@
+//! ℓ_a d + ℓ_b e + c = 0 with known directions: two lines meet.
+
+use std::sync::Arc;
+
+use super::closing::Closing;
+use super::determinant::{crossed, orientation, sizes};
+use super::{Candidate, Determinant, Form, Solved};
+use crate::expr::{ExprId, Graph};
+use crate::joint::geometry::Vector;
+use crate::program::builder::Builder;
+use crate::program::function::Level;
+use crate::system::VectorForm;
+use crate::words::{Piece, Singular, phrase};
+
+/// ℓ_a d + ℓ_b e + c = 0.
+#[derive(Clone, Debug)]
+struct TwoSlides {
+    /// ℓ_a and ℓ_b.
+    slides: [usize; 2],
+    /// d and e.
+    directions: [Vector; 2],
+    /// c, the known vector that closes the loop.
+    closure: Vector,
+}
+
+pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
+    let (equations, slides) = candidate.pair_of([false, false])?;
+    let Candidate { form, graph, .. } = candidate;
+    let symbols = slides.map(|slide| form.unknowns[slide].position);
+    let directions =
+        symbols.map(|symbol| equations.map(|equation| graph.derivative(equation, symbol)));
+    let mut parts = directions.iter().flatten();
+    let linear = parts.all(|&part| symbols.iter().all(|&it| !graph.depends_on(part, it)));
+    let turns = |equation: &ExprId| {
+        slides
+            .iter()
+            .any(|&it| form.is_turned_by(*equation, it, graph))
+    };
+    if !linear || equations.iter().any(turns) {
+        return None;
+    }
+    let zeros = symbols.map(|symbol| (symbol, graph.zero()));
+    let closure = equations.map(|equation| graph.substitute(equation, &zeros));
+    Some(Arc::new(TwoSlides {
+        slides,
+        directions,
+        closure,
+    }))
+}
+
+impl Form for TwoSlides {
+    fn name(&self) -> String {
+        "two slides".to_string()
+    }
+
+    fn unknowns(&self) -> Vec<usize> {
+        self.slides.to_vec()
+    }
+
+    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
+        let [(first, d), (second, e)] = self
+            .directions
+            .map(|direction| orientation(direction, form, graph));
+        let value = crossed([first, second], [d, e], form, graph);
+        let size = sizes([d, e], form, graph);
+        Determinant::closed(value, size, form, graph)
+    }
+
+    fn singular(&self) -> Singular {
+        Singular::Lines {
+            slides: self.slides,
+        }
+    }
+
+    fn modes(&self) -> Option<usize> {
+        Some(1)
+    }
+
+    fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
+        let [first, second] = self.slides.map(Piece::Unknown);
+        builder.heading(phrase![first, " and ", second, " from two lines"]);
+        let lengths = self.slides.map(|slide| builder.position(slide));
+        let slid = [0, 1].map(|side| {
+            self.directions[side].map(|part| builder.graph().multiply(lengths[side], part))
+        });
+        builder.say(|_| "The loop closes, as vectors and by components:".into());
+        builder.show(|builder| {
+            let whole = [0, 1].map(|axis| {
+                let parts = [slid[0][axis], slid[1][axis], self.closure[axis]];
+                builder.graph().sum(&parts)
+            });
+            builder.closed_loop(Piece::Sum(whole).into(), whole)
+        });
+        builder.say(|_| "Two lines of known direction meet. By Cramer's rule:".into());
+        let [d, e] = [("d", self.directions[0]), ("e", self.directions[1])]
+            .map(|(name, vector)| builder.vector(name, vector));
+        let determinant = builder.cross(d, e);
+        let remark = Piece::Cross("d".to_string(), "e".to_string());
+        let determinant = builder.value_with("D", determinant, remark);
+        let scale = builder.graph().one();
+        builder.nonzero(determinant, scale);
+        let c = builder.vector("c", self.closure);
+        let numerators = [builder.cross(e, c), builder.cross(c, d)];
+        for (slide, numerator) in self.slides.into_iter().zip(numerators) {
+            let value = builder.graph().divide(numerator, determinant);
+            builder.find(slide, Level::Position, value);
+        }
+        let chain = [slid[0], slid[1], self.closure];
+        Box::new(Found {
+            closing: Closing::new(self.slides, &chain, None, builder),
+            columns: [d, e],
+            determinant,
+        })
+    }
+}
+
+struct Found {
+    closing: Closing,
+    columns: [Vector; 2],
+    /// d × e.
+    determinant: ExprId,
+}
+
+impl Solved for Found {
+    fn determinant(&self) -> Option<ExprId> {
+        Some(self.determinant)
+    }
+
+    fn prepare(&mut self, builder: &mut Builder<'_>) {
+        self.closing.say(Piece::Formula(self.determinant), builder);
+    }
+
+    fn rates(&self, level: Level, builder: &mut Builder<'_>) {
+        let one = builder.graph().one();
+        let inverse = builder.graph().divide(one, self.determinant);
+        self.closing.solve(self.columns, inverse, level, builder);
+    }
+}

@@ -1,0 +1,103 @@
+//! What `output` statements ask for → a last block that computes it.
+
+use super::block::Block;
+use super::function::{Level, Statement};
+use crate::expr::{ExprId, SymbolId};
+use crate::model::{Request, Requested};
+use crate::system::System;
+
+/// A quantity that the frame offers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Output {
+    /// A point, with the fields of its position, velocity and acceleration as far as they are wanted.
+    Point {
+        /// Its name.
+        name: String,
+        /// x and y of each level.
+        fields: Vec<[SymbolId; 2]>,
+    },
+    /// A coordinate with its rate and acceleration as far as they are wanted.
+    Coordinate {
+        /// Its name.
+        name: String,
+        /// One field a level.
+        fields: Vec<SymbolId>,
+    },
+}
+
+impl Output {
+    /// The fields of all levels.
+    pub fn fields(&self) -> Vec<SymbolId> {
+        match self {
+            Output::Point { fields, .. } => fields.concat(),
+            Output::Coordinate { fields, .. } => fields.clone(),
+        }
+    }
+}
+
+/// The outputs that are asked for, and the block that computes those of points; nothing where everything is wanted.
+pub(super) fn outputs(system: &mut System) -> Option<(Vec<Output>, Block)> {
+    if system.mechanism.requests.is_empty() {
+        return None;
+    }
+    let mut sections: [Vec<Statement>; 3] = [const { Vec::new() }; 3];
+    let mut found: Vec<Output> = Vec::new();
+    for request in highest_levels(&system.mechanism.requests) {
+        let output = match request.quantity {
+            Requested::Coordinate { body, axis } => {
+                let unknown = &system.vector_form.unknowns[3 * (body - 1) + axis];
+                let all = [unknown.position, unknown.rate, unknown.acceleration];
+                Output::Coordinate {
+                    name: unknown.name.clone(),
+                    fields: all[..=request.level].to_vec(),
+                }
+            }
+            Requested::Point(place) => {
+                let name = system.mechanism.points[place].name.to_lowercase();
+                let mut expressions = system.vector_form.points[place];
+                let mut fields = Vec::new();
+                for (level, section) in sections.iter_mut().enumerate().take(request.level + 1) {
+                    let suffix = ["", "_rate", "_acceleration"][level];
+                    let symbols = ["x", "y"]
+                        .map(|axis| system.intermediate(&format!("point_{name}_{axis}{suffix}")));
+                    for (target, value) in symbols.into_iter().zip(expressions) {
+                        section.push(Statement::assignment(target, value));
+                    }
+                    fields.push(symbols);
+                    if level < request.level {
+                        let graph = &mut system.mechanism.graph;
+                        expressions =
+                            expressions.map(|expr: ExprId| system.vector_form.rate(expr, graph));
+                    }
+                }
+                Output::Point { name, fields }
+            }
+        };
+        found.push(output);
+    }
+    let levels = [Level::Position, Level::Velocity, Level::Acceleration];
+    let mut statements = Vec::new();
+    for (level, mut section) in levels.into_iter().zip(sections) {
+        if !section.is_empty() {
+            statements.push(Statement::Section(level));
+            statements.append(&mut section);
+        }
+    }
+    let block = Block::following("outputs", "What is asked for.", statements);
+    Some((found, block))
+}
+
+/// Each quantity once, up to the highest level that is asked for, in order of the first mention.
+pub(super) fn highest_levels(requests: &[Request]) -> Vec<Request> {
+    let mut highest: Vec<Request> = Vec::new();
+    for request in requests {
+        match highest
+            .iter_mut()
+            .find(|other| other.quantity == request.quantity)
+        {
+            Some(other) => other.level = other.level.max(request.level),
+            None => highest.push(request.clone()),
+        }
+    }
+    highest
+}

@@ -1,0 +1,324 @@
+//! Functions → counts of their arithmetic operations.
+
+use std::ops::AddAssign;
+
+use crate::expr::{ExprId, Graph, Node};
+use crate::program::addends::{Addend, Compared, Power, addends, bases, compared};
+use crate::program::block::Block;
+use crate::program::function::{Function, Level, Statement};
+use crate::system::{System, WrittenOrder};
+
+/// How many operations a piece of straight-line code takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Operations {
+    /// Additions and subtractions.
+    pub additions: usize,
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Square roots.
+    pub square_roots: usize,
+    /// Sines and cosines.
+    pub sines: usize,
+    /// Arctangents.
+    pub arctangents: usize,
+    /// Exponentials, logarithms and general powers.
+    pub exponentials: usize,
+    /// Choices between two values.
+    pub choices: usize,
+    /// Whole parts of numbers.
+    pub whole_parts: usize,
+    /// Places found in tables.
+    pub lookups: usize,
+}
+
+impl AddAssign for Operations {
+    fn add_assign(&mut self, other: Operations) {
+        self.additions += other.additions;
+        self.multiplications += other.multiplications;
+        self.divisions += other.divisions;
+        self.square_roots += other.square_roots;
+        self.sines += other.sines;
+        self.arctangents += other.arctangents;
+        self.exponentials += other.exponentials;
+        self.choices += other.choices;
+        self.whole_parts += other.whole_parts;
+        self.lookups += other.lookups;
+    }
+}
+
+impl std::fmt::Display for Operations {
+    /// `12 additions, 1 square root`; `none` for none.
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let counts = [
+            (self.additions, "addition", "additions"),
+            (self.multiplications, "multiplication", "multiplications"),
+            (self.divisions, "division", "divisions"),
+            (self.square_roots, "square root", "square roots"),
+            (self.sines, "sine or cosine", "sines and cosines"),
+            (self.arctangents, "arctangent", "arctangents"),
+            (self.exponentials, "exponential", "exponentials"),
+            (self.choices, "choice", "choices"),
+            (self.whole_parts, "whole part", "whole parts"),
+            (self.lookups, "table lookup", "table lookups"),
+        ];
+        let parts: Vec<String> = counts
+            .into_iter()
+            .filter(|(count, ..)| *count > 0)
+            .map(|(count, one, several)| {
+                format!("{count} {}", if count == 1 { one } else { several })
+            })
+            .collect();
+        formatter.write_str(if parts.is_empty() { "none" } else { "" })?;
+        formatter.write_str(&parts.join(", "))
+    }
+}
+
+impl Operations {
+    /// All of them.
+    pub fn total(&self) -> usize {
+        let arithmetic = self.additions + self.multiplications + self.divisions + self.square_roots;
+        let functions = self.sines + self.arctangents + self.exponentials + self.whole_parts;
+        arithmetic + functions + self.choices + self.lookups
+    }
+
+    /// What the addends of one expression take, its operands not counted.
+    pub(in crate::program) fn of_addends(addends: &[Addend]) -> Operations {
+        let mut operations = Operations {
+            additions: addends.len().saturating_sub(1),
+            ..Operations::default()
+        };
+        for addend in addends {
+            let above =
+                operations.product(&addend.factors) + usize::from(addend.constant.is_some());
+            operations.multiplications += above.saturating_sub(1);
+            if !addend.divisors.is_empty() {
+                let below = operations.product(&addend.divisors);
+                operations.multiplications += below.saturating_sub(1);
+                operations.divisions += 1;
+            }
+        }
+        operations
+    }
+
+    /// Counts what the powers take for themselves and returns how many factors are multiplied.
+    fn product(&mut self, powers: &[Power]) -> usize {
+        let mut factors = 0;
+        for Power { exponent, .. } in powers {
+            match (exponent.numerator(), exponent.denominator()) {
+                (whole, 1) if whole <= LARGEST_PRODUCT => factors += whole.unsigned_abs() as usize,
+                (1, 2) => {
+                    self.square_roots += 1;
+                    factors += 1;
+                }
+                _ => {
+                    self.exponentials += 1;
+                    factors += 1;
+                }
+            }
+        }
+        factors
+    }
+
+    /// What a function takes, its argument not counted.
+    pub(in crate::program) fn of_function(node: &Node) -> Operations {
+        let mut operations = Operations::default();
+        match node {
+            Node::Sin(_) | Node::Cos(_) => operations.sines = 1,
+            Node::Atan2(..) => operations.arctangents = 1,
+            Node::Exp(_) | Node::Ln(_) => operations.exponentials = 1,
+            Node::Floor(_) => operations.whole_parts = 1,
+            Node::Choose { .. } => operations.choices = 1,
+            Node::Spline { .. } => operations.lookups = 1,
+            Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Sum(_) | Node::Product(_) => {}
+        }
+        operations
+    }
+}
+
+/// Powers up to this one are written as products.
+pub const LARGEST_PRODUCT: i128 = 8;
+
+/// Whether an expression is a function call, which always gets a name.
+pub(in crate::program) fn is_function(node: &Node) -> bool {
+    matches!(
+        node,
+        Node::Sin(_)
+            | Node::Cos(_)
+            | Node::Atan2(..)
+            | Node::Exp(_)
+            | Node::Ln(_)
+            | Node::Floor(_)
+            | Node::Choose { .. }
+            | Node::Spline { .. }
+    )
+}
+
+/// What an expression is written with: its operands, but a condition is taken apart into the terms it compares.
+pub(in crate::program) fn written_operands(expr: ExprId, graph: &Graph) -> Vec<ExprId> {
+    match *graph.node(expr) {
+        Node::Choose {
+            condition,
+            below,
+            otherwise,
+        } => {
+            let mut operands = match graph.node(condition) {
+                Node::Sum(terms) => terms.iter().map(|term| term.expr).collect(),
+                _ => vec![condition],
+            };
+            operands.extend([below, otherwise]);
+            operands
+        }
+        _ => graph.operands(expr),
+    }
+}
+
+/// Whether an expression is a variable read from the inputs.
+pub(in crate::program) fn is_symbol(expr: ExprId, graph: &Graph) -> bool {
+    matches!(graph.node(expr), Node::Symbol(_))
+}
+
+/// What a function evaluates, taken apart into additions and multiplications, each as often as it is written.
+pub(in crate::program) struct Computed<'a> {
+    pub function: &'a Function,
+    pub system: &'a System,
+}
+
+impl Computed<'_> {
+    /// What one statement takes.
+    pub fn statement(&self, statement: &Statement) -> Operations {
+        let mut operations = Operations::default();
+        match statement {
+            Statement::Let { value, .. } => operations += self.defined(*value),
+            // What a failure reports is computed only then.
+            Statement::Reach { excess, scale, .. } => {
+                operations += self.expression(*excess);
+                operations += self.expression(*scale);
+            }
+            _ => {
+                for value in statement.values() {
+                    operations += self.expression(value);
+                }
+            }
+        }
+        match statement {
+            Statement::SineCosine { .. } => operations.sines += 2,
+            Statement::Lookup { .. } => operations.lookups += 1,
+            Statement::Angle { .. } => operations.arctangents += 1,
+            _ => {}
+        }
+        operations
+    }
+
+    /// Calls `each` with the addends of everything that the function writes out.
+    pub fn addends(&self, each: &mut dyn FnMut(&[Addend])) {
+        for statement in &self.function.statements {
+            match statement {
+                Statement::Let { value, .. } => {
+                    self.take_apart(*value, true, each);
+                }
+                _ => {
+                    for value in statement.values() {
+                        self.take_apart(value, false, each);
+                    }
+                }
+            }
+        }
+        for result in &self.function.results {
+            self.take_apart(result.expr, false, each);
+        }
+    }
+
+    /// What an expression takes where it is written.
+    fn expression(&self, expr: ExprId) -> Operations {
+        let mut operations = Operations::default();
+        let functions = self.take_apart(expr, false, &mut |parts| {
+            operations += Operations::of_addends(parts)
+        });
+        operations += functions;
+        operations
+    }
+
+    /// The same where it gets its name.
+    fn defined(&self, expr: ExprId) -> Operations {
+        let mut operations = Operations::default();
+        let functions = self.take_apart(expr, true, &mut |parts| {
+            operations += Operations::of_addends(parts)
+        });
+        operations += functions;
+        operations
+    }
+
+    /// Calls `each` with the addends of an expression and of what they are made of, and returns what the functions among them take.
+    fn take_apart(
+        &self,
+        expr: ExprId,
+        is_defined: bool,
+        each: &mut dyn FnMut(&[Addend]),
+    ) -> Operations {
+        let mut functions = Operations::default();
+        let graph = &self.system.mechanism.graph;
+        let order = WrittenOrder::new(self.system, &[]);
+        let named = |other: ExprId| self.function.name_of(other).is_some();
+        let mut stack = vec![expr];
+        let mut first = is_defined;
+        while let Some(expr) = stack.pop() {
+            let has_name = named(expr) && !std::mem::take(&mut first);
+            if has_name || is_symbol(expr, graph) {
+                continue;
+            }
+            first = false;
+            if !graph.is_constant(expr) {
+                functions += Operations::of_function(graph.node(expr));
+            }
+            match *graph.node(expr) {
+                Node::Choose {
+                    condition,
+                    below,
+                    otherwise,
+                } => {
+                    let Compared { left, right, .. } = compared(condition, graph, &order, &named);
+                    for side in [left, right] {
+                        each(&side);
+                        stack.extend(bases(&side));
+                    }
+                    stack.extend([below, otherwise]);
+                }
+                ref node if is_function(node) && !graph.is_constant(expr) => {
+                    stack.extend(graph.operands(expr));
+                }
+                _ => {
+                    let parts = addends(expr, graph, &order, &named);
+                    each(&parts);
+                    stack.extend(bases(&parts).filter(|&base| base != expr));
+                }
+            }
+        }
+        functions
+    }
+}
+
+/// The operations of each level in all blocks, the last two those of all responses to drivers and to parameters.
+pub(in crate::program) fn by_level(blocks: &[Block], system: &System) -> [Operations; 5] {
+    let mut levels = [Operations::default(); 5];
+    for block in blocks {
+        let mut level = 0;
+        let function = &block.function;
+        let computed = Computed { function, system };
+        for statement in &function.statements {
+            if let Statement::Section(section) = statement {
+                level = match section {
+                    Level::Position => 0,
+                    Level::Velocity => 1,
+                    Level::Acceleration => 2,
+                    Level::Response(direction) | Level::ResponseRate(direction) => {
+                        3 + usize::from(system.directions[*direction].is_parameter())
+                    }
+                };
+            }
+            levels[level] += computed.statement(statement);
+        }
+    }
+    levels
+}

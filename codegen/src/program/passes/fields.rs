@@ -1,0 +1,49 @@
+//! Which values several blocks need.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::expr::SymbolId;
+use crate::program::block::Block;
+use crate::program::function::{Function, Statement};
+use crate::system::System;
+
+/// Values that another block than their own reads, and those in `outputs`, in order of definition. Where `whole`, the coordinates
+/// are not among them: they have their own place.
+pub(in crate::program) fn fields(
+    blocks: &[Block],
+    outputs: &HashSet<SymbolId>,
+    whole: bool,
+    system: &System,
+) -> Vec<SymbolId> {
+    let mut home: HashMap<SymbolId, usize> = HashMap::new();
+    let mut order: Vec<SymbolId> = Vec::new();
+    let mut shared: HashSet<SymbolId> = HashSet::new();
+    for (index, block) in blocks.iter().enumerate() {
+        for statement in &block.function.statements {
+            for symbol in statement.targets() {
+                if home.insert(symbol, index).is_none() {
+                    order.push(symbol);
+                }
+            }
+            match statement {
+                // An angle is wound up from its last value.
+                Statement::Angle { target, .. } => shared.extend([*target]),
+                // What Newton-Raphson finds starts from its last values.
+                Statement::Newton { found, .. } => shared.extend(found.iter().flatten()),
+                _ => {}
+            }
+        }
+    }
+    for (index, block) in blocks.iter().enumerate() {
+        // The tears are local to the equations of their own Newton-Raphson.
+        let read = block.functions().flat_map(Function::values);
+        for symbol in read.flat_map(|expr| system.mechanism.graph.symbols(expr)) {
+            if home.get(symbol).is_some_and(|&place| place != index) {
+                shared.insert(*symbol);
+            }
+        }
+    }
+    shared.extend(outputs);
+    order.retain(|&symbol| shared.contains(&symbol) && !(whole && system.is_coordinate(symbol)));
+    order
+}

@@ -1,0 +1,11 @@
+//! What is done to functions whatever they compute, each in one place.
+
+pub mod constants;
+pub mod costs;
+pub mod enclosure;
+pub(super) mod fields;
+pub mod liveness;
+pub mod names;
+pub(super) mod sharing;
+mod usage;
+pub(super) mod zeros;

@@ -1,0 +1,289 @@
+//! A function → the same with every value computed once.
+//!
+//! Values of functions get a name, and so does what is used more than once, right before its first use. In a block, sines and the
+//! like of t, inputs and parameters serve all levels. Arms and closed forms need nothing else: their sines and cosines are symbols
+//! already. But where the path of a curve or a law of an unknown stands in the equations, or where a value would be a page by itself,
+//! everything in them is shared: code grows with the graph of its expressions, and not with the tree that it stands for.
+
+use std::collections::{HashMap, HashSet};
+
+use super::costs::{is_function, written_operands};
+use super::usage::{Orders, Usage};
+use crate::expr::{ExprId, Graph, Node, Number, SplineId, SymbolId};
+use crate::program::function::{Function, Statement};
+use crate::system::{SymbolRole, System};
+
+/// A value of more characters than this shares what it can.
+const LONGEST: u64 = 4000;
+
+/// A sum in parentheses of more characters has a statement of its own.
+const LONGEST_NESTED: u64 = 3000;
+
+/// Shares what a function of a block computes.
+pub(in crate::program) fn share(function: &mut Function, system: &mut System) {
+    let values: Vec<ExprId> = function.values().collect();
+    let timed = functions_of_time(&values, system);
+    name(function, &timed, system);
+    let graph = &system.mechanism.graph;
+    let is_named = |expr| function.name_of(expr).is_some();
+    let mut long = values
+        .iter()
+        .filter(|&&expr| !graph.is_within_with_names(expr, LONGEST, &is_named));
+    if long.next().is_some() || calls_functions(&values, function, graph) {
+        name(function, &values, system);
+    }
+}
+
+/// Shares everything that a function computes.
+pub(in crate::program) fn share_all(function: &mut Function, system: &mut System) {
+    let values: Vec<ExprId> = function.values().collect();
+    name(function, &values, system);
+}
+
+/// Gives names to what deserves them among the parts of these expressions.
+fn name(function: &mut Function, roots: &[ExprId], system: &mut System) {
+    let graph = &system.mechanism.graph;
+    let usage = Usage::of(roots, graph, function);
+    let whole: HashSet<ExprId> = roots.iter().copied().collect();
+    let mut deserving: HashSet<ExprId> = HashSet::new();
+    for &expr in &usage.ordered {
+        let has_name = |part| deserving.contains(&part) || function.name_of(part).is_some();
+        let is_nested = matches!(graph.node(expr), Node::Sum(_))
+            && !usage.is_arm(expr)
+            && !whole.contains(&expr);
+        let breaks_line =
+            || is_nested && !graph.is_within_with_names(expr, LONGEST_NESTED, &has_name);
+        if usage.deserves_name(expr, graph) || breaks_line() {
+            deserving.insert(expr);
+        }
+    }
+    if deserving.is_empty() {
+        return;
+    }
+    let mut sharing = Sharing {
+        usage,
+        deserving,
+        numbers: HashMap::new(),
+        seen: HashSet::new(),
+        statements: Vec::with_capacity(function.statements.len()),
+        named: std::mem::take(&mut function.named),
+    };
+    for statement in std::mem::take(&mut function.statements) {
+        for value in statement.values() {
+            sharing.define_parts(value, system);
+        }
+        sharing.statements.push(statement);
+    }
+    for result in &function.results {
+        sharing.define_parts(result.expr, system);
+    }
+    function.statements = sharing.statements;
+    function.named = sharing.named;
+}
+
+/// A function in the making.
+struct Sharing {
+    usage: Usage,
+    deserving: HashSet<ExprId>,
+    /// The last number given to each name.
+    numbers: HashMap<String, usize>,
+    seen: HashSet<ExprId>,
+    statements: Vec<Statement>,
+    named: HashMap<ExprId, SymbolId>,
+}
+
+impl Sharing {
+    /// Defines what in an expression deserves it and has no name yet, operands first.
+    fn define_parts(&mut self, expr: ExprId, system: &mut System) {
+        // Whether the operands of what is on the stack have been looked at.
+        let mut stack = vec![(expr, false)];
+        while let Some((expr, done)) = stack.pop() {
+            let graph = &system.mechanism.graph;
+            if done {
+                if self.deserving.contains(&expr) && !self.named.contains_key(&expr) {
+                    self.define(expr, system);
+                }
+            } else if !graph.is_constant(expr)
+                && !self.named.contains_key(&expr)
+                && self.seen.insert(expr)
+            {
+                stack.push((expr, true));
+                let operands = written_operands(expr, graph).into_iter().rev();
+                stack.extend(operands.map(|operand| (operand, false)));
+            }
+        }
+    }
+
+    fn define(&mut self, expr: ExprId, system: &mut System) {
+        match *system.mechanism.graph.node(expr) {
+            Node::Sin(angle) | Node::Cos(angle) => self.define_angle(expr, angle, system),
+            Node::Spline {
+                spline, argument, ..
+            } => self.define_lookup(spline, argument, system),
+            ref node => {
+                let base = match node {
+                    _ if system.mechanism.graph.magnitude_of(expr).is_some() => "size",
+                    Node::Atan2(..) => "angle",
+                    Node::Exp(_) => "exponential",
+                    Node::Ln(_) => "logarithm",
+                    Node::Floor(_) => "whole",
+                    Node::Choose { .. } => "piece",
+                    _ => "shared",
+                };
+                let name = self.numbered(base);
+                let target = self.call(expr, &name, system);
+                self.statements.push(Statement::assignment(target, expr));
+            }
+        }
+    }
+
+    fn define_angle(&mut self, expr: ExprId, angle: ExprId, system: &mut System) {
+        let base = angle_name(angle, system).unwrap_or_else(|| self.numbered("argument"));
+        let both = self.usage.sine_cosine.get(&angle).copied();
+        let [sine, cosine] = ["sin", "cos"].map(|function| format!("{function}_{base}"));
+        if let Some((Some(first), Some(second))) = both {
+            let sine = self.call(first, &sine, system);
+            let cosine = self.call(second, &cosine, system);
+            self.statements.push(Statement::SineCosine {
+                sine,
+                cosine,
+                angle,
+            });
+            return;
+        }
+        let name = match system.mechanism.graph.node(expr) {
+            Node::Sin(_) => sine,
+            _ => cosine,
+        };
+        let target = self.call(expr, &name, system);
+        self.statements.push(Statement::assignment(target, expr));
+    }
+
+    fn define_lookup(&mut self, spline: SplineId, argument: ExprId, system: &mut System) {
+        let orders: Orders = self
+            .usage
+            .splines
+            .get(&(spline, argument))
+            .copied()
+            .unwrap_or_default();
+        let base = system.mechanism.graph.spline_of(spline).name.to_lowercase();
+        let base = self.numbered(&base);
+        let mut targets = [None; 4];
+        for (place, suffix) in ["", "_slope", "_second", "_third"].into_iter().enumerate() {
+            targets[place] =
+                orders[place].map(|expr| self.call(expr, &format!("{base}{suffix}"), system));
+        }
+        let found: Vec<(ExprId, SymbolId)> = orders
+            .iter()
+            .zip(targets)
+            .filter_map(|(order, target)| order.zip(target))
+            .collect();
+        self.statements.push(match found[..] {
+            [(expr, target)] => Statement::assignment(target, expr),
+            _ => Statement::Lookup {
+                targets,
+                spline,
+                argument,
+            },
+        });
+    }
+
+    fn call(&mut self, expr: ExprId, name: &str, system: &mut System) -> SymbolId {
+        let symbol = system.intermediate(name);
+        self.named.insert(expr, symbol);
+        symbol
+    }
+
+    /// `shared_1`, `lift_2`.
+    fn numbered(&mut self, base: &str) -> String {
+        let number = self.numbers.entry(base.to_string()).or_insert(0);
+        *number += 1;
+        format!("{base}_{number}")
+    }
+}
+
+/// What an angle is called in the names of its functions: `phi1`, `t`, `2t`.
+fn angle_name(angle: ExprId, system: &System) -> Option<String> {
+    match system.mechanism.graph.node(angle) {
+        Node::Symbol(symbol) => match system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => Some(system.unknown_name(unknown).to_string()),
+            SymbolRole::Time => Some("t".to_string()),
+            _ => None,
+        },
+        _ => multiple_of_time(angle, system),
+    }
+}
+
+/// `2t` of 2·t, `3t_over_2` of 3/2·t.
+fn multiple_of_time(angle: ExprId, system: &System) -> Option<String> {
+    let Node::Sum(terms) = system.mechanism.graph.node(angle) else {
+        return None;
+    };
+    let [term] = &**terms else { return None };
+    let Node::Symbol(symbol) = system.mechanism.graph.node(term.expr) else {
+        return None;
+    };
+    let Number::Exact {
+        rational,
+        radicand: 1,
+    } = term.coefficient
+    else {
+        return None;
+    };
+    let (numerator, denominator) = (rational.numerator(), rational.denominator());
+    let short = (1..1000).contains(&numerator) && denominator < 1000;
+    if system.roles[symbol.index()] != SymbolRole::Time || !short {
+        return None;
+    }
+    let multiple = match numerator {
+        1 => "t".to_string(),
+        _ => format!("{numerator}t"),
+    };
+    Some(match denominator {
+        1 => multiple,
+        _ => format!("{multiple}_over_{denominator}"),
+    })
+}
+
+/// Sines and the like of t, inputs and parameters alone, none inside another one.
+fn functions_of_time(expressions: &[ExprId], system: &System) -> Vec<ExprId> {
+    let graph = &system.mechanism.graph;
+    let only_time = |expr: ExprId| {
+        graph.symbols(expr).iter().all(|symbol| {
+            matches!(
+                system.roles[symbol.index()],
+                SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. }
+            )
+        })
+    };
+    let mut found = Vec::new();
+    let mut seen = HashSet::new();
+    let mut stack: Vec<ExprId> = expressions.iter().rev().copied().collect();
+    while let Some(expr) = stack.pop() {
+        if graph.is_constant(expr) || !seen.insert(expr) {
+            continue;
+        }
+        if is_function(graph.node(expr)) && only_time(expr) {
+            found.push(expr);
+            continue;
+        }
+        stack.extend(written_operands(expr, graph).into_iter().rev());
+    }
+    found
+}
+
+/// Whether some function in these expressions has no name yet.
+fn calls_functions(expressions: &[ExprId], function: &Function, graph: &Graph) -> bool {
+    let mut seen: HashSet<ExprId> = HashSet::new();
+    let mut stack = expressions.to_vec();
+    while let Some(expr) = stack.pop() {
+        if graph.is_constant(expr) || function.name_of(expr).is_some() || !seen.insert(expr) {
+            continue;
+        }
+        if is_function(graph.node(expr)) {
+            return true;
+        }
+        stack.extend(graph.operands(expr));
+    }
+    false
+}

@@ -1,0 +1,370 @@
+//! The derivative of a block's pose along a direction.
+//!
+//! The same equations as for the rates, differentiated once along δ in place of t: what the block's rates are solved with serves
+//! again, with another right-hand side. An unknown responds with what was found for it, an arm turns with its angle, δ itself
+//! grows by one, and time stands still. What does not respond at all is known to be zero, so that nothing is computed for it.
+
+use std::collections::{HashMap, HashSet};
+
+use super::block::NewtonBlock;
+use super::builder::Builder;
+use super::function::{Level, Statement};
+use crate::expr::{ExprId, Node, SymbolId};
+use crate::joint::geometry::Vector;
+use crate::system::{Direction, SymbolRole, System};
+
+/// How everything found so far responds to each direction.
+#[derive(Clone, Debug)]
+pub(super) struct Responses {
+    directions: Vec<Along>,
+    /// The turned vectors of links that change their length: which angle turns them, and the other component, by component.
+    turned: HashMap<SymbolId, Turned>,
+    /// What local values are that depend on parameters alone.
+    fixed: HashMap<SymbolId, ExprId>,
+    /// The names of all values that a frame could hold; only looked up.
+    taken: HashSet<String>,
+    /// The symbols of derivatives of unknowns and their rates; only looked up.
+    found: HashSet<SymbolId>,
+}
+
+/// The responses to one direction.
+#[derive(Clone, Debug)]
+struct Along {
+    symbol: SymbolId,
+    name: String,
+    is_parameter: bool,
+    /// By unknown; none while it has not been found.
+    values: Vec<Option<ExprId>>,
+    /// The rates of these values by unknown, where the direction is a parameter.
+    rates: Vec<Option<ExprId>>,
+    /// What changes an arm beside its angle, by its place: the arm R ∂s/∂p.
+    arms: HashMap<usize, Vector>,
+    /// What changes a turned vector beside its angle.
+    stretches: HashMap<SymbolId, ExprId>,
+}
+
+/// A component of a vector w that turns with an angle: its derivative is a multiple of the other component.
+#[derive(Clone, Copy, Debug)]
+struct Turned {
+    angle: usize,
+    /// −w_y for w_x, w_x for w_y.
+    across: ExprId,
+}
+
+impl Responses {
+    /// The symbols that drivers are shifted by, all zero.
+    pub fn shifts(&self) -> Vec<SymbolId> {
+        let shifts = self.directions.iter().filter(|along| !along.is_parameter);
+        shifts.map(|along| along.symbol).collect()
+    }
+
+    /// Nothing has been found yet.
+    pub(super) fn new(system: &mut System) -> Responses {
+        let unknowns = system.vector_form.unknowns.len();
+        let along = |direction: &Direction| Along {
+            symbol: direction.symbol,
+            name: direction.name.clone(),
+            is_parameter: direction.is_parameter(),
+            values: vec![None; unknowns],
+            rates: vec![None; unknowns],
+            arms: HashMap::new(),
+            stretches: HashMap::new(),
+        };
+        let directions: Vec<Along> = system.directions.iter().map(along).collect();
+        let mut responses = Responses {
+            directions,
+            turned: HashMap::new(),
+            fixed: HashMap::new(),
+            taken: HashSet::new(),
+            found: HashSet::new(),
+        };
+        for place in 0..system.vector_form.arms.len() {
+            responses.change_arm(place, system);
+        }
+        if !responses.directions.is_empty() {
+            let form = &system.vector_form;
+            let unknowns = form.unknowns.iter().map(|unknown| unknown.name.clone());
+            responses.taken.extend(unknowns);
+            let arms = form.arms.iter().flat_map(|arm| arm.symbols);
+            let names = arms.map(|symbol| system.local_name(symbol).to_string());
+            responses.taken.extend(names);
+        }
+        responses
+    }
+
+    /// Makes the arms R ∂s/∂p of an arm R s, which are defined as it is.
+    pub(super) fn change_arm(&mut self, place: usize, system: &mut System) {
+        for along in self.directions.iter_mut().filter(|it| it.is_parameter) {
+            let arm = &system.vector_form.arms[place];
+            let (angle, local, name) = (arm.angle, arm.local, &arm.name);
+            let name = format!("{name}_by_{}", along.name);
+            let graph = &mut system.mechanism.graph;
+            let change = local.map(|part| graph.derivative(part, along.symbol));
+            if change != [graph.zero(); 2] {
+                let changed = system.arm(angle, change, &name);
+                along.arms.insert(place, changed);
+            }
+        }
+    }
+
+    /// The derivative of an expression of unknowns, arms and turned vectors. Unknowns that have not been found are held.
+    pub(super) fn along(&self, expr: ExprId, direction: usize, system: &mut System) -> ExprId {
+        let symbols = system.mechanism.graph.symbols(expr).to_vec();
+        let mut terms = Vec::with_capacity(symbols.len());
+        for symbol in symbols {
+            let response = self.of_symbol(symbol, direction, system);
+            if response != system.mechanism.graph.zero() {
+                let graph = &mut system.mechanism.graph;
+                let partial = graph.derivative(expr, symbol);
+                terms.push(graph.multiply(partial, response));
+            }
+        }
+        system.mechanism.graph.sum(&terms)
+    }
+
+    fn of_symbol(&self, symbol: SymbolId, direction: usize, system: &mut System) -> ExprId {
+        let along = &self.directions[direction];
+        let form = &system.vector_form;
+        let graph = &mut system.mechanism.graph;
+        let zero = graph.zero();
+        match system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => along.values[unknown].unwrap_or(zero),
+            SymbolRole::Arm(place) => {
+                let arm = &form.arms[place];
+                let turning = along.values[arm.angle].unwrap_or(zero);
+                let [x, y] = arm.symbols.map(|component| graph.variable(component));
+                let across = if symbol == arm.symbols[0] {
+                    graph.negate(y)
+                } else {
+                    x
+                };
+                let turned = graph.multiply(turning, across);
+                let component = usize::from(symbol != arm.symbols[0]);
+                let changed = along.arms.get(&place).map_or(zero, |it| it[component]);
+                graph.add(turned, changed)
+            }
+            _ if symbol == along.symbol => graph.one(),
+            SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. } => zero,
+            _ if self.directions.iter().any(|other| other.symbol == symbol) => zero,
+            _ => {
+                if let Some(&value) = self.fixed.get(&symbol) {
+                    return self.along(value, direction, system);
+                }
+                let Some(turned) = self.turned.get(&symbol) else {
+                    unreachable!("`{}` has no rule of response", graph.symbol_name(symbol))
+                };
+                let turning = along.values[turned.angle].unwrap_or(zero);
+                let turned = graph.multiply(turning, turned.across);
+                let stretch = along.stretches.get(&symbol).copied().unwrap_or(zero);
+                graph.add(turned, stretch)
+            }
+        }
+    }
+
+    /// The response of an unknown that has been found; zero before.
+    pub(super) fn of_unknown(&self, unknown: usize, direction: usize, system: &System) -> ExprId {
+        let value = self.directions[direction].values[unknown];
+        value.unwrap_or(system.mechanism.graph.zero())
+    }
+
+    /// The rate of this response.
+    pub(super) fn rate_of_unknown(
+        &self,
+        unknown: usize,
+        direction: usize,
+        system: &System,
+    ) -> ExprId {
+        let rate = self.directions[direction].rates[unknown];
+        rate.unwrap_or(system.mechanism.graph.zero())
+    }
+
+    /// Whether a symbol stands for the derivative of an unknown or its rate.
+    pub(super) fn is_response(&self, symbol: SymbolId) -> bool {
+        self.found.contains(&symbol)
+    }
+
+    /// States what a local value is that depends on parameters alone.
+    pub(super) fn fix(&mut self, symbol: SymbolId, value: ExprId) {
+        self.fixed.insert(symbol, value);
+    }
+
+    /// What changes a turned vector along a direction beside its angle.
+    pub(super) fn stretch_of(&self, symbol: SymbolId, direction: usize) -> Option<ExprId> {
+        self.directions[direction].stretches.get(&symbol).copied()
+    }
+
+    /// States it.
+    pub(super) fn set_stretch(&mut self, symbol: SymbolId, direction: usize, value: ExprId) {
+        self.directions[direction].stretches.insert(symbol, value);
+    }
+
+    /// A name that nothing else has: `phi_c1_by_drive_length_n_m`.
+    pub(super) fn name(&mut self, what: &str, direction: usize) -> String {
+        let base = format!("{what}_by_{}", self.directions[direction].name);
+        let numbered = (2..).map(|number| format!("{base}_{number}"));
+        let name = std::iter::once(base.clone())
+            .chain(numbered)
+            .find(|name| !self.taken.contains(name))
+            .unwrap_or(base);
+        self.taken.insert(name.clone());
+        name
+    }
+}
+
+impl Builder<'_> {
+    /// The derivative of an expression along a direction.
+    pub(super) fn along(&mut self, expr: ExprId, direction: usize) -> ExprId {
+        self.responses.along(expr, direction, self.system)
+    }
+
+    /// States the response of an unknown. A constant needs no name, and what it multiplies may vanish.
+    pub(super) fn respond(&mut self, unknown: usize, direction: usize, value: ExprId) {
+        let value = if self.system.mechanism.graph.is_constant(value) {
+            value
+        } else {
+            let target = self.response_symbol(unknown, direction);
+            self.assign(target, value);
+            self.graph().variable(target)
+        };
+        self.responses.directions[direction].values[unknown] = Some(value);
+    }
+
+    /// States the rate of such a response; that of a constant is zero whatever `value` looks like.
+    pub(super) fn respond_rate(&mut self, unknown: usize, direction: usize, value: ExprId) {
+        let graph = &self.system.mechanism.graph;
+        if self.response(unknown, direction).is_none() || value == graph.zero() {
+            return;
+        }
+        let target = self.response_rate_symbol(unknown, direction);
+        self.assign(target, value);
+        self.found_rate(unknown, direction, target);
+    }
+
+    /// The symbol of a response that is no constant.
+    fn response(&self, unknown: usize, direction: usize) -> Option<SymbolId> {
+        let value = self.responses.directions[direction].values[unknown]?;
+        match *self.system.mechanism.graph.node(value) {
+            Node::Symbol(symbol) => Some(symbol),
+            _ => None,
+        }
+    }
+
+    fn found_rate(&mut self, unknown: usize, direction: usize, target: SymbolId) {
+        let rate = self.graph().variable(target);
+        if let Some(symbol) = self.response(unknown, direction) {
+            self.system.vector_form.set_rate(symbol, rate);
+        }
+        self.responses.directions[direction].rates[unknown] = Some(rate);
+    }
+
+    fn response_symbol(&mut self, unknown: usize, direction: usize) -> SymbolId {
+        let name = self.system.unknown_name(unknown).to_string();
+        let name = self.responses.name(&name, direction);
+        let symbol = self.system.intermediate(&name);
+        self.responses.found.insert(symbol);
+        // What has not been found is held.
+        let zero = self.graph().zero();
+        self.system.vector_form.set_rate(symbol, zero);
+        symbol
+    }
+
+    fn response_rate_symbol(&mut self, unknown: usize, direction: usize) -> SymbolId {
+        let name = format!("{}_rate", self.system.unknown_name(unknown));
+        let name = self.responses.name(&name, direction);
+        let symbol = self.system.intermediate(&name);
+        self.responses.found.insert(symbol);
+        symbol
+    }
+
+    /// States that the symbols of a turned vector respond as R(φ) p does.
+    pub(super) fn turn_response(&mut self, angle: usize, w: [ExprId; 2]) {
+        if self.responses.directions.is_empty() {
+            return;
+        }
+        let back = self.graph().negate(w[1]);
+        for (component, across) in w.into_iter().zip([back, w[0]]) {
+            if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(component) {
+                self.responses
+                    .turned
+                    .insert(symbol, Turned { angle, across });
+            }
+        }
+    }
+
+    /// The responses of the tears, or their rates: one solve with the Jacobian that Newton-Raphson ended with, factorized at the first of them.
+    pub(super) fn newton_response(
+        &mut self,
+        unknowns: &[usize],
+        residuals: &[ExprId],
+        level: Level,
+    ) {
+        let (direction, is_rate) = match level {
+            Level::Response(direction) => (direction, false),
+            Level::ResponseRate(direction) => (direction, true),
+            _ => return,
+        };
+        let zero = self.graph().zero();
+        let mut right_hand_side = Vec::with_capacity(residuals.len());
+        for &residual in residuals {
+            let slope = self.rate_at(residual, level);
+            right_hand_side.push(self.graph().negate(slope));
+        }
+        if right_hand_side.iter().all(|&value| value == zero) {
+            for &unknown in unknowns {
+                self.find(unknown, level, zero);
+            }
+            return;
+        }
+        let mut targets = Vec::with_capacity(unknowns.len());
+        for &unknown in unknowns {
+            if is_rate {
+                let target = self.response_rate_symbol(unknown, direction);
+                targets.push(Some(target));
+                self.found_rate(unknown, direction, target);
+            } else {
+                let target = self.response_symbol(unknown, direction);
+                targets.push(Some(target));
+                let value = self.graph().variable(target);
+                self.responses.directions[direction].values[unknown] = Some(value);
+            }
+        }
+        if !self.statements.contains(&Statement::Factorize) {
+            self.state(Statement::Factorize);
+        }
+        self.state(Statement::Solve {
+            targets,
+            right_hand_side,
+        });
+    }
+
+    /// The statements, and the equations of Newton-Raphson, at δ = 0.
+    pub(super) fn without_shifts(&mut self, newton: Option<&mut NewtonBlock>) {
+        let shifts = self.responses.shifts();
+        if shifts.is_empty() {
+            return;
+        }
+        let mut statements = std::mem::take(&mut self.statements);
+        let mut at_zero = |expr: ExprId| self.without(expr, &shifts);
+        for statement in &mut statements {
+            statement.change_values(&mut at_zero);
+        }
+        let functions = newton.into_iter().flat_map(NewtonBlock::functions_mut);
+        for function in functions {
+            function.change_values(&mut at_zero);
+        }
+        self.statements = statements;
+    }
+
+    /// The levels of a block after its pose, in their order.
+    pub(super) fn levels(&self) -> Vec<Level> {
+        let directions = self.responses.directions.iter().enumerate();
+        let responses = directions.flat_map(|(place, along)| {
+            let rate = along.is_parameter.then_some(Level::ResponseRate(place));
+            [Some(Level::Response(place)), rate].into_iter().flatten()
+        });
+        [Level::Velocity, Level::Acceleration]
+            .into_iter()
+            .chain(responses)
+            .collect()
+    }
+}

@@ -1,0 +1,86 @@
+//! Two components → a sum of vectors: positions of origins, turned local vectors, constants.
+
+use std::collections::BTreeSet;
+
+use super::System;
+use crate::expr::{ExprId, Graph, SymbolId};
+use crate::joint::geometry::Vector;
+
+/// A term of a sum of vectors, with what it is multiplied by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum VectorTerm {
+    /// The origin of a body: an index into the mechanism's bodies.
+    Origin(usize, ExprId),
+    /// R(φ) s of an unknown φ.
+    Turned(usize, Vector, ExprId),
+    /// What does not move.
+    Constant(Vector),
+}
+
+impl System {
+    /// The two expressions as one vector; `None` where they are not the components of such a sum. Never empty.
+    pub fn vector_sum(&mut self, pair: Vector) -> Option<Vec<VectorTerm>> {
+        let mut terms = Vec::new();
+        let mut rest = pair;
+        // Nothing else can be a term: what is taken out leaves no more than there was.
+        let [x, y] = pair.map(|part| self.vector_form.mentioned(part, &self.mechanism.graph));
+        let mentioned: BTreeSet<usize> = x.into_iter().chain(y).collect();
+        // The coordinates of contacts stand behind those of bodies.
+        let of_bodies = 3 * (self.mechanism.bodies.len() - 1);
+        let (coordinates, auxiliaries): (Vec<usize>, Vec<usize>) = mentioned
+            .into_iter()
+            .partition(|&unknown| unknown < of_bodies);
+        let bodies: BTreeSet<usize> = coordinates
+            .into_iter()
+            .map(|unknown| unknown / 3 + 1)
+            .collect();
+        for body in bodies {
+            let unknowns = [3 * (body - 1), 3 * (body - 1) + 1];
+            let symbols = unknowns.map(|it| self.vector_form.unknowns[it].position);
+            if let Some(factor) = take_factor(&mut rest, symbols, &mut self.mechanism.graph) {
+                terms.push(VectorTerm::Origin(body, factor));
+            }
+            self.take_arms(self.vector_form.angle_of(body), &mut rest, &mut terms);
+        }
+        for auxiliary in auxiliaries {
+            self.take_arms(auxiliary, &mut rest, &mut terms);
+        }
+        let graph = &self.mechanism.graph;
+        if !rest.iter().all(|&part| graph.is_fixed(part)) {
+            return None;
+        }
+        if rest != [graph.zero(); 2] || terms.is_empty() {
+            terms.push(VectorTerm::Constant(rest));
+        }
+        Some(terms)
+    }
+
+    /// Takes the vectors that an angle turns out of a sum.
+    fn take_arms(&mut self, angle: usize, rest: &mut Vector, terms: &mut Vec<VectorTerm>) {
+        for arm in self.vector_form.arms_of(angle) {
+            if let Some(factor) = take_factor(rest, arm.symbols, &mut self.mechanism.graph) {
+                terms.push(VectorTerm::Turned(angle, arm.local, factor));
+            }
+        }
+    }
+}
+
+/// Takes a vector whose components are these symbols out of a sum and returns its factor, where it is the same in both
+/// components.
+fn take_factor(rest: &mut Vector, symbols: [SymbolId; 2], graph: &mut Graph) -> Option<ExprId> {
+    if !symbols
+        .iter()
+        .zip(*rest)
+        .all(|(&symbol, part)| graph.depends_on(part, symbol))
+    {
+        return None;
+    }
+    let zero = graph.zero();
+    let own = [0, 1].map(|axis| graph.derivative(rest[axis], symbols[axis]));
+    let other = [0, 1].map(|axis| graph.derivative(rest[axis], symbols[1 - axis]));
+    if own[0] != own[1] || own[0] == zero || other != [zero, zero] {
+        return None;
+    }
+    *rest = rest.map(|part| graph.substitute(part, &symbols.map(|it| (it, zero))));
+    Some(own[0])
+}

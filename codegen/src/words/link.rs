@@ -1,0 +1,113 @@
+//! The links of a step → the pins at their ends, by name.
+
+use super::known::Known;
+use super::pins::Pin;
+use crate::joint::geometry::{BodyId, Frame, Mark, Vector};
+use crate::system::System;
+
+/// A link between two pins that turns with one angle.
+#[derive(Clone, Debug)]
+pub(crate) struct Link {
+    /// Where its vector begins, a known pin.
+    pub from: Pin,
+    /// The mark of the known body there.
+    pub held: Mark,
+    /// Where it ends.
+    pub to: Pin,
+    /// Whether the vector of the plan leads this way, and not back.
+    pub forward: bool,
+}
+
+/// Two known pins and the sought one.
+#[derive(Clone, Debug)]
+pub(crate) struct Triangle {
+    /// The known pins at the beginning of the first link and the end of the second, each with the mark of the known body.
+    pub outer: [(Pin, Mark); 2],
+    /// The pin between the links.
+    pub apex: Pin,
+    /// Whether the first vector leads from the first outer pin to the apex, and not back.
+    pub forward: bool,
+}
+
+impl Known {
+    /// The link from a known pin whose vector in the body is `local`, or against it. `to` says which bodies it may end at.
+    pub(crate) fn link(
+        &self,
+        angle: usize,
+        local: Vector,
+        to: impl Fn(&System, BodyId) -> bool,
+        system: &mut System,
+    ) -> Option<Link> {
+        let turning = self.pins_turning(angle, system);
+        for (from, here, held) in &turning {
+            if !self.is_known(held.frame.body) {
+                continue;
+            }
+            for (end, at, beyond) in &turning {
+                if end.name == from.name || !to(system, beyond.frame.body) {
+                    continue;
+                }
+                if let Some(forward) = spans(*here, *at, angle, local, system) {
+                    return Some(Link {
+                        from: from.clone(),
+                        held: *held,
+                        to: end.clone(),
+                        forward,
+                    });
+                }
+            }
+        }
+        None
+    }
+
+    /// The pins of the triangle that two links make with the known vector between their outer ends.
+    pub(crate) fn triangle(
+        &self,
+        angles: [usize; 2],
+        links: [Vector; 2],
+        system: &mut System,
+    ) -> Option<Triangle> {
+        let turns = |angle: usize| {
+            move |system: &System, body: BodyId| system.vector_form.turns(body, angle)
+        };
+        let first = self.link(angles[0], links[0], turns(angles[1]), system)?;
+        let second = self.link(angles[1], links[1], turns(angles[0]), system)?;
+        // The second vector leads from the apex to its known pin where the first leads to the apex.
+        let closes = first.to.name == second.to.name && first.forward != second.forward;
+        closes.then_some(Triangle {
+            outer: [(first.from, first.held), (second.from, second.held)],
+            apex: first.to,
+            forward: first.forward,
+        })
+    }
+}
+
+/// Whether a vector in the orientation of `angle` leads from one mark to another, `true` for forwards. Marks on one body are
+/// compared exactly; between bodies that slide along one another the vector must hold a displacement.
+fn spans(from: Mark, to: Mark, angle: usize, local: Vector, system: &mut System) -> Option<bool> {
+    let (_, offset) = system.vector_form.orientations.leader(from.frame.body);
+    let graph = &mut system.mechanism.graph;
+    if from.frame.body == to.frame.body {
+        let difference = [0, 1].map(|axis| graph.subtract(to.local[axis], from.local[axis]));
+        let frame = Frame {
+            angle: offset,
+            ..from.frame
+        };
+        let difference = frame.rotate(difference, graph);
+        let backward = local.map(|part| graph.negate(part));
+        return if difference == local {
+            Some(true)
+        } else if difference == backward {
+            Some(false)
+        } else {
+            None
+        };
+    }
+    if local.iter().all(|&part| graph.is_fixed(part)) {
+        return None;
+    }
+    let link = system.drawn_turn(angle, local);
+    let [from, to] = [from, to].map(|mark| system.drawn_position(mark));
+    let along = link[0] * (to[0] - from[0]) + link[1] * (to[1] - from[1]);
+    Some(along > 0.0)
+}

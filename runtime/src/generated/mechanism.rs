@@ -1,0 +1,318 @@
+//! *The names of a generated module* → *the type that a user holds*, with the methods of the shell in the module's own terms.
+//!
+//! A module has no arguments for parameters and inputs that its description does not declare.
+
+/// The mechanism's type, and what the shell asks of its module.
+///
+/// The module supplies `Frame` with `DRAWN`, `Coordinates`, `Branches` with `DRAWN`, `BLOCKS`, `POINTS`, and the functions `solve`,
+/// `estimate` and `coordinate`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! mechanism {
+    (
+        $(#[$docs:meta])*
+        $name:ident, $label:literal;
+        parameters: $($parameters:ident)?;
+        inputs: $($inputs:ident)?;
+        path: $path:ident $(, tubes: $tubes:literal)?;
+        $(requirements: $requirements:ident;)?
+    ) => {
+        /// Where Newton-Raphson may go.
+        #[allow(dead_code)]
+        type Tubes = [Tube; 0 $(+ $tubes)?];
+
+        /// A frame with the one before it.
+        #[allow(dead_code)]
+        type Pair<'a> = $crate::Pair<'a, Loops>;
+
+        /// The equations of the mechanism, loop by loop.
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct Loops;
+
+        impl Blocks for Loops {
+            type Scalar = Scalar;
+            type Frame = Frame;
+            type Coordinates = Coordinates;
+            type Branches = Branches;
+            type Parameters = $crate::or_unit!(@type $($parameters)?);
+            type Inputs = $crate::or_unit!(@type $($inputs)?);
+            type Tubes = Tubes;
+
+            fn nominal_parameters(&self) -> Self::Parameters {
+                Default::default()
+            }
+
+            fn initial_inputs(&self) -> Self::Inputs {
+                Default::default()
+            }
+
+            fn drawn_branches(&self) -> Branches {
+                Branches::DRAWN
+            }
+
+            fn exchanged(&self, branches: &Branches, block: u16) -> Option<Branches> {
+                branches.exchanged(block)
+            }
+
+            fn drawn_pose(&self, parameters: &Self::Parameters) -> Coordinates {
+                drawn_pose(parameters)
+            }
+
+            fn estimate(&self, pose: &Coordinates, parameters: &Self::Parameters, t: Scalar) -> Frame {
+                estimate(pose, parameters, t)
+            }
+
+            #[inline]
+            fn time(frame: &Frame) -> Scalar {
+                frame.t
+            }
+
+            #[inline]
+            fn solve(
+                &self,
+                at: &mut Frame,
+                last: &Frame,
+                branches: &mut Branches,
+                given: &Given<'_>,
+            ) -> Result<(), Failure> {
+                solve(at, last, branches, given)
+            }
+
+            #[inline]
+            fn is_guarded(&self) -> bool {
+                $crate::path!(@is $path)
+            }
+
+            fn tubes(&self) -> Tubes {
+                [Tube::STILL; 0 $(+ $tubes)?]
+            }
+
+            fn keeps_to_path(&self, _pair: &Pair<'_>, _span: &Span, _tubes: &mut Tubes) -> Result<(), u16> {
+                $crate::path!(@keeps $path, _pair, _span, _tubes)
+            }
+
+            #[inline]
+            fn is_within(&self, _at: &Frame, _tubes: &Tubes, _steps: Scalar) -> bool {
+                $crate::path!(@within $path, _at, _tubes, _steps $(, $tubes)?)
+            }
+
+            fn name(&self) -> &str {
+                $label
+            }
+
+            fn coordinate_name(&self, index: usize) -> Option<&str> {
+                Coordinates::NAMES.get(index).copied()
+            }
+
+            fn parameter_name(&self, _index: usize) -> Option<&str> {
+                $crate::or_unit!(@name _index $(, $parameters)?)
+            }
+
+            fn input_name(&self, _index: usize) -> Option<&str> {
+                $crate::or_unit!(@name _index $(, $inputs)?)
+            }
+
+            fn coordinate(&self, frame: &Frame, index: usize) -> Option<[Scalar; 3]> {
+                coordinate(frame, index)
+            }
+
+            fn point_name(&self, index: usize) -> Option<&str> {
+                POINTS.get(index).map(|(name, _)| *name)
+            }
+
+            fn point(&self, frame: &Frame, index: usize) -> Option<Motion> {
+                POINTS.get(index).map(|(_, motion)| motion(frame))
+            }
+
+            fn block_name(&self, index: usize) -> Option<BlockName<'_>> {
+                BLOCKS.get(index).copied()
+            }
+
+            $(
+                fn not_positive(&self, parameters: &Self::Parameters) -> Option<(u16, Scalar)> {
+                    $crate::blocks::first_not_positive(&requirements(parameters))
+                }
+
+                fn requirement_name(&self, index: usize) -> Option<BlockName<'_>> {
+                    $requirements.get(index).copied()
+                }
+            )?
+        }
+
+        $(#[$docs])*
+        pub struct $name(Shell<Loops>);
+
+        impl Mechanism for $name {
+            type Blocks = Loops;
+
+            fn from_shell(shell: Shell<Loops>) -> Self {
+                Self(shell)
+            }
+
+            fn shell(&self) -> &Shell<Loops> {
+                &self.0
+            }
+
+            fn shell_mut(&mut self) -> &mut Shell<Loops> {
+                &mut self.0
+            }
+        }
+
+        /// A failure in the mechanism's own terms, as one sentence.
+        #[allow(dead_code)]
+        pub fn describe(failure: &Failure) -> Explained {
+            const { &Loops }.explained(failure)
+        }
+
+        #[allow(dead_code)]
+        impl $name {
+            /// Assembles the mechanism at time `t` (s) as it is drawn.
+            ///
+            /// # Errors
+            /// A [`Failure`] where it cannot be assembled so.
+            pub fn assemble(t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
+                Self::assemble_on(Branches::DRAWN, t $(, inputs as &$inputs)?)
+            }
+
+            /// Assembles the mechanism at time `t` (s) in other modes than the drawing's.
+            ///
+            /// # Errors
+            /// A [`Failure`] where it cannot be assembled so.
+            pub fn assemble_on(branches: Branches, t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
+                let parameters = Default::default();
+                let (pose, settings) = (drawn_pose(&parameters), Settings::default());
+                let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
+                Shell::assemble(Loops, &parameters, &pose, branches, t, inputs, settings).map(Self)
+            }
+
+            /// Assembles the mechanism at time `t` (s) in the drawing's modes, with angles near those of `estimate`, a measured pose
+            /// for example.
+            ///
+            /// # Errors
+            /// A [`Failure`] where it cannot be assembled so.
+            pub fn assemble_from(
+                estimate: &Coordinates,
+                t: Scalar,
+                $(inputs: &$inputs,)?
+                settings: Settings,
+            ) -> Result<Self, Failure> {
+                let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
+                Shell::assemble(Loops, &Default::default(), estimate, Branches::DRAWN, t, inputs, settings).map(Self)
+            }
+
+            /// Assembles the mechanism at time `t` (s) in these modes, with angles near those of `estimate`. Where a block needs
+            /// Newton-Raphson, it starts from there, and the estimate may be poor.
+            ///
+            /// # Errors
+            /// A [`Failure`] where it cannot be assembled so.
+            pub fn assemble_with(
+                $(parameters: &$parameters,)?
+                estimate: &Coordinates,
+                branches: Branches,
+                t: Scalar,
+                $(inputs: &$inputs,)?
+                settings: Settings,
+            ) -> Result<Self, Failure> {
+                let parameters = $crate::or_unit!(@value parameters $(, $parameters)?);
+                let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
+                Shell::assemble(Loops, parameters, estimate, branches, t, inputs, settings).map(Self)
+            }
+
+            /// Moves the mechanism to time `t` (s), starting from the last frame, which a failure leaves as it is; see
+            /// `linkwright::Shell::advance`.
+            ///
+            /// # Errors
+            /// A [`Failure`] where the equations cannot be solved from there. Its time is where the motion ends, or how far it could
+            /// be followed.
+            #[inline]
+            pub fn advance(&mut self, t: Scalar $(, inputs: &$inputs)?) -> Result<&Frame, Failure> {
+                self.0.advance(t, $crate::or_unit!(@value inputs $(, $inputs)?))
+            }
+
+            /// The last solved instant.
+            #[inline]
+            pub fn frame(&self) -> &Frame {
+                self.0.frame()
+            }
+
+            /// The frame at time `t` (s) in the modes of now, whether or not a path leads there: an entry of a table, say. The mechanism
+            /// stays where it is.
+            ///
+            /// # Errors
+            /// A [`Failure`] where it cannot be assembled so at that time.
+            pub fn frame_at(&self, t: Scalar $(, inputs: &$inputs)?) -> Result<Frame, Failure> {
+                self.0.frame_at(t, $crate::or_unit!(@value inputs $(, $inputs)?))
+            }
+
+            /// The assembly modes.
+            pub fn branches(&self) -> Branches {
+                *self.0.branches()
+            }
+
+            $(
+                /// The parameters that the next instant is solved with.
+                pub fn parameters(&self) -> &$parameters {
+                    self.0.parameters()
+                }
+
+                /// Changes the parameters. The last frame stays as it was solved; the next one is solved with these, in the same modes,
+                /// with angles near those of the last one.
+                ///
+                /// # Errors
+                /// A [`Failure`] for values that the description may not have, such as a negative length; the parameters then stay as
+                /// they are.
+                pub fn set_parameters(&mut self, parameters: &$parameters) -> Result<(), Failure> {
+                    self.0.set_parameters(parameters)
+                }
+            )?
+        }
+    };
+}
+
+/// What is shown of paths.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! path {
+    (@is guarded) => {
+        true
+    };
+    (@is unguarded) => {
+        false
+    };
+    (@keeps guarded, $pair:ident, $span:ident, $tubes:ident) => {
+        keeps_to_path($pair, $span, $tubes)
+    };
+    (@keeps unguarded, $pair:ident, $span:ident, $tubes:ident) => {
+        Ok(())
+    };
+    (@within guarded, $at:ident, $tubes:ident, $steps:ident, $count:literal) => {
+        is_within($at, $tubes, $steps)
+    };
+    (@within $path:ident, $at:ident, $tubes:ident, $steps:ident $(, $count:literal)?) => {
+        true
+    };
+}
+
+/// A type, or else `()`; a value if there is a type for it, or else `&()`; a name among those of the type, if there is one.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! or_unit {
+    (@type) => {
+        ()
+    };
+    (@type $type:ident) => {
+        $type
+    };
+    (@name $index:ident) => {
+        None
+    };
+    (@name $index:ident, $type:ident) => {
+        $type::NAMES.get($index).copied()
+    };
+    (@value $name:ident) => {
+        &()
+    };
+    (@value $name:ident, $type:ident) => {
+        $name
+    };
+}

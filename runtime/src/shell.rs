@@ -1,0 +1,289 @@
+//! The blocks of a mechanism → the mechanism that a user holds: frames, assembly, motion, branches, parameters and inputs.
+//!
+//! A [`Shell`] keeps two frames, the last one and the one that the next solution is written to; only a solution that succeeded takes
+//! the place of the last frame. Where one step is not enough it goes in several, as [`crate::in_steps`] says. The module does not know
+//! equations.
+
+use crate::block::Start;
+use crate::blocks::{Blocks, Given, Signals, Values};
+use crate::closed_form::failed;
+use crate::failure::{Failure, FailureKind};
+use crate::guard::{Guard, Pair};
+use crate::settings::Settings;
+use crate::way::Way;
+
+/// A mechanism in motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shell<B: Blocks> {
+    blocks: B,
+    /// The last frame and the one before it, whose place the next one takes.
+    frames: [B::Frame; 2],
+    second_is_last: bool,
+    /// What the last frame is for the next one: other parameters make it an estimate.
+    start: Start,
+    branches: B::Branches,
+    parameters: B::Parameters,
+    inputs: B::Inputs,
+    settings: Settings<B::Scalar>,
+    guard: Guard<B::Scalar, B::Inputs, B::Tubes>,
+}
+
+impl<B: Blocks> Shell<B> {
+    /// Assembles the mechanism at time `t` (s) in these modes, with angles near those of `estimate`. Where a block needs
+    /// Newton-Raphson, it starts from there, and the estimate may be poor.
+    ///
+    /// # Errors
+    /// A [`Failure`] where it cannot be assembled so.
+    pub fn assemble(
+        blocks: B,
+        parameters: &B::Parameters,
+        estimate: &B::Coordinates,
+        mut branches: B::Branches,
+        t: B::Scalar,
+        inputs: &B::Inputs,
+        settings: Settings<B::Scalar>,
+    ) -> Result<Self, Failure<B::Scalar>> {
+        allow(&blocks, parameters, t)?;
+        let last = blocks.estimate(estimate, parameters, t);
+        let mut at = last.clone();
+        let given = Given {
+            t,
+            start: Start::Estimate,
+            parameters,
+            inputs,
+            settings: &settings,
+        };
+        solve(&blocks, &mut at, &last, &mut branches, &given)?;
+        Ok(Self {
+            blocks,
+            frames: [at, last],
+            second_is_last: false,
+            start: Start::LastFrame,
+            branches,
+            parameters: parameters.clone(),
+            inputs: inputs.clone(),
+            settings,
+            guard: Guard::new(),
+        })
+    }
+
+    /// Moves the mechanism to time `t` (s), starting from the last frame, which a failure leaves as it is.
+    ///
+    /// Where that is not possible in one step, it goes in at most [`Settings::substeps`] attempts, all blocks in each. On the way the
+    /// inputs go from their last values to the new ones by the polynomial of the fifth degree that has values, rates and
+    /// accelerations of both ends.
+    ///
+    /// # Errors
+    /// A [`Failure`] where the equations cannot be solved from there. Its time is where the motion ends, or how far it could be
+    /// followed; see [`crate::in_steps`].
+    #[inline]
+    pub fn advance(
+        &mut self,
+        t: B::Scalar,
+        inputs: &B::Inputs,
+    ) -> Result<&B::Frame, Failure<B::Scalar>> {
+        let [first, second] = &mut self.frames;
+        let (last, at) = match self.second_is_last {
+            true => (&*second, first),
+            false => (&*first, second),
+        };
+        let given = Given {
+            t,
+            start: self.start,
+            parameters: &self.parameters,
+            inputs,
+            settings: &self.settings,
+        };
+        let solved = solve(&self.blocks, at, last, &mut self.branches, &given).and_then(|()| {
+            let pair = Pair {
+                at,
+                last,
+                before: &self.inputs,
+                given: &given,
+            };
+            self.guard.admit(&self.blocks, &pair)
+        });
+        if let Err(failure) = solved {
+            self.advance_in_steps(failure, t, inputs)?;
+        }
+        self.inputs = inputs.clone();
+        self.start = Start::LastFrame;
+        self.second_is_last = !self.second_is_last;
+        Ok(self.frame())
+    }
+
+    /// Moves the mechanism to time `t` (s) in several steps, because one has ended with `failure`, or finds the time at which this is
+    /// no longer possible. The new frame takes the place of the older one.
+    #[cold]
+    fn advance_in_steps(
+        &mut self,
+        failure: Failure<B::Scalar>,
+        t: B::Scalar,
+        inputs: &B::Inputs,
+    ) -> Result<(), Failure<B::Scalar>> {
+        if self.settings.substeps <= 1 {
+            return Err(failure);
+        }
+        let [first, second] = &mut self.frames;
+        let (last, at) = match self.second_is_last {
+            true => (&*second, first),
+            false => (&*first, second),
+        };
+        let mut way = Way {
+            blocks: &self.blocks,
+            parameters: &self.parameters,
+            settings: &self.settings,
+            ends: [B::time(last), t],
+            inputs: [&self.inputs, inputs],
+            start: self.start,
+            reached: last.clone(),
+            origin: last.clone(),
+            next: at,
+            branches: self.branches.clone(),
+            guard: &mut self.guard,
+        };
+        way.go()?;
+        self.branches = way.branches;
+        *way.next = way.reached;
+        Ok(())
+    }
+
+    /// The frame at time `t` (s) in the modes of now, whether or not a path leads there: an entry of a table, say. The mechanism stays
+    /// where it is. Angles are near those of the last frame, from which Newton-Raphson starts.
+    ///
+    /// # Errors
+    /// A [`Failure`] where it cannot be assembled so at that time.
+    pub fn frame_at(
+        &self,
+        t: B::Scalar,
+        inputs: &B::Inputs,
+    ) -> Result<B::Frame, Failure<B::Scalar>> {
+        let last = self.frame();
+        let (mut at, mut branches) = (last.clone(), self.branches.clone());
+        let given = Given {
+            t,
+            start: Start::Estimate,
+            parameters: &self.parameters,
+            inputs,
+            settings: &self.settings,
+        };
+        solve(&self.blocks, &mut at, last, &mut branches, &given)?;
+        Ok(at)
+    }
+
+    /// The last solved instant.
+    #[inline]
+    pub fn frame(&self) -> &B::Frame {
+        let [first, second] = &self.frames;
+        match self.second_is_last {
+            true => second,
+            false => first,
+        }
+    }
+
+    /// Goes on from another frame, solved in these modes with these inputs and the parameters of the shell.
+    pub fn resume(&mut self, frame: &B::Frame, branches: &B::Branches, inputs: &B::Inputs) {
+        let [first, second] = &mut self.frames;
+        match self.second_is_last {
+            true => second.clone_from(frame),
+            false => first.clone_from(frame),
+        }
+        self.branches = branches.clone();
+        self.inputs = inputs.clone();
+        self.start = Start::LastFrame;
+        self.guard.forget();
+    }
+
+    /// The equations.
+    pub fn blocks(&self) -> &B {
+        &self.blocks
+    }
+
+    /// The assembly modes.
+    pub fn branches(&self) -> &B::Branches {
+        &self.branches
+    }
+
+    /// The parameters that the next instant is solved with.
+    pub fn parameters(&self) -> &B::Parameters {
+        &self.parameters
+    }
+
+    /// Changes the parameters. The last frame stays as it was solved; the next one is solved with these, in the same modes, with angles
+    /// near those of the last one.
+    ///
+    /// # Errors
+    /// [`FailureKind::NotPositive`] and [`FailureKind::NotFinite`] for values that a description may not have; the parameters then stay
+    /// as they are.
+    pub fn set_parameters(&mut self, parameters: &B::Parameters) -> Result<(), Failure<B::Scalar>> {
+        let t = B::time(self.frame());
+        allow(&self.blocks, parameters, t)?;
+        self.parameters = parameters.clone();
+        self.start = Start::Estimate;
+        self.guard.forget();
+        Ok(())
+    }
+}
+
+/// Refuses parameters that a description may not have.
+fn allow<B: Blocks>(
+    blocks: &B,
+    parameters: &B::Parameters,
+    t: B::Scalar,
+) -> Result<(), Failure<B::Scalar>> {
+    if !parameters.are_finite() {
+        return Err(failed(FailureKind::NotFinite, t, 0));
+    }
+    match blocks.not_positive(parameters) {
+        Some((place, value)) => Err(failed(FailureKind::NotPositive { value }, t, place)),
+        None => Ok(()),
+    }
+}
+
+/// Solves all blocks for numbers that are finite.
+#[inline]
+pub(crate) fn solve<B: Blocks>(
+    blocks: &B,
+    at: &mut B::Frame,
+    last: &B::Frame,
+    branches: &mut B::Branches,
+    given: &Given<'_, B::Scalar, B::Parameters, B::Inputs>,
+) -> Result<(), Failure<B::Scalar>> {
+    if !(given.parameters.are_finite() && given.inputs.are_finite()) {
+        return Err(failed(FailureKind::NotFinite, given.t, 0));
+    }
+    blocks.solve(at, last, branches, given)
+}
+
+/// Any mechanism: a type of its own around a [`Shell`], with its own names for what the shell does.
+///
+/// Code that is written for this trait works with every generated mechanism, and with those that are interpreted.
+pub trait Mechanism: Sized {
+    /// Its equations.
+    type Blocks: Blocks;
+
+    /// The mechanism in this state.
+    fn from_shell(shell: Shell<Self::Blocks>) -> Self;
+
+    /// Its state.
+    fn shell(&self) -> &Shell<Self::Blocks>;
+
+    /// The same, to be moved.
+    fn shell_mut(&mut self) -> &mut Shell<Self::Blocks>;
+}
+
+impl<B: Blocks> Mechanism for Shell<B> {
+    type Blocks = B;
+
+    fn from_shell(shell: Shell<B>) -> Self {
+        shell
+    }
+
+    fn shell(&self) -> &Shell<B> {
+        self
+    }
+
+    fn shell_mut(&mut self) -> &mut Shell<B> {
+        self
+    }
+}

@@ -1,0 +1,182 @@
+//! The way from one frame of a mechanism to another time → the frame there, in as many steps as it takes.
+//!
+//! A step that fails is halved ([`in_steps`]). Where the modes of a block meet, the way goes straight on in the other one
+//! ([`crate::crossing`]). The module does not know equations.
+
+use crate::block::Start;
+use crate::blocks::{Blocks, Given, Signals};
+use crate::crossing::TwoModes;
+use crate::failure::{Failure, FailureKind};
+use crate::guard::{Guard, Pair};
+use crate::math::Real;
+use crate::settings::Settings;
+use crate::shell::solve;
+use crate::signal::Signal;
+use crate::substeps::{Broken, in_steps};
+
+/// How many meetings of modes one way may pass.
+const CROSSINGS: u8 = 8;
+
+/// A way, and how far it has been gone.
+pub(crate) struct Way<'a, B: Blocks> {
+    pub blocks: &'a B,
+    pub parameters: &'a B::Parameters,
+    pub settings: &'a Settings<B::Scalar>,
+    /// When it begins and ends (s).
+    pub ends: [B::Scalar; 2],
+    /// The signals at both ends.
+    pub inputs: [&'a B::Inputs; 2],
+    /// What the frame is that was reached.
+    pub start: Start,
+    /// The last frame on the way.
+    pub reached: B::Frame,
+    /// Where the modes were exchanged last, or else its first frame.
+    pub origin: B::Frame,
+    /// Where the next frame is written.
+    pub next: &'a mut B::Frame,
+    pub branches: B::Branches,
+    pub guard: &'a mut Guard<B::Scalar, B::Inputs, B::Tubes>,
+}
+
+impl<B: Blocks> Way<'_, B> {
+    /// Goes to its end.
+    ///
+    /// # Errors
+    /// A [`Failure`] where that is not possible; see [`in_steps`].
+    pub fn go(&mut self) -> Result<(), Failure<B::Scalar>> {
+        let end = self.ends[1];
+        let mut failure = match self.steps_to(end) {
+            Ok(()) => return Ok(()),
+            Err(broken) => broken.failure,
+        };
+        for _ in 0..CROSSINGS {
+            if self.cross(&failure).is_none() {
+                break;
+            }
+            match self.steps_to(end) {
+                Ok(()) => return Ok(()),
+                Err(broken) => failure = broken.failure,
+            }
+        }
+        Err(failure)
+    }
+
+    /// Goes on to a time.
+    fn steps_to(&mut self, end: B::Scalar) -> Result<(), Broken<B::Scalar>> {
+        let from = B::time(&self.reached);
+        if from == end {
+            return Ok(());
+        }
+        in_steps(from, end, self.settings.substeps, |t| self.step(t)).map(|_| ())
+    }
+
+    fn step(&mut self, t: B::Scalar) -> Result<(), Failure<B::Scalar>> {
+        let inputs = self.inputs_at(t);
+        let before = self.inputs_at(B::time(&self.reached));
+        let given = Given {
+            t,
+            start: self.start,
+            parameters: self.parameters,
+            inputs: &inputs,
+            settings: self.settings,
+        };
+        solve(
+            self.blocks,
+            self.next,
+            &self.reached,
+            &mut self.branches,
+            &given,
+        )?;
+        let pair = Pair {
+            at: self.next,
+            last: &self.reached,
+            before: &before,
+            given: &given,
+        };
+        self.guard.admit(self.blocks, &pair)?;
+        self.start = Start::LastFrame;
+        core::mem::swap(self.next, &mut self.reached);
+        Ok(())
+    }
+
+    /// Goes through the pose at which the modes of a block meet, if it is where the way has broken.
+    fn cross(&mut self, failure: &Failure<B::Scalar>) -> Option<()> {
+        // Where modes meet, links may be apart by rounding.
+        let may_meet = matches!(
+            failure.kind,
+            FailureKind::StepTooLarge
+                | FailureKind::Singular { .. }
+                | FailureKind::WrongBranch
+                | FailureKind::OutOfReach { .. }
+        );
+        if !may_meet || !self.blocks.is_guarded() || self.start == Start::Estimate {
+            return None;
+        }
+        let other = self.blocks.exchanged(&self.branches, failure.block)?;
+        let [from, end] = self.ends;
+        let [before, beyond] = {
+            let mut modes = TwoModes {
+                blocks: self.blocks,
+                modes: [self.branches.clone(), other.clone()],
+                solve: |t, near: &B::Frame, modes: &B::Branches| self.frame_at(t, near, modes),
+            };
+            let near = [&self.origin, &self.reached];
+            let whole = modes.largest_distance(near, [from, end])?;
+            let meeting = modes.meeting(near, whole, failure.time, end)?;
+            modes.opposite(&meeting, &self.origin, end)?
+        };
+        // The way has come nearer than the modes can be told apart: the frame before the meeting must lie on the path.
+        self.reached = self.origin.clone();
+        self.guard.forget();
+        self.steps_to(B::time(&before)).ok()?;
+        // From where the way has led, angles go on without a jump; what was found from farther away may be off by whole turns.
+        let beyond = self.frame_at(B::time(&beyond), &self.reached, &other)?;
+        self.reached = beyond.clone();
+        self.origin = beyond;
+        self.branches = other;
+        self.guard.forget();
+        Some(())
+    }
+
+    /// The frame at a time in these modes, from one nearby; no path leads there.
+    fn frame_at(&self, t: B::Scalar, near: &B::Frame, branches: &B::Branches) -> Option<B::Frame> {
+        let inputs = self.inputs_at(t);
+        let given = Given {
+            t,
+            start: Start::Estimate,
+            parameters: self.parameters,
+            inputs: &inputs,
+            settings: self.settings,
+        };
+        let (mut at, mut branches) = (near.clone(), branches.clone());
+        solve(self.blocks, &mut at, near, &mut branches, &given).ok()?;
+        Some(at)
+    }
+
+    /// The signals at a time on the way; beyond it they go on at their rates.
+    fn inputs_at(&self, t: B::Scalar) -> B::Inputs {
+        let ([from, end], [first, last]) = (self.ends, self.inputs);
+        let part = (t - from) / (end - from);
+        if part <= B::Scalar::ZERO {
+            gone_on(first, t - from)
+        } else if part >= B::Scalar::ONE {
+            gone_on(last, t - end)
+        } else {
+            first.towards(last, end - from, part)
+        }
+    }
+}
+
+/// Signals after a time (s) in which their rates do not change.
+fn gone_on<T: Real, I: Signals<T>>(inputs: &I, time: T) -> I {
+    let mut later = inputs.clone();
+    if time != T::ZERO {
+        for index in 0..inputs.count() {
+            if let Some(signal) = inputs.signal(index) {
+                let value = signal.value + signal.rate * time;
+                later.set(index, Signal { value, ..signal });
+            }
+        }
+    }
+    later
+}

@@ -1,0 +1,68 @@
+//! A description with what is asked of it: how it is driven, from when to when, and what takes how long.
+
+use super::stepping::Given;
+use crate::hunt::law::Law;
+
+/// A mechanism of a family.
+#[derive(Clone, Debug)]
+pub struct Course {
+    /// The family.
+    pub family: &'static str,
+    /// The description.
+    pub text: String,
+    /// The size (m).
+    pub size: f64,
+    /// The shortest time in which anything repeats itself, or would (s).
+    pub period: f64,
+    /// When it begins, and when it ends at the latest (s).
+    pub span: [f64; 2],
+    /// The pose at the beginning, or nothing for what the drawing leads to.
+    pub start: Vec<f64>,
+    /// What the inputs do, from their values at the beginning on; nothing where there are none.
+    pub inputs: Vec<(f64, Law)>,
+    /// Whether lengths differ by so little that their roundings decide how the path goes on.
+    pub is_blurred: bool,
+    /// Whether the drawing is the pose at the beginning.
+    pub is_drawn: bool,
+}
+
+impl Course {
+    /// The inputs at a time.
+    pub fn given(&self, t: f64) -> Vec<Given> {
+        let since = t - self.span[0];
+        let inputs = self.inputs.iter();
+        let given = inputs.map(|(base, law)| {
+            let [value, rate, acceleration] = law.motion(since);
+            [base + value, rate, acceleration]
+        });
+        given.collect()
+    }
+}
+
+/// The polynomial of the fifth degree with value, rate and acceleration of both ends, by Hermite's formula.
+pub fn quintic(first: Given, last: Given, h: f64, s: f64) -> Given {
+    // p(s) = Σ c_k s^k with s the part of the way.
+    let [a, b, c] = [first[0], first[1] * h, 0.5 * first[2] * h * h];
+    let [p, v, w] = [
+        last[0] - a - b - c,
+        last[1] * h - b - 2.0 * c,
+        last[2] * h * h - 2.0 * c,
+    ];
+    let coefficients = [
+        a,
+        b,
+        c,
+        10.0 * p - 4.0 * v + 0.5 * w,
+        -15.0 * p + 7.0 * v - w,
+        6.0 * p - 3.0 * v + 0.5 * w,
+    ];
+    let derivative = |order: u32| {
+        let terms = coefficients.iter().zip(0_u32..).skip(order as usize);
+        let terms = terms.map(|(coefficient, power)| {
+            let factor: u32 = (0..order).map(|it| power - it).product();
+            coefficient * f64::from(factor) * s.powi((power - order) as i32)
+        });
+        terms.sum::<f64>()
+    };
+    [derivative(0), derivative(1) / h, derivative(2) / (h * h)]
+}

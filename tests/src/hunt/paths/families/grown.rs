@@ -1,0 +1,118 @@
+//! The mechanisms of the hunt itself, driven by laws of t, from late on, by inputs, and beside geometry that nothing uses.
+
+use super::super::course::Course;
+use super::{junk, sign, with};
+use crate::hunt::law::Law;
+use crate::hunt::mechanism::Mechanism;
+use crate::hunt::run::LARGEST;
+use crate::random::Random;
+
+/// How many shortest periods a course lasts.
+const PERIODS: f64 = 3.0;
+
+/// When a course is over at the latest (s), and how many shortest periods it may then have.
+const LATEST: [f64; 2] = [12.0, 60.0];
+
+fn of(mechanism: &Mechanism, text: String, begin: f64) -> Course {
+    let mut period = f64::INFINITY;
+    for (joint, _) in &mechanism.joints {
+        let mut joint = *joint;
+        let is_angle = matches!(
+            joint,
+            crate::hunt::joint::Joint::DrivePhi(..)
+                | crate::hunt::joint::Joint::DriveRelativeAngle(..)
+        );
+        if let Some(law) = joint.law_mut() {
+            let size = if is_angle { 1.0 } else { mechanism.size };
+            period = period.min(law.period(size));
+        }
+    }
+    let period = if period.is_finite() {
+        period.min(6.3)
+    } else {
+        6.3
+    };
+    let lasts = (PERIODS * period)
+        .clamp(3.0, LATEST[0])
+        .min(LATEST[1] * period);
+    Course {
+        family: "",
+        text,
+        size: mechanism.size,
+        period,
+        span: [begin, begin + lasts],
+        start: mechanism.coordinates(),
+        inputs: Vec::new(),
+        is_blurred: false,
+        is_drawn: mechanism.is_drawn_exactly(),
+    }
+}
+
+fn grown(random: &mut Random, number: u64) -> Mechanism {
+    crate::hunt::mechanism(random.bits() & 0xffff, number, LARGEST)
+}
+
+/// Driven by laws of t.
+pub fn laws(random: &mut Random, number: u64) -> Course {
+    let mechanism = grown(random, number);
+    of(&mechanism, mechanism.text(), 0.0)
+}
+
+/// The description with t - `begin` in the place of t.
+pub fn shifted(text: &str, begin: f64) -> String {
+    let line = |line: &str| match line.trim_start().starts_with("drive ") {
+        true => line
+            .replace("*t", &format!("*(t - {begin:?})"))
+            .replace("(t,", &format!("(t - {begin:?},"))
+            .replace("(-t)", &format!("(-(t - {begin:?}))")),
+        false => line.to_string(),
+    };
+    text.lines().map(|it| line(it) + "\n").collect()
+}
+
+/// The same, started late.
+pub fn late(random: &mut Random, number: u64) -> Course {
+    let mechanism = grown(random, number);
+    let begin = (random.between(-50.0, 50.0) * 64.0).round() / 64.0;
+    of(&mechanism, shifted(&mechanism.text(), begin), begin)
+}
+
+/// The mechanism with an input in the place of each law, and what the laws were.
+pub fn with_inputs(mechanism: &Mechanism) -> (Mechanism, Vec<Law>) {
+    let mut given = mechanism.clone();
+    let mut laws = Vec::new();
+    for (joint, _) in &mut given.joints {
+        if let Some(law) = joint.law_mut() {
+            let input = laws.len();
+            laws.push(std::mem::replace(law, Law::Given { input }));
+        }
+    }
+    (given, laws)
+}
+
+/// The statements of so many inputs with any defaults.
+pub fn declared(random: &mut Random, count: usize) -> String {
+    let default = |random: &mut Random| sign(random) * 10.0_f64.powf(random.between(-3.0, 3.0));
+    (0..count)
+        .map(|input| format!("    input k{input} = {:?};\n", default(random)))
+        .collect()
+}
+
+/// Driven by inputs.
+pub fn inputs(random: &mut Random, number: u64) -> Course {
+    let mechanism = grown(random, number);
+    let (given, laws) = with_inputs(&mechanism);
+    let declared = declared(random, laws.len());
+    let text = given.text().replacen("{\n", &format!("{{\n{declared}"), 1);
+    let mut course = of(&mechanism, text, 0.0);
+    course.inputs = laws.into_iter().map(|law| (0.0, law)).collect();
+    course
+}
+
+/// With points and bodies that nothing uses, of all sizes.
+pub fn unused(random: &mut Random, number: u64) -> Course {
+    let mut course = laws(random, number);
+    course.text = with(&course.text, &junk(random, course.size));
+    // The bodies beside it have coordinates of their own, from which the drawing is.
+    course
+}

@@ -1,0 +1,169 @@
+//! *A mechanism in motion and a schedule* → *what `advance` makes of every step of it*.
+//!
+//! The file needs nothing but the runtime and [`crate::values`], because it is compiled in two places: here for interpreted
+//! mechanisms, and beside the generated ones in a package of their own.
+
+use linkwright::{Blocks, FailureKind, Real, Settings, Shell, Signal, Signals, Values};
+
+/// In how many steps a target is tried again after it was refused.
+pub const SMALLER: u32 = 32;
+
+/// After how many targets that are not reached in smaller steps either a schedule is over.
+const BROKEN: usize = 4;
+
+/// A signal at one time: its value, its rate and its acceleration.
+pub type Given = [f64; 3];
+
+/// Where a step leads.
+#[derive(Clone, Debug, Default)]
+pub struct Target {
+    /// The time (s).
+    pub t: f64,
+    /// The inputs there.
+    pub inputs: Vec<Given>,
+}
+
+/// What is asked of a mechanism.
+#[derive(Clone, Debug, Default)]
+pub struct Schedule {
+    /// The pose at the start, or nothing for that of the drawing.
+    pub start: Vec<f64>,
+    /// The start, then one target after another.
+    pub targets: Vec<Target>,
+}
+
+/// What became of a step.
+#[derive(Clone, Debug)]
+pub struct Stepped {
+    /// The target it leads to, from 0 for the start.
+    pub target: usize,
+    /// In which of [`SMALLER`] equal parts of a refused step it is, from 1; 0 for the whole one.
+    pub part: u32,
+    /// The time it leads to (s).
+    pub t: f64,
+    /// The pose, or the components of the points where frames hold nothing else; or the kind and the time of a failure.
+    pub answer: Result<Vec<f64>, (String, f64)>,
+}
+
+/// The coordinates of a frame, or else its points.
+fn found<B: Blocks>(blocks: &B, frame: &B::Frame) -> Vec<f64> {
+    let coordinates = (0..).map_while(|index| blocks.coordinate(frame, index));
+    let values: Vec<f64> = coordinates.map(|it| it[0].to_f64()).collect();
+    if !values.is_empty() {
+        return values;
+    }
+    let points = (0..).map_while(|index| blocks.point(frame, index));
+    points
+        .flat_map(|it| it.position.map(|it| it.to_f64()))
+        .collect()
+}
+
+/// The inputs of a mechanism with these values.
+fn inputs<B: Blocks>(blocks: &B, given: &[Given]) -> B::Inputs {
+    let mut inputs = blocks.initial_inputs();
+    for (index, numbers) in given.iter().enumerate() {
+        let [value, rate, acceleration] = numbers.map(B::Scalar::from_f64);
+        inputs.set(index, Signal::new(value, rate, acceleration));
+    }
+    inputs
+}
+
+/// The name of a failure's kind.
+fn named<T: Real>(kind: FailureKind<T>) -> String {
+    let text = format!("{kind:?}");
+    let end = text.find([' ', '{', '(']).unwrap_or(text.len());
+    text[..end].to_string()
+}
+
+/// Goes from target to target: after a failure in smaller steps from the last frame, and where that fails too, to the next one.
+pub fn stepped<B: Blocks + Clone>(blocks: &B, schedule: &Schedule) -> Vec<Stepped>
+where
+    Settings<B::Scalar>: Default,
+{
+    let mut all = Vec::new();
+    let Some((start, targets)) = schedule.targets.split_first() else {
+        return all;
+    };
+    let parameters = blocks.nominal_parameters();
+    let mut pose = blocks.drawn_pose(&parameters);
+    for (index, value) in schedule.start.iter().enumerate() {
+        pose.set(index, B::Scalar::from_f64(*value));
+    }
+    let branches = blocks.drawn_branches();
+    let t = B::Scalar::from_f64(start.t);
+    let mut last = (start.t, inputs(blocks, &start.inputs));
+    let assembled = Shell::assemble(
+        blocks.clone(),
+        &parameters,
+        &pose,
+        branches,
+        t,
+        &last.1,
+        Settings::default(),
+    );
+    let mut shell = match assembled {
+        Ok(shell) => shell,
+        Err(failure) => {
+            let answer = Err((named(failure.kind), failure.time.to_f64()));
+            all.push(Stepped {
+                target: 0,
+                part: 0,
+                t: start.t,
+                answer,
+            });
+            return all;
+        }
+    };
+    let answer = Ok(found(blocks, shell.frame()));
+    all.push(Stepped {
+        target: 0,
+        part: 0,
+        t: start.t,
+        answer,
+    });
+    let mut broken = 0;
+    for (index, target) in targets.iter().enumerate() {
+        if broken == BROKEN {
+            break;
+        }
+        let goal = inputs(blocks, &target.inputs);
+        let mut go = |shell: &mut Shell<B>, t: f64, inputs: &B::Inputs, part: u32| {
+            let moved = shell.advance(B::Scalar::from_f64(t), inputs);
+            let moved = moved.map(|frame| found(blocks, frame));
+            let answer = moved.map_err(|failure| (named(failure.kind), failure.time.to_f64()));
+            let is_ok = answer.is_ok();
+            all.push(Stepped {
+                target: index + 1,
+                part,
+                t,
+                answer,
+            });
+            is_ok
+        };
+        if go(&mut shell, target.t, &goal, 0) {
+            last = (target.t, goal);
+            continue;
+        }
+        let (from, before) = last.clone();
+        let h = target.t - from;
+        for part in 1..=SMALLER {
+            let fraction = f64::from(part) / f64::from(SMALLER);
+            let t = if part == SMALLER {
+                target.t
+            } else {
+                from + h * fraction
+            };
+            let (h, fraction) = (B::Scalar::from_f64(h), B::Scalar::from_f64(fraction));
+            let between = match part {
+                SMALLER => goal.clone(),
+                _ => before.towards(&goal, h, fraction),
+            };
+            if !go(&mut shell, t, &between, part) {
+                broken += 1;
+                break;
+            }
+            last = (t, between);
+        }
+    }
+    all
+}
