@@ -29,6 +29,7 @@ pub mod files;
 mod finiteness;
 pub mod joint;
 pub mod model;
+mod modes;
 pub mod program;
 pub mod structure;
 pub mod syntax;
@@ -39,7 +40,6 @@ pub use cargo::{attach_files, build, build_with};
 pub use emit::rust::Scalar;
 
 use diagnostic::{Diagnostics, Source};
-use structure::Plan;
 use system::System;
 
 /// A description whose equations have been derived.
@@ -129,16 +129,15 @@ fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnostics) -> Diag
     diagnostic::merged(found.collect())
 }
 
-/// Checks that the equations determine every coordinate exactly once and that what solves them is made of numbers, and says in
-/// which blocks they are solved.
+/// Checks that the equations determine every coordinate exactly once and that what solves them is made of numbers. Gives warnings.
 ///
 /// # Errors
 /// Too few or too many equations, with the bodies and joints concerned; numbers that become infinite or undefined.
-pub fn check(system: &System) -> Result<Plan, Diagnostics> {
+pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
-    let Some(plan) = structure::analyze(system, &mut diagnostics) else {
+    if structure::analyze(system, &mut diagnostics).is_none() {
         return Err(diagnostics);
-    };
+    }
     let mut system = system.clone();
     let solved = structure::plan(&mut system);
     let program = solved.map(|solved| program::lower(&mut system, &solved));
@@ -150,7 +149,8 @@ pub fn check(system: &System) -> Result<Plan, Diagnostics> {
     if diagnostics.has_errors() {
         return Err(diagnostics);
     }
-    Ok(plan)
+    diagnostics.extend(program.iter().flat_map(|it| modes::of_program(&system, it)));
+    Ok(diagnostics)
 }
 
 /// The same for every motion; a finding of some motions alone names the motion.
@@ -193,7 +193,10 @@ pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
 /// # Errors
 /// Every error of the description; nothing is written then.
 pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Diagnostics> {
-    let Read { motions, warnings } = read(source)?;
+    let Read {
+        motions,
+        mut warnings,
+    } = read(source)?;
     check_all(&motions)?;
     let range = match options.scalar {
         Scalar::F64 => finiteness::Range::F64,
@@ -205,10 +208,9 @@ pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Di
         let program = plan.as_ref().map(|plan| program::lower(&mut system, plan));
         let motion = system.mechanism.motion.as_ref();
         let name = motion.map_or(String::new(), |motion| motion.name.clone());
-        found.push((
-            name,
-            finiteness::of_program(&system, program.as_ref(), range),
-        ));
+        let mut own = finiteness::of_program(&system, program.as_ref(), range);
+        own.extend(program.iter().flat_map(|it| modes::of_program(&system, it)));
+        found.push((name, own));
         if let (Some(plan), Some(program)) = (plan, program) {
             lowered.push((system, plan, program));
         }
@@ -220,6 +222,7 @@ pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Di
     if found.has_errors() {
         return Err(found);
     }
+    warnings.extend(found);
     let name = lowered
         .first()
         .map(|(system, ..)| system.mechanism.name.clone());

@@ -155,7 +155,7 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
     let closed = module.program.branches.iter().map(|branch| {
         let drawn = format_ident!(
             "{}",
-            if branch.positive {
+            if branch.is_positive() {
                 "Positive"
             } else {
                 "Negative"
@@ -171,7 +171,7 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
             block.name,
             newton::listed(newton, module)
         )]);
-        let drawn = match newton.drawn {
+        let drawn = match newton.drawn.sign() {
             Some(positive) => {
                 let drawn = format_ident!("{}", if positive { "Positive" } else { "Negative" });
                 quote!(Some(Branch::#drawn))

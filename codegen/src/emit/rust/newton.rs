@@ -11,7 +11,7 @@ use super::scope::{Place, Reads, Scope, identifier};
 use super::textbook::{length, scales};
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
-use crate::program::{Block, Function, NewtonBlock, Statement};
+use crate::program::{Block, Function, Lengths, NewtonBlock, Statement};
 use crate::system::Unknown;
 
 /// A type with the equations of every Newton block.
@@ -64,23 +64,27 @@ fn scope<'a>(
     )
 }
 
-/// The lengths of a block as a function of the parameters, where they change one.
-fn lengths<'a>(newton: &NewtonBlock, module: &'a Module<'_>) -> Option<&'a Function> {
+/// Whether parameters change what the residuals or the tears of a block are scaled by.
+fn scales_follow(newton: &NewtonBlock, module: &Module<'_>) -> bool {
     let tears = tears(newton, module);
-    let columns = tears.iter().map(|it| it.quantity);
-    let mut quantities = columns.chain(newton.quantities.iter().copied());
-    let measures_length = quantities.any(|it| it.power_of_length() != 0);
-    module.program.lengths.as_ref().filter(|_| measures_length)
+    let of_tears: Vec<Quantity> = tears.iter().map(|it| it.quantity).collect();
+    let follow = |(lengths, quantities): (&Lengths, &Vec<Quantity>)| {
+        lengths.following.is_some() && quantities.iter().any(|it| it.power_of_length() != 0)
+    };
+    newton
+        .scaled_by
+        .iter()
+        .zip([&newton.quantities, &of_tears])
+        .any(follow)
 }
 
 fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
     let (name, size) = (type_name(block), count(newton.unknowns.len()));
     let tears = tears(newton, module);
-    let lengths = lengths(newton, module);
     let reads = reads(newton, module);
     let at = only(reads.frame, quote!(at: &'a Frame,));
     let parameters = only(
-        reads.parameters || lengths.is_some(),
+        reads.parameters || scales_follow(newton, module),
         quote!(parameters: &'a Parameters,),
     );
     let inputs = only(reads.inputs, quote!(inputs: &'a Inputs,));
@@ -122,8 +126,8 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
     let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
     let columns: Vec<Quantity> = tears.iter().map(|it| it.quantity).collect();
-    let length = length(module, lengths, module.system.characteristic_length());
-    let scales = scales(&length, &newton.quantities, &columns);
+    let [of_rows, of_columns] = newton.scaled_by.each_ref().map(|it| length(module, it));
+    let scales = scales([&of_rows, &of_columns], [&newton.quantities, &columns]);
     let angles = angles(&columns);
     let found = listed(newton, module);
     let title = docs([format!("The equations of `{}` for {found}.", block.name)]);
@@ -207,7 +211,7 @@ pub(super) fn statement(
 fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
     let name = type_name(block);
     let reads = reads(newton, module);
-    let reads_parameters = reads.parameters || lengths(newton, module).is_some();
+    let reads_parameters = reads.parameters || scales_follow(newton, module);
     let at = only(reads.frame, quote!(at: &*at,));
     let parameters = only(reads_parameters, quote!(parameters: given.parameters,));
     let inputs = only(reads.inputs, quote!(inputs: given.inputs,));

@@ -12,7 +12,7 @@ use super::scope::{Place, Reads, Scope, identifier};
 use crate::emit::{Notation, text};
 use crate::expr::ExprId;
 use crate::joint::Quantity;
-use crate::program::Function;
+use crate::program::{Function, Lengths};
 use crate::system::{Row, System};
 
 /// The functions of the textbook view, what is monitored besides, and the type that the runtime solves.
@@ -46,7 +46,7 @@ pub(super) fn textbook(module: &Module<'_>) -> TokenStream {
         .monitored
         .as_ref()
         .map(|function| monitored(module, function));
-    let dense = dense(module);
+    let dense = dense(module, &textbook.scaled_by);
     quote! { #phi #phi_q #phi_t #gamma #monitored #dense }
 }
 
@@ -218,7 +218,7 @@ fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> String {
 }
 
 /// `struct Textbook`: the dense system as the runtime solves it.
-fn dense(module: &Module<'_>) -> TokenStream {
+fn dense(module: &Module<'_>, scaled_by: &Lengths) -> TokenStream {
     let system = module.system;
     let size = count(system.rows.len());
     let declared = module.declared();
@@ -247,9 +247,8 @@ fn dense(module: &Module<'_>) -> TokenStream {
     let passed = quote!(#own_parameters #own_inputs);
     let rows: Vec<Quantity> = system.rows.iter().map(|row| row.quantity).collect();
     let columns: Vec<Quantity> = system.coordinates.iter().map(|it| it.quantity).collect();
-    let lengths = module.program.lengths.as_ref();
-    let length = length(module, lengths, system.characteristic_length());
-    let scales = scales(&length, &rows, &columns);
+    let length = length(module, scaled_by);
+    let scales = scales([&length, &length], [&rows, &columns]);
     quote! {
         /// All equations as one dense system, as `linkwright::newton` solves it.
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -286,9 +285,9 @@ pub(super) struct Length {
 }
 
 /// The largest of some lengths, or a number where no parameter changes them.
-pub(super) fn length(module: &Module<'_>, lengths: Option<&Function>, fixed: f64) -> Length {
-    let otherwise = module.float(fixed);
-    let Some(function) = lengths else {
+pub(super) fn length(module: &Module<'_>, lengths: &Lengths) -> Length {
+    let otherwise = module.float(lengths.nominal);
+    let Some(function) = &lengths.following else {
         return Length {
             statement: TokenStream::new(),
             name: otherwise,
@@ -307,9 +306,12 @@ pub(super) fn length(module: &Module<'_>, lengths: Option<&Function>, fixed: f64
 }
 
 /// The two functions that say by what rows and columns with these quantities are scaled.
-pub(super) fn scales(length: &Length, rows: &[Quantity], columns: &[Quantity]) -> TokenStream {
+pub(super) fn scales(
+    [of_rows, of_columns]: [&Length; 2],
+    [rows, columns]: [&[Quantity]; 2],
+) -> TokenStream {
     let size = count(rows.len());
-    let list = |quantities: &[Quantity]| {
+    let list = |quantities: &[Quantity], length: &Length| {
         let scales: Vec<TokenStream> = quantities
             .iter()
             .map(|it| scale(*it, &length.name))
@@ -325,7 +327,7 @@ pub(super) fn scales(length: &Length, rows: &[Quantity], columns: &[Quantity]) -
             false => quote!(#statement [#(#scales),*]),
         }
     };
-    let (rows, columns) = (list(rows), list(columns));
+    let (rows, columns) = (list(rows, of_rows), list(columns, of_columns));
     quote! {
         fn row_scales(&self) -> [Scalar; #size] {
             #rows
