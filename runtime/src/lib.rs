@@ -101,6 +101,7 @@ pub mod signal;
 pub mod span;
 pub mod substeps;
 pub mod table;
+pub mod thresholds;
 mod vector;
 mod watch;
 mod way;
