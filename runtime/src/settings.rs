@@ -47,7 +47,7 @@ pub struct Settings<T = f64> {
     /// Convergence is quadratic, so one step more, with the newest factorization, as a rule removes all that the tolerance
     /// left.
     pub polish: bool,
-    /// The largest number of attempts of [`crate::follow`] to move on, and the least that it makes is one.
+    /// The largest number of attempts of [`crate::follow`], and of [`crate::Shell::advance`], to move on; the least is one.
     ///
     /// An attempt that fails halves the step. Two attempts are worth about one bit of the time at which a path ends.
     pub substeps: u16,
