@@ -89,6 +89,12 @@ fn a_link_that_leads_nowhere_is_found() {
     assert!(problem(&page, "nowhere.md").is_some());
     assert!(problem(&page, "mechanisms/README.md#nowhere").is_some());
     assert!(problem(&page, "mechanisms/README.md").is_none());
-    assert_eq!(targets("[a](b.md#c) and ![d](e.svg \"f\") or <https://g.h>"), ["b.md#c", "e.svg"]);
-    assert_eq!(anchor("### `unguarded`: no path, π/2"), "unguarded-no-path-π2");
+    assert_eq!(
+        targets("[a](b.md#c) and ![d](e.svg \"f\") or <https://g.h>"),
+        ["b.md#c", "e.svg"]
+    );
+    assert_eq!(
+        anchor("### `unguarded`: no path, π/2"),
+        "unguarded-no-path-π2"
+    );
 }

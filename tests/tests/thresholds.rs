@@ -41,10 +41,10 @@ struct Found {
     unnamed: Vec<(usize, String)>,
 }
 
-/// Tokens as text, without regard to how they were spaced.
+/// Tokens as text, without regard to how they were spaced and whether a list on several lines ends in a comma.
 fn spelled(tokens: &[TokenTree]) -> String {
     let text: TokenStream = tokens.iter().cloned().collect();
-    text.to_string()
+    text.to_string().replace(" ,]", "]")
 }
 
 fn is_mark(token: &TokenTree, mark: char) -> bool {

@@ -28,7 +28,9 @@ fn pages() -> Vec<PathBuf> {
 /// The files of a folder with this extension.
 fn of_kind(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("a folder");
-    let mut paths: Vec<PathBuf> = entries.map(|it| it.expect("it can be read").path()).collect();
+    let mut paths: Vec<PathBuf> = entries
+        .map(|it| it.expect("it can be read").path())
+        .collect();
     paths.retain(|path| path.extension().is_some_and(|it| it == extension));
     paths.sort();
     paths
@@ -117,7 +119,10 @@ fn pictures(folder: &Path, found: &mut Vec<Vec<u8>>) {
 
 /// The pictures that a page shows.
 fn shown(page: &str) -> Vec<&str> {
-    let links = page.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    let links = page
+        .split("](")
+        .skip(1)
+        .filter_map(|rest| rest.split(')').next());
     links.filter(|link| link.ends_with(".svg")).collect()
 }
 
@@ -137,7 +142,8 @@ fn commands_print_what_the_guide_says() {
             match mark {
                 "mech" => {
                     let name = before.strip_prefix('`').and_then(|it| it.split('`').next());
-                    let name = name.unwrap_or_else(|| panic!("{}: no name: {before}", path.display()));
+                    let name =
+                        name.unwrap_or_else(|| panic!("{}: no name: {before}", path.display()));
                     let place = folder.file(name);
                     std::fs::create_dir_all(place.parent().expect("a folder")).expect("made");
                     std::fs::write(place, lines.join("\n") + "\n").expect("written");
