@@ -3,6 +3,9 @@
 //! A block marked `mech` below a line that begins with a file name in backticks is that file. In a block marked `console` each line
 //! after `$` is a command, and what follows is what it prints, line by line; `…` stands for lines that are left out. A picture that
 //! a page shows is one that a command of the guide writes.
+//!
+//! Where the command says something else on purpose, `GUIDE_UPDATE=1 cargo test -p linkwright-cli guide` writes it into the pages: as
+//! many lines as before from each line after a gap on. The changes are to be read like those of a snapshot.
 
 use std::path::{Path, PathBuf};
 
@@ -104,6 +107,33 @@ fn difference(expected: &[&str], printed: &[&str]) -> Option<String> {
     Some(format!("printed beyond: {more}"))
 }
 
+/// What is printed, with the same gaps. Where a gap ends is told by the first line after it; without that, lines stay as they are.
+fn updated<'a>(expected: &[&'a str], printed: &[&'a str]) -> Vec<&'a str> {
+    let (mut found, mut rest) = (Vec::new(), printed);
+    let parts: Vec<&[&str]> = expected.split(|line| *line == "…").collect();
+    for (place, part) in parts.iter().enumerate() {
+        if place > 0 {
+            found.push("…");
+        }
+        let start = match (place, part.first()) {
+            (0, _) => Some(0),
+            (_, Some(first)) => rest.iter().position(|line| line == first),
+            (_, None) => None,
+        };
+        let Some(start) = start else {
+            found.extend(part.iter());
+            continue;
+        };
+        let end = match place + 1 == parts.len() {
+            true => rest.len(),
+            false => rest.len().min(start + part.len()),
+        };
+        found.extend(&rest[start..end]);
+        rest = &rest[end..];
+    }
+    found
+}
+
 /// All pictures in a folder and those in it.
 fn pictures(folder: &Path, found: &mut Vec<Vec<u8>>) {
     for path in of_kind(folder, "svg") {
@@ -128,10 +158,12 @@ fn shown(page: &str) -> Vec<&str> {
 
 #[test]
 fn commands_print_what_the_guide_says() {
+    let updates = std::env::var_os("GUIDE_UPDATE").is_some();
     let (mut ran, mut written, mut wanted) = (0, Vec::new(), Vec::new());
     for path in pages() {
         let page = std::fs::read_to_string(&path).expect("a page");
         let name = path.file_stem().and_then(|it| it.to_str()).expect("a name");
+        let mut rewritten = page.clone();
         let folder = Folder::new(&format!("guide_{name}"), "");
         std::fs::create_dir(folder.file("mechanisms")).expect("a folder");
         for description in of_kind(&repository().join("mechanisms"), "mech") {
@@ -154,14 +186,28 @@ fn commands_print_what_the_guide_says() {
                         let found = Ran::from(output.expect("the command starts"));
                         let text = found.stdout + &found.stderr;
                         let printed: Vec<&str> = text.lines().collect();
-                        if let Some(difference) = difference(&expected, &printed) {
-                            panic!("{}: {command}\n{difference}\n\n{text}", path.display());
-                        }
                         ran += 1;
+                        let Some(difference) = difference(&expected, &printed) else {
+                            continue;
+                        };
+                        assert!(
+                            updates,
+                            "{}: {command}\n{difference}\n\n{text}",
+                            path.display()
+                        );
+                        let block = |lines: &[&str]| {
+                            let lines = lines.iter().map(|line| format!("{line}\n"));
+                            format!("$ {command}\n{}", lines.collect::<String>())
+                        };
+                        let now = block(&updated(&expected, &printed));
+                        rewritten = rewritten.replacen(&block(&expected), &now, 1);
                     }
                 }
                 _ => {}
             }
+        }
+        if rewritten != page {
+            std::fs::write(&path, rewritten).expect("a page can be written");
         }
         let place = path.parent().expect("a folder");
         wanted.extend(shown(&page).into_iter().map(|link| place.join(link)));
@@ -183,5 +229,13 @@ fn gaps_are_gaps_and_nothing_else_is() {
     assert!(difference(&["a", "b", "c"], &printed).is_some());
     assert!(difference(&["…", "d", "…", "a"], &printed).is_some());
     assert!(difference(&["a", "b", "c", "d", "e"], &printed).is_some());
+    assert_eq!(
+        updated(&["x", "…", "c", "y"], &printed),
+        ["a", "…", "c", "d"]
+    );
+    assert_eq!(
+        updated(&["a", "…", "y", "…"], &printed),
+        ["a", "…", "y", "…"]
+    );
     assert_eq!(arguments("linkwright solve a.mech --set 'x = 1'").len(), 4);
 }
