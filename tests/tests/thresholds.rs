@@ -51,10 +51,6 @@ fn is_mark(token: &TokenTree, mark: char) -> bool {
     matches!(token, TokenTree::Punct(it) if it.as_char() == mark)
 }
 
-fn is_word(token: &TokenTree, word: &str) -> bool {
-    matches!(token, TokenTree::Ident(it) if it == word)
-}
-
 /// Whether a type is made of numbers, or is a duration.
 fn is_numeric(kind: &[TokenTree]) -> bool {
     match kind {
