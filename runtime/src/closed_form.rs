@@ -141,6 +141,22 @@ pub fn all_finite<T: Real, const N: usize>(values: &[T; N]) -> bool {
     sums.iter().all(|sum| *sum == T::ZERO)
 }
 
+/// Fails where one of these numbers of a block is not finite.
+///
+/// # Errors
+/// [`FailureKind::NotFinite`].
+#[inline]
+pub fn finite<T: Real, const N: usize>(
+    values: &[T; N],
+    time: T,
+    block: u16,
+) -> Result<(), Failure<T>> {
+    match all_finite(values) {
+        true => Ok(()),
+        false => Err(failed(FailureKind::NotFinite, time, block)),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

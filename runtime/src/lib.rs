@@ -116,6 +116,8 @@ pub use closeness::Closeness;
 pub use equations::Equations;
 pub use explained::{BlockName, Explained};
 pub use failure::{Failure, FailureKind};
+#[doc(hidden)]
+pub use generated::Mode;
 pub use generated::{double, single};
 pub use guard::{Guard, Pair};
 pub use kinematics::{Frame, advance, assemble};

@@ -1,8 +1,8 @@
 //! *An expression of t as text* → *its value and its derivatives at any t*, by differentiation of the expression.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::expr::{ExprId, Graph, Tape};
 use linkwright_codegen::read;
+use linkwright_codegen::stages::expr::{ExprId, Graph, Tape};
 
 /// A driven angle as a function of t, with its derivatives.
 pub struct Motion {

@@ -2,7 +2,7 @@
 //! that each statement of a test is made about both.
 
 use linkwright::{Equations, Frame, Motion, Settings, Step, newton};
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector, Dyn};
 

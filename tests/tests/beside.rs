@@ -2,7 +2,7 @@
 
 use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::given::InputSignals;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_tests::hunt::paths::families::{course, junk, with};

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::expr::Tape;
 use linkwright_codegen::read;
+use linkwright_codegen::stages::expr::Tape;
 
 use linkwright_tests::files;
 use linkwright_tests::law::Motion;

@@ -1,7 +1,7 @@
 //! What the blocks are called, and what is said of them where they are singular, for every described mechanism.
 
-use linkwright_codegen::emit::{Notation, derivation};
-use linkwright_codegen::{program, structure};
+use linkwright_codegen::stages::emit::{Notation, derivation};
+use linkwright_codegen::stages::{program, structure};
 use linkwright_tests::{description, files};
 
 /// `NAME: block NAME, singular WORDS`, a line for each block that can be singular.

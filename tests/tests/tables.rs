@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use linkwright_codegen::expr::Tape;
+use linkwright_codegen::stages::expr::Tape;
 
 use linkwright_tests::description;
 use linkwright_tests::law::Motion;

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use linkwright::{
     BlockName, Blocks, Equations, Failure, Given, Motion, Pair, Span, Start, block, path,
 };
-use linkwright_codegen::emit::derivation::SingularPose;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::emit::derivation::SingularPose;
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::diagnosis::cause;

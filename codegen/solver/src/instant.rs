@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use linkwright::Frame;
-use linkwright_codegen::expr::SymbolId;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::SymbolId;
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DVector, Dyn};
 
 use crate::given::{InputSignals, ParameterValues};

@@ -14,12 +14,14 @@ use linkwright::{
     BlockName, Blocks, Branch, Failure, FailureKind, Frame, Given, Measure, Motion, Pair, Span,
     Start, Tube, Values, block, kinematics,
 };
-use linkwright_codegen::emit::Notation;
-use linkwright_codegen::emit::derivation::{BlockWords, SingularPose, block_words, singular_poses};
-use linkwright_codegen::expr::{Code, ExprId, Recorder, Register, SymbolId, Tape};
-use linkwright_codegen::program::{Program, Statement, lower_with_unknowns};
-use linkwright_codegen::structure::{self, SolvedPlan};
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::emit::Notation;
+use linkwright_codegen::stages::emit::derivation::{
+    BlockWords, SingularPose, block_words, singular_poses,
+};
+use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId, Tape};
+use linkwright_codegen::stages::program::{Program, Statement, lower_with_unknowns};
+use linkwright_codegen::stages::structure::{self, SolvedPlan};
+use linkwright_codegen::stages::system::System;
 
 use crate::assemblies::assemblies;
 use crate::derivatives::{Derivative, of_program};

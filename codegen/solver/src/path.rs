@@ -4,9 +4,9 @@
 
 use linkwright::span::{isolate_all, required};
 use linkwright::{Pair, Span, Tube};
-use linkwright_codegen::expr::{Code, Recorder, Register, SymbolId};
-use linkwright_codegen::program::Program;
-use linkwright_codegen::system::{SymbolRole, System};
+use linkwright_codegen::stages::expr::{Code, Recorder, Register, SymbolId};
+use linkwright_codegen::stages::program::Program;
+use linkwright_codegen::stages::system::{SymbolRole, System};
 use nalgebra::{DMatrix, DVector};
 
 use crate::given::InputSignals;

@@ -8,9 +8,9 @@ use std::cell::RefCell;
 
 use linkwright::contact::pressure_angle;
 use linkwright::{Equations, Failure, Frame, Motion, Settings, kinematics};
-use linkwright_codegen::expr::{ExprId, SymbolId, Tape};
-use linkwright_codegen::model::Requested;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::{ExprId, SymbolId, Tape};
+use linkwright_codegen::stages::model::Requested;
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::given::{InputSignals, ParameterValues};
@@ -92,7 +92,7 @@ impl TextbookEquations {
             "a system must pass `check` before it is solved"
         );
         let graph = &system.mechanism.graph;
-        let rows = |pick: fn(&linkwright_codegen::system::Row) -> ExprId| {
+        let rows = |pick: fn(&linkwright_codegen::stages::system::Row) -> ExprId| {
             let roots: Vec<ExprId> = system.rows.iter().map(pick).collect();
             Tape::new(graph, &roots)
         };

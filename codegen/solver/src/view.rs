@@ -1,8 +1,8 @@
 //! What can be solved and reported on, whichever equations it is solved by.
 
 use linkwright::{Blocks, Failure, Motion};
-use linkwright_codegen::emit::derivation::SingularPose;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::emit::derivation::SingularPose;
+use linkwright_codegen::stages::system::System;
 
 use crate::given::{InputLaws, InputSignals, ModeName, Modes, ParameterValues, Pose};
 use crate::instant::{Instant, Layout};

@@ -22,6 +22,7 @@ mod live;
 mod marks;
 mod motions;
 mod names;
+mod naming;
 mod not_finite;
 mod operands;
 mod points;
@@ -40,9 +41,8 @@ pub(crate) use bounds::beyond_bounds;
 pub use dimension::Dimension;
 pub(crate) use given::field_name;
 pub use motions::resolve;
-pub use resolve::type_name;
+pub use naming::Naming;
 pub use setting::set;
-pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SplineId, SymbolId};
@@ -60,6 +60,8 @@ pub struct Mechanism {
     pub docs: Vec<String>,
     /// Where the name stands.
     pub span: Span,
+    /// What names must be like.
+    pub naming: &'static Naming,
     /// The arena of every expression below.
     pub graph: Graph,
     /// The time t, in s.

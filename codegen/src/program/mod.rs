@@ -25,13 +25,11 @@ mod transmissions;
 
 pub use addends::{Addend, Compared, Power, addends, compared};
 pub use block::{Block, Branch, Measured, NewtonBlock, PageName};
-pub use builder::{Builder, Direction};
-pub use function::{Function, Level, Statement, Written};
+pub use function::{Function, Level, Statement};
 pub use lower::{forms_of, lower, lower_with_unknowns, whole};
 pub use outputs::Output;
-pub use passes::constants::{Constant, ConstantPart, Constants};
+pub use passes::constants::{ConstantPart, Constants};
 pub use passes::costs::{LARGEST_PRODUCT, Operations};
-pub use passes::enclosure::Span;
 pub use path::Path;
 pub use requirements::Requirements;
 pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};

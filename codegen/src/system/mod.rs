@@ -22,10 +22,8 @@ mod written_order;
 
 pub use assemble::{assemble, assemble_without};
 pub use direction::{Cause, Direction};
-pub use orientation::Orientations;
 pub use pressure::Pressure;
-pub use turned::Turned;
-pub use vector_form::{Arm, Unknown, VectorForm, VectorRow};
+pub use vector_form::{Arm, Unknown, VectorForm};
 pub use vector_sum::VectorTerm;
 pub use written_order::WrittenOrder;
 

@@ -13,7 +13,7 @@ use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{BodyId, Frame, Mark, Vector, turned};
 use crate::joint::{Kind, Quantity, Resolved, Row};
-use crate::model::{Body, Joint, Mechanism, Role, apart};
+use crate::model::{Body, Joint, Mechanism, Naming, Role};
 
 /// The vector form of a mechanism.
 #[derive(Clone, Debug)]
@@ -28,6 +28,7 @@ pub struct VectorForm {
     pub orientations: Orientations,
     /// r + arm of each declared point, in the mechanism's order.
     pub points: Vec<Vector>,
+    naming: &'static Naming,
     /// d/dt of each symbol that moves.
     rates: HashMap<SymbolId, ExprId>,
     // Looked up, never iterated.
@@ -105,6 +106,7 @@ impl VectorForm {
             arms: Vec::new(),
             orientations: Orientations::new(mechanism.bodies.len(), &mechanism.graph),
             points: Vec::new(),
+            naming: mechanism.naming,
             rates: HashMap::new(),
             arm_places: HashMap::new(),
             auxiliary_places: HashMap::new(),
@@ -319,7 +321,7 @@ impl VectorForm {
                     .any(|axis| names.contains(&format!("{name}_{axis}")))
         };
         // The symbols are told apart by these names, so no two arms may share one.
-        let base = apart(name, "point");
+        let base = (self.naming.apart)(name, "point");
         let mut name = base.clone();
         let mut number = self.name_numbers.get(&base).copied().unwrap_or(2);
         while taken(&name) {

@@ -1,25 +1,30 @@
 //! *A scalar* → *everything that generated modules are written with, in this scalar*.
 //!
 //! A generated module begins with `use linkwright::double::*;`, or `single` for f32: types have their scalar already, and what a
-//! module does not mention costs nothing. The macros state what modules repeat of every coordinate, parameter and signal.
+//! module does not mention costs nothing. The macros state what modules repeat.
 
+mod branches;
 mod equations;
+mod frame;
 mod mechanism;
 mod numbers;
+mod textbook;
+
+pub use branches::Mode;
 
 macro_rules! precision {
     ($(#[$docs:meta])* $name:ident, $scalar:ident) => {
         $(#[$docs])*
         pub mod $name {
             pub use crate::closed_form::{
-                all_finite, angle_near, failed, no_span, singular_divisor, spans,
+                angle_near, finite, no_span, singular_divisor, spans,
             };
             pub use crate::contact::pressure_angle;
             pub use crate::linear::Factorization;
             pub use crate::scale::largest_length;
             pub use crate::span::{isolate, required};
             pub use crate::{
-                BlockEquations, BlockName, Blocks, Branch, FailureKind, Mechanism, Shell, Start, block, kinematics, math, newton,
+                BlockEquations, BlockName, Blocks, Branch, Mechanism, Shell, Start, block, kinematics, math, newton,
                 nalgebra::Const,
             };
 
@@ -31,8 +36,6 @@ macro_rules! precision {
             pub type Explained = crate::Explained<'static, Scalar>;
             /// A solve that did not succeed.
             pub type Failure = crate::Failure<Scalar>;
-            /// What one instant is solved with.
-            pub type Given<'a, P, I> = crate::Given<'a, Scalar, P, I>;
             /// A matrix of R rows and C columns.
             pub type Matrix<const R: usize, const C: usize> = crate::nalgebra::SMatrix<Scalar, R, C>;
             /// How far a block is from singular.

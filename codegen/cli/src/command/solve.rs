@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use linkwright::Blocks;
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::model::set;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::model::set;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::dense::Dense;
 use linkwright_solver::given::Modes;
 use linkwright_solver::instant::Instant;

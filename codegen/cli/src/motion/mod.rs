@@ -13,7 +13,7 @@ use std::io;
 
 use linkwright::{Motion, Shell};
 use linkwright_codegen::diagnostic::nearest;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::approach::Watch;
 use linkwright_solver::condition::{Condition, dimensionless, jacobian};
 use linkwright_solver::given::{Modes, Numbers};

@@ -19,7 +19,7 @@
 use std::io::{self, Write};
 
 use linkwright::Motion;
-use linkwright_codegen::model::Role;
+use linkwright_codegen::stages::model::Role;
 use linkwright_solver::check::equation_count;
 use linkwright_solver::pressure::LargestPressureAngle;
 use linkwright_solver::residuals::Residuals;

@@ -6,7 +6,7 @@ use quote::quote;
 use super::docs::doc_lines;
 use super::layout::Verbatim;
 use super::module::{Module, derives};
-use super::scope::identifier;
+use super::names::identifier;
 use crate::system::{Coordinate, Described, System};
 
 /// `struct Coordinates` with its names and the drawn pose.
@@ -26,7 +26,7 @@ pub(super) fn coordinates(module: &Module<'_>) -> TokenStream {
         let drawn = system.mechanism.graph.constant_value(coordinate.estimate);
         let (name, value) = (
             identifier(&coordinate.name),
-            module.float(drawn.unwrap_or(0.0)),
+            module.number(drawn.unwrap_or(0.0)),
         );
         text.line(format!("{name} = {value},"));
     }

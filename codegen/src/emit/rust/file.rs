@@ -8,7 +8,7 @@ use super::given;
 use super::layout::{comment, laid_out};
 use super::literal::Scalar;
 use super::module::Module;
-use super::scope::identifier;
+use super::names::identifier;
 use crate::program::Program;
 use crate::structure::SolvedPlan;
 use crate::system::System;

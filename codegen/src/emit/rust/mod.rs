@@ -12,10 +12,12 @@ mod file;
 mod frame;
 mod given;
 mod layout;
+mod lines;
 mod lints;
 mod literal;
 mod markdown;
 mod module;
+mod names;
 mod newton;
 mod path;
 mod points;
@@ -28,3 +30,4 @@ mod transmission;
 
 pub use file::file;
 pub use literal::Scalar;
+pub use names::{NAMING, type_name};

@@ -5,13 +5,12 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
+use super::layout::Verbatim;
 use super::literal::Scalar;
-use super::scope::{identifier, spelled};
-use super::{
-    block, coordinates, explained, frame, given, lints, newton, path, shell, tables, textbook,
-};
+use super::names::identifier;
+use super::names::spelled;
+use super::{block, coordinates, explained, frame, given, newton, path, shell, tables, textbook};
 use crate::emit::derivation::{self, BlockWords, PlainWords, SingularPose};
-use crate::emit::rust::docs::docs;
 use crate::emit::{Notation, report, text};
 use crate::expr::SymbolId;
 use crate::model::Role;
@@ -74,6 +73,11 @@ impl<'a> Module<'a> {
     /// A number.
     pub(super) fn float(&self, value: f64) -> TokenStream {
         self.scalar.literal(value)
+    }
+
+    /// A number as it is written.
+    pub(super) fn number(&self, value: f64) -> String {
+        self.float(value).to_string().replace("- ", "-")
     }
 
     /// `q`, `qd` or `qdd` and the coordinate's name.
@@ -140,14 +144,16 @@ impl<'a> Module<'a> {
         let mut parts = vec![
             coordinates::coordinates(self),
             given::structures(self, owns_parameters),
-            textbook::textbook(self),
+            textbook::functions(self),
             frame::frame(self),
             block::branches(self),
             explained::block_names(self),
+            textbook::characteristic_length(self),
             newton::equations(self),
             block::functions(self),
             path::path(self),
             shell::mechanism(self),
+            textbook::dense(self),
         ];
         let mentioned = identifiers(&parts);
         let constants = self.constants(&mentioned);
@@ -162,15 +168,22 @@ impl<'a> Module<'a> {
     /// The named constants that the code mentions; what of the solved view is left out may have been all that needed one.
     fn constants(&self, mentioned: &HashSet<String>) -> TokenStream {
         let list = self.program.constants.list().iter();
-        let used = list.filter(|constant| mentioned.contains(&constant.name));
-        let constants = used.map(|constant| {
+        let mut used = list
+            .filter(|constant| mentioned.contains(&constant.name))
+            .peekable();
+        if used.peek().is_none() {
+            return TokenStream::new();
+        }
+        let mut text = Verbatim::default();
+        text.open("::linkwright::constants! {");
+        for constant in used {
             let exact = text::constant(self.system, &constant.part);
-            let text = docs(exact.map(|exact| format!("`{exact}`")));
-            let (name, value) = (identifier(&constant.name), self.float(constant.value));
-            let allow = lints::approximate(&value);
-            quote!(#text #allow const #name: Scalar = #value;)
-        });
-        constants.collect()
+            let exact = exact.map_or(String::new(), |exact| format!(" // {exact}"));
+            let (name, value) = (identifier(&constant.name), self.number(constant.value));
+            text.line(format!("{name} = {value},{exact}"));
+        }
+        text.close("}");
+        text.item()
     }
 
     /// Lines of text that say what the module computes and what it costs.

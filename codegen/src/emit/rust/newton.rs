@@ -7,8 +7,9 @@ use super::docs::docs;
 use super::lints;
 use super::literal::count;
 use super::module::{Module, only};
-use super::scope::{Place, Reads, Scope, identifier};
-use super::textbook::{length, scales};
+use super::names::identifier;
+use super::scope::{Place, Reads, Scope};
+use super::textbook::scales;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
 use crate::program::{Block, Function, NewtonBlock, Statement};
@@ -31,7 +32,7 @@ fn tears<'a>(newton: &NewtonBlock, module: &'a Module<'_>) -> Vec<&'a Unknown> {
 
 /// `LoopPQR` of the block `loop_p_q_r`.
 fn type_name(block: &Block) -> Ident {
-    format_ident!("{}", crate::model::type_name(&block.name))
+    format_ident!("{}", super::names::type_name(&block.name))
 }
 
 /// What the equations of a block read of what was found before it and of what is given.
@@ -122,8 +123,20 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
     let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
     let columns: Vec<Quantity> = tears.iter().map(|it| it.quantity).collect();
-    let length = length(module, lengths, module.system.characteristic_length());
-    let scales = scales(&length, &newton.quantities, &columns);
+    let length = match lengths {
+        Some(_) => quote!(length),
+        None => module.float(module.system.characteristic_length()),
+    };
+    let scaled = |quantities: &[Quantity]| {
+        let scales = scales(quantities, &length);
+        let reads = lengths.is_some() && quantities.iter().any(|it| it.power_of_length() != 0);
+        let length = only(
+            reads,
+            quote!(let length = characteristic_length(self.parameters);),
+        );
+        quote!(#length #scales)
+    };
+    let (row_scales, column_scales) = (scaled(&newton.quantities), scaled(&columns));
     let angles = angles(&columns);
     let found = listed(newton, module);
     let title = docs([format!("The equations of `{}` for {found}.", block.name)]);
@@ -154,7 +167,14 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
                 [#(#gamma),*]
             }
 
-            #scales
+            fn row_scales(&self) -> [Scalar; #size] {
+                #row_scales
+            }
+
+            fn column_scales(&self) -> [Scalar; #size] {
+                #column_scales
+            }
+
             #angles
         }
     };

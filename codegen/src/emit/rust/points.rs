@@ -6,7 +6,8 @@ use quote::quote;
 use super::docs::docs;
 use super::literal::count;
 use super::module::Module;
-use super::scope::{Place, Scope, identifier};
+use super::names::identifier;
+use super::scope::{Place, Scope};
 use crate::program::{Function, Output};
 use crate::system::Pressure;
 
