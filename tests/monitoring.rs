@@ -56,7 +56,7 @@ pub fn write(folders: &[&str]) {
         ));
         let of = type_name(&own);
         list.push_str(&format!(
-            "    ({name:?}, |times| measures::<{name}::{of}>(times, |it| (it.closeness_of_each().to_vec(), it.closeness()))),\n"
+            "    ({name:?}, |times| measures::<{name}::{of}>(times, |it| (it.normalized_determinants().to_vec(), it.smallest_determinant()))),\n"
         ));
     }
     linkwright_codegen::build(&descriptions);

@@ -41,7 +41,7 @@ fn assert_motion(found: [f64; 3], wanted: [f64; 3], scale: f64, place: &str) {
 }
 
 /// The y components of a motion.
-fn vertical(motion: &linkwright::Motion) -> [f64; 3] {
+fn vertical(motion: &linkwright::PointMotion) -> [f64; 3] {
     [
         motion.position[1],
         motion.velocity[1],

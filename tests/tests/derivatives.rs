@@ -312,7 +312,7 @@ impl Solver for Planted {
         self.0.frame()
     }
 
-    fn point(&self, name: &str) -> linkwright::Motion {
+    fn point(&self, name: &str) -> linkwright::PointMotion {
         self.0.point(name)
     }
 

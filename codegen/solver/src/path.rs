@@ -9,10 +9,10 @@ use linkwright_codegen::stages::program::Program;
 use linkwright_codegen::stages::system::{SymbolRole, System};
 use nalgebra::{DMatrix, DVector};
 
-use crate::given::InputSignals;
 use crate::instant::{Instant, Layout};
 use crate::interpreted::Interpreted;
 use crate::operation::{Operation, Writer, run};
+use crate::supplied::InputSignals;
 
 /// The path of a mechanism.
 #[derive(Clone, Debug)]
@@ -122,7 +122,7 @@ impl InterpretedPath {
         for (register, value) in self.span.iter().zip(spans) {
             registers[register.index()] = value;
         }
-        let inputs = [pair.before, pair.given.inputs];
+        let inputs = [pair.before, pair.conditions.inputs];
         for operation in &self.operations {
             self.show(operation, registers, inputs, span)?;
         }

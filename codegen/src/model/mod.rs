@@ -14,17 +14,17 @@ mod declarations;
 mod dimension;
 mod equation;
 mod expression;
-mod given;
 mod joints;
+mod kinematic;
 mod law;
 mod lines;
-mod live;
 mod marks;
 mod motions;
-mod names;
+mod namespace;
 mod naming;
 mod not_finite;
 mod operands;
+mod parameters;
 mod points;
 mod request;
 mod resolve;
@@ -39,14 +39,14 @@ mod wish;
 
 pub(crate) use bounds::beyond_bounds;
 pub use dimension::Dimension;
-pub(crate) use given::field_name;
 pub use motions::resolve;
 pub use naming::Naming;
+pub(crate) use parameters::field_name;
 pub use setting::set;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SplineId, SymbolId};
-use crate::joint::geometry::{Frame, Mark, Vector};
+use crate::joint::geometry::{BodyFrame, Mark, Vector};
 use crate::joint::{Kind, Resolved};
 
 /// A resolved mechanism.
@@ -174,11 +174,11 @@ pub struct Body {
     /// Where its name stands.
     pub span: Span,
     /// Its frame in terms of its coordinates; constants for the ground.
-    pub frame: Frame,
+    pub frame: BodyFrame,
     /// Its coordinates x, y, φ; none for the ground.
     pub coordinates: Option<[SymbolId; 3]>,
     /// Its estimated pose (x, y, φ) in the drawing.
-    pub drawn: Frame,
+    pub drawn: BodyFrame,
     /// The points it carries, in written order.
     pub marks: Vec<NamedMark>,
 }

@@ -6,9 +6,9 @@
 
 use super::Mechanism;
 use super::bounds::beyond_bounds;
-use super::given::unused;
-use super::names::Names;
+use super::namespace::Namespace;
 use super::naming::Naming;
+use super::parameters::unused;
 use super::resolve::resolve_statements;
 use crate::diagnostic::{Diagnostics, merged};
 use crate::expr::{Excess, LARGEST_STORE};
@@ -69,7 +69,7 @@ pub fn resolve(
 
 /// Every motion becomes a part of the output, so its name must be one, and no other's.
 fn check_names(document: &Document, naming: &Naming, diagnostics: &mut Diagnostics) {
-    let mut declared = Names::new("motion");
+    let mut declared = Namespace::new("motion");
     for motion in document.mechanism.motions() {
         // A name that is missing has been reported.
         if motion.name.text.is_empty() {

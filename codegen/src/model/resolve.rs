@@ -6,17 +6,17 @@ use super::bounds::beyond_bounds;
 use super::carriers::Carriers;
 use super::curve::{self, DrawnCurve};
 use super::expression::{BUILT_IN, Value, listed};
-use super::given::Fields;
+use super::kinematic::KinematicTerms;
 use super::lines::APART;
-use super::live::Live;
-use super::names::Names;
+use super::namespace::Namespace;
 use super::naming::Naming;
+use super::parameters::Fields;
 use super::request::Named;
 use super::slug::Slugs;
 use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter, Table};
 use crate::diagnostic::{Attachment, Code, Diagnostic, Diagnostics, Span, Suggestions};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{BodyId, Frame, Mark, Vector, subtract};
+use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector, subtract};
 use crate::syntax::{self, WishKind};
 
 /// A point of the drawing.
@@ -31,7 +31,7 @@ pub(super) struct Resolver<'a> {
     pub graph: Graph,
     pub time: SymbolId,
     /// Constants, parameters and inputs.
-    pub constants: Names<Value>,
+    pub constants: Namespace<Value>,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
     /// The place of the input that a symbol is the value of; only looked up.
@@ -42,24 +42,24 @@ pub(super) struct Resolver<'a> {
     /// Every symbol that some expression mentions by the name of a constant, a parameter or an input; only looked up.
     pub mentioned: HashSet<SymbolId>,
     /// Tables: places in the list below; nothing where the statement has an error.
-    pub table_names: Names<Option<usize>>,
+    pub table_names: Namespace<Option<usize>>,
     pub tables: Vec<Table>,
-    pub drawn: Names<DrawnPoint>,
+    pub drawn: Namespace<DrawnPoint>,
     /// Curves; nothing where the statement has an error.
-    pub curves: Names<Option<DrawnCurve>>,
+    pub curves: Namespace<Option<DrawnCurve>>,
     /// The choices around the formula that is read: each condition, and whether the formula stands where it is negative.
     pub choices: Vec<(ExprId, bool)>,
     /// The parameter of the curve whose formula is read.
     pub parameter: Option<curve::Parameter>,
     /// The first body in the whole description that carries a point of each name, and where it lists it; only looked up.
     pub carried: HashMap<&'a str, (&'a str, Span)>,
-    pub body_ids: Names<BodyId>,
+    pub body_ids: Namespace<BodyId>,
     /// The names that drivers were given.
-    pub drivers: Names<()>,
+    pub drivers: Namespace<()>,
     /// The names that equations were given.
-    pub equations: Names<()>,
+    pub equations: Namespace<()>,
     /// What the equation that is being read mentions; `None` elsewhere, where nothing moves but by t.
-    pub live: Option<Live>,
+    pub kinematic: Option<KinematicTerms>,
     pub bodies: Vec<Body>,
     /// The body and the axis of each coordinate; only looked up.
     pub coordinate_places: HashMap<SymbolId, (BodyId, usize)>,
@@ -203,7 +203,7 @@ impl<'a> Resolver<'a> {
         diagnostics: &'a mut Diagnostics,
     ) -> Resolver<'a> {
         let zero = graph.zero();
-        let ground_frame = Frame {
+        let ground_frame = BodyFrame {
             body: BodyId::GROUND,
             origin: [zero, zero],
             angle: zero,
@@ -211,24 +211,24 @@ impl<'a> Resolver<'a> {
         let mut resolver = Resolver {
             graph,
             time,
-            constants: Names::new("constant"),
+            constants: Namespace::new("constant"),
             parameters: Vec::new(),
             inputs: Vec::new(),
             input_places: HashMap::new(),
             fields: Fields::new(),
             table_fields: HashMap::new(),
             mentioned: HashSet::new(),
-            table_names: Names::new("table"),
+            table_names: Namespace::new("table"),
             tables: Vec::new(),
-            drawn: Names::new("point"),
-            curves: Names::new("curve"),
+            drawn: Namespace::new("point"),
+            curves: Namespace::new("curve"),
             choices: Vec::new(),
             parameter: None,
             carried: HashMap::new(),
-            body_ids: Names::new("body"),
-            drivers: Names::new("driver"),
-            equations: Names::new("equation"),
-            live: None,
+            body_ids: Namespace::new("body"),
+            drivers: Namespace::new("driver"),
+            equations: Namespace::new("equation"),
+            kinematic: None,
             bodies: vec![Body {
                 name: "ground".to_string(),
                 docs: Vec::new(),
@@ -391,7 +391,7 @@ impl Resolver<'_> {
         let symbols = coordinate_names(&name.text).map(|name| self.graph.symbol(&name));
         let [x, y, phi] = symbols.map(|symbol| self.graph.variable(symbol));
         let drawn = self.drawn_pose(body, id);
-        let frame = Frame {
+        let frame = BodyFrame {
             body: id,
             origin: [x, y],
             angle: phi,
@@ -439,7 +439,7 @@ impl Resolver<'_> {
     }
 
     /// The pose in which a body is drawn.
-    fn drawn_pose(&mut self, body: &syntax::Body, id: BodyId) -> Frame {
+    fn drawn_pose(&mut self, body: &syntax::Body, id: BodyId) -> BodyFrame {
         let zero = self.graph.zero();
         let origin = match &body.origin {
             syntax::Origin::Coordinates(pair) => self.pair(pair),
@@ -452,7 +452,7 @@ impl Resolver<'_> {
             }
             syntax::Orientation::Facing(direction) => self.facing(direction).unwrap_or(zero),
         };
-        Frame {
+        BodyFrame {
             body: id,
             origin,
             angle,
@@ -474,7 +474,12 @@ impl Resolver<'_> {
         Some(self.graph.atan2(along[1], along[0]))
     }
 
-    fn member(&mut self, member: &syntax::Member, frame: Frame, drawn: Frame) -> Option<NamedMark> {
+    fn member(
+        &mut self,
+        member: &syntax::Member,
+        frame: BodyFrame,
+        drawn: BodyFrame,
+    ) -> Option<NamedMark> {
         match member {
             syntax::Member::Local {
                 docs,

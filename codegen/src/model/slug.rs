@@ -6,7 +6,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::Role;
-use super::operands::Given;
+use super::operands::WrittenJoint;
 use super::resolve::Resolver;
 
 /// The slugs of all joints so far; only looked up.
@@ -41,7 +41,7 @@ impl Slugs {
 
 impl Resolver<'_> {
     /// A lower-case identifier for the rows of a joint.
-    pub(super) fn unique_slug(&mut self, given: &Given<'_>) -> String {
+    pub(super) fn unique_slug(&mut self, given: &WrittenJoint<'_>) -> String {
         let mut words: Vec<String> = Vec::new();
         match given.name {
             Some(name) => words.push(name.text.clone()),

@@ -11,7 +11,7 @@ use super::mark_names::MarkNames;
 use super::orientation::Orientations;
 use super::{Coordinate, SymbolRole};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{BodyId, Frame, Mark, Vector, turned};
+use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector, turned};
 use crate::joint::{Kind, Quantity, Resolved, Row};
 use crate::model::{Body, Joint, Mechanism, Naming, Role};
 
@@ -395,9 +395,15 @@ impl VectorForm {
     }
 
     /// R s as an arm of the leader, or a constant vector on a body that does not turn.
-    fn turned(&mut self, frame: &Frame, local: Vector, name: &str, graph: &mut Graph) -> Vector {
+    fn turned(
+        &mut self,
+        frame: &BodyFrame,
+        local: Vector,
+        name: &str,
+        graph: &mut Graph,
+    ) -> Vector {
         let (leader, offset) = self.orientations.leader(frame.body);
-        let toward_leader = Frame {
+        let toward_leader = BodyFrame {
             angle: offset,
             ..*frame
         };

@@ -18,7 +18,7 @@ macro_rules! mechanism {
         $(requirements: $requirements:ident;)?
     ) => {
         /// What one instant is solved with.
-        type Given<'a> = $crate::Given<
+        type Conditions<'a> = $crate::Conditions<
             'a,
             Scalar,
             $crate::or_unit!(@type $($parameters)?),
@@ -81,9 +81,9 @@ macro_rules! mechanism {
                 at: &mut Frame,
                 last: &Frame,
                 branches: &mut Branches,
-                given: &Given<'_>,
+                conditions: &Conditions<'_>,
             ) -> Result<(), Failure> {
-                solve(at, last, branches, given)
+                solve(at, last, branches, conditions)
             }
 
             #[inline]
@@ -128,7 +128,7 @@ macro_rules! mechanism {
                 POINTS.get(index).map(|(name, _)| *name)
             }
 
-            fn point(&self, frame: &Frame, index: usize) -> Option<Motion> {
+            fn point(&self, frame: &Frame, index: usize) -> Option<PointMotion> {
                 POINTS.get(index).map(|(_, motion)| motion(frame))
             }
 

@@ -31,7 +31,7 @@ macro_rules! precision {
             /// The scalar of everything in this module.
             pub type Scalar = $scalar;
             /// How close a block is to a singular pose.
-            pub type Closeness = crate::Closeness<Scalar>;
+            pub type NormalizedDeterminant = crate::NormalizedDeterminant<Scalar>;
             /// A failure with the name of its block.
             pub type Explained = crate::Explained<'static, Scalar>;
             /// A solve that did not succeed.
@@ -41,9 +41,9 @@ macro_rules! precision {
             /// How far a block is from singular.
             pub type Measure = crate::Measure<Scalar>;
             /// Position, velocity and acceleration of a point.
-            pub type Motion = crate::Motion<Scalar>;
+            pub type PointMotion = crate::PointMotion<Scalar>;
             /// A point's name, and the method of the frames F that gives its motion.
-            pub type NamedPoint<F> = (&'static str, fn(&F) -> Motion);
+            pub type NamedPoint<F> = (&'static str, fn(&F) -> PointMotion);
             /// The limits within which a solve must succeed.
             pub type Settings = crate::Settings<Scalar>;
             /// A quantity that is supplied with its rate and acceleration.

@@ -9,7 +9,7 @@ use std::cell::RefCell;
 
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
 use linkwright_codegen::stages::program::{
-    Block, Branch, Function, Level, NewtonBlock, Statement, whole,
+    Block, Branch, Function, Level, NewtonBlock, Statement, unpruned,
 };
 use linkwright_codegen::stages::structure;
 use linkwright_codegen::stages::system::System;
@@ -45,7 +45,7 @@ impl Blocks {
         system.mechanism.transmissions.clear();
         system.directions.clear();
         let plan = structure::plan_of_motion(&mut system)?;
-        let (blocks, branches) = whole(&mut system, &plan);
+        let (blocks, branches) = unpruned(&mut system, &plan);
         Some(Blocks {
             system,
             blocks,

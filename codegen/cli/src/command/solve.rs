@@ -8,10 +8,10 @@ use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::model::set;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::dense::Dense;
-use linkwright_solver::given::Modes;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::schedule::Schedule;
+use linkwright_solver::supplied::Modes;
 use linkwright_solver::view::View;
 use linkwright_solver::wishes::Wishes;
 

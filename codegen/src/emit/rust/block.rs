@@ -26,7 +26,7 @@ struct Needs {
     /// Whether it finds its own mode.
     finds_branch: bool,
     /// Time, parameters, inputs, settings and what the last frame is.
-    given: bool,
+    conditions: bool,
     /// Whether a failure says the time.
     time: bool,
     fails: bool,
@@ -45,7 +45,7 @@ impl Needs {
             branches: newton || reads.branches,
             finds_branch: newton,
             time: checks || module.is_large() || reads.time,
-            given: fails || reads.time || reads.parameters || reads.inputs,
+            conditions: fails || reads.time || reads.parameters || reads.inputs,
             fails,
         }
     }
@@ -61,7 +61,11 @@ impl Needs {
                 quote!(branches: &#exclusive Branches),
                 quote!(branches),
             ),
-            (self.given, quote!(given: &Given<'_>), quote!(given)),
+            (
+                self.conditions,
+                quote!(conditions: &Conditions<'_>),
+                quote!(conditions),
+            ),
         ];
         let needed = arguments.into_iter().filter(|(is_needed, ..)| *is_needed);
         let (declared, passed): (Vec<_>, Vec<_>) = needed
@@ -117,7 +121,7 @@ pub(super) fn functions(module: &Module<'_>) -> TokenStream {
         let taken: Vec<TokenStream> = taken.map(|(_, name)| name).collect();
         let take = only(
             !taken.is_empty(),
-            quote!(let &Given { #(#taken,)* .. } = given;),
+            quote!(let &Conditions { #(#taken,)* .. } = conditions;),
         );
         let body = match needs.fails {
             true => quote! {

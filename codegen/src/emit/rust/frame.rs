@@ -3,13 +3,13 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::closeness::closeness;
 use super::docs::docs;
-use super::given::is_given;
 use super::layout::Verbatim;
 use super::lints;
 use super::module::{Module, derives, only};
 use super::names::identifier;
+use super::normalized_determinant::smallest_determinant;
+use super::parameters::is_given;
 use super::points;
 use super::sensitivity::{sensitivities, structures};
 use super::transmission::transmissions;
@@ -30,7 +30,7 @@ pub(super) fn frame(module: &Module<'_>) -> TokenStream {
         methods,
         transmissions(module),
         sensitivities(module),
-        closeness(module),
+        smallest_determinant(module),
     ];
     let structure = structure(module);
     let implementation = quote!(impl Frame { #(#offered)* });
@@ -54,7 +54,8 @@ fn structure(module: &Module<'_>) -> TokenStream {
     let names: Vec<String> = own
         .map(|&symbol| module.field_name(symbol).to_string())
         .collect();
-    let (title, held, numbers) = match (module.is_whole(), module.frame_keeps_parameters()) {
+    let (title, held, numbers) = match (module.holds_coordinates(), module.frame_keeps_parameters())
+    {
         (true, true) => (
             "One solved instant.",
             "q, qd, qdd, parameters",
@@ -131,8 +132,8 @@ fn method(output: &Output, module: &Module<'_>) -> TokenStream {
                     [position, velocity, acceleration].map(pair);
                 quote! {
                     #text
-                    pub fn #function(&self) -> Motion {
-                        Motion { position: #position, velocity: #velocity, acceleration: #acceleration }
+                    pub fn #function(&self) -> PointMotion {
+                        PointMotion { position: #position, velocity: #velocity, acceleration: #acceleration }
                     }
                 }
             }

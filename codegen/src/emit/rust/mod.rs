@@ -3,14 +3,12 @@
 //! The file needs `linkwright` and nothing else, neither allocates nor panics, and is the same bytes on every run.
 
 mod block;
-mod closeness;
 mod coordinates;
 mod docs;
 mod explained;
 mod expression;
 mod file;
 mod frame;
-mod given;
 mod layout;
 mod lines;
 mod lints;
@@ -19,6 +17,8 @@ mod markdown;
 mod module;
 mod names;
 mod newton;
+mod normalized_determinant;
+mod parameters;
 mod path;
 mod points;
 mod scope;

@@ -9,7 +9,9 @@ use super::layout::Verbatim;
 use super::literal::Scalar;
 use super::names::identifier;
 use super::names::spelled;
-use super::{block, coordinates, explained, frame, given, newton, path, shell, tables, textbook};
+use super::{
+    block, coordinates, explained, frame, newton, parameters, path, shell, tables, textbook,
+};
 use crate::emit::derivation::{self, BlockWords, PlainWords, SingularPose};
 use crate::emit::{Notation, report, text};
 use crate::expr::SymbolId;
@@ -61,7 +63,7 @@ impl<'a> Module<'a> {
     }
 
     /// Whether frames hold all coordinates, and not only what is asked for.
-    pub(super) fn is_whole(&self) -> bool {
+    pub(super) fn holds_coordinates(&self) -> bool {
         self.program.outputs.is_none()
     }
 
@@ -94,12 +96,13 @@ impl<'a> Module<'a> {
 
     /// Whether frames hold a value.
     pub(super) fn is_field(&self, symbol: SymbolId) -> bool {
-        self.is_whole() && self.system.is_coordinate(symbol) || self.program.is_field(symbol)
+        self.holds_coordinates() && self.system.is_coordinate(symbol)
+            || self.program.is_field(symbol)
     }
 
     /// A field of a frame.
     pub(super) fn field(&self, symbol: SymbolId, frame: &Ident) -> TokenStream {
-        match self.coordinate(symbol).filter(|_| self.is_whole()) {
+        match self.coordinate(symbol).filter(|_| self.holds_coordinates()) {
             Some((vector, name)) => quote!(#frame.#vector.#name),
             None => {
                 let name = self.field_name(symbol);
@@ -143,7 +146,7 @@ impl<'a> Module<'a> {
         let precision = self.scalar.precision();
         let mut parts = vec![
             coordinates::coordinates(self),
-            given::structures(self, owns_parameters),
+            parameters::structures(self, owns_parameters),
             textbook::functions(self),
             frame::frame(self),
             block::branches(self),

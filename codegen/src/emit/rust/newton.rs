@@ -229,8 +229,8 @@ fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenSt
     let reads = reads(newton, module);
     let reads_parameters = reads.parameters || lengths(newton, module).is_some();
     let at = only(reads.frame, quote!(at: &*at,));
-    let parameters = only(reads_parameters, quote!(parameters: given.parameters,));
-    let inputs = only(reads.inputs, quote!(inputs: given.inputs,));
+    let parameters = only(reads_parameters, quote!(parameters: conditions.parameters,));
+    let inputs = only(reads.inputs, quote!(inputs: conditions.inputs,));
     let fields = quote!(#at #parameters #inputs);
     match fields.is_empty() {
         true => quote!(#name),
@@ -291,7 +291,7 @@ fn solve(
             qdd: Vector::from([#(#last_qdd),*]),
         };
         let equations = #equations;
-        let tears = block::#call(&equations, &tears, given.start, &mut branches.#mode, given.t, given.settings #passed)
+        let tears = block::#call(&equations, &tears, conditions.start, &mut branches.#mode, conditions.t, conditions.settings #passed)
             .map_err(|failure| failure.in_block(#number))?;
         [#(#q),*] = tears.q.data.0[0];
         [#(#qd),*] = tears.qd.data.0[0];
@@ -309,7 +309,7 @@ fn factorize(index: usize, block: &Block, newton: &NewtonBlock, scope: &Scope<'_
     let (number, equations) = (count(index), instance(block, newton, module));
     quote! {
         let tears = Vector::from([#(#q),*]);
-        let factorization = kinematics::factorize(&#equations, &tears, given.t, given.settings)
+        let factorization = kinematics::factorize(&#equations, &tears, conditions.t, conditions.settings)
             .map_err(|failure| failure.in_block(#number))?;
     }
 }

@@ -43,9 +43,9 @@ pub(super) fn methods(module: &Module<'_>) -> TokenStream {
         };
         quote! {
             #text
-            pub fn #name(&self) -> Motion {
+            pub fn #name(&self) -> PointMotion {
                 #computed
-                Motion { position: [#x, #y], velocity: [#vx, #vy], acceleration: [#ax, #ay] }
+                PointMotion { position: [#x, #y], velocity: [#vx, #vy], acceleration: [#ax, #ay] }
             }
         }
     });

@@ -7,11 +7,11 @@ use quote::quote;
 
 use super::block::call;
 use super::docs::doc_lines;
-use super::given;
 use super::layout::Verbatim;
 use super::module::{Module, derives, only};
 use super::names::identifier;
 use super::names::type_name;
+use super::parameters;
 use super::path;
 use crate::expr::SymbolId;
 use crate::program::{Block, Function, Statement};
@@ -48,7 +48,7 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
         text.line("requirements: REQUIREMENTS;");
     }
     text.close("}");
-    let (item, requirements) = (text.item(), given::requirements(module));
+    let (item, requirements) = (text.item(), parameters::requirements(module));
     quote!(#solve #requirements #item)
 }
 
@@ -67,14 +67,14 @@ fn solve(module: &Module<'_>) -> TokenStream {
     };
     let (last, branches) = (argument("last"), argument("branches"));
     let parameters = only(
-        module.is_whole() && module.frame_keeps_parameters(),
-        quote!(at.parameters = *given.parameters;),
+        module.holds_coordinates() && module.frame_keeps_parameters(),
+        quote!(at.parameters = *conditions.parameters;),
     );
     let checked = checked(module);
     let verdict = match module.is_large() || checked.is_empty() {
         true => quote!(Ok(())),
         false => quote! {
-            finite(&[#(#checked),*], given.t, 0)
+            finite(&[#(#checked),*], conditions.t, 0)
         },
     };
     quote! {
@@ -83,9 +83,9 @@ fn solve(module: &Module<'_>) -> TokenStream {
             at: &mut Frame,
             #last: &Frame,
             #branches: &mut Branches,
-            given: &Given<'_>,
+            conditions: &Conditions<'_>,
         ) -> Result<(), Failure> {
-            at.t = given.t;
+            at.t = conditions.t;
             #parameters
             #(#calls)*
             #verdict
