@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 15] = [
+const ORDER: [&str; 16] = [
     "diagnostic",
     "syntax",
     "consequences",
@@ -20,6 +20,7 @@ const ORDER: [&str; 15] = [
     "finiteness",
     "emit",
     "files",
+    "stages",
     "cargo",
     "lib",
 ];
