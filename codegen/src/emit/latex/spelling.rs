@@ -39,29 +39,24 @@ impl Spelling for Latex {
 
     /// `x_{1}`, `\dot{\varphi}_{c1}`.
     fn unknown(self, unknown: usize, level: usize, system: &System) -> String {
-        let upright = |index: String| format!("\\mathrm{{{index}}}");
-        let (letter, index) = match system.coordinates.get(unknown).map(|it| it.describes) {
-            None => {
-                let name = system.unknown_name(unknown);
-                let symbols = [("psi_", "\\psi"), ("offset_", "h"), ("length_", "\\ell")];
-                let found = symbols
-                    .iter()
-                    .find_map(|(prefix, letter)| Some((name.strip_prefix(prefix)?, *letter)));
-                let (ends, letter) = found.unwrap_or((name, "\\ell"));
-                (letter, upright(ends.replace('_', "\\,")))
+        let of_body = |name: &str| match name.chars().all(|letter| letter.is_ascii_digit()) {
+            true => name.to_string(),
+            false => format!("\\mathrm{{{}}}", escaped(name)),
+        };
+        let unknown = &system.vector_form.unknowns[unknown];
+        let (letter, index) = match unknown.describes {
+            Described::Pose { body, axis } => {
+                let name = &system.mechanism.bodies[body].name;
+                (["x", "y", "\\varphi"][axis], of_body(name))
             }
-            Some(described) => {
-                let (letter, body) = match described {
-                    Described::Pose { body, axis } => (
-                        ["x", "y", "\\varphi"][axis],
-                        &system.mechanism.bodies[body].name,
-                    ),
-                    Described::Contact { joint } => ("s", &system.mechanism.joints[joint].slug),
-                };
-                match body.chars().all(|letter| letter.is_ascii_digit()) {
-                    true => (letter, body.clone()),
-                    false => (letter, upright(escaped(body))),
-                }
+            Described::Contact { joint } => ("s", of_body(&system.mechanism.joints[joint].slug)),
+            Described::Auxiliary => {
+                let symbols = [("psi_", "\\psi"), ("offset_", "h"), ("length_", "\\ell")];
+                let found = symbols.iter().find_map(|(prefix, letter)| {
+                    Some((unknown.name.strip_prefix(prefix)?, *letter))
+                });
+                let (ends, letter) = found.unwrap_or((&unknown.name, "\\ell"));
+                (letter, format!("\\mathrm{{{}}}", ends.replace('_', "\\,")))
             }
         };
         match level {

@@ -36,9 +36,9 @@ impl Spelling for Notation {
 
     /// `phi1`, `phi1'`, `phi1''`, or φ₁ with dots.
     fn unknown(self, unknown: usize, level: usize, system: &System) -> String {
-        let coordinate = system.coordinates.get(unknown);
-        match (self, coordinate.map(|it| it.describes)) {
-            (Notation::Unicode, Some(Described::Pose { body, axis })) => {
+        let unknown = &system.vector_form.unknowns[unknown];
+        match (self, unknown.describes) {
+            (Notation::Unicode, Described::Pose { body, axis }) => {
                 let body = &system.mechanism.bodies[body].name;
                 let letter = ["x", "y", "φ"][axis];
                 let dots = ["", "\u{307}", "\u{308}"][level];
@@ -46,7 +46,7 @@ impl Spelling for Notation {
                 let index = index.unwrap_or_else(|| format!("_{body}"));
                 format!("{letter}{dots}{index}")
             }
-            _ => format!("{}{}", system.unknown_name(unknown), &"''"[..level]),
+            _ => format!("{}{}", unknown.name, &"''"[..level]),
         }
     }
 
