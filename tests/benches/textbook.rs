@@ -37,7 +37,7 @@ macro_rules! generated {
                 polish,
                 ..Settings::default()
             };
-            let equations = $module::Textbook::default();
+            let equations = $module::Textbook;
             let drawn = SVector::from($module::Coordinates::DRAWN.to_array());
             let start = linkwright::assemble(&equations, &drawn, 0.0, &settings);
             let start = start.unwrap_or_else(|failure| panic!("{failure}"));

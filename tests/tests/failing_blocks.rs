@@ -38,7 +38,7 @@ fn one_attempt() -> Settings {
 #[test]
 fn the_textbook_view_cycles() {
     let settings = Settings::default();
-    let equations = cubic_slider::Textbook::default();
+    let equations = cubic_slider::Textbook;
     let failure = assemble(&equations, &textbook_at(0.0), 0.0, &settings).expect_err("a cycle");
     assert_eq!(failure.kind, FailureKind::Cycling);
     assert_eq!(
@@ -53,7 +53,7 @@ fn the_textbook_view_cycles() {
 #[test]
 fn the_textbook_view_diverges() {
     let settings = Settings::default();
-    let equations = square_slider::Textbook::default();
+    let equations = square_slider::Textbook;
     let start = assemble(&equations, &textbook_at(1.0), 0.0, &settings).expect("as drawn");
     let before = start;
     let t = predicted_at(1e-7);
@@ -179,7 +179,7 @@ fn a_block_reports_its_iterations_and_its_residual() {
 /// Every other kind in the textbook view, each from the same frame, which goes on afterwards.
 #[test]
 fn the_textbook_view_goes_on_after_every_failure() {
-    let (settings, equations) = (Settings::default(), square_slider::Textbook::default());
+    let (settings, equations) = (Settings::default(), square_slider::Textbook);
     let start = assemble(&equations, &textbook_at(1.0), 0.0, &settings).expect("as drawn");
     let branch = branch_of(&equations, &start.q, 0.0, &settings).expect("a regular pose");
     let few = Settings {

@@ -96,9 +96,7 @@ pub struct Mechanism {
 /// A value that stays changeable at run time.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// Its name as written.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
     /// What stands for it in expressions; the graph knows its default as the symbol's nominal value.
     pub symbol: SymbolId,
@@ -108,16 +106,13 @@ pub struct Parameter {
     pub dimension: Dimension,
     /// Whether a statement mentions it.
     pub used: bool,
-    /// Where its name stands.
     pub span: Span,
 }
 
 /// A signal that is supplied at run time with its rate and acceleration.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// Its name as written.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
     /// What stands for its value, its rate and its acceleration in expressions.
     pub symbols: [SymbolId; 3],
@@ -130,16 +125,13 @@ pub struct Input {
     pub dimension: Dimension,
     /// Whether a statement mentions it.
     pub used: bool,
-    /// Where its name stands.
     pub span: Span,
 }
 
 /// A function through points.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Its name as written.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
     /// Its pieces, in the graph.
     pub spline: SplineId,
@@ -149,7 +141,6 @@ pub struct Table {
     pub value: Dimension,
     /// Whether a statement mentions it.
     pub used: bool,
-    /// Where its name stands.
     pub span: Span,
 }
 
@@ -158,9 +149,7 @@ pub struct Table {
 pub struct Motion {
     /// Its name as written: the name of its generated module.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
-    /// Where its name stands.
     pub span: Span,
 }
 
@@ -169,9 +158,7 @@ pub struct Motion {
 pub struct Body {
     /// The name as written: an identifier or an integer.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
-    /// Where its name stands.
     pub span: Span,
     /// Its frame in terms of its coordinates; constants for the ground.
     pub frame: BodyFrame,
@@ -186,9 +173,7 @@ pub struct Body {
 /// A point as one body carries it.
 #[derive(Clone, Debug)]
 pub struct NamedMark {
-    /// Its name as written.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
     /// The body's frame and the local vector.
     pub mark: Mark,
@@ -233,7 +218,6 @@ pub struct Joint {
 pub struct Point {
     /// `K`, or `K_c1` where bodies carry different points of one name.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
     /// The first body that carries it.
     pub mark: Mark,

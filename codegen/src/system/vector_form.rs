@@ -9,7 +9,7 @@ use std::collections::{HashMap, HashSet};
 use super::assemble::Watch;
 use super::mark_names::MarkNames;
 use super::orientation::Orientations;
-use super::{Coordinate, SymbolRole};
+use super::{SymbolRole, Unknown};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector, turned};
 use crate::joint::{Kind, Quantity, Resolved, Row};
@@ -48,23 +48,6 @@ pub struct VectorForm {
     pub(super) mark_names: MarkNames,
 }
 
-/// What is solved for.
-#[derive(Clone, Debug)]
-pub struct Unknown {
-    /// `x1`, `phi_c1`, `length_n_m`.
-    pub name: String,
-    /// The unknown itself.
-    pub position: SymbolId,
-    /// Its rate.
-    pub rate: SymbolId,
-    /// Its acceleration.
-    pub acceleration: SymbolId,
-    /// A length (x, y, ℓ) or an angle.
-    pub quantity: Quantity,
-    /// Its value in the drawing.
-    pub estimate: ExprId,
-}
-
 /// One scalar equation of the vector form.
 #[derive(Clone, Copy, Debug)]
 pub struct VectorRow {
@@ -96,12 +79,12 @@ impl VectorForm {
     /// the textbook's rows are not solved.
     pub(super) fn new(
         mechanism: &mut Mechanism,
-        coordinates: &[Coordinate],
+        coordinates: &[Unknown],
         dropped: &[Vec<bool>],
         watch: &mut Watch,
     ) -> VectorForm {
         let mut form = VectorForm {
-            unknowns: coordinates.iter().map(unknown_of).collect(),
+            unknowns: coordinates.to_vec(),
             rows: Vec::new(),
             arms: Vec::new(),
             orientations: Orientations::new(mechanism.bodies.len(), &mechanism.graph),
@@ -452,15 +435,4 @@ fn set(roles: &mut Vec<SymbolRole>, symbol: SymbolId, role: SymbolRole) {
         roles.resize(symbol.index() + 1, SymbolRole::Intermediate);
     }
     roles[symbol.index()] = role;
-}
-
-fn unknown_of(coordinate: &Coordinate) -> Unknown {
-    Unknown {
-        name: coordinate.name.clone(),
-        position: coordinate.position,
-        rate: coordinate.rate,
-        acceleration: coordinate.acceleration,
-        quantity: coordinate.quantity,
-        estimate: coordinate.estimate,
-    }
 }

@@ -6,6 +6,18 @@
 #[doc(hidden)]
 #[macro_export]
 macro_rules! textbook {
+    (@structure) => {
+        /// All equations as one dense system, as `linkwright::newton` solves it.
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct Textbook;
+    };
+    (@structure $($fields:tt)+) => {
+        /// All equations as one dense system, as `linkwright::newton` solves it.
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct Textbook {
+            $($fields)+
+        }
+    };
     (
         $mechanism:ident, $size:literal;
         parameters: $($parameters:ident)?;
@@ -14,9 +26,8 @@ macro_rules! textbook {
         rows: $rows:expr;
         columns: $columns:expr;
     ) => {
-        /// All equations as one dense system, as `linkwright::newton` solves it.
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
-        pub struct Textbook {
+        $crate::textbook! {
+            @structure
             $(
                 /// The parameters.
                 pub parameters: $parameters,
