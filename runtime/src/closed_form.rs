@@ -38,6 +38,24 @@ impl Branch {
     }
 }
 
+/// The assembly mode of a block.
+pub trait Mode: Sized {
+    /// The one beyond a pose at which it meets another; `None` where it is not known.
+    fn other(self) -> Option<Self>;
+}
+
+impl Mode for Branch {
+    fn other(self) -> Option<Self> {
+        Some(self.opposite())
+    }
+}
+
+impl Mode for Option<Branch> {
+    fn other(self) -> Option<Self> {
+        self.map(|branch| Some(branch.opposite()))
+    }
+}
+
 /// The multiple of ε below which the square of a sine is rounding: links that enclose an angle of less than about 6e-8 rad
 /// (f64) are in line.
 pub const FOLD: f64 = 16.0;
@@ -145,7 +163,7 @@ pub fn all_finite<T: Real, const N: usize>(values: &[T; N]) -> bool {
 ///
 /// # Errors
 /// [`FailureKind::NotFinite`].
-#[inline]
+#[inline(always)]
 pub fn finite<T: Real, const N: usize>(
     values: &[T; N],
     time: T,

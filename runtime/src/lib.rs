@@ -111,12 +111,10 @@ pub use assembly::assemble_from_afar;
 pub use block::Start;
 pub use block_equations::BlockEquations;
 pub use blocks::{Blocks, Conditions, Signals, Values};
-pub use closed_form::Branch;
+pub use closed_form::{Branch, Mode};
 pub use equations::Equations;
 pub use explained::{BlockName, Explained};
 pub use failure::{Failure, FailureKind};
-#[doc(hidden)]
-pub use generated::Mode;
 pub use generated::{double, single};
 pub use guard::{Guard, Pair};
 pub use kinematics::{Frame, advance, assemble};

@@ -1,25 +1,5 @@
 //! *The assembly modes of the loops* → *the structure that holds them*.
 
-use crate::closed_form::Branch;
-
-/// The mode of a block.
-pub trait Mode: Sized {
-    /// The one beyond a pose at which it meets another; `None` where it is not known.
-    fn other(self) -> Option<Self>;
-}
-
-impl Mode for Branch {
-    fn other(self) -> Option<Self> {
-        Some(self.opposite())
-    }
-}
-
-impl Mode for Option<Branch> {
-    fn other(self) -> Option<Self> {
-        self.map(|branch| Some(branch.opposite()))
-    }
-}
-
 /// A structure with the mode of each loop, those of the drawing, and the blocks that can exchange theirs.
 #[doc(hidden)]
 #[macro_export]

@@ -10,8 +10,6 @@ mod mechanism;
 mod numbers;
 mod textbook;
 
-pub use branches::Mode;
-
 macro_rules! precision {
     ($(#[$docs:meta])* $name:ident, $scalar:ident) => {
         $(#[$docs])*

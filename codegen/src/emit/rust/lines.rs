@@ -60,7 +60,9 @@ fn with_blocks(statement: &[&str], depth: usize, found: &mut Vec<String>) {
         let head = &rest[..next.map_or(1, |next| next + 2)];
         let opens = head.last().is_some_and(|line| line.ends_with('{'));
         let is_plain = |lines: &[&str]| !lines.iter().any(|line| opens_or_closes_block(line));
-        match joined(head).filter(|line| opens && is_plain(&head[..head.len() - 1]) && fits(line)) {
+        let is_head = opens && is_plain(&head[..head.len() - 1]);
+        let line = is_head.then(|| joined(head)).flatten();
+        match line.filter(|line| fits(line)) {
             Some(line) => {
                 found.push(line);
                 rest = &rest[head.len()..];
