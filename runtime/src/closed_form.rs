@@ -163,16 +163,21 @@ pub fn all_finite<T: Real, const N: usize>(values: &[T; N]) -> bool {
 ///
 /// # Errors
 /// [`FailureKind::NotFinite`].
-#[inline(always)]
+#[inline]
 pub fn finite<T: Real, const N: usize>(
     values: &[T; N],
     time: T,
     block: u16,
 ) -> Result<(), Failure<T>> {
-    match all_finite(values) {
-        true => Ok(()),
-        false => Err(failed(FailureKind::NotFinite, time, block)),
+    if all_finite(values) {
+        return Ok(());
     }
+    not_finite(time, block)
+}
+
+#[cold]
+fn not_finite<T: Real>(time: T, block: u16) -> Result<(), Failure<T>> {
+    Err(failed(FailureKind::NotFinite, time, block))
 }
 
 #[cfg(test)]

@@ -155,11 +155,14 @@ fn no_mechanism_is_named_like_what_its_module_uses() {
         "Default",
         "Frame",
         "Inputs",
+        "Loops",
         "None",
         "Option",
+        "Pair",
         "Parameters",
         "Some",
         "Textbook",
+        "Tubes",
     ];
     names.extend(own.map(str::to_string));
     let description = |name: &str| {
