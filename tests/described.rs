@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 
 /// A description without errors, of one motion.
 pub struct Described {

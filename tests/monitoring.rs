@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::{env, fs};
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::model::type_name;
+use linkwright_codegen::stages::emit::rust::type_name;
 use linkwright_codegen::{Options, Scalar, generate_with};
 
 use crate::described::{empty_folder, in_folder};
@@ -56,7 +56,7 @@ pub fn write(folders: &[&str]) {
         ));
         let of = type_name(&own);
         list.push_str(&format!(
-            "    ({name:?}, |times| measures::<{name}::{of}>(times, |it| (it.closeness_of_each().to_vec(), it.closeness()))),\n"
+            "    ({name:?}, |times| measures::<{name}::{of}>(times, |it| (it.normalized_determinants().to_vec(), it.smallest_determinant()))),\n"
         ));
     }
     linkwright_codegen::build(&descriptions);

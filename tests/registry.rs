@@ -6,7 +6,7 @@
 use std::path::Path;
 use std::{env, fs};
 
-use linkwright_codegen::model::type_name;
+use linkwright_codegen::stages::emit::rust::type_name;
 
 use crate::described::{Described, in_folder};
 

@@ -5,7 +5,7 @@
 use std::path::PathBuf;
 use std::{env, fs};
 
-use linkwright_codegen::model::type_name;
+use linkwright_codegen::stages::emit::rust::type_name;
 
 use crate::described::{empty_folder, in_folder};
 

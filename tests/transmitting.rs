@@ -5,7 +5,8 @@
 use std::path::PathBuf;
 use std::{env, fs};
 
-use linkwright_codegen::model::{Role, type_name};
+use linkwright_codegen::stages::emit::rust::type_name;
+use linkwright_codegen::stages::model::Role;
 
 use crate::described::{empty_folder, in_folder};
 

@@ -1,14 +1,14 @@
 //! Derives the constraint equations of a planar mechanism and writes them as specialised Rust.
 //!
-//! `Source → Document → Mechanism → System → Plan → Program → Rust`: each arrow is one function of one module, and each module
-//! imports only those named before it. [`generate_with`] names all stages.
+//! `Source → Document → Mechanism → System → SolvedPlan → Program → Rust`: each arrow is one function of one module, and each module
+//! imports only those named before it. [`generate_with`] names all stages; [`stages`] shows what stands between them.
 //!
 //! The generated code holds two views of a mechanism. Its type runs the *solved view*: the equations are ordered into the
-//! smallest blocks that can be solved one after another ([`structure::SolvedPlan`]), and each block becomes one function, in
+//! smallest blocks that can be solved one after another ([`stages::structure::SolvedPlan`]), and each block becomes one function, in
 //! closed form where it has one (linear, one angle, two rotations, a rotation and a slide, a turning slide, two slides) and by
 //! Newton-Raphson otherwise. What no `output` of the description needs is left out; [`report`] says what is left. The *textbook
-//! view* is Φ, Φ_q, Φ_t and γ as functions, to be solved as one dense system; it is left out above
-//! [`program::LARGEST_TEXTBOOK`] coordinates. Every limit stands in `linkwright::thresholds`.
+//! view* is Φ, Φ_q, Φ_t and γ as functions, to be solved as one dense system; mechanisms of hundreds of coordinates have none.
+//! Every limit stands in `linkwright::thresholds`.
 //!
 //! In a build script, [`build`] does everything:
 //! ```no_run
@@ -23,24 +23,26 @@
 mod cargo;
 mod consequences;
 pub mod diagnostic;
-pub mod emit;
-pub mod expr;
-pub mod files;
+mod emit;
+mod expr;
+mod files;
 mod finiteness;
-pub mod joint;
-pub mod model;
+mod joint;
+mod model;
 mod modes;
-pub mod program;
-pub mod structure;
-pub mod syntax;
-pub mod system;
-pub mod words;
+mod program;
+pub mod stages;
+mod structure;
+mod syntax;
+mod system;
+mod words;
 
 pub use cargo::{attach_files, build, build_with};
 pub use emit::rust::Scalar;
+pub use program::{Operations, Report};
+pub use system::System;
 
 use diagnostic::{Diagnostics, Source};
-use system::System;
 
 /// A description whose equations have been derived.
 #[derive(Clone, Debug)]
@@ -98,7 +100,7 @@ pub fn read(source: &Source) -> Result<Read, Diagnostics> {
         return Err(diagnostics);
     };
     let mut resolving = Diagnostics::new();
-    let mechanisms = model::resolve(&document, &mut resolving);
+    let mechanisms = model::resolve(&document, &emit::rust::NAMING, &mut resolving);
     if diagnostics.has_errors() {
         consequences::add_independent(resolving, &document, source, &mut diagnostics);
         return Err(diagnostics);
@@ -135,7 +137,7 @@ fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnostics) -> Diag
 /// Too few or too many equations, with the bodies and joints concerned; numbers that become infinite or undefined.
 pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
-    if structure::analyze(system, &mut diagnostics).is_none() {
+    if !structure::analyze(system, &mut diagnostics) {
         return Err(diagnostics);
     }
     let mut system = system.clone();
@@ -172,7 +174,7 @@ pub fn check_all(motions: &[System]) -> Result<(), Diagnostics> {
 
 /// What the solved view of a system computes and leaves out, with counts of operations; `None` where the equations do not
 /// determine the motion, or take more work than one description may cause.
-pub fn report(system: &System) -> Option<program::Report> {
+pub fn report(system: &System) -> Option<Report> {
     let mut system = system.clone();
     let plan = structure::plan(&mut system)?;
     let report = program::lower(&mut system, &plan).report;

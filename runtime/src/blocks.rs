@@ -9,7 +9,7 @@ use crate::explained::{BlockName, Explained};
 use crate::failure::{Failure, FailureKind};
 use crate::guard::Pair;
 use crate::math::Real;
-use crate::motion::Motion;
+use crate::motion::PointMotion;
 use crate::settings::Settings;
 use crate::signal::Signal;
 use crate::span::Span;
@@ -67,7 +67,7 @@ pub trait Blocks {
         at: &mut Self::Frame,
         last: &Self::Frame,
         branches: &mut Self::Branches,
-        given: &Given<'_, Self::Scalar, Self::Parameters, Self::Inputs>,
+        conditions: &Conditions<'_, Self::Scalar, Self::Parameters, Self::Inputs>,
     ) -> Result<(), Failure<Self::Scalar>>;
 
     /// Whether the blocks can show that a frame lies on the path of the last one.
@@ -112,7 +112,7 @@ pub trait Blocks {
     fn point_name(&self, index: usize) -> Option<&str>;
 
     /// The motion of the point `index`; `None` where frames do not offer it.
-    fn point(&self, frame: &Self::Frame, index: usize) -> Option<Motion<Self::Scalar>>;
+    fn point(&self, frame: &Self::Frame, index: usize) -> Option<PointMotion<Self::Scalar>>;
 
     /// What the block `index` is called, in solve order; `None` beyond the last one.
     fn block_name(&self, index: usize) -> Option<BlockName<'_>>;
@@ -142,7 +142,7 @@ pub trait Blocks {
 
 /// What one instant is solved with.
 #[derive(Clone, Copy, Debug)]
-pub struct Given<'a, T, P, I> {
+pub struct Conditions<'a, T, P, I> {
     /// The time (s).
     pub t: T,
     /// What the last frame is.

@@ -38,6 +38,24 @@ impl Branch {
     }
 }
 
+/// The assembly mode of a block.
+pub trait Mode: Sized {
+    /// The one beyond a pose at which it meets another; `None` where it is not known.
+    fn other(self) -> Option<Self>;
+}
+
+impl Mode for Branch {
+    fn other(self) -> Option<Self> {
+        Some(self.opposite())
+    }
+}
+
+impl Mode for Option<Branch> {
+    fn other(self) -> Option<Self> {
+        self.map(|branch| Some(branch.opposite()))
+    }
+}
+
 /// The multiple of ε below which the square of a sine is rounding: links that enclose an angle of less than about 6e-8 rad
 /// (f64) are in line.
 pub const FOLD: f64 = 16.0;
@@ -139,6 +157,27 @@ pub fn all_finite<T: Real, const N: usize>(values: &[T; N]) -> bool {
         *sum += T::ZERO * *value;
     }
     sums.iter().all(|sum| *sum == T::ZERO)
+}
+
+/// Fails where one of these numbers of a block is not finite.
+///
+/// # Errors
+/// [`FailureKind::NotFinite`].
+#[inline]
+pub fn finite<T: Real, const N: usize>(
+    values: &[T; N],
+    time: T,
+    block: u16,
+) -> Result<(), Failure<T>> {
+    if all_finite(values) {
+        return Ok(());
+    }
+    not_finite(time, block)
+}
+
+#[cold]
+fn not_finite<T: Real>(time: T, block: u16) -> Result<(), Failure<T>> {
+    Err(failed(FailureKind::NotFinite, time, block))
 }
 
 #[cfg(test)]

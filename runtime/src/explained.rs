@@ -20,6 +20,13 @@ pub struct BlockName<'a> {
     pub singular: &'a str,
 }
 
+impl<'a> BlockName<'a> {
+    /// The name, and what can be said where the block is singular.
+    pub const fn new(name: &'a str, singular: &'a str) -> Self {
+        Self { name, singular }
+    }
+}
+
 /// A failure in a mechanism's own terms; its `Display` is one sentence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Explained<'a, T = f64> {

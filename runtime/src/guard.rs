@@ -5,7 +5,7 @@
 //! found there. The module does not know equations.
 
 use crate::block::Start;
-use crate::blocks::{Blocks, Given, Signals};
+use crate::blocks::{Blocks, Conditions, Signals};
 use crate::closed_form::failed;
 use crate::failure::{Failure, FailureKind};
 use crate::math::Real;
@@ -47,7 +47,7 @@ pub struct Pair<'a, B: Blocks> {
     /// The inputs of the first frame.
     pub before: &'a B::Inputs,
     /// What the second one was solved with.
-    pub given: &'a Given<'a, B::Scalar, B::Parameters, B::Inputs>,
+    pub conditions: &'a Conditions<'a, B::Scalar, B::Parameters, B::Inputs>,
 }
 
 impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
@@ -73,7 +73,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
     where
         B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
     {
-        if !blocks.is_guarded() || pair.given.start == Start::Estimate {
+        if !blocks.is_guarded() || pair.conditions.start == Start::Estimate {
             return Ok(());
         }
         match &self.window {
@@ -88,7 +88,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
     where
         B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
     {
-        let t = pair.given.t;
+        let t = pair.conditions.t;
         let step = t - B::time(pair.last);
         let [_, least, most] = AHEAD.map(T::from_f64);
         self.window = None;
@@ -97,7 +97,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         while stretch >= least && step.abs() > T::ZERO {
             let span = Span::around(step, stretch);
             if blocks.keeps_to_path(pair, &span, &mut tubes).is_ok() {
-                let inputs = [pair.before.clone(), pair.given.inputs.clone()];
+                let inputs = [pair.before.clone(), pair.conditions.inputs.clone()];
                 self.window = Some(Window {
                     span,
                     t,
@@ -130,7 +130,7 @@ impl<T: Real, I: Signals<T>, U> Window<T, I, U> {
     where
         B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
     {
-        let since = pair.given.t - self.t;
+        let since = pair.conditions.t - self.t;
         since.abs() <= self.span.time
             && self.holds_signals(pair, since)
             && blocks.is_within(pair.at, &self.tubes, since / self.span.step)
@@ -145,14 +145,14 @@ impl<T: Real, I: Signals<T>, U> Window<T, I, U> {
         if count == 0 {
             return true;
         }
-        let h = pair.given.t - B::time(pair.last);
+        let h = pair.conditions.t - B::time(pair.last);
         let signal = |inputs: &I, index| inputs.signal(index).unwrap_or(Signal::constant(T::ZERO));
         let [before, now] = &self.inputs;
         (0..count).all(|index| {
             let line = [&signal(before, index), &signal(now, index)];
             let way = [
                 &signal(pair.before, index),
-                &signal(pair.given.inputs, index),
+                &signal(pair.conditions.inputs, index),
             ];
             self.span.holds_signal(line, way, h, since)
         })

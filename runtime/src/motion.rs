@@ -6,7 +6,7 @@
 ///
 /// Units are those of the description it came from: SI (m, m/s, m/s²) for generated mechanisms.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion<T = f64> {
+pub struct PointMotion<T = f64> {
     /// The position (x, y).
     pub position: [T; 2],
     /// The first time derivative of the position.

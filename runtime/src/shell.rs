@@ -5,7 +5,7 @@
 //! equations.
 
 use crate::block::Start;
-use crate::blocks::{Blocks, Given, Signals, Values};
+use crate::blocks::{Blocks, Conditions, Signals, Values};
 use crate::closed_form::failed;
 use crate::failure::{Failure, FailureKind};
 use crate::guard::{Guard, Pair};
@@ -46,14 +46,14 @@ impl<B: Blocks> Shell<B> {
         allow(&blocks, parameters, t)?;
         let last = blocks.estimate(estimate, parameters, t);
         let mut at = last.clone();
-        let given = Given {
+        let conditions = Conditions {
             t,
             start: Start::Estimate,
             parameters,
             inputs,
             settings: &settings,
         };
-        solve(&blocks, &mut at, &last, &mut branches, &given)?;
+        solve(&blocks, &mut at, &last, &mut branches, &conditions)?;
         Ok(Self {
             blocks,
             frames: [at, last],
@@ -87,22 +87,23 @@ impl<B: Blocks> Shell<B> {
             true => (&*second, first),
             false => (&*first, second),
         };
-        let given = Given {
+        let conditions = Conditions {
             t,
             start: self.start,
             parameters: &self.parameters,
             inputs,
             settings: &self.settings,
         };
-        let solved = solve(&self.blocks, at, last, &mut self.branches, &given).and_then(|()| {
-            let pair = Pair {
-                at,
-                last,
-                before: &self.inputs,
-                given: &given,
-            };
-            self.guard.admit(&self.blocks, &pair)
-        });
+        let solved =
+            solve(&self.blocks, at, last, &mut self.branches, &conditions).and_then(|()| {
+                let pair = Pair {
+                    at,
+                    last,
+                    before: &self.inputs,
+                    conditions: &conditions,
+                };
+                self.guard.admit(&self.blocks, &pair)
+            });
         if let Err(failure) = solved {
             self.advance_in_steps(failure, t, inputs)?;
         }
@@ -160,14 +161,14 @@ impl<B: Blocks> Shell<B> {
     ) -> Result<B::Frame, Failure<B::Scalar>> {
         let last = self.frame();
         let (mut at, mut branches) = (last.clone(), self.branches.clone());
-        let given = Given {
+        let conditions = Conditions {
             t,
             start: Start::Estimate,
             parameters: &self.parameters,
             inputs,
             settings: &self.settings,
         };
-        solve(&self.blocks, &mut at, last, &mut branches, &given)?;
+        solve(&self.blocks, &mut at, last, &mut branches, &conditions)?;
         Ok(at)
     }
 
@@ -247,12 +248,12 @@ pub(crate) fn solve<B: Blocks>(
     at: &mut B::Frame,
     last: &B::Frame,
     branches: &mut B::Branches,
-    given: &Given<'_, B::Scalar, B::Parameters, B::Inputs>,
+    conditions: &Conditions<'_, B::Scalar, B::Parameters, B::Inputs>,
 ) -> Result<(), Failure<B::Scalar>> {
-    if !(given.parameters.are_finite() && given.inputs.are_finite()) {
-        return Err(failed(FailureKind::NotFinite, given.t, 0));
+    if !(conditions.parameters.are_finite() && conditions.inputs.are_finite()) {
+        return Err(failed(FailureKind::NotFinite, conditions.t, 0));
     }
-    blocks.solve(at, last, branches, given)
+    blocks.solve(at, last, branches, conditions)
 }
 
 /// Any mechanism: a type of its own around a [`Shell`], with its own names for what the shell does.

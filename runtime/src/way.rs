@@ -4,7 +4,7 @@
 //! ([`crate::crossing`]). The module does not know equations.
 
 use crate::block::Start;
-use crate::blocks::{Blocks, Given, Signals};
+use crate::blocks::{Blocks, Conditions, Signals};
 use crate::crossing::TwoModes;
 use crate::failure::{Failure, FailureKind};
 use crate::guard::{Guard, Pair};
@@ -73,7 +73,7 @@ impl<B: Blocks> Way<'_, B> {
     fn step(&mut self, t: B::Scalar) -> Result<(), Failure<B::Scalar>> {
         let inputs = self.inputs_at(t);
         let before = self.inputs_at(B::time(&self.reached));
-        let given = Given {
+        let conditions = Conditions {
             t,
             start: self.start,
             parameters: self.parameters,
@@ -85,13 +85,13 @@ impl<B: Blocks> Way<'_, B> {
             self.next,
             &self.reached,
             &mut self.branches,
-            &given,
+            &conditions,
         )?;
         let pair = Pair {
             at: self.next,
             last: &self.reached,
             before: &before,
-            given: &given,
+            conditions: &conditions,
         };
         self.guard.admit(self.blocks, &pair)?;
         self.start = Start::LastFrame;
@@ -141,7 +141,7 @@ impl<B: Blocks> Way<'_, B> {
     /// The frame at a time in these modes, from one nearby; no path leads there.
     fn frame_at(&self, t: B::Scalar, near: &B::Frame, branches: &B::Branches) -> Option<B::Frame> {
         let inputs = self.inputs_at(t);
-        let given = Given {
+        let conditions = Conditions {
             t,
             start: Start::Estimate,
             parameters: self.parameters,
@@ -149,7 +149,7 @@ impl<B: Blocks> Way<'_, B> {
             settings: self.settings,
         };
         let (mut at, mut branches) = (near.clone(), branches.clone());
-        solve(self.blocks, &mut at, near, &mut branches, &given).ok()?;
+        solve(self.blocks, &mut at, near, &mut branches, &conditions).ok()?;
         Some(at)
     }
 

@@ -3,7 +3,7 @@
 use std::fs;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 
 use crate::files;
 

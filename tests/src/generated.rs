@@ -6,7 +6,7 @@ use std::marker::PhantomData;
 
 use linkwright::nalgebra::{Const, OMatrix, OVector, SVector};
 use linkwright::{
-    Blocks, Equations, Failure, Frame, Mechanism, Motion, Settings, Shell, Step, newton,
+    Blocks, Equations, Failure, Frame, Mechanism, PointMotion, Settings, Shell, Step, newton,
 };
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -178,7 +178,7 @@ where
         frame
     }
 
-    fn point(&self, name: &str) -> Motion {
+    fn point(&self, name: &str) -> PointMotion {
         let shell = self.shell();
         let names = point_names(shell.blocks());
         let index = names.iter().position(|it| *it == name);

@@ -1,29 +1,29 @@
 //! *An expression of t as text* → *its value and its derivatives at any t*, by differentiation of the expression.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::expr::{ExprId, Graph, Tape};
 use linkwright_codegen::read;
+use linkwright_codegen::stages::expr::{ExprId, Graph, Tape};
 
 /// A driven angle as a function of t, with its derivatives.
-pub struct Motion {
+pub struct Law {
     graph: Graph,
     orders: Vec<ExprId>,
 }
 
-impl Motion {
+impl Law {
     /// The motion that is written after `drive phi(1) =`, with derivatives up to the fourth.
     ///
     /// # Panics
     /// Where the description has errors.
-    pub fn new(written: &str) -> Motion {
-        Motion::with("", written)
+    pub fn new(written: &str) -> Law {
+        Law::with("", written)
     }
 
     /// The same, below further statements.
     ///
     /// # Panics
     /// Where the description has errors.
-    pub fn with(statements: &str, written: &str) -> Motion {
+    pub fn with(statements: &str, written: &str) -> Law {
         let text = format!(
             "mechanism driven {{ {statements} body 1 at (0, 0); absolute_x(1) = 0; absolute_y(1) = 0; drive phi(1) = {written}; }}"
         );
@@ -41,7 +41,7 @@ impl Motion {
         for order in 0..4 {
             orders.push(graph.derivative(orders[order], mechanism.time));
         }
-        Motion { graph, orders }
+        Law { graph, orders }
     }
 
     /// The value and the first four derivatives.

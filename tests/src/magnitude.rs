@@ -3,7 +3,7 @@
 //!
 //! A sine or cosine of an angle that is itself computed carries the magnitude of the angle, as it moves by as much.
 
-use linkwright_codegen::expr::{ExprId, Factor, Graph, Node};
+use linkwright_codegen::stages::expr::{ExprId, Factor, Graph, Node};
 
 /// The value of each node in `order` (operands first), by the node's index; NaN for other nodes.
 pub fn values(graph: &Graph, order: &[ExprId], symbols: &[f64]) -> Vec<f64> {

@@ -11,7 +11,7 @@
 
 use std::f64::consts::PI;
 
-use linkwright_codegen::expr::{ExprId, Factor, Graph, Node};
+use linkwright_codegen::stages::expr::{ExprId, Factor, Graph, Node};
 
 use crate::magnitude::{values, whole_exponent};
 

@@ -1,8 +1,8 @@
 //! *A described mechanism* → *how it is solved*.
 
-use linkwright_codegen::program::forms_of;
-use linkwright_codegen::structure::{self, SolvedPlan};
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::program::forms_of;
+use linkwright_codegen::stages::structure::{self, SolvedPlan};
+use linkwright_codegen::stages::system::System;
 
 use crate::description;
 

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use linkwright_codegen::joint::Quantity;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::system::System;
 
 use crate::random::Random;
 

@@ -1,8 +1,8 @@
 //! *The name of a mechanism* → *something that solves it*: the generated code and the interpreter behind one interface, so
 //! that each statement of a test is made about both.
 
-use linkwright::{Equations, Frame, Motion, Settings, Step, newton};
-use linkwright_codegen::system::System;
+use linkwright::{Equations, Frame, PointMotion, Settings, Step, newton};
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -24,7 +24,7 @@ pub trait Solver {
     /// The last frame.
     fn frame(&self) -> &Frame<f64, Dyn>;
     /// The motion of a point at the last frame.
-    fn point(&self, name: &str) -> Motion;
+    fn point(&self, name: &str) -> PointMotion;
     /// One Newton-Raphson step.
     fn newton_step(&self, q: &[f64], t: f64) -> Step<f64, Dyn>;
 
@@ -139,7 +139,7 @@ impl Solver for Interpreted {
             .expect("the mechanism has been assembled")
     }
 
-    fn point(&self, name: &str) -> Motion {
+    fn point(&self, name: &str) -> PointMotion {
         let index = self
             .equations
             .point_names()

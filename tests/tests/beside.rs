@@ -2,9 +2,9 @@
 
 use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::system::System;
-use linkwright_solver::given::InputSignals;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::supplied::InputSignals;
 use linkwright_tests::hunt::paths::families::{course, junk, with};
 use linkwright_tests::random::Random;
 use linkwright_tests::{description, files};

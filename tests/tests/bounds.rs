@@ -6,8 +6,9 @@
 use std::time::Instant;
 
 use linkwright_codegen::diagnostic::{Code, Diagnostics, Source};
-use linkwright_codegen::emit::{Notation, derivation, latex, text};
-use linkwright_codegen::{generate, program, read, structure};
+use linkwright_codegen::stages::emit::{Notation, derivation, latex, text};
+use linkwright_codegen::stages::{program, structure};
+use linkwright_codegen::{generate, read};
 use linkwright_tests::large::{self, KINDS, Kind, MISTAKES, NESTS};
 
 fn source(text: String) -> Source {
@@ -139,7 +140,7 @@ fn seconds(kind: &Kind, n: usize) -> f64 {
     match read(&source) {
         Ok(read) => {
             let mut system = read.only().expect("one motion");
-            if structure::analyze(&system, &mut Diagnostics::new()).is_some() {
+            if structure::analyze(&system, &mut Diagnostics::new()) {
                 structure::plan(&mut system);
             }
         }

@@ -41,7 +41,7 @@ fn assert_motion(found: [f64; 3], wanted: [f64; 3], scale: f64, place: &str) {
 }
 
 /// The y components of a motion.
-fn vertical(motion: &linkwright::Motion) -> [f64; 3] {
+fn vertical(motion: &linkwright::PointMotion) -> [f64; 3] {
     [
         motion.position[1],
         motion.velocity[1],
@@ -516,7 +516,7 @@ fn a_cam_designed_from_a_law_moves_its_follower_by_it() {
 /// The contact parameter is a coordinate like the others in every print, and its sine and cosine are computed once.
 #[test]
 fn contacts_are_printed_and_written_as_a_person_would() {
-    use linkwright_codegen::emit::{Notation, latex, text};
+    use linkwright_codegen::stages::emit::{Notation, latex, text};
     let path = files::package("descriptions/cam_polar.mech");
     let text = std::fs::read_to_string(path).expect("the description");
     let source = Source::new("cam_polar.mech", text);

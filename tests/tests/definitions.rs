@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::structure;
+use linkwright_codegen::stages::structure;
 
 /// Bodies in a ring: the place of each follows from that of the next, by this share of it.
 fn ring(bodies: usize, share: &str) -> String {

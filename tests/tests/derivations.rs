@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use linkwright_codegen::emit::{Notation, derivation};
-use linkwright_codegen::expr::Tape;
+use linkwright_codegen::stages::emit::{Notation, derivation};
+use linkwright_codegen::stages::expr::Tape;
 use linkwright_tests::plan::{form_names, forms, planned};
 use linkwright_tests::printed::{Values, value};
 use linkwright_tests::reference::{REFERENCES, reference, yardsticks};

@@ -1,8 +1,8 @@
 //! Φ_q, Φ_t and γ of every mechanism against differences of Φ, and generated code against the interpreter, at 1,000 random
 //! poses, rates and times. Every tolerance is computed: Taylor remainder and rounding by `majorant`, nothing else.
 
-use linkwright_codegen::expr::ExprId;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::system::System;
 use linkwright_tests::description;
 use linkwright_tests::generated::MODULES;
 use linkwright_tests::magnitude::{magnitudes, needed};
@@ -312,7 +312,7 @@ impl Solver for Planted {
         self.0.frame()
     }
 
-    fn point(&self, name: &str) -> linkwright::Motion {
+    fn point(&self, name: &str) -> linkwright::PointMotion {
         self.0.point(name)
     }
 

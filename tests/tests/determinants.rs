@@ -1,9 +1,9 @@
 //! The determinants of the blocks against that of the whole Φ_q, and the closed forms that are printed.
 
 use linkwright::{Settings, advance, assemble};
-use linkwright_codegen::emit::{Notation, derivation};
-use linkwright_codegen::expr::ExprId;
-use linkwright_codegen::program::forms_of;
+use linkwright_codegen::stages::emit::{Notation, derivation};
+use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::program::forms_of;
 use linkwright_solver::condition::{Condition, jacobian};
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::reader::Reader;
@@ -114,7 +114,7 @@ fn the_exam_has_the_determinant_of_its_solution() {
         );
     }
     let mut system = description::system("two_body");
-    let plan = linkwright_codegen::structure::plan(&mut system).expect("a plan");
+    let plan = linkwright_codegen::stages::structure::plan(&mut system).expect("a plan");
     let forms = forms_of(&mut system, &plan);
     let poses = derivation::singular_poses(&system, &plan, &forms, Notation::Unicode);
     assert_eq!(poses.len(), 1);

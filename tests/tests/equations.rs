@@ -1,11 +1,11 @@
 //! Equations that a description writes out: closed forms, their place among joints, and what they are compared with.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::emit::{Notation, text};
-use linkwright_codegen::model::Role;
-use linkwright_codegen::program::forms_of;
-use linkwright_codegen::structure;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::emit::{Notation, text};
+use linkwright_codegen::stages::model::Role;
+use linkwright_codegen::stages::program::forms_of;
+use linkwright_codegen::stages::structure;
+use linkwright_codegen::stages::system::System;
 use linkwright_codegen::{check, read};
 use linkwright_tests::random::Random;
 

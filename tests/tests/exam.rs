@@ -128,7 +128,7 @@ fn the_printed_newton_step_is_exact_in_the_equations() {
         .collect();
     let time = system.mechanism.time;
     let graph = &mut system.mechanism.graph;
-    let fraction = |graph: &mut linkwright_codegen::expr::Graph, part| {
+    let fraction = |graph: &mut linkwright_codegen::stages::expr::Graph, part| {
         let (pi, part) = (graph.pi(), graph.rational(1, part));
         graph.multiply(pi, part)
     };

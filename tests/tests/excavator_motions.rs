@@ -1,6 +1,6 @@
 //! The excavator driven from either end: what its actuators do to the tool, the tool undoes.
 
-use linkwright::{Motion, Signal};
+use linkwright::{PointMotion, Signal};
 use linkwright_mechanisms::excavator_motions::{forward, reach};
 
 /// c + a sin(ω t) with its derivatives.
@@ -14,7 +14,7 @@ fn swing(center: f64, amplitude: f64, frequency: f64, t: f64) -> Signal {
 }
 
 /// The distance between two points that move.
-fn length(from: Motion, to: Motion) -> Signal {
+fn length(from: PointMotion, to: PointMotion) -> Signal {
     let gap = |one: [f64; 2], other: [f64; 2]| [other[0] - one[0], other[1] - one[1]];
     let dot = |one: [f64; 2], other: [f64; 2]| one[0] * other[0] + one[1] * other[1];
     let r = gap(from.position, to.position);
@@ -42,7 +42,7 @@ fn compare(largest: &mut [f64; 3], one: Signal, other: Signal) {
 }
 
 /// One coordinate of a point as a signal.
-fn component(point: Motion, axis: usize) -> Signal {
+fn component(point: PointMotion, axis: usize) -> Signal {
     Signal {
         value: point.position[axis],
         rate: point.velocity[axis],

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use linkwright::{Blocks, Branch};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::view::View;
 use linkwright_tests::hunt::paths::families::course;

@@ -3,11 +3,11 @@
 use std::f64::consts::PI;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::expr::Tape;
 use linkwright_codegen::read;
+use linkwright_codegen::stages::expr::Tape;
 
 use linkwright_tests::files;
-use linkwright_tests::law::Motion;
+use linkwright_tests::law::Law;
 use linkwright_tests::random::Random;
 
 mod generated {
@@ -19,8 +19,8 @@ mod pieces {
 }
 
 /// Every rise from (x0, h0) = (1, 0.5) to (x1, h1) = (3, 2): s = (t − 1)/2, and one unit of y is 3/2.
-fn rise(law: &str) -> Motion {
-    Motion::new(&format!("{law}(t, 1, 0.5, 3, 2)"))
+fn rise(law: &str) -> Law {
+    Law::new(&format!("{law}(t, 1, 0.5, 3, 2)"))
 }
 
 const HEIGHT: f64 = 1.5;
@@ -228,7 +228,7 @@ fn derivatives_agree_with_differences() {
         "harmonic(t, 1, 2, 3, 4, 5)",
     ];
     for text in written {
-        let motion = Motion::new(text);
+        let motion = Law::new(text);
         let step = 1e-3;
         let mut compared = 0;
         for _ in 0..400 {
@@ -268,9 +268,8 @@ fn derivatives_agree_with_differences() {
 
 #[test]
 fn a_sequence_goes_through_its_stations_and_repeats() {
-    let motion =
-        Motion::new("sequence(t, cycloidal, (1, 0.2), (2, 1), (3, 1), (5, 0.2), periodic)");
-    let once = Motion::new("sequence(t, cycloidal, (1, 0.2), (2, 1), (3, 1), (5, 0.2))");
+    let motion = Law::new("sequence(t, cycloidal, (1, 0.2), (2, 1), (3, 1), (5, 0.2), periodic)");
+    let once = Law::new("sequence(t, cycloidal, (1, 0.2), (2, 1), (3, 1), (5, 0.2))");
     for (t, height) in [
         (1.0, 0.2),
         (2.0, 1.0),
@@ -307,14 +306,14 @@ fn a_sequence_goes_through_its_stations_and_repeats() {
 
 #[test]
 fn series_are_what_the_function_reference_says() {
-    let polynomial = Motion::new("polynomial(t, 2, 3, 5, 7)");
+    let polynomial = Law::new("polynomial(t, 2, 3, 5, 7)");
     close(
         polynomial.at(4.0)[0],
         3.0 + 5.0 * 2.0 + 7.0 * 4.0,
         100.0,
         "POLY",
     );
-    let harmonic = Motion::new("harmonic(t, 2, 3, 5, 7, 11)");
+    let harmonic = Law::new("harmonic(t, 2, 3, 5, 7, 11)");
     let angle = 5.0 * (4.0 - 2.0) - 7.0_f64;
     close(harmonic.at(4.0)[0], 3.0 * angle.sin() + 11.0, 100.0, "SHF");
     close(harmonic.at(4.0)[1], 15.0 * angle.cos(), 100.0, "SHF");

@@ -9,7 +9,7 @@
 use std::fmt::Write;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 use linkwright_tests::metamorphic::frames::{
     FROM_AFAR, Moved, TIMES, is_rounded_away, motions, plan,
 };

@@ -6,7 +6,8 @@
 use std::fs;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{check_all, emit, generate, read};
+use linkwright_codegen::stages::emit;
+use linkwright_codegen::{check_all, generate, read};
 use linkwright_tests::{description, files};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};

@@ -1,10 +1,10 @@
 //! Long choices on the printed pages: written once under a name, and the page with its names says what the rows are.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::emit::{Notation, derivation, latex, text};
-use linkwright_codegen::expr::{ExprId, Tape};
-use linkwright_codegen::structure;
-use linkwright_codegen::system::{Row, SymbolRole, System};
+use linkwright_codegen::stages::emit::{Notation, derivation, latex, text};
+use linkwright_codegen::stages::expr::{ExprId, Tape};
+use linkwright_codegen::stages::structure;
+use linkwright_codegen::stages::system::{Row, SymbolRole, System};
 use linkwright_tests::files;
 use linkwright_tests::printed::{Values, value};
 use linkwright_tests::random::Random;

@@ -1,6 +1,6 @@
 //! Joints marked `redundant`: the motion against its closed form, in both views, and what is monitored.
 
-use linkwright_codegen::structure::Freedom;
+use linkwright_codegen::stages::structure::Freedom;
 use linkwright_tests::description;
 use linkwright_tests::solver::{Interpreted, Solver};
 

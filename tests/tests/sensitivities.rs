@@ -5,7 +5,7 @@ use std::path::Path;
 use linkwright::nalgebra::DVector;
 use linkwright::{Blocks, FailureKind, Mechanism, Settings, Shell, Values};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_tests::values::{filled, levels, numbers};
 

@@ -2,7 +2,7 @@
 //! there, if what it measures is the determinant at every pose.
 
 use linkwright::{Blocks, Settings, Shell};
-use linkwright_codegen::expr::ExprId;
+use linkwright_codegen::stages::expr::ExprId;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::reader::Reader;

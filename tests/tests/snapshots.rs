@@ -1,8 +1,8 @@
 //! The equations of both seeds as they are printed: as Rust, as text in ASCII and in Unicode, and as LaTeX.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::emit::{Notation, latex, text};
 use linkwright_codegen::generate;
+use linkwright_codegen::stages::emit::{Notation, latex, text};
 use linkwright_tests::{description, files};
 
 fn snapshot(name: &str, printed: &str) {

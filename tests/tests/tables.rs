@@ -2,10 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use linkwright_codegen::expr::Tape;
+use linkwright_codegen::stages::expr::Tape;
 
 use linkwright_tests::description;
-use linkwright_tests::law::Motion;
+use linkwright_tests::law::Law;
 use linkwright_tests::random::Random;
 
 mod generated {
@@ -28,13 +28,13 @@ fn close(found: f64, expected: f64, bound: f64, what: &str) {
 }
 
 /// A table as a function of t.
-fn table(points: &[[f64; 2]], ends: &str) -> Motion {
+fn table(points: &[[f64; 2]], ends: &str) -> Law {
     let points: Vec<String> = points
         .iter()
         .map(|[x, y]| format!("({x:e}, {y:e})"))
         .collect();
     let statement = format!("table f = [{}] {ends};", points.join(", "));
-    Motion::with(&statement, "f(t)")
+    Law::with(&statement, "f(t)")
 }
 
 #[test]
@@ -72,7 +72,7 @@ fn a_cubic_with_its_slopes_at_the_ends_is_reproduced() {
 }
 
 /// Samples of the sine over one turn, at so many places.
-fn sine(pieces: u32, ends: &str) -> (f64, Motion) {
+fn sine(pieces: u32, ends: &str) -> (f64, Law) {
     let width = TAU / f64::from(pieces);
     let points: Vec<[f64; 2]> = (0..=pieces)
         .map(|place| {
@@ -244,7 +244,7 @@ fn a_periodic_table_repeats_itself() {
 fn derivatives_agree_with_differences() {
     let statement = "table f = [(-0.5, 0.25), (0.25, 1.5), (1, -0.75), (1.125, -0.5), (2.5, 3), (3.5, 0.25)] periodic;";
     let inner = |t: f64| 1.5 * t + 0.3 * t.sin();
-    let motion = Motion::with(statement, "f(1.5*t + 0.3*sin(t))*cos(t)");
+    let motion = Law::with(statement, "f(1.5*t + 0.3*sin(t))*cos(t)");
     let (mut random, step, mut compared) = (Random::new(3), 1e-3, 0);
     for _ in 0..2000 {
         let t = random.between(-6.0, 6.0);

@@ -5,9 +5,9 @@ use std::path::Path;
 use linkwright::nalgebra::{DMatrix, DVector};
 use linkwright::{Blocks, FailureKind, Mechanism};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::expr::{ExprId, Tape};
-use linkwright_codegen::model::Role;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::{ExprId, Tape};
+use linkwright_codegen::stages::model::Role;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_tests::values::{Levels, assembled, levels, point_names};
 

@@ -6,9 +6,9 @@
 
 use linkwright::Shell;
 
-use crate::given::{InputLaws, Modes};
 use crate::instant::Instant;
 use crate::measures::{MeasuredPart, Measures, Sample};
+use crate::supplied::{InputLaws, Modes};
 use crate::view::View;
 
 /// How many places are refined for each part, the lowest first.

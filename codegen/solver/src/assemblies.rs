@@ -8,10 +8,10 @@
 use linkwright::{Blocks, Branch, Equations, Settings, assemble};
 use nalgebra::DVector;
 
-use crate::given::Modes;
 use crate::instant::Instant;
 use crate::interpreted::{Interpreted, State};
 use crate::search::{SAME, STARTS};
+use crate::supplied::Modes;
 use crate::textbook::TextbookEquations;
 use crate::view::View;
 

@@ -5,9 +5,9 @@
 use std::convert::Infallible;
 
 use linkwright::{Blocks, Shell};
-use linkwright_codegen::emit::derivation::SingularPose;
-use linkwright_codegen::model::Role;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::emit::derivation::SingularPose;
+use linkwright_codegen::stages::model::Role;
+use linkwright_codegen::stages::system::System;
 use nalgebra::DVector;
 
 use crate::approach::{Approach, Watch};

@@ -4,7 +4,7 @@
 //! although every driver stands still (right null vector). What takes part with less than [`SHARE`] of the largest
 //! component is left out. Names come in written order, each once. The module does not know how the directions were found.
 
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 
 use crate::condition::Weakness;
 

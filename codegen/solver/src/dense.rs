@@ -4,17 +4,17 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use linkwright::{
-    BlockName, Blocks, Equations, Failure, Given, Motion, Pair, Span, Start, block, path,
+    BlockName, Blocks, Conditions, Equations, Failure, Pair, PointMotion, Span, Start, block, path,
 };
-use linkwright_codegen::emit::derivation::SingularPose;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::emit::derivation::SingularPose;
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::diagnosis::cause;
-use crate::given::{InputSignals, ModeName, Modes, Numbers, ParameterValues, Pose};
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
 use crate::number::time;
+use crate::supplied::{InputSignals, ModeName, Modes, Numbers, ParameterValues, Pose};
 use crate::textbook::TextbookEquations;
 use crate::view::View;
 
@@ -124,21 +124,22 @@ impl Blocks for Dense {
         at: &mut Instant,
         last: &Instant,
         modes: &mut Modes,
-        given: &Given<'_, f64, ParameterValues, InputSignals>,
+        conditions: &Conditions<'_, f64, ParameterValues, InputSignals>,
     ) -> Result<(), Failure> {
-        self.equations.supply(given.parameters, given.inputs);
+        self.equations
+            .supply(conditions.parameters, conditions.inputs);
         self.solves.set(self.solves.get() + 1);
         let (counted, last) = (Counted(self), last.frame());
         let mode = &mut modes.iterated[0];
-        let Given {
+        let Conditions {
             t, start, settings, ..
-        } = *given;
+        } = *conditions;
         let found = match (start, *mode) {
             (Start::LastFrame, Some(branch)) => path::step(&counted, &last, branch, t, settings)?,
             _ => block::solve(&counted, &last, Start::Estimate, mode, t, settings)?,
         };
         at.set_frame(&found);
-        at.set_given(given.parameters, given.inputs);
+        at.set_given(conditions.parameters, conditions.inputs);
         Ok(())
     }
 
@@ -171,7 +172,7 @@ impl Blocks for Dense {
         self.system.outputs.get(index).map(|it| it.name.as_str())
     }
 
-    fn point(&self, frame: &Instant, index: usize) -> Option<Motion<f64>> {
+    fn point(&self, frame: &Instant, index: usize) -> Option<PointMotion<f64>> {
         self.points(frame).get(index).copied()
     }
 
@@ -198,7 +199,7 @@ impl View for Dense {
         [self.residuals.get().saturating_sub(solves), solves]
     }
 
-    fn points(&self, instant: &Instant) -> Vec<Motion> {
+    fn points(&self, instant: &Instant) -> Vec<PointMotion> {
         self.equations.points(&instant.frame())
     }
 

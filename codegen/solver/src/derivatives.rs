@@ -3,9 +3,9 @@
 //! A transmission is the derivative of a point or coordinate by the value of a driver, a sensitivity that of a coordinate and its
 //! rate by a parameter, both at a fixed time. Units are those of SI. The module does not know how columns are written.
 
-use linkwright_codegen::model::Requested;
-use linkwright_codegen::program::{Found, Program};
-use linkwright_codegen::system::{Cause, System};
+use linkwright_codegen::stages::model::Requested;
+use linkwright_codegen::stages::program::{Found, Program};
+use linkwright_codegen::stages::system::{Cause, System};
 
 use crate::instant::Layout;
 

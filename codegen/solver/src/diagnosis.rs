@@ -3,8 +3,8 @@
 //! The module does not solve anything; it evaluates Φ and Φ_q where the solver stopped.
 
 use linkwright::{Equations, Failure, FailureKind};
-use linkwright_codegen::joint::Quantity;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
 use crate::concerned::Concerned;

@@ -4,11 +4,11 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use linkwright::Frame;
-use linkwright_codegen::expr::SymbolId;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::SymbolId;
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DVector, Dyn};
 
-use crate::given::{InputSignals, ParameterValues};
+use crate::supplied::{InputSignals, ParameterValues};
 
 /// One solved instant, in m, rad and s: the time, what was given, q, q̇, q̈, and what else a [`Layout`] says.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,19 +11,20 @@ use std::sync::Arc;
 use linkwright::blocks::first_not_positive;
 use linkwright::closed_form::failed;
 use linkwright::{
-    BlockName, Blocks, Branch, Failure, FailureKind, Frame, Given, Measure, Motion, Pair, Span,
-    Start, Tube, Values, block, kinematics,
+    BlockName, Blocks, Branch, Conditions, Failure, FailureKind, Frame, Measure, Pair, PointMotion,
+    Span, Start, Tube, Values, block, kinematics,
 };
-use linkwright_codegen::emit::Notation;
-use linkwright_codegen::emit::derivation::{BlockWords, SingularPose, block_words, singular_poses};
-use linkwright_codegen::expr::{Code, ExprId, Recorder, Register, SymbolId, Tape};
-use linkwright_codegen::program::{Program, Statement, lower_with_unknowns};
-use linkwright_codegen::structure::{self, SolvedPlan};
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::emit::Notation;
+use linkwright_codegen::stages::emit::derivation::{
+    BlockWords, SingularPose, block_words, singular_poses,
+};
+use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId, Tape};
+use linkwright_codegen::stages::program::{Program, Statement, lower_with_unknowns};
+use linkwright_codegen::stages::structure::{self, SolvedPlan};
+use linkwright_codegen::stages::system::System;
 
 use crate::assemblies::assemblies;
 use crate::derivatives::{Derivative, of_program};
-use crate::given::{InputSignals, ModeName, Modes, Numbers, ParameterValues, Pose};
 use crate::instant::{Instant, Layout};
 use crate::measures::{MeasuredPart, Measures, measured};
 use crate::newton::Newton;
@@ -31,6 +32,7 @@ use crate::number::time;
 use crate::operation::{Operation, Writer, run};
 use crate::path::InterpretedPath;
 use crate::reader::Reader;
+use crate::supplied::{InputSignals, ModeName, Modes, Numbers, ParameterValues, Pose};
 use crate::view::View;
 
 /// A mechanism that is solved block by block, in SI units: m, rad, s.
@@ -519,16 +521,16 @@ impl Blocks for Interpreted {
         at: &mut Instant,
         last: &Instant,
         modes: &mut Modes,
-        given: &Given<'_, f64, ParameterValues, InputSignals>,
+        conditions: &Conditions<'_, f64, ParameterValues, InputSignals>,
     ) -> Result<(), Failure> {
         let registers = &mut *self.registers.borrow_mut();
-        let Given {
+        let Conditions {
             t,
             start,
             parameters,
             inputs,
             settings,
-        } = *given;
+        } = *conditions;
         self.compiled.fill(registers, last, t, parameters, inputs);
         self.compiled.set_signs(registers, modes);
         for index in 0..self.compiled.blocks.len() {
@@ -571,7 +573,7 @@ impl Blocks for Interpreted {
         self.system().outputs.get(index).map(|it| it.name.as_str())
     }
 
-    fn point(&self, frame: &Instant, index: usize) -> Option<Motion<f64>> {
+    fn point(&self, frame: &Instant, index: usize) -> Option<PointMotion<f64>> {
         self.points(frame).get(index).copied()
     }
 
@@ -630,9 +632,9 @@ impl View for Interpreted {
         [self.residuals.get().saturating_sub(solves), solves]
     }
 
-    fn points(&self, instant: &Instant) -> Vec<Motion> {
+    fn points(&self, instant: &Instant) -> Vec<PointMotion> {
         let values = self.points.values(instant);
-        let motion = |it: &[f64]| Motion {
+        let motion = |it: &[f64]| PointMotion {
             position: [it[0], it[1]],
             velocity: [it[2], it[3]],
             acceleration: [it[4], it[5]],

@@ -6,10 +6,10 @@
 //! largest on the way; that of a Newton-Raphson is scaled as its equation and its unknown are.
 
 use linkwright::Measure;
-use linkwright_codegen::expr::ExprId;
-use linkwright_codegen::program::{Lengths, Program};
-use linkwright_codegen::structure::SolvedPlan;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::program::{Lengths, Program};
+use linkwright_codegen::stages::structure::SolvedPlan;
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
 use crate::instant::Instant;

@@ -3,10 +3,10 @@
 use std::cell::RefCell;
 
 use linkwright::{Equations, Frame};
-use linkwright_codegen::expr::{Code, Register};
-use linkwright_codegen::joint::Quantity;
-use linkwright_codegen::program::{Block, Function, Lengths, Statement};
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::{Code, Register};
+use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::program::{Block, Function, Lengths, Statement};
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::operation::{Operation, Writer, run};

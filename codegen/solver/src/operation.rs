@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use linkwright::closed_form::{angle_near, no_span, singular_divisor, spans};
 use linkwright::{Failure, FailureKind};
-use linkwright_codegen::expr::{Code, ExprId, Recorder, Register, SymbolId};
-use linkwright_codegen::program::{Function, Statement};
+use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId};
+use linkwright_codegen::stages::program::{Function, Statement};
 
 use crate::path::Isolation;
 

@@ -4,15 +4,15 @@
 
 use linkwright::span::{isolate_all, required};
 use linkwright::{Pair, Span, Tube};
-use linkwright_codegen::expr::{Code, Recorder, Register, SymbolId};
-use linkwright_codegen::program::Program;
-use linkwright_codegen::system::{SymbolRole, System};
+use linkwright_codegen::stages::expr::{Code, Recorder, Register, SymbolId};
+use linkwright_codegen::stages::program::Program;
+use linkwright_codegen::stages::system::{SymbolRole, System};
 use nalgebra::{DMatrix, DVector};
 
-use crate::given::InputSignals;
 use crate::instant::{Instant, Layout};
 use crate::interpreted::Interpreted;
 use crate::operation::{Operation, Writer, run};
+use crate::supplied::InputSignals;
 
 /// The path of a mechanism.
 #[derive(Clone, Debug)]
@@ -123,7 +123,7 @@ impl InterpretedPath {
         for (register, value) in self.span.iter().zip(spans) {
             registers[register.index()] = value;
         }
-        let inputs = [pair.before, pair.given.inputs];
+        let inputs = [pair.before, pair.conditions.inputs];
         for operation in &self.operations {
             self.show(operation, registers, inputs, span)?;
         }

@@ -1,8 +1,8 @@
 //! *Instants* → *the largest pressure angle of every contact over all of them*.
 
 use linkwright::contact::pressure_angle;
-use linkwright_codegen::expr::ExprId;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::system::System;
 
 use crate::instant::{Instant, Layout};
 use crate::reader::Reader;

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use linkwright_codegen::expr::{Code, ExprId, Graph, Recorder, Register};
+use linkwright_codegen::stages::expr::{Code, ExprId, Graph, Recorder, Register};
 
 use crate::instant::{Instant, Layout};
 

@@ -3,7 +3,7 @@
 //! The equations are evaluated again at each instant, independently of what the solver believed. The module does not judge
 //! the figures.
 
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 
 use crate::instant::{Instant, Layout};
 use crate::reader::Reader;

@@ -9,9 +9,9 @@ use linkwright::closed_form::{failed, nearest_turn};
 use linkwright::{Branch, Failure, FailureKind, Start};
 use nalgebra::DVector;
 
-use crate::given::Modes;
 use crate::interpreted::{Interpreted, State};
 use crate::newton::Newton;
+use crate::supplied::Modes;
 
 /// From how many poses at random a mode is looked for, if it is not found from the last values.
 pub const STARTS: u32 = 200;

@@ -7,13 +7,13 @@
 use std::cell::RefCell;
 
 use linkwright::contact::pressure_angle;
-use linkwright::{Equations, Failure, Frame, Motion, Settings, kinematics};
-use linkwright_codegen::expr::{ExprId, SymbolId, Tape};
-use linkwright_codegen::model::Requested;
-use linkwright_codegen::system::System;
+use linkwright::{Equations, Failure, Frame, PointMotion, Settings, kinematics};
+use linkwright_codegen::stages::expr::{ExprId, SymbolId, Tape};
+use linkwright_codegen::stages::model::Requested;
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use crate::given::{InputSignals, ParameterValues};
+use crate::supplied::{InputSignals, ParameterValues};
 
 /// A mechanism as functions of pose and time, in SI units: m, rad, s.
 ///
@@ -92,7 +92,7 @@ impl TextbookEquations {
             "a system must pass `check` before it is solved"
         );
         let graph = &system.mechanism.graph;
-        let rows = |pick: fn(&linkwright_codegen::system::Row) -> ExprId| {
+        let rows = |pick: fn(&linkwright_codegen::stages::system::Row) -> ExprId| {
             let roots: Vec<ExprId> = system.rows.iter().map(pick).collect();
             Tape::new(graph, &roots)
         };
@@ -247,7 +247,7 @@ impl TextbookEquations {
     }
 
     /// The motion of every declared point at `frame`, in the order of [`System::outputs`].
-    pub fn points(&self, frame: &Frame<f64, Dyn>) -> Vec<Motion<f64>> {
+    pub fn points(&self, frame: &Frame<f64, Dyn>) -> Vec<PointMotion<f64>> {
         let scratch = &mut *self.scratch.borrow_mut();
         self.fill(&mut scratch.symbols, &self.positions, frame.q.as_slice());
         self.fill(&mut scratch.symbols, &self.rates, frame.qd.as_slice());
@@ -262,7 +262,7 @@ impl TextbookEquations {
             .evaluate(&scratch.symbols, &mut scratch.workspace, results);
         results
             .chunks_exact(6)
-            .map(|it| Motion {
+            .map(|it| PointMotion {
                 position: [it[0], it[1]],
                 velocity: [it[2], it[3]],
                 acceleration: [it[4], it[5]],
@@ -331,7 +331,7 @@ impl TextbookEquations {
         responses: &DMatrix<f64>,
     ) -> Vec<DMatrix<f64>> {
         // The velocity of a point is linear in q̇, so responses in place of q̇ give the columns.
-        let along: Vec<Vec<Motion<f64>>> = responses
+        let along: Vec<Vec<PointMotion<f64>>> = responses
             .column_iter()
             .take(self.driven)
             .map(|response| {

@@ -5,9 +5,9 @@
 
 use linkwright::{Failure, Shell};
 
-use crate::given::InputLaws;
 use crate::instant::Instant;
 use crate::schedule::{Leg, Visit};
+use crate::supplied::InputLaws;
 use crate::view::View;
 
 /// How closely the end of a motion is found, beside the larger of the time and one second.

@@ -1,12 +1,12 @@
 //! What can be solved and reported on, whichever equations it is solved by.
 
-use linkwright::{Blocks, Failure, Motion};
-use linkwright_codegen::emit::derivation::SingularPose;
-use linkwright_codegen::system::System;
+use linkwright::{Blocks, Failure, PointMotion};
+use linkwright_codegen::stages::emit::derivation::SingularPose;
+use linkwright_codegen::stages::system::System;
 
-use crate::given::{InputLaws, InputSignals, ModeName, Modes, ParameterValues, Pose};
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
+use crate::supplied::{InputLaws, InputSignals, ModeName, Modes, ParameterValues, Pose};
 
 /// A way of solving a described mechanism: block by block, or all equations at once.
 pub trait View:
@@ -33,7 +33,7 @@ pub trait View:
     fn newton_steps(&self) -> [u64; 2];
 
     /// The motion of all points of the description, in its order.
-    fn points(&self, instant: &Instant) -> Vec<Motion>;
+    fn points(&self, instant: &Instant) -> Vec<PointMotion>;
 
     /// What `transmission` and `sensitivity` statements ask for, in the order of [`crate::derivatives::names`];
     /// `None` where the equations are singular.

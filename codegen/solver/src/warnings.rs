@@ -1,6 +1,6 @@
 //! *The closest approaches of a motion to singular poses* → *sentences*.
 
-use linkwright_codegen::emit::derivation::SingularPose;
+use linkwright_codegen::stages::emit::derivation::SingularPose;
 
 use crate::approach::Approach;
 use crate::number::{scientific, time};

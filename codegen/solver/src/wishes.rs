@@ -3,10 +3,10 @@
 use linkwright::{Blocks, Branch, Failure};
 use linkwright_codegen::diagnostic::nearest;
 
-use crate::given::{ModeName, Modes};
 use crate::instant::Instant;
 use crate::interpreted::Interpreted;
 use crate::search::Sought;
+use crate::supplied::{ModeName, Modes};
 use crate::view::View;
 
 /// The modes that are wanted of some loops; those of the others are the drawing's.

@@ -38,7 +38,7 @@ pub(super) fn one(diagnostic: &Diagnostic, lines: &Lines<'_>) -> String {
     let position = lines.position(diagnostic.primary.span.start as usize);
     let last = marks.iter().map(|mark| mark.line).max().unwrap_or(1);
     let gutter = last.to_string().len();
-    let mut frame = Frame {
+    let mut frame = Excerpt {
         text: String::new(),
         gutter,
     };
@@ -77,12 +77,12 @@ pub(super) fn one(diagnostic: &Diagnostic, lines: &Lines<'_>) -> String {
     frame.text
 }
 
-struct Frame {
+struct Excerpt {
     text: String,
     gutter: usize,
 }
 
-impl Frame {
+impl Excerpt {
     /// `12 | text`, without blanks at the end.
     fn row(&mut self, number: &str, text: &str) {
         let gutter = self.gutter;

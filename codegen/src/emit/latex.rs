@@ -1,21 +1,21 @@
 //! Formulas and whole systems in LaTeX, for amsmath.
 
-mod formula;
 mod inspect;
+mod spelling;
 
-pub(crate) use formula::{escaped, vector_name};
 pub use inspect::inspect;
+pub(crate) use spelling::{Latex, escaped, vector_name};
 
+use super::formula::Printer;
 use crate::expr::ExprId;
 use crate::system::{SymbolRole, System};
-pub(super) use formula::Printer;
 
 /// One expression for math mode, with the bodies mentioned in this order.
 pub fn formula(system: &System, bodies: &[usize], expr: ExprId) -> String {
-    Printer::new(system, bodies).expression(expr)
+    Printer::new(system, bodies, Latex).expression(expr)
 }
 
 /// An unknown, its rate or its acceleration.
 pub(crate) fn symbol(system: &System, role: SymbolRole) -> String {
-    Printer::new(system, &[]).symbol(role)
+    Printer::new(system, &[], Latex).symbol(role)
 }

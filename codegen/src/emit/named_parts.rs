@@ -10,7 +10,7 @@
 //! Deliberately unknown here: where the definitions stand on a page, and tables, which have names of their own.
 
 use super::Notation;
-use super::text::Printer;
+use super::formula::Printer;
 use crate::expr::{ExprId, Graph, Node, Rational, SymbolId};
 use crate::system::{SymbolRole, System};
 use std::cell::RefCell;

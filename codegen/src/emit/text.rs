@@ -1,14 +1,14 @@
 //! Formulas and whole systems in plain text.
 
-mod formula;
 mod inspect;
+mod spelling;
 pub(super) mod table;
 
-pub(super) use formula::Printer;
 pub(crate) use inspect::given;
 pub use inspect::inspect;
 
 use super::Notation;
+use super::formula::Printer;
 use super::named_parts::LONGEST_FORMULA;
 use crate::expr::ExprId;
 use crate::program::ConstantPart;

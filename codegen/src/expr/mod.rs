@@ -50,5 +50,4 @@ pub use number::Number;
 pub use rational::Rational;
 pub use spline::{Spline, SplineId};
 pub use tape::Tape;
-pub use values::Magnitudes;
 pub use written::SHORT;

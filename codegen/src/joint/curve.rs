@@ -3,14 +3,14 @@
 //! All of them follow from p(s) by differentiation. Deliberately unknown here: how the curve was written, and what touches it.
 
 use super::Quantity;
-use super::geometry::{Frame, Vector, add, dot, perpendicular};
+use super::geometry::{BodyFrame, Vector, add, dot, perpendicular};
 use crate::expr::{ExprId, Graph, Rational, SymbolId};
 
 /// A curve p(s) of one body and where one joint touches it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve {
     /// The frame it is fixed in.
-    pub frame: Frame,
+    pub frame: BodyFrame,
     /// The x axis of that frame in global components: R (1, 0).
     pub axis: Vector,
     /// s where the joint touches it: a coordinate of the mechanism.

@@ -20,7 +20,7 @@ pub type Vector = [ExprId; 2];
 
 /// The frame of one body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
+pub struct BodyFrame {
     /// Whose frame it is.
     pub body: BodyId,
     /// Its origin, in m.
@@ -33,14 +33,14 @@ pub struct Frame {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
     /// The frame it is fixed in.
-    pub frame: Frame,
+    pub frame: BodyFrame,
     /// Its coordinates in that frame, in m.
     pub local: Vector,
     /// R s: the local vector in global components.
     pub arm: Vector,
 }
 
-impl Frame {
+impl BodyFrame {
     /// R(φ) v: the vector `v` of this frame in global components.
     pub fn rotate(&self, v: Vector, graph: &mut Graph) -> Vector {
         let (sine, cosine) = (graph.sin(self.angle), graph.cos(self.angle));
@@ -49,7 +49,7 @@ impl Frame {
 
     /// Rᵀ(φ) v: the global vector `v` in the components of this frame.
     pub fn unrotate(&self, v: Vector, graph: &mut Graph) -> Vector {
-        let opposite = Frame {
+        let opposite = BodyFrame {
             angle: graph.negate(self.angle),
             ..*self
         };
@@ -59,7 +59,7 @@ impl Frame {
 
 impl Mark {
     /// The point with these coordinates in a frame.
-    pub fn new(frame: Frame, local: Vector, graph: &mut Graph) -> Mark {
+    pub fn new(frame: BodyFrame, local: Vector, graph: &mut Graph) -> Mark {
         let arm = frame.rotate(local, graph);
         Mark { frame, local, arm }
     }

@@ -38,7 +38,7 @@ pub use operands::{
 pub use quantity::Quantity;
 
 use crate::expr::{ExprId, Graph};
-use geometry::{Frame, Vector};
+use geometry::{BodyFrame, Vector};
 
 /// One scalar constraint equation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,7 +57,7 @@ pub struct Contact {
     /// The unit vector along which they press on one another, in global components.
     pub normal: Vector,
     /// The frame of the body that is pushed.
-    pub follower: Frame,
+    pub follower: BodyFrame,
     /// The point of that body whose motion the pressure angle is measured against.
     pub place: Vector,
     /// An expression of the curve's parameter that keeps its sign wherever the contact is possible, and what is wrong where

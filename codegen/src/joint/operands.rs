@@ -2,7 +2,7 @@
 
 use super::Quantity;
 use super::curve::Curve;
-use super::geometry::{Frame, Mark, Vector, dot, perpendicular, subtract};
+use super::geometry::{BodyFrame, Mark, Vector, dot, perpendicular, subtract};
 use crate::expr::{ExprId, Graph, SymbolId};
 
 /// What a statement of a kind must give beside its keyword: what stands in the parentheses, and its line.
@@ -175,7 +175,7 @@ pub struct Formula {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
     /// The frame it is fixed in.
-    pub frame: Frame,
+    pub frame: BodyFrame,
     /// Where it is, in m.
     pub position: Vector,
 }

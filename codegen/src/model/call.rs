@@ -25,7 +25,7 @@ impl Resolver<'_> {
         span: Span,
     ) -> Option<Value> {
         let name = function.text.as_str();
-        if let Some(value) = self.live_call(function, arguments, span) {
+        if let Some(value) = self.kinematic_call(function, arguments, span) {
             return value;
         }
         if LAWS.contains(&name) {

@@ -3,7 +3,7 @@
 //! The place is the one at which the joint's own rows come nearest to zero in the drawn pose; nothing here depends on the kind.
 
 use super::curve::{DrawnCurve, shown};
-use super::operands::Given;
+use super::operands::WrittenJoint;
 use super::resolve::Resolver;
 use super::search::{Along, Minima, Minimum, minima};
 use crate::diagnostic::{Code, Diagnostic};
@@ -68,7 +68,7 @@ impl Resolver<'_> {
     /// Finds where and on which side the joint touches its curve in the drawing. `None` after an error.
     pub(super) fn touch(
         &mut self,
-        given: &Given<'_>,
+        given: &WrittenJoint<'_>,
         drawn: &DrawnCurve,
         mut operands: Resolved,
     ) -> Option<Resolved> {
@@ -179,7 +179,7 @@ impl Resolver<'_> {
     /// Warns where the shape of the curve keeps the joint from touching it.
     fn warn_of_hollows(
         &mut self,
-        given: &Given<'_>,
+        given: &WrittenJoint<'_>,
         drawn: &DrawnCurve,
         operands: &Resolved,
         place: f64,

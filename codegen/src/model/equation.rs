@@ -3,7 +3,7 @@
 //! Afterwards the equation is a joint like any other, whose marks are the bodies and points that it mentions. Deliberately
 //! unknown here: how a formula is read.
 
-use super::live::Live;
+use super::kinematic::KinematicTerms;
 use super::resolve::Resolver;
 use super::{Dimension, Joint, Role};
 use crate::diagnostic::{Code, Diagnostic};
@@ -17,10 +17,10 @@ impl Resolver<'_> {
         let name = equation.name.as_ref();
         let duplicate = name.and_then(|name| self.equations.declare(name, ()));
         self.diagnostics.extend(duplicate);
-        self.live = Some(Live::default());
+        self.kinematic = Some(KinematicTerms::default());
         // Both sides are looked at even after an error, so that all errors are reported at once.
         let (left, right) = (self.value(&equation.left), self.value(&equation.right));
-        let live = self.live.take().unwrap_or_default();
+        let kinematic = self.kinematic.take().unwrap_or_default();
         let (Some((left, of_left)), Some((right, of_right))) = (left, right) else {
             return;
         };
@@ -29,7 +29,7 @@ impl Resolver<'_> {
             return;
         }
         let residual = self.graph.subtract(left, right);
-        let (marks, arms) = self.mentioned_in(residual, live);
+        let (marks, arms) = self.mentioned_in(residual, kinematic);
         if marks.is_empty() {
             self.diagnostics.push(
                 Diagnostic::error(
@@ -90,9 +90,9 @@ impl Resolver<'_> {
     fn mentioned_in(
         &self,
         residual: ExprId,
-        live: Live,
+        kinematic: KinematicTerms,
     ) -> (Vec<Mark>, Vec<Option<[SymbolId; 2]>>) {
-        let marks = live.marks.into_iter().zip(live.arms);
+        let marks = kinematic.marks.into_iter().zip(kinematic.arms);
         marks
             .filter(|(mark, arm)| {
                 let own = self.bodies[mark.frame.body.0].coordinates;

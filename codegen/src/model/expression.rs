@@ -155,7 +155,7 @@ impl Resolver<'_> {
                 return Some(value);
             }
         }
-        if self.live.is_some() {
+        if self.kinematic.is_some() {
             return self.live_name(reference);
         }
         let carrier = self.carriers.first_carrier(name);

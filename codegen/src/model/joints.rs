@@ -1,7 +1,7 @@
 //! Joint and drive statements → joints with their kinds, labels and operands.
 
 use super::expression::listed;
-use super::operands::Given;
+use super::operands::WrittenJoint;
 use super::resolve::Resolver;
 use super::synonyms::{self, meant};
 use super::{Joint, Role};
@@ -36,7 +36,7 @@ impl Resolver<'_> {
             );
             return;
         };
-        let given = Given {
+        let given = WrittenJoint {
             kind,
             role: Role::Constraint,
             name: joint.name.as_ref(),
@@ -84,7 +84,7 @@ impl Resolver<'_> {
                 *operand = carried;
             }
         }
-        let given = Given {
+        let given = WrittenJoint {
             kind,
             role: Role::Driver,
             name: drive.name.as_ref(),
@@ -128,7 +128,7 @@ impl Resolver<'_> {
         None
     }
 
-    fn add_rows_of(&mut self, given: &Given<'_>, redundant: Option<Span>, docs: &[String]) {
+    fn add_rows_of(&mut self, given: &WrittenJoint<'_>, redundant: Option<Span>, docs: &[String]) {
         let Some(operands) = self.operands(given) else {
             self.broken_lines.extend(given.along.cloned());
             return;
@@ -165,7 +165,7 @@ fn kind_named(keyword: &str, kinds: &[&'static dyn Kind]) -> Option<&'static dyn
 }
 
 /// A statement as messages name it: `revolute P(1, 2)`, `drive length(N, M)`.
-fn label(given: &Given<'_>) -> String {
+fn label(given: &WrittenJoint<'_>) -> String {
     let reference = |reference: &syntax::Reference| match &reference.body {
         Some(body) => format!("{}.{}", body.text, reference.name.text),
         None => reference.name.text.clone(),

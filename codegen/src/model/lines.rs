@@ -3,7 +3,7 @@
 //! `(1, 2) along P -> Q` between two bodies, `(1, 2.Q) along P -> R` on one body, and `(P, Q)` of a joint written before.
 
 use super::Joint;
-use super::operands::Given;
+use super::operands::WrittenJoint;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Node};
@@ -21,7 +21,7 @@ pub(super) const APART: &str = "name two points that are apart in the drawing";
 
 impl Resolver<'_> {
     /// `(1, 2) along P -> Q`: P on the first body, Q on the second, the line as drawn.
-    pub(super) fn sliding_pair(&mut self, given: &Given<'_>) -> Option<(Vec<Mark>, Axis)> {
+    pub(super) fn sliding_pair(&mut self, given: &WrittenJoint<'_>) -> Option<(Vec<Mark>, Axis)> {
         let along = given.along?;
         let ends = [
             (&given.operands[0], &along.from),
@@ -73,7 +73,7 @@ impl Resolver<'_> {
         &mut self,
         slots: &[Slot],
         owner: usize,
-        given: &Given<'_>,
+        given: &WrittenJoint<'_>,
     ) -> Option<(Vec<Mark>, Axis)> {
         let along = given.along?;
         let mut marks = self.listed_marks(slots, given)?;
@@ -162,7 +162,7 @@ impl Resolver<'_> {
     }
 
     /// `(P, Q)`: the line of the one joint that was written `along P -> Q`, and its displacement.
-    pub(super) fn existing_line(&mut self, given: &Given<'_>) -> Option<LineOfJoint> {
+    pub(super) fn existing_line(&mut self, given: &WrittenJoint<'_>) -> Option<LineOfJoint> {
         let wanted = [&given.operands[0], &given.operands[1]];
         let same = |written: &Reference, end: &Reference| {
             let bodies = match (&written.body, &end.body) {

@@ -1,6 +1,6 @@
 //! References to bodies and points → marks: where on which body, and where in the drawing.
 
-use super::operands::Given;
+use super::operands::WrittenJoint;
 use super::resolve::{DrawnPoint, Resolver};
 use crate::diagnostic::{Code, Diagnostic, nearest};
 use crate::joint::geometry::{BodyId, Mark, Vector};
@@ -202,7 +202,11 @@ impl Resolver<'_> {
     }
 
     /// `1.P`, or `1` for the point of the joint's name on it.
-    pub(super) fn pin_mark(&mut self, operand: &Reference, given: &Given<'_>) -> Option<Mark> {
+    pub(super) fn pin_mark(
+        &mut self,
+        operand: &Reference,
+        given: &WrittenJoint<'_>,
+    ) -> Option<Mark> {
         match (&operand.body, given.name) {
             (Some(_), _) => self.point_mark(operand),
             (None, Some(point)) => {

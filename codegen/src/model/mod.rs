@@ -14,16 +14,17 @@ mod declarations;
 mod dimension;
 mod equation;
 mod expression;
-mod given;
 mod joints;
+mod kinematic;
 mod law;
 mod lines;
-mod live;
 mod marks;
 mod motions;
-mod names;
+mod namespace;
+mod naming;
 mod not_finite;
 mod operands;
+mod parameters;
 mod points;
 mod request;
 mod resolve;
@@ -38,15 +39,14 @@ mod wish;
 
 pub(crate) use bounds::beyond_bounds;
 pub use dimension::Dimension;
-pub(crate) use given::field_name;
 pub use motions::resolve;
-pub use resolve::type_name;
+pub use naming::Naming;
+pub(crate) use parameters::field_name;
 pub use setting::set;
-pub(crate) use slug::apart;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SplineId, SymbolId};
-use crate::joint::geometry::{Frame, Mark, Vector};
+use crate::joint::geometry::{BodyFrame, Mark, Vector};
 use crate::joint::{Kind, Resolved};
 
 /// A resolved mechanism.
@@ -60,6 +60,8 @@ pub struct Mechanism {
     pub docs: Vec<String>,
     /// Where the name stands.
     pub span: Span,
+    /// What names must be like.
+    pub naming: &'static Naming,
     /// The arena of every expression below.
     pub graph: Graph,
     /// The time t, in s.
@@ -94,9 +96,7 @@ pub struct Mechanism {
 /// A value that stays changeable at run time.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// Its name as written.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
     /// What stands for it in expressions; the graph knows its default as the symbol's nominal value.
     pub symbol: SymbolId,
@@ -106,16 +106,13 @@ pub struct Parameter {
     pub dimension: Dimension,
     /// Whether a statement mentions it.
     pub used: bool,
-    /// Where its name stands.
     pub span: Span,
 }
 
 /// A signal that is supplied at run time with its rate and acceleration.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// Its name as written.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
     /// What stands for its value, its rate and its acceleration in expressions.
     pub symbols: [SymbolId; 3],
@@ -128,16 +125,13 @@ pub struct Input {
     pub dimension: Dimension,
     /// Whether a statement mentions it.
     pub used: bool,
-    /// Where its name stands.
     pub span: Span,
 }
 
 /// A function through points.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Its name as written.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
     /// Its pieces, in the graph.
     pub spline: SplineId,
@@ -147,7 +141,6 @@ pub struct Table {
     pub value: Dimension,
     /// Whether a statement mentions it.
     pub used: bool,
-    /// Where its name stands.
     pub span: Span,
 }
 
@@ -156,9 +149,7 @@ pub struct Table {
 pub struct Motion {
     /// Its name as written: the name of its generated module.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
-    /// Where its name stands.
     pub span: Span,
 }
 
@@ -167,16 +158,14 @@ pub struct Motion {
 pub struct Body {
     /// The name as written: an identifier or an integer.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
-    /// Where its name stands.
     pub span: Span,
     /// Its frame in terms of its coordinates; constants for the ground.
-    pub frame: Frame,
+    pub frame: BodyFrame,
     /// Its coordinates x, y, φ; none for the ground.
     pub coordinates: Option<[SymbolId; 3]>,
     /// Its estimated pose (x, y, φ) in the drawing.
-    pub drawn: Frame,
+    pub drawn: BodyFrame,
     /// The points it carries, in written order.
     pub marks: Vec<NamedMark>,
 }
@@ -184,9 +173,7 @@ pub struct Body {
 /// A point as one body carries it.
 #[derive(Clone, Debug)]
 pub struct NamedMark {
-    /// Its name as written.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
     /// The body's frame and the local vector.
     pub mark: Mark,
@@ -231,7 +218,6 @@ pub struct Joint {
 pub struct Point {
     /// `K`, or `K_c1` where bodies carry different points of one name.
     pub name: String,
-    /// Its documentation lines.
     pub docs: Vec<String>,
     /// The first body that carries it.
     pub mark: Mark,

@@ -6,19 +6,24 @@
 
 use super::Mechanism;
 use super::bounds::beyond_bounds;
-use super::given::unused;
-use super::names::Names;
+use super::namespace::Namespace;
+use super::naming::Naming;
+use super::parameters::unused;
 use super::resolve::resolve_statements;
-use crate::diagnostic::{Code, Diagnostic, Diagnostics, merged};
+use crate::diagnostic::{Diagnostics, merged};
 use crate::expr::{Excess, LARGEST_STORE};
-use crate::syntax::{Document, Name, Statement};
+use crate::syntax::{Document, Statement};
 
 /// The most that the motions of a document hold together, in terms: each has equations and code of its own.
 const LARGEST_TOGETHER: usize = LARGEST_STORE / 4;
 
 /// Resolves a document into its motions in written order; into one mechanism where it has none. `None` after an error; all
-/// errors of the document are in `diagnostics`.
-pub fn resolve(document: &Document, diagnostics: &mut Diagnostics) -> Option<Vec<Mechanism>> {
+/// errors of the document are in `diagnostics`. Names are as `naming` wants them.
+pub fn resolve(
+    document: &Document,
+    naming: &'static Naming,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<Mechanism>> {
     let mut found = Diagnostics::new();
     let item = &document.mechanism;
     let shared: Vec<&Statement> = item
@@ -26,7 +31,7 @@ pub fn resolve(document: &Document, diagnostics: &mut Diagnostics) -> Option<Vec
         .iter()
         .filter(|statement| !matches!(statement, Statement::Motion(_)))
         .collect();
-    check_names(document, &mut found);
+    check_names(document, naming, &mut found);
     let mut mechanisms = Vec::new();
     let mut parts = Vec::new();
     let mut size = 0;
@@ -34,7 +39,7 @@ pub fn resolve(document: &Document, diagnostics: &mut Diagnostics) -> Option<Vec
         let own = motion.statements.iter();
         let statements: Vec<&Statement> = shared.iter().copied().chain(own).collect();
         let mut part = Diagnostics::new();
-        let mechanism = resolve_statements(document, &statements, Some(motion), &mut part);
+        let mechanism = resolve_statements(document, &statements, Some(motion), naming, &mut part);
         size += statements.len() + mechanism.graph.node_count() + mechanism.graph.store();
         let is_beyond = size > LARGEST_TOGETHER && mechanism.graph.excess().is_none();
         if is_beyond {
@@ -47,7 +52,9 @@ pub fn resolve(document: &Document, diagnostics: &mut Diagnostics) -> Option<Vec
         }
     }
     if mechanisms.is_empty() {
-        mechanisms.push(resolve_statements(document, &shared, None, &mut found));
+        mechanisms.push(resolve_statements(
+            document, &shared, None, naming, &mut found,
+        ));
     }
     found.extend(merged(parts));
     // What was not reached may use it.
@@ -60,41 +67,15 @@ pub fn resolve(document: &Document, diagnostics: &mut Diagnostics) -> Option<Vec
     if failed { None } else { Some(mechanisms) }
 }
 
-/// Every motion becomes a module, so its name must be one, and no other's.
-fn check_names(document: &Document, diagnostics: &mut Diagnostics) {
-    let mut declared = Names::new("motion");
+/// Every motion becomes a part of the output, so its name must be one, and no other's.
+fn check_names(document: &Document, naming: &Naming, diagnostics: &mut Diagnostics) {
+    let mut declared = Namespace::new("motion");
     for motion in document.mechanism.motions() {
         // A name that is missing has been reported.
         if motion.name.text.is_empty() {
             continue;
         }
-        diagnostics.extend(not_a_module(&motion.name));
+        diagnostics.extend((naming.motion)(&motion.name));
         diagnostics.extend(declared.declare(&motion.name, ()));
     }
-}
-
-fn not_a_module(name: &Name) -> Option<Diagnostic> {
-    let text = name.text.as_str();
-    let snake_case = text
-        .chars()
-        .all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_');
-    let problem = if !snake_case {
-        "a module of Rust is named in lower case, with `_` between words"
-    } else if syn::parse_str::<syn::Ident>(text).is_err() {
-        "Rust reserves this word"
-    } else {
-        return None;
-    };
-    let finding = Diagnostic::error(
-        Code::NameNotAllowed,
-        name.span,
-        format!("`{text}` gives no name for a module"),
-    )
-    .label(problem);
-    let lower = text.to_ascii_lowercase();
-    Some(if !snake_case && lower.is_ascii() {
-        finding.help(format!("write `{lower}`"))
-    } else {
-        finding.help("give the motion another name")
-    })
 }

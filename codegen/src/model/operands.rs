@@ -13,7 +13,7 @@ use crate::joint::{
 use crate::syntax::{Direction, Expression, Name, Reference};
 
 /// What a joint or drive statement gives its kind.
-pub(super) struct Given<'a> {
+pub(super) struct WrittenJoint<'a> {
     pub kind: &'static dyn Kind,
     pub role: Role,
     pub name: Option<&'a Name>,
@@ -24,7 +24,7 @@ pub(super) struct Given<'a> {
 }
 
 /// Whether a value stands where one must, and none where none may.
-fn value_fits(given: &Given<'_>) -> bool {
+fn value_fits(given: &WrittenJoint<'_>) -> bool {
     match given.kind.value() {
         Value::None => given.value.is_none(),
         Value::Required(_) => given.value.is_some(),
@@ -34,7 +34,7 @@ fn value_fits(given: &Given<'_>) -> bool {
 
 impl Resolver<'_> {
     /// The operands in the form that the kind takes; `None` after an error.
-    pub(super) fn operands(&mut self, given: &Given<'_>) -> Option<Resolved> {
+    pub(super) fn operands(&mut self, given: &WrittenJoint<'_>) -> Option<Resolved> {
         let form = given.kind.operands();
         let count = given.operands.len();
         let along_fits = given.along.is_some() == form.is_along();
@@ -115,7 +115,7 @@ impl Resolver<'_> {
     }
 
     /// Whether the ends of a link are drawn apart, for kinds that have one; an error where not.
-    fn link_has_direction(&mut self, given: &Given<'_>, operands: &Resolved) -> bool {
+    fn link_has_direction(&mut self, given: &WrittenJoint<'_>, operands: &Resolved) -> bool {
         if !given.kind.auxiliaries().contains(&Auxiliary::LinkAngle) {
             return true;
         }
@@ -162,7 +162,11 @@ impl Resolver<'_> {
     }
 
     /// The mark of every slot; the ground for a carrier that is not written.
-    pub(super) fn listed_marks(&mut self, slots: &[Slot], given: &Given<'_>) -> Option<Vec<Mark>> {
+    pub(super) fn listed_marks(
+        &mut self,
+        slots: &[Slot],
+        given: &WrittenJoint<'_>,
+    ) -> Option<Vec<Mark>> {
         let marks: Vec<Option<Mark>> = given
             .operands
             .iter()
@@ -196,7 +200,7 @@ impl Resolver<'_> {
         Some(marks)
     }
 
-    fn report_form(&mut self, given: &Given<'_>) {
+    fn report_form(&mut self, given: &WrittenJoint<'_>) {
         let keyword = given.kind.keyword();
         let form = given.kind.operands();
         let (fewest, most) = (form.fewest(), form.slots.len());
@@ -241,7 +245,7 @@ impl Resolver<'_> {
     }
 
     /// A body that moves must be among the operands.
-    fn moves(&mut self, bodies: &[BodyId], given: &Given<'_>) -> Option<()> {
+    fn moves(&mut self, bodies: &[BodyId], given: &WrittenJoint<'_>) -> Option<()> {
         if bodies.iter().any(|body| *body != BodyId::GROUND) {
             return Some(());
         }
@@ -257,7 +261,11 @@ impl Resolver<'_> {
     }
 
     /// No body may occur twice among the operands.
-    pub(super) fn different_bodies(&mut self, marks: &[Mark], given: &Given<'_>) -> Option<()> {
+    pub(super) fn different_bodies(
+        &mut self,
+        marks: &[Mark],
+        given: &WrittenJoint<'_>,
+    ) -> Option<()> {
         let bodies: Vec<BodyId> = marks.iter().map(|mark| mark.frame.body).collect();
         let twice = (1..bodies.len()).find(|&at| bodies[..at].contains(&bodies[at]));
         let Some(at) = twice else {

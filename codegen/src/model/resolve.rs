@@ -6,16 +6,17 @@ use super::bounds::beyond_bounds;
 use super::carriers::Carriers;
 use super::curve::{self, DrawnCurve};
 use super::expression::{BUILT_IN, Value, listed};
-use super::given::Fields;
+use super::kinematic::KinematicTerms;
 use super::lines::APART;
-use super::live::Live;
-use super::names::Names;
+use super::namespace::Namespace;
+use super::naming::Naming;
+use super::parameters::Fields;
 use super::request::Named;
 use super::slug::Slugs;
 use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter, Table};
 use crate::diagnostic::{Attachment, Code, Diagnostic, Diagnostics, Span, Suggestions};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{BodyId, Frame, Mark, Vector, subtract};
+use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector, subtract};
 use crate::syntax::{self, WishKind};
 
 /// A point of the drawing.
@@ -30,7 +31,7 @@ pub(super) struct Resolver<'a> {
     pub graph: Graph,
     pub time: SymbolId,
     /// Constants, parameters and inputs.
-    pub constants: Names<Value>,
+    pub constants: Namespace<Value>,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
     /// The place of the input that a symbol is the value of; only looked up.
@@ -40,29 +41,25 @@ pub(super) struct Resolver<'a> {
     pub table_fields: HashMap<String, syntax::Name>,
     /// Every symbol that some expression mentions by the name of a constant, a parameter or an input; only looked up.
     pub mentioned: HashSet<SymbolId>,
-    /// Whether the mechanism has parameters or inputs anywhere, which takes some names in the generated code.
-    pub has_given: bool,
-    /// Whether a sensitivity is asked for, which takes some more.
-    pub has_sensitivity: bool,
     /// Tables: places in the list below; nothing where the statement has an error.
-    pub table_names: Names<Option<usize>>,
+    pub table_names: Namespace<Option<usize>>,
     pub tables: Vec<Table>,
-    pub drawn: Names<DrawnPoint>,
+    pub drawn: Namespace<DrawnPoint>,
     /// Curves; nothing where the statement has an error.
-    pub curves: Names<Option<DrawnCurve>>,
+    pub curves: Namespace<Option<DrawnCurve>>,
     /// The choices around the formula that is read: each condition, and whether the formula stands where it is negative.
     pub choices: Vec<(ExprId, bool)>,
     /// The parameter of the curve whose formula is read.
     pub parameter: Option<curve::Parameter>,
     /// The first body in the whole description that carries a point of each name, and where it lists it; only looked up.
     pub carried: HashMap<&'a str, (&'a str, Span)>,
-    pub body_ids: Names<BodyId>,
+    pub body_ids: Namespace<BodyId>,
     /// The names that drivers were given.
-    pub drivers: Names<()>,
+    pub drivers: Namespace<()>,
     /// The names that equations were given.
-    pub equations: Names<()>,
+    pub equations: Namespace<()>,
     /// What the equation that is being read mentions; `None` elsewhere, where nothing moves but by t.
-    pub live: Option<Live>,
+    pub kinematic: Option<KinematicTerms>,
     pub bodies: Vec<Body>,
     /// The body and the axis of each coordinate; only looked up.
     pub coordinate_places: HashMap<SymbolId, (BodyId, usize)>,
@@ -72,6 +69,7 @@ pub(super) struct Resolver<'a> {
     pub joints: Vec<(Joint, Option<syntax::Direction>)>,
     /// What their rows are named after.
     pub slugs: Slugs,
+    pub naming: &'static Naming,
     /// How many equations the description has written out.
     pub equation_count: usize,
     /// The directions of joints that have an error.
@@ -84,55 +82,6 @@ pub(super) struct Resolver<'a> {
     pub diagnostics: &'a mut Diagnostics,
 }
 
-/// What a mechanism's type must not be named like: generated items, what they are written with, and words of Rust.
-const TAKEN_TYPE_NAMES: &[&str] = &[
-    "Branches",
-    "Coordinates",
-    "Frame",
-    "Textbook",
-    // Of the runtime.
-    "BlockEquations",
-    "BlockName",
-    "Blocks",
-    "Branch",
-    "Closeness",
-    "Const",
-    "Explained",
-    "Factorization",
-    "Failure",
-    "FailureKind",
-    "Given",
-    "Matrix",
-    "Measure",
-    "Mechanism",
-    "Motion",
-    "NamedPoint",
-    "Scalar",
-    "Settings",
-    "Shell",
-    "Span",
-    "Start",
-    "Step",
-    "Table",
-    "Tube",
-    "Vector",
-    // Of Rust.
-    "Default",
-    "Err",
-    "None",
-    "Ok",
-    "Option",
-    "Result",
-    "Self",
-    "Some",
-];
-
-/// The same in mechanisms with parameters or inputs.
-const TAKEN_BY_GIVEN: &[&str] = &["Parameters", "Inputs", "Geometry", "Signal"];
-
-/// The same in mechanisms with sensitivities.
-const TAKEN_BY_SENSITIVITY: &[&str] = &["Sensitivity", "PointSensitivity"];
-
 /// Resolves the mechanism that these statements of a document make, all of them or those of one motion.
 ///
 /// Names may only be used below their declaration. The coordinates are named `x1, y1, phi1` for the body `1` and
@@ -141,6 +90,7 @@ pub(super) fn resolve_statements<'a>(
     document: &'a syntax::Document,
     statements: &[&'a syntax::Statement],
     motion: Option<&syntax::Motion>,
+    naming: &'static Naming,
     diagnostics: &mut Diagnostics,
 ) -> Mechanism {
     let mut graph = Graph::new();
@@ -163,19 +113,10 @@ pub(super) fn resolve_statements<'a>(
         }
     }
     let time = graph.symbol("t");
-    let mut resolver = Resolver::new(graph, time, diagnostics);
+    let mut resolver = Resolver::new(graph, time, naming, diagnostics);
     resolver.attachments = &document.attachments;
     resolver.carried = carried;
-    resolver.has_given = statements.iter().any(|statement| {
-        matches!(
-            statement,
-            syntax::Statement::Parameter(_) | syntax::Statement::Input(_)
-        )
-    });
-    resolver.has_sensitivity = statements
-        .iter()
-        .any(|statement| matches!(statement, syntax::Statement::Sensitivity(_)));
-    resolver.check_mechanism_name(&item.name);
+    resolver.diagnostics.extend((naming.mechanism)(&item.name));
     for statement in statements {
         let before = resolver.diagnostics.mark();
         resolver.add(statement);
@@ -221,6 +162,7 @@ pub(super) fn resolve_statements<'a>(
         }),
         docs,
         span: item.name.span,
+        naming,
         graph: resolver.graph,
         time,
         parameters: resolver.parameters,
@@ -252,28 +194,16 @@ fn coordinate_names(body: &str) -> [String; 3] {
     ["x", "y", "phi"].map(|coordinate| format!("{coordinate}{separator}{body}"))
 }
 
-/// The name of the type that a mechanism becomes: `TwoBody` of `two_body`.
-pub fn type_name(mechanism: &str) -> String {
-    let words = mechanism.split('_').filter(|word| !word.is_empty());
-    words
-        .map(|word| {
-            // A name that is not ASCII has been reported, but comes here too.
-            let mut rest = word.chars();
-            let first = rest.next().map(|it| it.to_ascii_uppercase());
-            first.into_iter().chain(rest).collect::<String>()
-        })
-        .collect()
-}
-
 impl<'a> Resolver<'a> {
     /// Nothing has been declared but the ground.
     pub(super) fn new(
         graph: Graph,
         time: SymbolId,
+        naming: &'static Naming,
         diagnostics: &'a mut Diagnostics,
     ) -> Resolver<'a> {
         let zero = graph.zero();
-        let ground_frame = Frame {
+        let ground_frame = BodyFrame {
             body: BodyId::GROUND,
             origin: [zero, zero],
             angle: zero,
@@ -281,26 +211,24 @@ impl<'a> Resolver<'a> {
         let mut resolver = Resolver {
             graph,
             time,
-            constants: Names::new("constant"),
+            constants: Namespace::new("constant"),
             parameters: Vec::new(),
             inputs: Vec::new(),
             input_places: HashMap::new(),
             fields: Fields::new(),
             table_fields: HashMap::new(),
             mentioned: HashSet::new(),
-            has_given: false,
-            has_sensitivity: false,
-            table_names: Names::new("table"),
+            table_names: Namespace::new("table"),
             tables: Vec::new(),
-            drawn: Names::new("point"),
-            curves: Names::new("curve"),
+            drawn: Namespace::new("point"),
+            curves: Namespace::new("curve"),
             choices: Vec::new(),
             parameter: None,
             carried: HashMap::new(),
-            body_ids: Names::new("body"),
-            drivers: Names::new("driver"),
-            equations: Names::new("equation"),
-            live: None,
+            body_ids: Namespace::new("body"),
+            drivers: Namespace::new("driver"),
+            equations: Namespace::new("equation"),
+            kinematic: None,
             bodies: vec![Body {
                 name: "ground".to_string(),
                 docs: Vec::new(),
@@ -314,6 +242,7 @@ impl<'a> Resolver<'a> {
             carriers: Carriers::default(),
             joints: Vec::new(),
             slugs: Slugs::default(),
+            naming,
             equation_count: 0,
             broken_lines: Vec::new(),
             attachments: &[],
@@ -362,27 +291,6 @@ impl Resolver<'_> {
             self.diagnostics.forget_after(before);
             self.diagnostics.push(beyond_bounds(excess, span));
         }
-    }
-
-    fn check_mechanism_name(&mut self, name: &syntax::Name) {
-        let type_name = type_name(&name.text);
-        let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
-            format!("`{}` gives no name for a type", name.text)
-        } else if TAKEN_TYPE_NAMES.contains(&type_name.as_str())
-            || (self.has_given && TAKEN_BY_GIVEN.contains(&type_name.as_str()))
-            || (self.has_sensitivity && TAKEN_BY_SENSITIVITY.contains(&type_name.as_str()))
-        {
-            format!(
-                "`{}` would become the type `{type_name}`, which every generated module has already",
-                name.text
-            )
-        } else {
-            return;
-        };
-        self.diagnostics.push(
-            Diagnostic::error(Code::NameNotAllowed, name.span, problem)
-                .help("give the mechanism another name"),
-        );
     }
 
     fn add_constant(&mut self, constant: &syntax::Constant) {
@@ -483,7 +391,7 @@ impl Resolver<'_> {
         let symbols = coordinate_names(&name.text).map(|name| self.graph.symbol(&name));
         let [x, y, phi] = symbols.map(|symbol| self.graph.variable(symbol));
         let drawn = self.drawn_pose(body, id);
-        let frame = Frame {
+        let frame = BodyFrame {
             body: id,
             origin: [x, y],
             angle: phi,
@@ -531,7 +439,7 @@ impl Resolver<'_> {
     }
 
     /// The pose in which a body is drawn.
-    fn drawn_pose(&mut self, body: &syntax::Body, id: BodyId) -> Frame {
+    fn drawn_pose(&mut self, body: &syntax::Body, id: BodyId) -> BodyFrame {
         let zero = self.graph.zero();
         let origin = match &body.origin {
             syntax::Origin::Coordinates(pair) => self.pair(pair),
@@ -544,7 +452,7 @@ impl Resolver<'_> {
             }
             syntax::Orientation::Facing(direction) => self.facing(direction).unwrap_or(zero),
         };
-        Frame {
+        BodyFrame {
             body: id,
             origin,
             angle,
@@ -566,7 +474,12 @@ impl Resolver<'_> {
         Some(self.graph.atan2(along[1], along[0]))
     }
 
-    fn member(&mut self, member: &syntax::Member, frame: Frame, drawn: Frame) -> Option<NamedMark> {
+    fn member(
+        &mut self,
+        member: &syntax::Member,
+        frame: BodyFrame,
+        drawn: BodyFrame,
+    ) -> Option<NamedMark> {
         match member {
             syntax::Member::Local {
                 docs,

@@ -96,7 +96,7 @@ fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Di
         }
     };
     let graph = std::mem::take(&mut mechanism.graph);
-    let mut resolver = Resolver::new(graph, mechanism.time, diagnostics);
+    let mut resolver = Resolver::new(graph, mechanism.time, mechanism.naming, diagnostics);
     let value = resolver.quantity(&written.value, dimension);
     let graph = resolver.graph;
     mechanism.graph = graph;

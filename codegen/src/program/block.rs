@@ -4,11 +4,11 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::builder::Builder;
+use super::directional_derivatives::DirectionalDerivatives;
 use super::forms::{DrawnMode, Form, recognize};
 use super::function::{Function, Level, Statement};
 use super::lengths::Lengths;
 use super::path::{Path, Paths};
-use super::responses::Responses;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
 use crate::structure::SolvedBlock;
@@ -177,23 +177,23 @@ impl Block {
 pub(super) struct Lowering<'a> {
     pub system: &'a mut System,
     pub branches: Vec<Branch>,
-    pub responses: Responses,
+    pub derivatives: DirectionalDerivatives,
     pub known: Known,
     pub paths: Paths,
     /// Whether a person's words are wanted too.
-    pub speaks: bool,
+    pub writes_prose: bool,
     names: Vec<String>,
 }
 
 impl<'a> Lowering<'a> {
-    pub(super) fn new(system: &'a mut System, speaks: bool) -> Lowering<'a> {
+    pub(super) fn new(system: &'a mut System, writes_prose: bool) -> Lowering<'a> {
         Lowering {
-            responses: Responses::new(system),
+            derivatives: DirectionalDerivatives::new(system),
             known: Known::nothing(system),
             paths: Paths::new(system),
             branches: Vec::new(),
             names: Vec::new(),
-            speaks,
+            writes_prose,
             system,
         }
     }

@@ -3,10 +3,10 @@
 use std::collections::{HashMap, HashSet};
 
 use super::block::{Branch, Lowering, Measured, PageName};
+use super::directional_derivatives::DirectionalDerivatives;
 use super::forms::{Form, Solved};
 use super::function::{Function, Level, Statement};
 use super::path::Paths;
-use super::responses::Responses;
 use crate::expr::{ExprId, Graph, Node, Number, Rational, SymbolId};
 use crate::joint::geometry::{Vector, dot, turned};
 use crate::system::System;
@@ -18,7 +18,7 @@ pub struct Builder<'a> {
     pub system: &'a mut System,
     /// What has been found so far.
     pub known: &'a mut Known,
-    pub(super) responses: &'a mut Responses,
+    pub(super) derivatives: &'a mut DirectionalDerivatives,
     pub(super) statements: Vec<Statement>,
     /// The number of the block, from 0.
     pub(super) place: usize,
@@ -29,7 +29,7 @@ pub struct Builder<'a> {
     measured: Vec<Measured>,
     page_names: HashMap<SymbolId, PageName>,
     written_out: HashSet<SymbolId>,
-    speaks: bool,
+    writes_prose: bool,
     /// How many links of the block change their length.
     pub(super) stretched: usize,
 }
@@ -48,10 +48,10 @@ impl<'a> Builder<'a> {
         Builder {
             system: lowering.system,
             known: &mut lowering.known,
-            responses: &mut lowering.responses,
+            derivatives: &mut lowering.derivatives,
             paths: &mut lowering.paths,
             branches: &mut lowering.branches,
-            speaks: lowering.speaks,
+            writes_prose: lowering.writes_prose,
             statements: Vec::new(),
             place,
             defined: HashSet::new(),
@@ -95,7 +95,7 @@ impl<'a> Builder<'a> {
 
     /// Says something, where a person's words are wanted.
     pub fn say(&mut self, words: impl FnOnce(&mut Builder<'a>) -> Phrase) {
-        if self.speaks {
+        if self.writes_prose {
             let words = words(self);
             if !words.is_empty() {
                 self.statements.push(Statement::Note(words));
@@ -105,7 +105,7 @@ impl<'a> Builder<'a> {
 
     /// Shows equations that nobody computes, each as left, right and remark, where a person's words are wanted.
     pub fn show(&mut self, equations: impl FnOnce(&mut Builder<'a>) -> Vec<[Phrase; 3]>) {
-        if self.speaks {
+        if self.writes_prose {
             let shown = equations(self).into_iter();
             let shown = shown.map(|[left, right, remark]| Statement::Shown {
                 left,
@@ -132,7 +132,7 @@ impl<'a> Builder<'a> {
         if is_fixed {
             let zero = self.system.mechanism.graph.zero();
             self.system.vector_form.set_rate(target, zero);
-            self.responses.fix(target, value);
+            self.derivatives.fix(target, value);
         }
         self.assign_with(target, value, remark);
         self.graph().variable(target)
@@ -415,7 +415,7 @@ impl<'a> Builder<'a> {
                 self.assign_with(symbols[0], value[0], remark);
                 self.assign(symbols[1], value[1]);
             }
-            self.responses.change_arm(place, self.system);
+            self.derivatives.change_arm(place, self.system);
         }
         self.call(arm, name);
         arm
@@ -503,7 +503,7 @@ impl<'a> Builder<'a> {
     /// The row that says `unknown = value`, in words: `revolute B(crank, coupler), x`.
     pub(super) fn origin(&self, joints: &[usize], row: usize) -> Phrase {
         let row = &self.system.vector_form.rows[row];
-        if !self.speaks || !joints.contains(&row.joint) {
+        if !self.writes_prose || !joints.contains(&row.joint) {
             return Phrase::default();
         }
         let label = &self.system.mechanism.joints[row.joint].label;

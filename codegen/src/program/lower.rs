@@ -47,8 +47,9 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
     let forms = blocks.iter().map(|block| block.forms.clone()).collect();
     let wanted = outputs(lowering.system);
     let (transmissions, transmitting) =
-        transmissions(lowering.system, &mut lowering.responses).unzip();
-    let (sensitivities, sensing) = sensitivities(lowering.system, &mut lowering.responses).unzip();
+        transmissions(lowering.system, &mut lowering.derivatives).unzip();
+    let (sensitivities, sensing) =
+        sensitivities(lowering.system, &mut lowering.derivatives).unzip();
     let (transmissions, sensitivities) = (
         transmissions.unwrap_or_default(),
         sensitivities.unwrap_or_default(),
@@ -72,9 +73,9 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
     let is_asked = |symbol: SymbolId, asked: &HashSet<SymbolId>, system: &System| {
         asked.contains(&symbol) || outputs.is_none() && system.is_coordinate(symbol)
     };
-    let whole = blocks.clone();
+    let unpruned = blocks.clone();
     let pruned = |asked: &HashSet<SymbolId>, system: &System| {
-        let mut blocks = whole.clone();
+        let mut blocks = unpruned.clone();
         prune(
             &mut blocks,
             &|symbol| is_asked(symbol, asked, system),
@@ -93,7 +94,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
             .collect();
         let mut found = lowering.path(kept.into_iter().map(|place| (place, &plan.blocks[place])));
         prune_path(&mut found, &lowering.system.mechanism.graph);
-        asked.extend(read_by_path(&found, &whole, lowering.system));
+        asked.extend(read_by_path(&found, &unpruned, lowering.system));
         blocks = pruned(&asked, lowering.system);
         share_path(&mut found.function, lowering.system);
         path = Some(found);
@@ -104,7 +105,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
         &match outputs {
             None => by_level(&blocks, system),
             Some(_) => {
-                let mut all = whole;
+                let mut all = unpruned;
                 let coordinate = |symbol| system.is_coordinate(symbol) || asked.contains(&symbol);
                 prune(&mut all, &coordinate, &system.mechanism.graph);
                 share_blocks(&mut all, system);
@@ -177,7 +178,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
 
 /// The functions of all blocks with nothing left out, and with a person's words, for whoever reads them or evaluates them without
 /// a compile step. Values that nothing needs are computed too, so that every unknown of the vector form has its position and rate.
-pub fn whole(system: &mut System, plan: &SolvedPlan) -> (Vec<Block>, Vec<super::Branch>) {
+pub fn unpruned(system: &mut System, plan: &SolvedPlan) -> (Vec<Block>, Vec<super::Branch>) {
     let mut lowering = Lowering::new(system, true);
     let blocks = plan.blocks.iter().enumerate();
     let mut blocks: Vec<Block> = blocks
@@ -219,9 +220,12 @@ impl Program {
 }
 
 /// What a path reads of what the blocks find, now and in the last frame; `whole` blocks have nothing left out.
-fn read_by_path(path: &Path, whole: &[Block], system: &System) -> HashSet<SymbolId> {
+fn read_by_path(path: &Path, unpruned: &[Block], system: &System) -> HashSet<SymbolId> {
     let graph = &system.mechanism.graph;
-    let found: HashSet<SymbolId> = whole.iter().flat_map(|it| it.function.targets()).collect();
+    let found: HashSet<SymbolId> = unpruned
+        .iter()
+        .flat_map(|it| it.function.targets())
+        .collect();
     let symbols = path
         .function
         .all_values()

@@ -11,14 +11,12 @@ use crate::system::System;
 pub enum Output {
     /// A point, with the fields of its position, velocity and acceleration as far as they are wanted.
     Point {
-        /// Its name.
         name: String,
         /// x and y of each level.
         fields: Vec<[SymbolId; 2]>,
     },
     /// A coordinate with its rate and acceleration as far as they are wanted.
     Coordinate {
-        /// Its name.
         name: String,
         /// One field a level.
         fields: Vec<SymbolId>,

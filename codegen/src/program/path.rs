@@ -121,7 +121,7 @@ impl Builder<'_> {
         // Drivers are as they are.
         let zero = self.graph().zero();
         let shifts = self
-            .responses
+            .derivatives
             .shifts()
             .into_iter()
             .map(|symbol| (symbol, zero));

@@ -4,9 +4,9 @@
 //! statements say what is wanted, nothing else is differentiated.
 
 use super::block::Block;
+use super::directional_derivatives::DirectionalDerivatives;
 use super::function::{Level, Statement};
 use super::outputs::highest_levels;
-use super::responses::Responses;
 use super::transmissions::described;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::joint::Quantity;
@@ -66,7 +66,7 @@ impl Sensitivity {
 /// The sensitivities that are asked for, and the block that computes those of points; `None` where there are none.
 pub(super) fn sensitivities(
     system: &mut System,
-    responses: &mut Responses,
+    derivatives: &mut DirectionalDerivatives,
 ) -> Option<(Vec<Sensitivity>, Block)> {
     if system.mechanism.sensitivities.is_empty() {
         return None;
@@ -89,9 +89,10 @@ pub(super) fn sensitivities(
         let coordinates = whole.then(|| {
             (0..system.coordinates.len())
                 .map(|unknown| {
-                    let levels = of_unknown(unknown, direction, responses, system);
-                    levels
-                        .map(|value| kept(value, "", direction, responses, &mut statements, system))
+                    let levels = of_unknown(unknown, direction, derivatives, system);
+                    levels.map(|value| {
+                        kept(value, "", direction, derivatives, &mut statements, system)
+                    })
                 })
                 .collect()
         });
@@ -119,7 +120,7 @@ pub(super) fn sensitivities(
                 let values = match request.quantity {
                     Requested::Point(place) => {
                         let position = system.vector_form.points[place];
-                        let along = position.map(|part| responses.along(part, direction, system));
+                        let along = position.map(|part| derivatives.along(part, direction, system));
                         let graph = &mut system.mechanism.graph;
                         match level {
                             0 => along.to_vec(),
@@ -130,14 +131,21 @@ pub(super) fn sensitivities(
                     }
                     Requested::Coordinate { body, axis } => {
                         let unknown = 3 * (body - 1) + axis;
-                        vec![of_unknown(unknown, direction, responses, system)[level]]
+                        vec![of_unknown(unknown, direction, derivatives, system)[level]]
                     }
                 };
                 let suffix = ["", "_rate"][level];
                 let components = values.into_iter().zip(["_x", "_y"]);
                 let components = components.map(|(value, axis)| {
                     let what = format!("point_{}{axis}{suffix}", quantity.name);
-                    kept(value, &what, direction, responses, &mut statements, system)
+                    kept(
+                        value,
+                        &what,
+                        direction,
+                        derivatives,
+                        &mut statements,
+                        system,
+                    )
                 });
                 quantity.levels.push(components.collect());
             }
@@ -158,12 +166,12 @@ pub(super) fn sensitivities(
 fn of_unknown(
     unknown: usize,
     direction: usize,
-    responses: &Responses,
+    derivatives: &DirectionalDerivatives,
     system: &System,
 ) -> [ExprId; 2] {
     [
-        responses.of_unknown(unknown, direction, system),
-        responses.rate_of_unknown(unknown, direction, system),
+        derivatives.of_unknown(unknown, direction, system),
+        derivatives.rate_of_unknown(unknown, direction, system),
     ]
 }
 
@@ -172,7 +180,7 @@ fn kept(
     value: ExprId,
     what: &str,
     direction: usize,
-    responses: &mut Responses,
+    derivatives: &mut DirectionalDerivatives,
     statements: &mut Vec<Statement>,
     system: &mut System,
 ) -> Found {
@@ -184,9 +192,9 @@ fn kept(
         return Found::Constant(value);
     }
     match *graph.node(value) {
-        Node::Symbol(symbol) if responses.is_response(symbol) => Found::Field(symbol),
+        Node::Symbol(symbol) if derivatives.is_response(symbol) => Found::Field(symbol),
         _ => {
-            let name = responses.name(what, direction);
+            let name = derivatives.name(what, direction);
             let target = system.intermediate(&name);
             statements.push(Statement::assignment(target, value));
             Found::Field(target)

@@ -111,11 +111,11 @@ impl Stretch {
         }
         let turned = builder.turn(self.direction, change);
         // What changes the vector with time may be needed beside it, so the names must be told apart.
-        let name = builder.responses.name("stretch", direction);
+        let name = builder.derivatives.name("stretch", direction);
         let values = builder.vector(&name, turned);
         for (component, value) in self.w.into_iter().zip(values) {
             if let Node::Symbol(symbol) = *builder.system.mechanism.graph.node(component) {
-                builder.responses.set_stretch(symbol, direction, value);
+                builder.derivatives.set_stretch(symbol, direction, value);
             }
         }
     }
@@ -124,7 +124,7 @@ impl Stretch {
     fn respond_rate(&self, direction: usize, builder: &mut Builder<'_>) {
         let found = self.w.map(
             |component| match *builder.system.mechanism.graph.node(component) {
-                Node::Symbol(symbol) => builder.responses.stretch_of(symbol, direction),
+                Node::Symbol(symbol) => builder.derivatives.stretch_of(symbol, direction),
                 _ => None,
             },
         );
@@ -134,7 +134,7 @@ impl Stretch {
         let change = self.p.map(|part| builder.along(part, direction));
         let change = change.map(|part| builder.rate(part));
         let turned = builder.turn(self.direction, change);
-        let name = builder.responses.name("stretch_rate", direction);
+        let name = builder.derivatives.name("stretch_rate", direction);
         let values = builder.vector(&name, turned);
         let turning = builder.rate_of(self.angle);
         builder.rate_rule([x, y], [x, y], turning, values);

@@ -1,8 +1,8 @@
 //! What `transmission` statements ask for → a last block that computes it.
 
 use super::block::Block;
+use super::directional_derivatives::DirectionalDerivatives;
 use super::function::{Level, Statement};
-use super::responses::Responses;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
 use crate::model::Requested;
@@ -31,7 +31,7 @@ impl Transmission {
 /// The transmissions that are asked for, and the block that computes them; `None` where there are none.
 pub(super) fn transmissions(
     system: &mut System,
-    responses: &mut Responses,
+    derivatives: &mut DirectionalDerivatives,
 ) -> Option<(Vec<Transmission>, Block)> {
     let requested = system.mechanism.transmissions.clone();
     if requested.is_empty() {
@@ -49,19 +49,19 @@ pub(super) fn transmissions(
             let (components, values) = match *quantity {
                 Requested::Point(place) => {
                     let position = system.vector_form.points[place];
-                    let along = position.map(|part| responses.along(part, direction, system));
+                    let along = position.map(|part| derivatives.along(part, direction, system));
                     (vec!["_x", "_y"], along.to_vec())
                 }
                 Requested::Coordinate { body, axis } => {
                     let unknown = 3 * (body - 1) + axis;
-                    let value = responses.of_unknown(unknown, direction, system);
+                    let value = derivatives.of_unknown(unknown, direction, system);
                     (vec![""], vec![value])
                 }
             };
             let mut column = Vec::with_capacity(values.len());
             for (component, value) in components.into_iter().zip(values) {
                 let what = format!("transmission_{}{component}", transmission.name);
-                let name = responses.name(&what, direction);
+                let name = derivatives.name(&what, direction);
                 let target = system.intermediate(&name);
                 statements.push(Statement::assignment(target, value));
                 column.push(target);

@@ -104,7 +104,7 @@ fn undetermined_contact(system: &System, parts: &Parts) -> Diagnostic {
     let joints = parts.under_columns.iter().filter_map(|&column| {
         match system.coordinates[column].describes {
             Described::Contact { joint } => Some(&system.mechanism.joints[joint]),
-            Described::Pose { .. } => None,
+            Described::Pose { .. } | Described::Auxiliary => None,
         }
     });
     let joints: Vec<&Joint> = joints.collect();

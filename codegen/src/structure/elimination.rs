@@ -55,7 +55,7 @@ pub(super) fn eliminate(
     graph: &mut Graph,
 ) -> Eliminated {
     let (mut eliminable, tears) = partitioned(unknowns, &residuals, form, graph);
-    let rows = residuals.into_iter().map(|it| Equation {
+    let rows = residuals.into_iter().map(|it| ReducedEquation {
         written: it.residual,
         reduced: it.residual,
         row: it.row,
@@ -127,7 +127,7 @@ pub(super) fn eliminate(
 
 /// An equation as it was written, and with the definitions so far put in.
 #[derive(Clone, Copy, Debug)]
-struct Equation {
+struct ReducedEquation {
     written: ExprId,
     reduced: ExprId,
     row: usize,
@@ -137,7 +137,7 @@ struct Equation {
 /// The equations that define nothing yet, and which of them mention which unknown that is to be eliminated.
 struct OpenEquations {
     /// In their order; nothing where one has been taken.
-    rows: Vec<Option<Equation>>,
+    rows: Vec<Option<ReducedEquation>>,
     /// The unknowns that each mentions.
     mentioned: Vec<BTreeSet<usize>>,
     /// The equations that mention each unknown.
@@ -148,7 +148,7 @@ struct OpenEquations {
 
 impl OpenEquations {
     fn new(
-        rows: Vec<Equation>,
+        rows: Vec<ReducedEquation>,
         eliminable: &BTreeSet<usize>,
         form: &VectorForm,
         graph: &Graph,
@@ -202,7 +202,7 @@ impl OpenEquations {
     }
 
     /// Takes out an equation.
-    fn take(&mut self, at: usize) -> Option<Equation> {
+    fn take(&mut self, at: usize) -> Option<ReducedEquation> {
         for unknown in std::mem::take(&mut self.mentioned[at]) {
             if let Some(rows) = self.mentioning.get_mut(&unknown) {
                 rows.remove(&at);

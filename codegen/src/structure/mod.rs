@@ -1,4 +1,4 @@
-//! System → Plan.
+//! System → SolvedPlan.
 //!
 //! Afterwards every coordinate is solved for exactly once and every equation is used exactly once. A system that is not square
 //! in every part stops here, with the bodies and joints concerned. The algorithms see integers only: which equation mentions
@@ -17,45 +17,19 @@ mod rank;
 mod repetition;
 
 pub use components::components;
-pub use elimination::{BlockEquation, Definition};
+pub use elimination::Definition;
 pub use freedom::Freedom;
 pub use incidence::Incidence;
 pub use matching::{Matching, maximum_matching};
 pub use parts::{Parts, coarse_parts};
 pub use plan::{LARGEST_TOGETHER, Part, SolvedBlock, SolvedPlan, plan, plan_of_motion};
-pub use rank::{Dependence, FreeMotion, LARGEST_SURVEY, Moves, Survey, released};
+pub use rank::released;
 
 use crate::diagnostic::Diagnostics;
 use crate::system::System;
 
-/// In which order the unknowns are found, and how.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Plan {
-    /// The blocks in solve order.
-    pub blocks: Vec<Block>,
-}
-
-/// Equations that are solved together for as many unknowns.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Block {
-    /// Rows of Φ.
-    pub equations: Vec<usize>,
-    /// Coordinates.
-    pub unknowns: Vec<usize>,
-    /// How it is solved.
-    pub method: Method,
-}
-
-/// How a block is solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Newton-Raphson on all unknowns of the block at once.
-    Newton,
-}
-
-/// The textbook plan: all equations in one dense block. `None` where the equations do not determine the motion: what is missing,
-/// too much, or repeated is then in `diagnostics`.
-pub fn analyze(system: &System, diagnostics: &mut Diagnostics) -> Option<Plan> {
+/// Whether the equations determine the motion; what is missing, too much, or repeated is otherwise in `diagnostics`.
+pub fn analyze(system: &System, diagnostics: &mut Diagnostics) -> bool {
     let incidence = Incidence::of(system);
     let matching = maximum_matching(&incidence);
     let parts = coarse_parts(&incidence, &matching);
@@ -70,11 +44,5 @@ pub fn analyze(system: &System, diagnostics: &mut Diagnostics) -> Option<Plan> {
     }
     let is_determined = !found.has_errors();
     diagnostics.extend(found);
-    is_determined.then(|| Plan {
-        blocks: vec![Block {
-            equations: (0..system.rows.len()).collect(),
-            unknowns: (0..system.coordinates.len()).collect(),
-            method: Method::Newton,
-        }],
-    })
+    is_determined
 }

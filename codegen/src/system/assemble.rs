@@ -7,7 +7,7 @@ use super::length::lengths;
 use super::pressure::pressures;
 use super::row_name::RowNames;
 use super::{
-    Bound, Coordinate, Described, Entry, Exceeded, Output, Row, SymbolRole, System, VectorForm,
+    Bound, Described, Entry, Exceeded, Output, Row, SymbolRole, System, Unknown, VectorForm,
 };
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -59,7 +59,7 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
             .collect();
         involved.sort_unstable();
         involved.dedup();
-        let involved: Vec<(usize, &Coordinate)> =
+        let involved: Vec<(usize, &Unknown)> =
             involved.iter().map(|&at| (at, &coordinates[at])).collect();
         let stated = joint.kind.rows(&joint.operands, graph);
         let names = row_names.of(joint, &stated);
@@ -85,7 +85,7 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
         .map(|point| {
             watch.is_beyond(graph, point.span);
             let position = point.mark.position(graph);
-            let moving: Vec<&Coordinate> = of_body(point.mark.frame.body.0)
+            let moving: Vec<&Unknown> = of_body(point.mark.frame.body.0)
                 .map(|at| &coordinates[at])
                 .collect();
             let velocity = position.map(|component| rate(component, &moving, graph));
@@ -139,7 +139,7 @@ impl Watch {
     }
 }
 
-fn roles(mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<SymbolRole> {
+fn roles(mechanism: &Mechanism, coordinates: &[Unknown]) -> Vec<SymbolRole> {
     let mut roles = vec![SymbolRole::Intermediate; mechanism.graph.symbol_count()];
     roles[mechanism.time.index()] = SymbolRole::Time;
     for (index, coordinate) in coordinates.iter().enumerate() {
@@ -158,7 +158,7 @@ fn roles(mechanism: &Mechanism, coordinates: &[Coordinate]) -> Vec<SymbolRole> {
     roles
 }
 
-fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
+fn coordinates(mechanism: &mut Mechanism) -> Vec<Unknown> {
     let Mechanism {
         graph,
         bodies,
@@ -173,7 +173,7 @@ fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
     for (body, symbols, estimate) in bodies.iter().enumerate().filter_map(moving) {
         for (axis, position) in symbols.into_iter().enumerate() {
             let name = graph.symbol_name(position).to_string();
-            coordinates.push(Coordinate {
+            coordinates.push(Unknown {
                 rate: graph.symbol(&format!("{name}'")),
                 acceleration: graph.symbol(&format!("{name}''")),
                 name,
@@ -194,7 +194,7 @@ fn coordinates(mechanism: &mut Mechanism) -> Vec<Coordinate> {
         .filter_map(|(index, joint)| Some((index, joint.operands.curve?)))
     {
         let name = graph.symbol_name(curve.parameter).to_string();
-        coordinates.push(Coordinate {
+        coordinates.push(Unknown {
             rate: graph.symbol(&format!("{name}'")),
             acceleration: graph.symbol(&format!("{name}''")),
             name,
@@ -213,7 +213,7 @@ fn differentiate(
     joint: usize,
     name: String,
     bodies: &[usize],
-    involved: &[(usize, &Coordinate)],
+    involved: &[(usize, &Unknown)],
     explicit: &[(SymbolId, ExprId)],
     graph: &mut Graph,
 ) -> Row {
@@ -280,7 +280,7 @@ fn explicit_rate(expr: ExprId, explicit: &[(SymbolId, ExprId)], graph: &mut Grap
 }
 
 /// d/dt of an expression of the coordinates and rates in `moving`.
-fn rate(expr: ExprId, moving: &[&Coordinate], graph: &mut Graph) -> ExprId {
+fn rate(expr: ExprId, moving: &[&Unknown], graph: &mut Graph) -> ExprId {
     let mut terms = Vec::with_capacity(2 * moving.len());
     for coordinate in moving {
         for (of, with) in [

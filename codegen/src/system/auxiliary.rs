@@ -4,7 +4,7 @@
 //! kind of joint asks for which of them.
 
 use super::orientation::as_symbol;
-use super::{Unknown, VectorForm};
+use super::{Described, Unknown, VectorForm};
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Mark, length, offset_along};
 use crate::joint::{Auxiliary, AuxiliaryUnknown, Resolved};
@@ -57,6 +57,7 @@ impl VectorForm {
                 position,
                 rate,
                 acceleration,
+                describes: Described::Auxiliary,
                 quantity: auxiliary.kind.quantity(),
                 estimate,
             });

@@ -8,7 +8,7 @@
 use std::collections::HashMap;
 
 use super::assemble::Watch;
-use super::{Coordinate, Entry, Row, System};
+use super::{Entry, Row, System, Unknown};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::{Quantity, Resolved};
 use crate::model::{Mechanism, Role, field_name};
@@ -50,7 +50,7 @@ pub enum Cause {
 pub(super) fn directions(
     mechanism: &mut Mechanism,
     rows: &[Row],
-    coordinates: &[Coordinate],
+    coordinates: &[Unknown],
     watch: &mut Watch,
 ) -> Vec<Direction> {
     let mut directions = drivers(mechanism, rows, watch);
@@ -59,7 +59,7 @@ pub(super) fn directions(
 }
 
 /// Φ_q q̇ + Φ_t of a row.
-fn rate(row: &Row, mechanism: &mut Mechanism, coordinates: &[Coordinate]) -> ExprId {
+fn rate(row: &Row, mechanism: &mut Mechanism, coordinates: &[Unknown]) -> ExprId {
     let graph = &mut mechanism.graph;
     let mut terms = vec![row.time_derivative];
     for entry in &row.jacobian {
@@ -73,7 +73,7 @@ fn rate(row: &Row, mechanism: &mut Mechanism, coordinates: &[Coordinate]) -> Exp
 pub(super) fn rate_jacobian(
     mechanism: &mut Mechanism,
     rows: &[Row],
-    coordinates: &[Coordinate],
+    coordinates: &[Unknown],
 ) -> Vec<Vec<Entry>> {
     if mechanism.sensitivities.is_empty() {
         return Vec::new();
@@ -107,7 +107,7 @@ pub(super) fn rate_jacobian(
 fn parameters(
     mechanism: &mut Mechanism,
     rows: &[Row],
-    coordinates: &[Coordinate],
+    coordinates: &[Unknown],
     watch: &mut Watch,
 ) -> Vec<Direction> {
     let mut directions = Vec::new();

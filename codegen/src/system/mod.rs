@@ -22,10 +22,8 @@ mod written_order;
 
 pub use assemble::{assemble, assemble_without};
 pub use direction::{Cause, Direction};
-pub use orientation::Orientations;
 pub use pressure::Pressure;
-pub use turned::Turned;
-pub use vector_form::{Arm, Unknown, VectorForm, VectorRow};
+pub use vector_form::{Arm, VectorForm};
 pub use vector_sum::VectorTerm;
 pub use written_order::WrittenOrder;
 
@@ -41,7 +39,7 @@ pub struct System {
     /// The mechanism; its graph holds every expression below.
     pub mechanism: Mechanism,
     /// q: x, y, φ of every moving body in written order, then the contact parameters of the joints in written order.
-    pub coordinates: Vec<Coordinate>,
+    pub coordinates: Vec<Unknown>,
     /// Φ and what is derived from it, a row per scalar equation, in written order.
     pub rows: Vec<Row>,
     /// Rows of joints marked `redundant` that repeat what `rows` say: not solved, but watched. In written order.
@@ -111,7 +109,7 @@ pub enum SymbolRole {
     },
 }
 
-/// What a coordinate says.
+/// What an unknown says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Described {
     /// Where a body is, or how it is turned.
@@ -126,6 +124,8 @@ pub enum Described {
         /// An index into the mechanism's joints.
         joint: usize,
     },
+    /// What the vector form of a joint has beside the coordinates.
+    Auxiliary,
 }
 
 impl Described {
@@ -133,17 +133,17 @@ impl Described {
     pub fn body(self) -> Option<usize> {
         match self {
             Described::Pose { body, .. } => Some(body),
-            Described::Contact { .. } => None,
+            Described::Contact { .. } | Described::Auxiliary => None,
         }
     }
 }
 
-/// One coordinate with its derivatives.
+/// What is solved for, with its derivatives: a coordinate, or what the vector form has beside them.
 #[derive(Clone, Debug)]
-pub struct Coordinate {
-    /// `x1`, `phi_c1`.
+pub struct Unknown {
+    /// `x1`, `phi_c1`, `length_n_m`.
     pub name: String,
-    /// The coordinate q_k.
+    /// The unknown q_k.
     pub position: SymbolId,
     /// Its rate q̇_k.
     pub rate: SymbolId,
@@ -151,7 +151,7 @@ pub struct Coordinate {
     pub acceleration: SymbolId,
     /// What it says.
     pub describes: Described,
-    /// Whether it is a length (x, y) or an angle (φ); a contact parameter is what the description measures it in.
+    /// Whether it is a length (x, y, ℓ) or an angle (φ); a contact parameter is what the description measures it in.
     pub quantity: Quantity,
     /// Its value in the drawing.
     pub estimate: ExprId,
@@ -190,7 +190,6 @@ pub struct Entry {
 /// The motion of a point in terms of q, q̇, q̈.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// Its name.
     pub name: String,
     /// r + R s, in m.
     pub position: [ExprId; 2],

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::Coordinate;
+use super::Unknown;
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Vector, dot, perpendicular};
 use crate::model::Mechanism;
@@ -27,7 +27,7 @@ pub struct Pressure {
 /// pushed by the curve.
 pub(super) fn pressures(
     mechanism: &mut Mechanism,
-    coordinates: &[Coordinate],
+    coordinates: &[Unknown],
     contacts: &HashMap<usize, usize>,
 ) -> Vec<Pressure> {
     let Mechanism { graph, joints, .. } = mechanism;

@@ -9,11 +9,11 @@ use std::collections::{HashMap, HashSet};
 use super::assemble::Watch;
 use super::mark_names::MarkNames;
 use super::orientation::Orientations;
-use super::{Coordinate, SymbolRole};
+use super::{SymbolRole, Unknown};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{BodyId, Frame, Mark, Vector, turned};
+use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector, turned};
 use crate::joint::{Kind, Quantity, Resolved, Row};
-use crate::model::{Body, Joint, Mechanism, Role, apart};
+use crate::model::{Body, Joint, Mechanism, Naming, Role};
 
 /// The vector form of a mechanism.
 #[derive(Clone, Debug)]
@@ -28,6 +28,7 @@ pub struct VectorForm {
     pub orientations: Orientations,
     /// r + arm of each declared point, in the mechanism's order.
     pub points: Vec<Vector>,
+    naming: &'static Naming,
     /// d/dt of each symbol that moves.
     rates: HashMap<SymbolId, ExprId>,
     // Looked up, never iterated.
@@ -45,23 +46,6 @@ pub struct VectorForm {
     // Which unknown a symbol is; only looked up.
     unknown_of: HashMap<SymbolId, usize>,
     pub(super) mark_names: MarkNames,
-}
-
-/// What is solved for.
-#[derive(Clone, Debug)]
-pub struct Unknown {
-    /// `x1`, `phi_c1`, `length_n_m`.
-    pub name: String,
-    /// The unknown itself.
-    pub position: SymbolId,
-    /// Its rate.
-    pub rate: SymbolId,
-    /// Its acceleration.
-    pub acceleration: SymbolId,
-    /// A length (x, y, ℓ) or an angle.
-    pub quantity: Quantity,
-    /// Its value in the drawing.
-    pub estimate: ExprId,
 }
 
 /// One scalar equation of the vector form.
@@ -95,16 +79,17 @@ impl VectorForm {
     /// the textbook's rows are not solved.
     pub(super) fn new(
         mechanism: &mut Mechanism,
-        coordinates: &[Coordinate],
+        coordinates: &[Unknown],
         dropped: &[Vec<bool>],
         watch: &mut Watch,
     ) -> VectorForm {
         let mut form = VectorForm {
-            unknowns: coordinates.iter().map(unknown_of).collect(),
+            unknowns: coordinates.to_vec(),
             rows: Vec::new(),
             arms: Vec::new(),
             orientations: Orientations::new(mechanism.bodies.len(), &mechanism.graph),
             points: Vec::new(),
+            naming: mechanism.naming,
             rates: HashMap::new(),
             arm_places: HashMap::new(),
             auxiliary_places: HashMap::new(),
@@ -319,7 +304,7 @@ impl VectorForm {
                     .any(|axis| names.contains(&format!("{name}_{axis}")))
         };
         // The symbols are told apart by these names, so no two arms may share one.
-        let base = apart(name, "point");
+        let base = (self.naming.apart)(name, "point");
         let mut name = base.clone();
         let mut number = self.name_numbers.get(&base).copied().unwrap_or(2);
         while taken(&name) {
@@ -393,9 +378,15 @@ impl VectorForm {
     }
 
     /// R s as an arm of the leader, or a constant vector on a body that does not turn.
-    fn turned(&mut self, frame: &Frame, local: Vector, name: &str, graph: &mut Graph) -> Vector {
+    fn turned(
+        &mut self,
+        frame: &BodyFrame,
+        local: Vector,
+        name: &str,
+        graph: &mut Graph,
+    ) -> Vector {
         let (leader, offset) = self.orientations.leader(frame.body);
-        let toward_leader = Frame {
+        let toward_leader = BodyFrame {
             angle: offset,
             ..*frame
         };
@@ -444,15 +435,4 @@ fn set(roles: &mut Vec<SymbolRole>, symbol: SymbolId, role: SymbolRole) {
         roles.resize(symbol.index() + 1, SymbolRole::Intermediate);
     }
     roles[symbol.index()] = role;
-}
-
-fn unknown_of(coordinate: &Coordinate) -> Unknown {
-    Unknown {
-        name: coordinate.name.clone(),
-        position: coordinate.position,
-        rate: coordinate.rate,
-        acceleration: coordinate.acceleration,
-        quantity: coordinate.quantity,
-        estimate: coordinate.estimate,
-    }
 }

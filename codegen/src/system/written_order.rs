@@ -50,10 +50,8 @@ impl<'a> WrittenOrder<'a> {
         };
         let after_all_poses =
             9 * (self.bodies.len() + self.system.mechanism.bodies.len()) + 3 * unknown + level;
-        let Some(coordinate) = self.system.coordinates.get(unknown) else {
-            return Some(after_all_poses);
-        };
-        let Described::Pose { body, axis } = coordinate.describes else {
+        let unknown = &self.system.vector_form.unknowns[unknown];
+        let Described::Pose { body, axis } = unknown.describes else {
             return Some(after_all_poses);
         };
         let place = self.bodies.iter().position(|&named| named == body);

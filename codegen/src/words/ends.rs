@@ -208,9 +208,7 @@ pub(super) fn span_words(angle: usize, span: &Span, system: &System) -> Phrase {
 /// What turns with an angle: a body, or a link without one.
 pub(super) fn turning_words(angle: usize, system: &System) -> Phrase {
     let Some(joint) = joint_of(angle, system) else {
-        let coordinate = system.coordinates.get(angle);
-        let body = coordinate.and_then(|coordinate| coordinate.describes.body());
-        return match body {
+        return match system.vector_form.unknowns[angle].describes.body() {
             Some(body) => body_words(BodyId(body), system),
             None => Piece::Unknown(angle).into(),
         };

@@ -2,7 +2,7 @@
 
 use super::known::Known;
 use super::pins::Pin;
-use crate::joint::geometry::{BodyId, Frame, Mark, Vector};
+use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector};
 use crate::system::System;
 
 /// A link between two pins that turns with one angle.
@@ -89,7 +89,7 @@ fn spans(from: Mark, to: Mark, angle: usize, local: Vector, system: &mut System)
     let graph = &mut system.mechanism.graph;
     if from.frame.body == to.frame.body {
         let difference = [0, 1].map(|axis| graph.subtract(to.local[axis], from.local[axis]));
-        let frame = Frame {
+        let frame = BodyFrame {
             angle: offset,
             ..from.frame
         };

@@ -18,8 +18,8 @@ pub use known::Known;
 pub use lists::{counted, enumerated};
 pub use loops::loop_name;
 pub use phrase::{Phrase, Piece};
-pub use pins::{Pin, pin};
-pub use singular::{Singular, SingularWords};
+pub use pins::pin;
+pub use singular::Singular;
 
 pub(crate) use link::Triangle;
 pub(crate) use phrase::phrase;

@@ -298,10 +298,9 @@ impl Known {
 
 /// What can move where an unknown is free: a body, a link, a slide, a point of contact.
 fn movable(unknown: usize, system: &System) -> Phrase {
-    let coordinate = system.coordinates.get(unknown);
-    match coordinate.map(|coordinate| &coordinate.describes) {
-        Some(Described::Contact { joint }) => {
-            let label = &system.mechanism.joints[*joint].label;
+    match system.vector_form.unknowns[unknown].describes {
+        Described::Contact { joint } => {
+            let label = &system.mechanism.joints[joint].label;
             // `roller (2.P, rim)`: the curve is the last operand.
             let operands = label
                 .rsplit_once('(')
@@ -310,8 +309,8 @@ fn movable(unknown: usize, system: &System) -> Phrase {
             let curve = curve.map_or(label.as_str(), |(_, curve)| curve);
             phrase!["the point of contact on ", Piece::Name(curve.to_string())]
         }
-        Some(Described::Pose { .. }) => turning_words(unknown, system),
-        None => match line_name(unknown, system) {
+        Described::Pose { .. } => turning_words(unknown, system),
+        Described::Auxiliary => match line_name(unknown, system) {
             Some(line) if measured_points(unknown, system).is_some() => {
                 phrase!["the slide along the line ", line]
             }

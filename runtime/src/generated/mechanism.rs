@@ -4,8 +4,7 @@
 
 /// The mechanism's type, and what the shell asks of its module.
 ///
-/// The module supplies `Frame` with `DRAWN`, `Coordinates`, `Branches` with `DRAWN`, `BLOCKS`, `POINTS`, and the functions `solve`,
-/// `estimate` and `coordinate`.
+/// The module supplies `Frame`, `Coordinates`, `Branches`, `BLOCKS`, `POINTS`, and the function `solve`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! mechanism {
@@ -15,8 +14,17 @@ macro_rules! mechanism {
         parameters: $($parameters:ident)?;
         inputs: $($inputs:ident)?;
         path: $path:ident $(, tubes: $tubes:literal)?;
+        $(drawn: $drawn:ident;)?
         $(requirements: $requirements:ident;)?
     ) => {
+        /// What one instant is solved with.
+        type Conditions<'a> = $crate::Conditions<
+            'a,
+            Scalar,
+            $crate::or_unit!(@type $($parameters)?),
+            $crate::or_unit!(@type $($inputs)?),
+        >;
+
         /// Where Newton-Raphson may go.
         #[allow(dead_code)]
         type Tubes = [Tube; 0 $(+ $tubes)?];
@@ -54,12 +62,12 @@ macro_rules! mechanism {
                 branches.exchanged(block)
             }
 
-            fn drawn_pose(&self, parameters: &Self::Parameters) -> Coordinates {
-                drawn_pose(parameters)
+            fn drawn_pose(&self, _parameters: &Self::Parameters) -> Coordinates {
+                $crate::or_drawn!(Coordinates, _parameters $(, $drawn)?)
             }
 
             fn estimate(&self, pose: &Coordinates, parameters: &Self::Parameters, t: Scalar) -> Frame {
-                estimate(pose, parameters, t)
+                Frame::estimate(pose, parameters, t)
             }
 
             #[inline]
@@ -73,9 +81,9 @@ macro_rules! mechanism {
                 at: &mut Frame,
                 last: &Frame,
                 branches: &mut Branches,
-                given: &Given<'_>,
+                conditions: &Conditions<'_>,
             ) -> Result<(), Failure> {
-                solve(at, last, branches, given)
+                solve(at, last, branches, conditions)
             }
 
             #[inline]
@@ -113,14 +121,14 @@ macro_rules! mechanism {
             }
 
             fn coordinate(&self, frame: &Frame, index: usize) -> Option<[Scalar; 3]> {
-                coordinate(frame, index)
+                frame.coordinate(index)
             }
 
             fn point_name(&self, index: usize) -> Option<&str> {
                 POINTS.get(index).map(|(name, _)| *name)
             }
 
-            fn point(&self, frame: &Frame, index: usize) -> Option<Motion> {
+            fn point(&self, frame: &Frame, index: usize) -> Option<PointMotion> {
                 POINTS.get(index).map(|(_, motion)| motion(frame))
             }
 
@@ -180,7 +188,7 @@ macro_rules! mechanism {
             /// A [`Failure`] where it cannot be assembled so.
             pub fn assemble_on(branches: Branches, t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
                 let parameters = Default::default();
-                let (pose, settings) = (drawn_pose(&parameters), Settings::default());
+                let (pose, settings) = (Loops.drawn_pose(&parameters), Settings::default());
                 let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
                 Shell::assemble(Loops, &parameters, &pose, branches, t, inputs, settings).map(Self)
             }
@@ -266,6 +274,61 @@ macro_rules! mechanism {
                 }
             )?
         }
+
+        $($crate::drawing!(Coordinates, $drawn);)?
+        $crate::parametric!($name, [$($inputs)?] $(, $parameters)?);
+    };
+}
+
+/// The drawing of given parameters.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! drawing {
+    ($coordinates:ident, $drawn:ident) => {
+        #[allow(dead_code)]
+        impl $coordinates {
+            /// The pose in the drawing of these parameters, from which the mechanism is assembled.
+            pub fn drawn(parameters: &Parameters) -> Self {
+                // Displacements, which are no coordinates, come after them.
+                match $drawn(parameters).first_chunk() {
+                    Some(pose) => Self::from_array(*pose),
+                    None => Self::DRAWN,
+                }
+            }
+        }
+    };
+}
+
+/// The method of mechanisms with parameters alone.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! parametric {
+    ($name:ident, [$($inputs:ident)?]) => {};
+    ($name:ident, [$($inputs:ident)?], $parameters:ident) => {
+        #[allow(dead_code)]
+        impl $name {
+            /// Assembles the mechanism of these parameters at time `t` (s) as it is drawn.
+            ///
+            /// # Errors
+            /// A [`Failure`] where it cannot be assembled so.
+            pub fn assemble_for(parameters: &$parameters, t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
+                let (pose, settings) = (Loops.drawn_pose(parameters), Settings::default());
+                let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
+                Shell::assemble(Loops, parameters, &pose, Branches::DRAWN, t, inputs, settings).map(Self)
+            }
+        }
+    };
+}
+
+/// The pose of the drawing, whatever parameters are or as they say.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! or_drawn {
+    ($coordinates:ident, $parameters:ident) => {
+        $coordinates::DRAWN
+    };
+    ($coordinates:ident, $parameters:ident, $drawn:ident) => {
+        $coordinates::drawn($parameters)
     };
 }
 
@@ -290,6 +353,15 @@ macro_rules! path {
     };
     (@within $path:ident, $at:ident, $tubes:ident, $steps:ident $(, $count:literal)?) => {
         true
+    };
+}
+
+/// A value that goes with a type.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! only {
+    ($value:expr, $type:ident) => {
+        $value
     };
 }
 

@@ -1,46 +1,47 @@
 //! *A scalar* → *everything that generated modules are written with, in this scalar*.
 //!
 //! A generated module begins with `use linkwright::double::*;`, or `single` for f32: types have their scalar already, and what a
-//! module does not mention costs nothing. The macros state what modules repeat of every coordinate, parameter and signal.
+//! module does not mention costs nothing. The macros state what modules repeat.
 
+mod branches;
 mod equations;
+mod frame;
 mod mechanism;
 mod numbers;
+mod textbook;
 
 macro_rules! precision {
     ($(#[$docs:meta])* $name:ident, $scalar:ident) => {
         $(#[$docs])*
         pub mod $name {
             pub use crate::closed_form::{
-                all_finite, angle_near, failed, no_span, singular_divisor, spans,
+                angle_near, finite, no_span, singular_divisor, spans,
             };
             pub use crate::contact::pressure_angle;
             pub use crate::linear::Factorization;
             pub use crate::scale::largest_length;
             pub use crate::span::{isolate, required};
             pub use crate::{
-                BlockEquations, BlockName, Blocks, Branch, FailureKind, Mechanism, Shell, Start, block, kinematics, math, newton,
+                BlockEquations, BlockName, Blocks, Branch, Mechanism, Shell, Start, block, kinematics, math, newton,
                 nalgebra::Const,
             };
 
             /// The scalar of everything in this module.
             pub type Scalar = $scalar;
             /// How close a block is to a singular pose.
-            pub type Closeness = crate::Closeness<Scalar>;
+            pub type NormalizedDeterminant = crate::NormalizedDeterminant<Scalar>;
             /// A failure with the name of its block.
             pub type Explained = crate::Explained<'static, Scalar>;
             /// A solve that did not succeed.
             pub type Failure = crate::Failure<Scalar>;
-            /// What one instant is solved with.
-            pub type Given<'a, P, I> = crate::Given<'a, Scalar, P, I>;
             /// A matrix of R rows and C columns.
             pub type Matrix<const R: usize, const C: usize> = crate::nalgebra::SMatrix<Scalar, R, C>;
             /// How far a block is from singular.
             pub type Measure = crate::Measure<Scalar>;
             /// Position, velocity and acceleration of a point.
-            pub type Motion = crate::Motion<Scalar>;
+            pub type PointMotion = crate::PointMotion<Scalar>;
             /// A point's name, and the method of the frames F that gives its motion.
-            pub type NamedPoint<F> = (&'static str, fn(&F) -> Motion);
+            pub type NamedPoint<F> = (&'static str, fn(&F) -> PointMotion);
             /// The limits within which a solve must succeed.
             pub type Settings = crate::Settings<Scalar>;
             /// A quantity that is supplied with its rate and acceleration.

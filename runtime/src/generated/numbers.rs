@@ -1,4 +1,16 @@
-//! *The names of numbers* → *the structure that holds them*, for coordinates, parameters and signals.
+//! *The names of numbers* → *constants*, and *the structure that holds them* for coordinates, parameters and signals.
+
+/// The rounded values of exact constants.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! constants {
+    ($($name:ident = $value:expr,)*) => {
+        $(
+            #[allow(clippy::approx_constant)]
+            const $name: Scalar = $value;
+        )*
+    };
+}
 
 /// A structure with a number for each coordinate, its names, and its values in the drawing.
 #[doc(hidden)]
@@ -26,6 +38,9 @@ macro_rules! coordinates {
 
             /// The pose in the drawing, from which the mechanism is assembled.
             pub const DRAWN: Self = Self { $($field: $drawn,)* };
+
+            /// Zero for each, as rates and accelerations are at rest.
+            const REST: Self = Self::from_array([0.0; Self::COUNT]);
 
             /// The coordinates in order.
             pub const fn to_array(self) -> [$scalar; Self::COUNT] {

@@ -1,7 +1,7 @@
 //! Mechanisms that are given parameters and signals → functions of the library.
 
 use linkwright::nalgebra::{Const, SVector};
-use linkwright::{Blocks, Equations, Mechanism, Motion, Settings, Shell, newton};
+use linkwright::{Blocks, Equations, Mechanism, PointMotion, Settings, Shell, newton};
 
 type Parameters<M> = <<M as Mechanism>::Blocks as Blocks>::Parameters;
 type Inputs<M> = <<M as Mechanism>::Blocks as Blocks>::Inputs;
@@ -11,7 +11,7 @@ pub struct Call<'a, M: Mechanism> {
     parameters: &'a [Parameters<M>; 2],
     inputs: &'a [Inputs<M>; 2],
     times: &'a [f64; 2],
-    points: &'a mut [Motion],
+    points: &'a mut [PointMotion],
     update: &'a mut [f64],
 }
 

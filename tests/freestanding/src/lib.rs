@@ -30,7 +30,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 
 /// The pose, velocity and acceleration of `N` coordinates.
 #[repr(C)]
-pub struct Motion<T, const N: usize> {
+pub struct Solved<T, const N: usize> {
     /// Whether both frames were solved; everything else is zero if not.
     pub solved: bool,
     /// The pose.
@@ -48,7 +48,7 @@ fn run<T: Real, const N: usize>(
     start: T,
     end: T,
     settings: &Settings<T>,
-) -> Motion<T, N> {
+) -> Solved<T, N> {
     let estimate = SVector::from([estimate]);
     let frame = assemble(equations, &estimate, start, settings)
         .and_then(|frame| advance(equations, &frame, end, settings));
@@ -62,7 +62,7 @@ fn run_far<T: Real, const N: usize>(
     start: T,
     end: T,
     settings: &Settings<T>,
-) -> Motion<T, N> {
+) -> Solved<T, N> {
     let estimate = SVector::from([estimate]);
     let frame = assemble_from_afar(equations, &estimate, None, start, settings).and_then(|frame| {
         let branch = branch_of(equations, &frame.q, start, settings)?;
@@ -71,15 +71,15 @@ fn run_far<T: Real, const N: usize>(
     motion(frame.ok())
 }
 
-fn motion<T: Real, const N: usize>(frame: Option<Frame<T, Const<N>>>) -> Motion<T, N> {
+fn motion<T: Real, const N: usize>(frame: Option<Frame<T, Const<N>>>) -> Solved<T, N> {
     match frame {
-        Some(frame) => Motion {
+        Some(frame) => Solved {
             solved: true,
             q: frame.q.data.0[0],
             qd: frame.qd.data.0[0],
             qdd: frame.qdd.data.0[0],
         },
-        None => Motion {
+        None => Solved {
             solved: false,
             q: [T::ZERO; N],
             qd: [T::ZERO; N],
@@ -96,7 +96,7 @@ macro_rules! export {
             estimate: &[$scalar; $size],
             start: $scalar,
             end: $scalar,
-        ) -> Motion<$scalar, { $size }> {
+        ) -> Solved<$scalar, { $size }> {
             $run(&$equations, *estimate, start, end, &Settings::default())
         }
     };

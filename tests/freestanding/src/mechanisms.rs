@@ -4,7 +4,7 @@
 //! list from the descriptions.
 
 use linkwright::nalgebra::{Const, SVector};
-use linkwright::{Blocks, Equations, Mechanism, Motion, Settings, Shell, Values, newton};
+use linkwright::{Blocks, Equations, Mechanism, PointMotion, Settings, Shell, Values, newton};
 
 /// What is asked of a mechanism, and where its answers go.
 pub struct Call<'a> {
@@ -15,7 +15,7 @@ pub struct Call<'a> {
     /// Where it is moved to (s).
     pub end: f64,
     /// The motion of each point.
-    pub points: &'a mut [Motion],
+    pub points: &'a mut [PointMotion],
     /// The Newton-Raphson step of the textbook view.
     pub update: &'a mut [f64],
 }
@@ -75,7 +75,7 @@ include!(concat!(env!("OUT_DIR"), "/mechanisms.rs"));
 /// Assembles at `start`, advances to `end`, and gives the motion of the one point that is asked for; false where one of them
 /// fails.
 #[unsafe(no_mangle)]
-pub extern "C" fn excavator_tool(start: f64, end: f64, point: &mut Motion) -> bool {
+pub extern "C" fn excavator_tool(start: f64, end: f64, point: &mut PointMotion) -> bool {
     use linkwright_mechanisms::excavator_tool::ExcavatorTool;
     let Ok(mut mechanism) = ExcavatorTool::assemble(start) else {
         return false;
@@ -95,7 +95,7 @@ pub extern "C" fn excavator_motions(
     end: f64,
     wanted: &linkwright_mechanisms::excavator_motions::reach::Inputs,
     lengths: &linkwright_mechanisms::excavator_motions::forward::Inputs,
-    points: &mut [Motion; 3],
+    points: &mut [PointMotion; 3],
 ) -> bool {
     use linkwright_mechanisms::excavator_motions::{forward, reach};
     let Ok(mut arm) = reach::ExcavatorMotions::assemble(start, wanted) else {

@@ -1,6 +1,6 @@
 //! A mechanism with tables → a function of the library.
 
-use linkwright::Motion;
+use linkwright::PointMotion;
 
 mod generated {
     linkwright::include_mechanism!(tables);
@@ -12,7 +12,7 @@ mod generated {
 extern "C" fn tables(
     start: f64,
     end: f64,
-    follower: &mut Motion,
+    follower: &mut PointMotion,
     update: &mut [f64; generated::Coordinates::COUNT],
 ) -> bool {
     use generated::Tables;

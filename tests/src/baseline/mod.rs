@@ -8,9 +8,9 @@
 pub mod drive;
 pub mod joint;
 
-use linkwright_codegen::expr::ExprId;
-use linkwright_codegen::joint::geometry::{self, BodyId};
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::joint::geometry::{self, BodyId};
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Vector2};
 
 use self::drive::{Drive, drives};
@@ -178,7 +178,7 @@ impl Reading<'_> {
 
     fn joint(
         &self,
-        joint: &linkwright_codegen::model::Joint,
+        joint: &linkwright_codegen::stages::model::Joint,
         drive: impl FnOnce() -> Drive,
     ) -> Box<dyn Joint> {
         let operands = &joint.operands;

@@ -66,12 +66,12 @@ pub enum Outcome {
 
 /// Judges the answers of one scalar, each motion in order.
 pub fn judge(known: &Known, answers: &[Answered], scalar: Scalar) -> Vec<Outcome> {
-    let mut last: Option<(Call, Motion)> = None;
+    let mut last: Option<(Call, Followed)> = None;
     let mut outcomes = Vec::new();
     for answered in answers {
         let motion = match last.take() {
             Some((call, motion)) if call == answered.call => motion,
-            _ => Motion {
+            _ => Followed {
                 on_path: true,
                 turned: false,
                 q: known.task.start.clone(),
@@ -95,7 +95,7 @@ fn has_digits(known: &Known, exact: &Instant, scalar: Scalar) -> bool {
 }
 
 /// A motion so far.
-struct Motion {
+struct Followed {
     on_path: bool,
     /// Whether an angle is whole turns away from the path.
     turned: bool,
@@ -107,8 +107,8 @@ fn one(
     known: &Known,
     answered: &Answered,
     scalar: Scalar,
-    mut motion: Motion,
-) -> (Outcome, Motion) {
+    mut motion: Followed,
+) -> (Outcome, Followed) {
     let exact = known.instants.get(answered.instant);
     let compare = |levels, exact| compare(levels, exact, scalar);
     let levels = match (&answered.answer, exact) {

@@ -3,7 +3,7 @@
 
 use linkwright::Equations;
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;

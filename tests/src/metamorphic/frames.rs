@@ -1,9 +1,9 @@
 //! *The equations of a mechanism* → *its motion in both views*, each value with what rounding may make of it.
 
 use linkwright::{Blocks, Failure, Frame, Settings, advance, assemble, assemble_from_afar};
-use linkwright_codegen::program::forms_of;
-use linkwright_codegen::structure::plan_of_motion;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::program::forms_of;
+use linkwright_codegen::stages::structure::plan_of_motion;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::Dyn;

@@ -3,7 +3,7 @@
 //! What is given to the mechanism is changed, and what is taken from it changed back: a driver whose motion is
 //! `distance(A, B) + 5mm` becomes `(distance(A, B)/1000 + 5mm)*1000`. Constants, parameters, laws and tables stay as they are.
 
-use linkwright_codegen::syntax::{Document, Equation, Expression, Origin, Pair};
+use linkwright_codegen::stages::syntax::{Document, Equation, Expression, Origin, Pair};
 
 use super::edits::Edits;
 use super::roles::{Given, Taken, each_formula, each_given, each_taken};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use linkwright_codegen::syntax::{
+use linkwright_codegen::stages::syntax::{
     Document, Drive, Expression, ExpressionKind, Joint, Member, Name, Orientation, Origin,
     OutputItem, Reference, Shape, Statement,
 };

@@ -1,6 +1,6 @@
 //! *A description* → *the same mechanism with its bodies and joints in another order*.
 
-use linkwright_codegen::syntax::{
+use linkwright_codegen::stages::syntax::{
     Body, Document, Drive, Orientation, Origin, Reference, Statement,
 };
 

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_codegen::syntax::{Equation, parse};
-use linkwright_codegen::system::{Described, System};
+use linkwright_codegen::stages::syntax::{Equation, parse};
+use linkwright_codegen::stages::system::{Described, System};
 
 use super::lengths::{FACTORS, scaled, shifted, turned};
 use super::naming::renamed;
@@ -110,7 +110,7 @@ pub fn all(source: &Source, motions: &[System]) -> (Vec<Rewriting>, Vec<String>)
 /// The power of the length that an equation is measured in.
 fn power(equation: &Equation, motions: &[System]) -> i32 {
     let rows = motions.iter().flat_map(|system| {
-        let own = |row: &&linkwright_codegen::system::Row| {
+        let own = |row: &&linkwright_codegen::stages::system::Row| {
             system.mechanism.joints[row.joint].span == equation.span
         };
         system.rows.iter().chain(&system.monitored).filter(own)

@@ -3,7 +3,7 @@
 //!
 //! Everything between the two is left alone, so a rewriting needs to know nothing about constants, laws, tables and units.
 
-use linkwright_codegen::syntax::{
+use linkwright_codegen::stages::syntax::{
     Body, Curve, Document, Drive, Equation, Expression, ExpressionKind, Joint, Member, Orientation,
     Origin, Pair, Shape, Statement,
 };

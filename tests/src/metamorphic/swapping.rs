@@ -1,6 +1,6 @@
 //! *A description* → *the same mechanism with the two bodies of each joint in the other order*.
 
-use linkwright_codegen::syntax::{Direction, Document, Drive, Joint, Reference, Statement};
+use linkwright_codegen::stages::syntax::{Direction, Document, Drive, Joint, Reference, Statement};
 
 use super::edits::Edits;
 

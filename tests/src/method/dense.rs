@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 
 use super::{Levels, Method};
 use crate::baseline::Baseline;

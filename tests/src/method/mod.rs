@@ -11,7 +11,7 @@ pub use dense::Dense;
 
 use linkwright::nalgebra::Const;
 use linkwright::{Blocks, Equations, Mechanism, Real, Settings};
-use linkwright_codegen::{program, structure};
+use linkwright_codegen::stages::{program, structure};
 
 use crate::description;
 pub use crate::values::Levels;

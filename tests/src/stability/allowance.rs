@@ -4,8 +4,8 @@
 //! rounding, and ε of the largest coordinate, as elimination and closed forms mix the coordinates. A factor stands for the
 //! operations that are not known. Where they are known, [`super::dense`] and [`super::blocks`] say more.
 
-use linkwright_codegen::expr::ExprId;
-use linkwright_codegen::system::Row;
+use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::system::Row;
 
 use super::bounded::{Margin, errors};
 use super::precise::{Nodes, Precise};

@@ -7,10 +7,12 @@
 
 use std::cell::RefCell;
 
-use linkwright_codegen::expr::{ExprId, SymbolId};
-use linkwright_codegen::program::{Block, Branch, Function, Level, NewtonBlock, Statement, whole};
-use linkwright_codegen::structure;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::{ExprId, SymbolId};
+use linkwright_codegen::stages::program::{
+    Block, Branch, Function, Level, NewtonBlock, Statement, unpruned,
+};
+use linkwright_codegen::stages::structure;
+use linkwright_codegen::stages::system::System;
 
 use super::bounded::{Margin, errors};
 use super::dense::{Dense, Evaluated};
@@ -43,7 +45,7 @@ impl Blocks {
         system.mechanism.transmissions.clear();
         system.directions.clear();
         let plan = structure::plan_of_motion(&mut system)?;
-        let (blocks, branches) = whole(&mut system, &plan);
+        let (blocks, branches) = unpruned(&mut system, &plan);
         Some(Blocks {
             system,
             blocks,
@@ -216,8 +218,9 @@ impl State<'_> {
         let inverse = (0..n)
             .map(|row| columns.iter().map(|it| it[row].to_f64()).collect())
             .collect();
-        let power =
-            |quantity: linkwright_codegen::joint::Quantity| length.powi(quantity.power_of_length());
+        let power = |quantity: linkwright_codegen::stages::joint::Quantity| {
+            length.powi(quantity.power_of_length())
+        };
         let dense = Dense {
             jacobian,
             inverse,

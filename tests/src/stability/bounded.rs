@@ -6,7 +6,7 @@
 //! every order of their terms. A rounding is half an ε of the result; sine, cosine and exponential are within one ε of it,
 //! which is the promise of the mathematical libraries; numbers that the scalar holds exactly have no error.
 
-use linkwright_codegen::expr::{ExprId, Factor, Graph, Node, Number};
+use linkwright_codegen::stages::expr::{ExprId, Factor, Graph, Node, Number};
 
 use super::precise::{Precise, of_number};
 use super::verdict::Scalar;

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::cmp::Ordering;
 
 use astro_float_num::{BigFloat, Consts, RoundingMode};
-use linkwright_codegen::expr::{ExprId, Factor, Graph, Node, Number};
+use linkwright_codegen::stages::expr::{ExprId, Factor, Graph, Node, Number};
 
 /// The bits of a mantissa: 115 digits.
 const BITS: usize = 384;

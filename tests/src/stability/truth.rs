@@ -4,8 +4,8 @@
 //! The pose is found by Newton-Raphson in high precision. [`Truth::bounds`] says how far the textbook view may be off
 //! ([`super::dense`]); what the solved view's own statements may be off says [`super::blocks`].
 
-use linkwright_codegen::expr::{ExprId, Tape};
-use linkwright_codegen::system::{Row, System};
+use linkwright_codegen::stages::expr::{ExprId, Tape};
+use linkwright_codegen::stages::system::{Row, System};
 use nalgebra::DMatrix;
 
 use super::bounded::{Margin, errors};

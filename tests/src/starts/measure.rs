@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use linkwright::{Equations, Failure, Frame, Settings, assemble, assemble_from_afar, branch_of};
-use linkwright_codegen::joint::Quantity;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector, Dyn};
 

@@ -1,7 +1,7 @@
 //! *A drawing* → *estimates that are off by up to half a radian and half a link* in every coordinate.
 
-use linkwright_codegen::joint::Quantity;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::system::System;
 use nalgebra::DVector;
 
 use crate::random::Random;

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 use std::time::Instant;
 
-use linkwright_codegen::program::Operations;
+use linkwright_codegen::stages::program::Operations;
 use linkwright_mechanisms::{excavator, excavator_tool};
 
 use super::measurement::{Effort, median};

@@ -1,6 +1,6 @@
 //! *A description and times → its assemblies and where it comes closest to singular.*
 
-use linkwright_codegen::model::set;
+use linkwright_codegen::stages::model::set;
 use linkwright_solver::check::Check;
 use linkwright_solver::schedule::Schedule;
 use linkwright_solver::view::View;

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::{fs, io};
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source, nearest};
-use linkwright_codegen::files;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::files;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::interpreted::Interpreted;
 
 use super::{Problem, say};

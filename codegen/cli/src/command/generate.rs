@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use linkwright_codegen::{Options, Scalar, files};
+use linkwright_codegen::stages::files;
+use linkwright_codegen::{Options, Scalar};
 
 use super::description::{outputs, source};
 use super::inspect::module;

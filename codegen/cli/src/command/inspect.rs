@@ -2,10 +2,10 @@
 
 use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::emit::{self, Notation, derivation};
-use linkwright_codegen::program::forms_of;
-use linkwright_codegen::structure::{self, Freedom};
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::emit::{self, Notation, derivation};
+use linkwright_codegen::stages::program::forms_of;
+use linkwright_codegen::stages::structure::{self, Freedom};
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::number::counted;
 
 use super::description::{motions, rendered, source, warn};

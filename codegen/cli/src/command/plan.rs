@@ -1,7 +1,7 @@
 //! *A description → the derivation of its solution on stdout.*
 
-use linkwright_codegen::emit::{Notation, derivation};
-use linkwright_codegen::structure;
+use linkwright_codegen::stages::emit::{Notation, derivation};
+use linkwright_codegen::stages::structure;
 
 use super::description::{determined, no_order, source};
 use super::{Outcome, Problem, print};

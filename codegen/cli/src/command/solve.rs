@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 
 use linkwright::Blocks;
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::model::set;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::model::set;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::dense::Dense;
-use linkwright_solver::given::Modes;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::schedule::Schedule;
+use linkwright_solver::supplied::Modes;
 use linkwright_solver::view::View;
 use linkwright_solver::wishes::Wishes;
 

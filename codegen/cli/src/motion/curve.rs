@@ -1,7 +1,7 @@
 //! *The motion of a point, instant by instant* → *its extremes in a bounded number of stretches*, so that no peak of a long motion is
 //! lost.
 
-use linkwright::Motion;
+use linkwright::PointMotion;
 
 /// How many stretches there are at most.
 const STRETCHES: usize = 2000;
@@ -39,8 +39,8 @@ impl Default for Curve {
 
 impl Curve {
     /// Takes the next instant.
-    pub fn push(&mut self, t: f64, motion: &Motion) {
-        let Motion {
+    pub fn push(&mut self, t: f64, motion: &PointMotion) {
+        let PointMotion {
             position: [x, y],
             velocity: [vx, vy],
             acceleration: [ax, ay],
@@ -109,8 +109,8 @@ impl Stretch {
 mod tests {
     use super::*;
 
-    fn moving(x: f64) -> Motion {
-        Motion {
+    fn moving(x: f64) -> PointMotion {
+        PointMotion {
             position: [x, 0.0],
             velocity: [0.0; 2],
             acceleration: [0.0; 2],

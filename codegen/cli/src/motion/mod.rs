@@ -11,17 +11,17 @@ pub use rows::{Row, Rows};
 
 use std::io;
 
-use linkwright::{Motion, Shell};
+use linkwright::{PointMotion, Shell};
 use linkwright_codegen::diagnostic::nearest;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::approach::Watch;
 use linkwright_solver::condition::{Condition, dimensionless, jacobian};
-use linkwright_solver::given::{Modes, Numbers};
 use linkwright_solver::instant::Instant;
 use linkwright_solver::measures::MeasuredPart;
 use linkwright_solver::pressure::PressureCheck;
 use linkwright_solver::residuals::ResidualCheck;
 use linkwright_solver::schedule::Schedule;
+use linkwright_solver::supplied::{Modes, Numbers};
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_solver::trajectory::follow;
 use linkwright_solver::view::View;
@@ -47,7 +47,7 @@ pub struct Shown<'a> {
     /// The instant.
     pub instant: &'a Instant,
     /// The motion of each shown point.
-    pub motions: &'a [Motion],
+    pub motions: &'a [PointMotion],
     /// What transmissions and sensitivities ask for, in the order of their names; `None` where the equations are singular.
     pub derivatives: Option<&'a [f64]>,
     /// How close each part is to a singular pose, where that is wanted.
@@ -302,7 +302,7 @@ impl<V: View> Followed<V> {
         Ok(())
     }
 
-    fn motions(&self, instant: &Instant) -> Vec<Motion> {
+    fn motions(&self, instant: &Instant) -> Vec<PointMotion> {
         let all = self.view.points(instant);
         self.wanted.points.iter().map(|&point| all[point]).collect()
     }

@@ -1,6 +1,6 @@
 //! *Instants of a motion of unknown length* → *a readable number of them, evenly spread*.
 
-use linkwright::Motion;
+use linkwright::PointMotion;
 
 /// How many instants are kept at most.
 const KEPT: usize = 1000;
@@ -13,7 +13,7 @@ pub struct Row {
     /// The time (s).
     pub t: f64,
     /// The motion of each shown point.
-    pub motions: Vec<Motion>,
+    pub motions: Vec<PointMotion>,
 }
 
 /// Every instant of a short motion; of a long one every tenth, every hundredth, …

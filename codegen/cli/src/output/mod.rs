@@ -12,7 +12,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use linkwright_codegen::files;
+use linkwright_codegen::stages::files;
 
 use self::place::{Why, existing, is_stdout, is_stream, missing, ours, replaceable};
 

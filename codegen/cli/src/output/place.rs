@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufRead as _, BufReader, Read as _};
 use std::path::{Path, PathBuf};
 
-use linkwright_codegen::files;
+use linkwright_codegen::stages::files;
 
 use super::{Refused, Signature};
 

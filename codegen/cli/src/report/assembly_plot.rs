@@ -2,8 +2,8 @@
 //!
 //! All panels have the same scale. The module does not know files.
 
-use linkwright_codegen::expr::Tape;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::Tape;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::assemblies::Assembly;
 use plotters::prelude::*;
 

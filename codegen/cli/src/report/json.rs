@@ -18,8 +18,8 @@
 
 use std::io::{self, Write};
 
-use linkwright::Motion;
-use linkwright_codegen::model::Role;
+use linkwright::PointMotion;
+use linkwright_codegen::stages::model::Role;
 use linkwright_solver::check::equation_count;
 use linkwright_solver::pressure::LargestPressureAngle;
 use linkwright_solver::residuals::Residuals;
@@ -95,28 +95,28 @@ struct Frame<'a> {
     derivatives: Option<Option<&'a [f64]>>,
 }
 
-struct Points<'a>(&'a [String], &'a [Motion]);
+struct Points<'a>(&'a [String], &'a [PointMotion]);
 
 impl Serialize for Points<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.0.len()))?;
         for (name, motion) in self.0.iter().zip(self.1) {
-            map.serialize_entry(name, &PointMotion::from(*motion))?;
+            map.serialize_entry(name, &MotionValues::from(*motion))?;
         }
         map.end()
     }
 }
 
 #[derive(Serialize)]
-struct PointMotion {
+struct MotionValues {
     position: [f64; 2],
     velocity: [f64; 2],
     acceleration: [f64; 2],
 }
 
-impl From<Motion> for PointMotion {
-    fn from(motion: Motion) -> Self {
-        PointMotion {
+impl From<PointMotion> for MotionValues {
+    fn from(motion: PointMotion) -> Self {
+        MotionValues {
             position: motion.position,
             velocity: motion.velocity,
             acceleration: motion.acceleration,

@@ -3,7 +3,7 @@
 //! Columns are aligned at the decimal point; a column is in exponents only where six decimals would not show it. Numbers
 //! below 1e-12 of the mechanism's size count as zero. The module does not know what is to be said beside the table.
 
-use linkwright::Motion;
+use linkwright::PointMotion;
 
 use linkwright_solver::number::{fixed, scientific};
 
@@ -38,7 +38,7 @@ pub fn shown(count: usize) -> Vec<usize> {
 }
 
 /// Whether a point does not move at all, but for rounding. `size` is the characteristic length of the mechanism.
-pub fn rests(motions: &[Motion<f64>], size: f64) -> bool {
+pub fn rests(motions: &[PointMotion<f64>], size: f64) -> bool {
     let noise = |value: f64| value.abs() <= NOISE * size;
     let Some(first) = motions.first() else {
         return true;
@@ -53,8 +53,8 @@ pub fn rests(motions: &[Motion<f64>], size: f64) -> bool {
 }
 
 /// The table of one point. `size` is the characteristic length of the mechanism.
-pub fn table(times: &[f64], motions: &[Motion<f64>], size: f64) -> String {
-    let component = |pick: &dyn Fn(&Motion<f64>) -> f64| motions.iter().map(pick).collect();
+pub fn table(times: &[f64], motions: &[PointMotion<f64>], size: f64) -> String {
+    let component = |pick: &dyn Fn(&PointMotion<f64>) -> f64| motions.iter().map(pick).collect();
     let columns: [(&str, Vec<f64>); 7] = [
         ("t", times.to_vec()),
         ("x", component(&|it| it.position[0])),
@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn rounding_is_no_motion() {
-        let at = |x: f64, vx: f64| Motion {
+        let at = |x: f64, vx: f64| PointMotion {
             position: [x, 0.0],
             velocity: [vx, 0.0],
             acceleration: [0.0; 2],

@@ -2,9 +2,9 @@
 
 use std::io::{self, Write};
 
-use linkwright_codegen::emit::Notation;
-use linkwright_codegen::emit::text::formula;
-use linkwright_codegen::model::Role;
+use linkwright_codegen::stages::emit::Notation;
+use linkwright_codegen::stages::emit::text::formula;
+use linkwright_codegen::stages::model::Role;
 
 use linkwright_solver::check::equation_count;
 use linkwright_solver::diagnosis::unit;

@@ -43,12 +43,12 @@ pub(super) enum Item {
     /// Words, with formulas between them.
     Paragraph(String),
     /// Displayed equations, aligned.
-    Equations(Vec<Equation>),
+    Equations(Vec<DisplayedEquation>),
 }
 
 /// left = right, with a remark.
 #[derive(Clone, Debug)]
-pub(super) struct Equation {
+pub(super) struct DisplayedEquation {
     /// What stands left of the sign.
     pub left: String,
     /// What stands right of it.

@@ -1,6 +1,6 @@
 //! A derivation → a LaTeX document.
 
-use super::document::{Document, Equation, Item, OutlineLine};
+use super::document::{DisplayedEquation, Document, Item, OutlineLine};
 
 /// So many visible characters fit on a line, a remark included.
 const LONGEST: usize = 105;
@@ -56,7 +56,7 @@ fn outline(lines: &[OutlineLine]) -> String {
     )
 }
 
-fn displayed(equations: &[Equation]) -> String {
+fn displayed(equations: &[DisplayedEquation]) -> String {
     let lines: Vec<String> = equations
         .iter()
         .map(|equation| {

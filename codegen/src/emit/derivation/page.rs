@@ -3,14 +3,14 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use super::document::{Document, Equation, Item, Section};
+use super::document::{DisplayedEquation, Document, Item, Section};
 use super::outline::{outline, summary};
 use super::script::Script;
 use super::singular::singular_poses;
 use super::spelling::Spelling;
 use crate::expr::{ExprId, SymbolId};
 use crate::program::forms::Form;
-use crate::program::{Block, Branch, Level, PageName, Statement, whole};
+use crate::program::{Block, Branch, Level, PageName, Statement, unpruned};
 use crate::structure::{SolvedBlock, SolvedPlan};
 use crate::system::{SymbolRole, System};
 use crate::words::{Phrase, Piece};
@@ -30,7 +30,7 @@ pub(super) struct Writer<'a> {
 impl<'a> Writer<'a> {
     pub(super) fn new(system: &System, plan: &'a SolvedPlan, script: Script) -> Writer<'a> {
         let mut system = system.clone();
-        let (blocks, branches) = whole(&mut system, plan);
+        let (blocks, branches) = unpruned(&mut system, plan);
         Writer {
             plan,
             blocks,
@@ -103,7 +103,7 @@ impl<'a> Writer<'a> {
                 } => {
                     let (left, right) = (self.spelling.side(left), self.spelling.side(right));
                     let note = self.spelling.phrase(remark);
-                    equations.push(Equation { left, right, note });
+                    equations.push(DisplayedEquation { left, right, note });
                 }
                 Statement::Let {
                     target,
@@ -132,7 +132,7 @@ impl<'a> Writer<'a> {
                     let script = self.spelling.script;
                     let function = script.either("atan2", "atan2", "\\operatorname{atan2}");
                     let [sine, cosine] = [sine, cosine].map(|part| self.spelling.formula(*part));
-                    equations.push(Equation {
+                    equations.push(DisplayedEquation {
                         left: self.symbol(*target),
                         right: format!("{function}({sine}, {cosine})"),
                         note: String::new(),
@@ -152,7 +152,7 @@ impl<'a> Writer<'a> {
         target: SymbolId,
         value: ExprId,
         remark: &Phrase,
-    ) -> Option<Equation> {
+    ) -> Option<DisplayedEquation> {
         self.relate(value);
         let value = self.spelling.written(value);
         if block.written_out.contains(&target) {
@@ -176,7 +176,7 @@ impl<'a> Writer<'a> {
                 left
             }
         };
-        Some(Equation {
+        Some(DisplayedEquation {
             left,
             right: self.spelling.formula_as_is(value),
             note: self.spelling.phrase(remark),
@@ -270,7 +270,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Displays the equations that have gathered.
-    fn equations(&mut self, equations: &mut Vec<Equation>) {
+    fn equations(&mut self, equations: &mut Vec<DisplayedEquation>) {
         if !equations.is_empty() {
             let introduced = matches!(self.items.last(), Some(Item::Paragraph(_)));
             self.define(self.items.len() - usize::from(introduced));
@@ -289,9 +289,9 @@ impl<'a> Writer<'a> {
     fn define(&mut self, place: usize) {
         let spelling = &mut self.spelling;
         let definitions = spelling.parts.definitions(&mut spelling.system);
-        let equations: Vec<Equation> = definitions
+        let equations: Vec<DisplayedEquation> = definitions
             .iter()
-            .map(|definition| Equation {
+            .map(|definition| DisplayedEquation {
                 left: spelling.formula_as_is(definition.name),
                 right: spelling.script.value(&spelling.system, definition.value),
                 note: String::new(),

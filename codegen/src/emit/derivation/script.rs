@@ -1,5 +1,7 @@
 //! How words and formulas look: as typed text, or as LaTeX.
 
+use crate::emit::formula::Printer;
+use crate::emit::latex::Latex;
 use crate::emit::named_parts::NamedParts;
 use crate::emit::{Notation, latex, text};
 use crate::expr::ExprId;
@@ -33,10 +35,10 @@ impl Script {
         expr: ExprId,
     ) -> String {
         match self {
-            Script::Text(notation) => text::Printer::new(system, &[], notation)
+            Script::Text(notation) => Printer::new(system, &[], notation)
                 .naming(parts, is_long)
                 .expression(expr),
-            Script::Latex => latex::Printer::new(system, &[])
+            Script::Latex => Printer::new(system, &[], Latex)
                 .naming(parts, is_long)
                 .expression(expr),
         }

@@ -1,6 +1,6 @@
 //! A derivation → a page of plain text.
 
-use super::document::{Document, Equation, Item, OutlineLine};
+use super::document::{DisplayedEquation, Document, Item, OutlineLine};
 use crate::emit::text::table::{aligned, in_lines, shown_width};
 
 /// Words are broken into lines of at most so many columns; formulas are not.
@@ -42,7 +42,7 @@ pub(super) fn outline(lines: &[OutlineLine]) -> String {
     aligned(&table)
 }
 
-fn displayed(equations: &[Equation]) -> String {
+fn displayed(equations: &[DisplayedEquation]) -> String {
     let lines: Vec<Vec<String>> = equations
         .iter()
         .flat_map(|equation| {

@@ -1,6 +1,7 @@
 //! A system → a fragment for amsmath with its equations.
 
-use super::formula::{Printer, escaped};
+use super::super::formula::Printer;
+use super::spelling::{Latex, escaped};
 use crate::emit::named_parts::NamedParts;
 use crate::expr::ExprId;
 use crate::system::{Cause, Row, SymbolRole, System};
@@ -12,7 +13,7 @@ const LARGEST_MATRIX: usize = 9;
 pub fn inspect(system: &System) -> String {
     let mut system = system.clone();
     let parts = &NamedParts::of_rows(&mut system);
-    let names = Printer::new(&system, &[]);
+    let names = Printer::new(&system, &[], Latex);
     let coordinates: Vec<String> = (0..system.coordinates.len())
         .map(|index| names.symbol(SymbolRole::Position(index)))
         .collect();
@@ -35,7 +36,7 @@ pub fn inspect(system: &System) -> String {
     text.push_str(&parameters(&system, parts));
     let definitions = parts.definitions(&mut system);
     if !definitions.is_empty() {
-        let printer = Printer::new(&system, &[]);
+        let printer = Printer::new(&system, &[], Latex);
         let lines: Vec<String> = definitions
             .iter()
             .map(|definition| {
@@ -55,7 +56,7 @@ pub fn inspect(system: &System) -> String {
 /// A formula that mentions the bodies in the order of its row.
 fn formula(system: &System, parts: &NamedParts, row: &Row, expr: ExprId) -> String {
     let is_long = parts.meet(&system.mechanism.graph, expr);
-    Printer::new(system, &row.bodies)
+    Printer::new(system, &row.bodies, Latex)
         .naming(parts, is_long)
         .expression(expr)
 }

@@ -1,15 +1,18 @@
 //! One function per block.
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::quote;
 
-use super::docs::docs;
+use super::docs::{doc_lines, docs};
 use super::explained::determinants;
+use super::layout::Verbatim;
 use super::lints;
 use super::literal::count;
 use super::module::{Module, only};
+use super::names::identifier;
 use super::newton;
-use super::scope::{Place, Scope, identifier};
+use super::scope::{Place, Scope};
+use crate::expr::SymbolId;
 use crate::program::{Block, Statement};
 
 /// Up to so many blocks become one function.
@@ -23,7 +26,7 @@ struct Needs {
     /// Whether it finds its own mode.
     finds_branch: bool,
     /// Time, parameters, inputs, settings and what the last frame is.
-    given: bool,
+    conditions: bool,
     /// Whether a failure says the time.
     time: bool,
     fails: bool,
@@ -42,7 +45,7 @@ impl Needs {
             branches: newton || reads.branches,
             finds_branch: newton,
             time: checks || module.is_large() || reads.time,
-            given: fails || reads.time || reads.parameters || reads.inputs,
+            conditions: fails || reads.time || reads.parameters || reads.inputs,
             fails,
         }
     }
@@ -58,7 +61,11 @@ impl Needs {
                 quote!(branches: &#exclusive Branches),
                 quote!(branches),
             ),
-            (self.given, quote!(given: &Given<'_>), quote!(given)),
+            (
+                self.conditions,
+                quote!(conditions: &Conditions<'_>),
+                quote!(conditions),
+            ),
         ];
         let needed = arguments.into_iter().filter(|(is_needed, ..)| *is_needed);
         let (declared, passed): (Vec<_>, Vec<_>) = needed
@@ -114,7 +121,7 @@ pub(super) fn functions(module: &Module<'_>) -> TokenStream {
         let taken: Vec<TokenStream> = taken.map(|(_, name)| name).collect();
         let take = only(
             !taken.is_empty(),
-            quote!(let &Given { #(#taken,)* .. } = given;),
+            quote!(let &Conditions { #(#taken,)* .. } = conditions;),
         );
         let body = match needs.fails {
             true => quote! {
@@ -144,125 +151,83 @@ fn own_check(index: usize, block: &Block, scope: &Scope<'_>) -> TokenStream {
     let fields: Vec<TokenStream> = found.map(|symbol| scope.symbol(symbol)).collect();
     let number = count(index);
     quote! {
-        if !all_finite(&[#(#fields),*]) {
-            return Err(failed(FailureKind::NotFinite, t, #number));
-        }
+        finite(&[#(#fields),*], t, #number)?;
     }
 }
 
 /// `struct Branches` with the drawing's choice.
 pub(super) fn branches(module: &Module<'_>) -> TokenStream {
-    let closed = module.program.branches.iter().map(|branch| {
-        let drawn = format_ident!(
-            "{}",
-            if branch.is_positive() {
-                "Positive"
-            } else {
-                "Negative"
-            }
-        );
-        let (text, name) = (docs([sentence(&branch.meaning)]), identifier(&branch.name));
-        (text, name, quote!(Branch), quote!(Branch::#drawn))
+    let drawn = |positive: bool| match positive {
+        true => "Branch::Positive",
+        false => "Branch::Negative",
+    };
+    let blocks = &module.program.blocks;
+    let iterated = blocks
+        .iter()
+        .enumerate()
+        .filter_map(|(number, block)| Some((number, block, block.newton.as_ref()?)));
+    let mut text = Verbatim::default();
+    text.open("::linkwright::branches! {");
+    text.docs(match iterated.clone().next() {
+        None => ["The assembly mode of every loop that is solved in closed form."],
+        Some(_) => ["The assembly mode of every loop."],
     });
-    let iterated = module.program.blocks.iter().filter_map(|block| {
-        let newton = block.newton.as_ref()?;
-        let text = docs([format!(
+    let names = module.program.branches.iter().map(|branch| &branch.name);
+    if names
+        .chain(iterated.clone().map(|(_, block, _)| &block.name))
+        .any(|name| lints::has_capitals(name))
+    {
+        text.line("#[allow(non_snake_case)]");
+    }
+    text.open("Branches {");
+    for branch in &module.program.branches {
+        let name = identifier(&branch.name);
+        let of = exchanged_by(branch.symbol, module)
+            .map_or(String::new(), |number| format!(", block {number}"));
+        text.docs(doc_lines([sentence(&branch.meaning)]));
+        text.line(format!(
+            "{name}: Branch = {}{of};",
+            drawn(branch.is_positive())
+        ));
+    }
+    for (number, block, newton) in iterated {
+        let name = identifier(&block.name);
+        let drawn = newton.drawn.sign().map_or("None".to_string(), |positive| {
+            format!("Some({})", drawn(positive))
+        });
+        text.docs(doc_lines([format!(
             "The sign of the determinant of `{}`, which finds {}. `None` lets the estimate decide.",
             block.name,
             newton::listed(newton, module)
-        )]);
-        let drawn = match newton.drawn.sign() {
-            Some(positive) => {
-                let drawn = format_ident!("{}", if positive { "Positive" } else { "Negative" });
-                quote!(Some(Branch::#drawn))
-            }
-            None => quote!(None),
-        };
-        Some((text, identifier(&block.name), quote!(Option<Branch>), drawn))
-    });
-    let iterated: Vec<_> = iterated.collect();
-    let text = match iterated.is_empty() {
-        true => "The assembly mode of every loop that is solved in closed form.",
-        false => "The assembly mode of every loop.",
-    };
-    let (mut fields, mut values) = (Vec::new(), Vec::new());
-    for (text, name, kind, drawn) in closed.chain(iterated) {
-        fields.push(quote!(#text pub #name: #kind,));
-        values.push(quote!(#name: #drawn,));
+        )]));
+        text.line(format!("{name}: Option<Branch> = {drawn}, block {number};"));
     }
-    let structure = quote! {
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub struct Branches {
-            #(#fields)*
-        }
-    };
-    let (capitals, text) = (lints::capitals(&structure), docs([text]));
-    let exchanged = exchanged(module);
-    quote! {
-        #text
-        #capitals
-        #structure
-
-        impl Branches {
-            /// The modes of the drawing.
-            pub const DRAWN: Self = Self { #(#values)* };
-
-            #exchanged
-        }
-    }
+    text.close("}");
+    text.close("}");
+    text.item()
 }
 
-/// `fn exchanged`: the modes beyond a pose at which those of one block meet.
-fn exchanged(module: &Module<'_>) -> TokenStream {
-    let program = module.program;
+/// The block of which this is the only mode: beyond a pose at which its two modes meet it has the other.
+fn exchanged_by(branch: SymbolId, module: &Module<'_>) -> Option<usize> {
     let graph = &module.system.mechanism.graph;
-    let arms = program
+    let reads = |block: &Block, symbol| {
+        block
+            .function
+            .values()
+            .any(|expr| graph.depends_on(expr, symbol))
+    };
+    let (number, block) = module
+        .program
         .blocks
         .iter()
         .enumerate()
-        .filter_map(|(number, block)| {
-            let number = count(number);
-            if block.newton.is_some() {
-                let name = identifier(&block.name);
-                return Some(quote!(#number => other.#name = Some(self.#name?.opposite())));
-            }
-            let reads = |symbol| {
-                block
-                    .function
-                    .values()
-                    .any(|expr| graph.depends_on(expr, symbol))
-            };
-            let mut own = program
-                .branches
-                .iter()
-                .filter(|branch| reads(branch.symbol));
-            match (own.next(), own.next()) {
-                (Some(branch), None) => {
-                    let name = identifier(&branch.name);
-                    Some(quote!(#number => other.#name = self.#name.opposite()))
-                }
-                _ => None,
-            }
-        });
-    let arms: Vec<TokenStream> = arms.collect();
-    let parameter = format_ident!("{}", if arms.is_empty() { "_block" } else { "block" });
-    let body = match arms.is_empty() {
-        true => quote!(None),
-        false => quote! {
-            let mut other = self;
-            match block {
-                #(#arms,)*
-                _ => return None,
-            }
-            Some(other)
-        },
-    };
-    quote! {
-        /// Those beyond a pose at which the two modes of a block meet.
-        fn exchanged(self, #parameter: u16) -> Option<Self> {
-            #body
-        }
-    }
+        .find(|(_, block)| block.newton.is_none() && reads(block, branch))?;
+    let own = module
+        .program
+        .branches
+        .iter()
+        .filter(|it| reads(block, it.symbol));
+    (own.count() == 1).then_some(number)
 }
 
 fn sentence(text: &str) -> String {

@@ -6,8 +6,8 @@ use quote::quote;
 use super::docs::doc_lines;
 use super::layout::Verbatim;
 use super::module::{Module, derives};
-use super::scope::identifier;
-use crate::system::{Coordinate, Described, System};
+use super::names::identifier;
+use crate::system::{Described, System, Unknown};
 
 /// `struct Coordinates` with its names and the drawn pose.
 pub(super) fn coordinates(module: &Module<'_>) -> TokenStream {
@@ -26,7 +26,7 @@ pub(super) fn coordinates(module: &Module<'_>) -> TokenStream {
         let drawn = system.mechanism.graph.constant_value(coordinate.estimate);
         let (name, value) = (
             identifier(&coordinate.name),
-            module.float(drawn.unwrap_or(0.0)),
+            module.number(drawn.unwrap_or(0.0)),
         );
         text.line(format!("{name} = {value},"));
     }
@@ -37,13 +37,14 @@ pub(super) fn coordinates(module: &Module<'_>) -> TokenStream {
 }
 
 /// What a coordinate is; the first of a body also carries what the description says of the body.
-fn field_text(coordinate: &Coordinate, system: &System) -> Vec<String> {
+fn field_text(coordinate: &Unknown, system: &System) -> Vec<String> {
     let (body, axis) = match coordinate.describes {
         Described::Pose { body, axis } => (&system.mechanism.bodies[body], axis),
         Described::Contact { joint } => {
             let label = &system.mechanism.joints[joint].label;
             return vec![format!("Where `{label}` touches its curve.")];
         }
+        Described::Auxiliary => return Vec::new(),
     };
     let name = &body.name;
     match axis {

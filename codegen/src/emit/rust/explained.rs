@@ -16,9 +16,10 @@ const LONGEST: usize = 160;
 
 /// The names of all blocks.
 pub(super) fn block_names(module: &Module<'_>) -> TokenStream {
-    let names = module.words.iter().map(
-        |BlockWords { name, singular }| quote!(BlockName { name: #name, singular: #singular }),
-    );
+    let names = module
+        .words
+        .iter()
+        .map(|BlockWords { name, singular }| quote!(BlockName::new(#name, #singular)));
     let length = count(module.program.blocks.len());
     quote! {
         /// What the blocks are called, in solve order, and what can be said of them where they are singular.

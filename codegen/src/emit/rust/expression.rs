@@ -7,7 +7,8 @@ use quote::{format_ident, quote};
 
 use super::layout::comment;
 use super::literal::count;
-use super::scope::{Scope, identifier};
+use super::names::identifier;
+use super::scope::Scope;
 use super::tables::table_name;
 use crate::expr::{ExprId, Node, SplineId, SymbolId};
 use crate::model::field_name;
@@ -199,7 +200,8 @@ impl Scope<'_> {
             false => quote!(_),
         });
         let call = quote! {
-            isolate(#bounds, &jacobian, |&[#(#arguments),*], variation| {
+            isolate(#bounds, &jacobian, |sags, variation| {
+                let &[#(#arguments),*] = sags;
                 #(#statements)*
                 #(#results)*
             })?
@@ -413,7 +415,7 @@ impl Scope<'_> {
     fn constant(&self, part: &ConstantPart) -> TokenStream {
         match self.module.program.constants.name_of(part) {
             Some(name) => {
-                let name = super::scope::identifier(name);
+                let name = super::names::identifier(name);
                 quote!(#name)
             }
             None => self

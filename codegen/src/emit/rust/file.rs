@@ -4,11 +4,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::docs::docs;
-use super::given;
 use super::layout::{comment, laid_out};
 use super::literal::Scalar;
 use super::module::Module;
-use super::scope::identifier;
+use super::names::identifier;
+use super::parameters;
 use crate::program::Program;
 use crate::structure::SolvedPlan;
 use crate::system::System;
@@ -41,7 +41,7 @@ pub fn file(motions: &[(System, SolvedPlan, Program)], scalar: Scalar) -> String
                 .filter_map(|module| module.system.mechanism.motion.as_ref());
             let names: Vec<String> = names.map(|motion| format!("`{}`", motion.name)).collect();
             lines.push(format!("A module for each motion: {}.", names.join(", ")));
-            let parameters = given::shared_parameters(first);
+            let parameters = parameters::shared_parameters(first);
             [parameters]
                 .into_iter()
                 .chain(modules.iter().map(motion))

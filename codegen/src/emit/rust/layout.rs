@@ -6,6 +6,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::lines::{broken, filled};
+
 /// What a comment is until the source is laid out; no generated code uses a macro of this name.
 const MARKER: &str = "comment_in_generated_code!(";
 
@@ -36,6 +38,14 @@ impl Verbatim {
     pub(super) fn line(&mut self, line: impl AsRef<str>) {
         let text = format!("{}{}", "    ".repeat(self.depth), line.as_ref());
         self.lines.push(text.trim_end().to_string());
+    }
+
+    /// Elements with commas, as many to a line as it holds.
+    pub(super) fn list<S: AsRef<str>>(&mut self, elements: impl IntoIterator<Item = S>) {
+        let elements = elements.into_iter().map(|it| format!("{},", it.as_ref()));
+        let elements: Vec<String> = elements.collect();
+        let lines = filled(elements.iter().map(String::as_str), 4 * self.depth);
+        self.lines.extend(lines);
     }
 
     /// Attributes, one a line.
@@ -93,7 +103,8 @@ pub(super) fn comment(text: &str) -> TokenStream {
 pub(super) fn laid_out(source: &str) -> String {
     let mut text = String::with_capacity(source.len() + source.len() / 16);
     let mut previous = "";
-    let mut lines = source.lines();
+    let lines = broken(&source.lines().collect::<Vec<_>>());
+    let mut lines = lines.iter().map(String::as_str);
     while let Some(line) = lines.next() {
         let content = line.trim_start();
         let indent = &line[..line.len() - content.len()];

@@ -54,16 +54,17 @@ pub(super) fn approximate(tokens: &TokenStream) -> TokenStream {
     }
 }
 
+/// Whether a name is that of a coordinate, or made of it, and has capitals of the body's.
+pub(super) fn has_capitals(name: &str) -> bool {
+    let starts = ["x_", "y_", "phi_", "sin_", "cos_"];
+    starts.iter().any(|start| name.starts_with(start))
+        && name.contains(|letter: char| letter.is_ascii_uppercase())
+}
+
 /// An attribute where a body's name has capitals, which the coordinates keep.
 pub(super) fn capitals(tokens: &TokenStream) -> TokenStream {
     let suspect = any(tokens, &|tree| match tree {
-        TokenTree::Ident(name) => {
-            let name = name.to_string();
-            let coordinate = ["x_", "y_", "phi_", "sin_", "cos_"]
-                .iter()
-                .any(|start| name.starts_with(start));
-            coordinate && name.contains(|letter: char| letter.is_ascii_uppercase())
-        }
+        TokenTree::Ident(name) => has_capitals(&name.to_string()),
         _ => false,
     });
     if suspect {

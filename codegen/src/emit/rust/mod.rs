@@ -3,20 +3,22 @@
 //! The file needs `linkwright` and nothing else, neither allocates nor panics, and is the same bytes on every run.
 
 mod block;
-mod closeness;
 mod coordinates;
 mod docs;
 mod explained;
 mod expression;
 mod file;
 mod frame;
-mod given;
 mod layout;
+mod lines;
 mod lints;
 mod literal;
 mod markdown;
 mod module;
+mod names;
 mod newton;
+mod normalized_determinant;
+mod parameters;
 mod path;
 mod points;
 mod scope;
@@ -28,3 +30,4 @@ mod transmission;
 
 pub use file::file;
 pub use literal::Scalar;
+pub use names::{NAMING, type_name};

@@ -5,13 +5,14 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
+use super::layout::Verbatim;
 use super::literal::Scalar;
-use super::scope::{identifier, spelled};
+use super::names::identifier;
+use super::names::spelled;
 use super::{
-    block, coordinates, explained, frame, given, lints, newton, path, shell, tables, textbook,
+    block, coordinates, explained, frame, newton, parameters, path, shell, tables, textbook,
 };
 use crate::emit::derivation::{self, BlockWords, PlainWords, SingularPose};
-use crate::emit::rust::docs::docs;
 use crate::emit::{Notation, report, text};
 use crate::expr::SymbolId;
 use crate::model::Role;
@@ -62,7 +63,7 @@ impl<'a> Module<'a> {
     }
 
     /// Whether frames hold all coordinates, and not only what is asked for.
-    pub(super) fn is_whole(&self) -> bool {
+    pub(super) fn holds_coordinates(&self) -> bool {
         self.program.outputs.is_none()
     }
 
@@ -74,6 +75,11 @@ impl<'a> Module<'a> {
     /// A number.
     pub(super) fn float(&self, value: f64) -> TokenStream {
         self.scalar.literal(value)
+    }
+
+    /// A number as it is written.
+    pub(super) fn number(&self, value: f64) -> String {
+        self.float(value).to_string().replace("- ", "-")
     }
 
     /// `q`, `qd` or `qdd` and the coordinate's name.
@@ -90,12 +96,13 @@ impl<'a> Module<'a> {
 
     /// Whether frames hold a value.
     pub(super) fn is_field(&self, symbol: SymbolId) -> bool {
-        self.is_whole() && self.system.is_coordinate(symbol) || self.program.is_field(symbol)
+        self.holds_coordinates() && self.system.is_coordinate(symbol)
+            || self.program.is_field(symbol)
     }
 
     /// A field of a frame.
     pub(super) fn field(&self, symbol: SymbolId, frame: &Ident) -> TokenStream {
-        match self.coordinate(symbol).filter(|_| self.is_whole()) {
+        match self.coordinate(symbol).filter(|_| self.holds_coordinates()) {
             Some((vector, name)) => quote!(#frame.#vector.#name),
             None => {
                 let name = self.field_name(symbol);
@@ -139,15 +146,17 @@ impl<'a> Module<'a> {
         let precision = self.scalar.precision();
         let mut parts = vec![
             coordinates::coordinates(self),
-            given::structures(self, owns_parameters),
-            textbook::textbook(self),
+            parameters::structures(self, owns_parameters),
+            textbook::functions(self),
             frame::frame(self),
             block::branches(self),
             explained::block_names(self),
+            textbook::characteristic_length(self),
             newton::equations(self),
             block::functions(self),
             path::path(self),
             shell::mechanism(self),
+            textbook::dense(self),
         ];
         let mentioned = identifiers(&parts);
         let constants = self.constants(&mentioned);
@@ -162,15 +171,22 @@ impl<'a> Module<'a> {
     /// The named constants that the code mentions; what of the solved view is left out may have been all that needed one.
     fn constants(&self, mentioned: &HashSet<String>) -> TokenStream {
         let list = self.program.constants.list().iter();
-        let used = list.filter(|constant| mentioned.contains(&constant.name));
-        let constants = used.map(|constant| {
+        let mut used = list
+            .filter(|constant| mentioned.contains(&constant.name))
+            .peekable();
+        if used.peek().is_none() {
+            return TokenStream::new();
+        }
+        let mut text = Verbatim::default();
+        text.open("::linkwright::constants! {");
+        for constant in used {
             let exact = text::constant(self.system, &constant.part);
-            let text = docs(exact.map(|exact| format!("`{exact}`")));
-            let (name, value) = (identifier(&constant.name), self.float(constant.value));
-            let allow = lints::approximate(&value);
-            quote!(#text #allow const #name: Scalar = #value;)
-        });
-        constants.collect()
+            let exact = exact.map_or(String::new(), |exact| format!(" // {exact}"));
+            let (name, value) = (identifier(&constant.name), self.number(constant.value));
+            text.line(format!("{name} = {value},{exact}"));
+        }
+        text.close("}");
+        text.item()
     }
 
     /// Lines of text that say what the module computes and what it costs.

@@ -7,8 +7,9 @@ use super::docs::docs;
 use super::lints;
 use super::literal::count;
 use super::module::{Module, only};
-use super::scope::{Place, Reads, Scope, identifier};
-use super::textbook::{length, scales};
+use super::names::identifier;
+use super::scope::{Place, Reads, Scope};
+use super::textbook::{Length, length, scales};
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
 use crate::program::{Block, Function, Lengths, NewtonBlock, Statement};
@@ -31,7 +32,7 @@ fn tears<'a>(newton: &NewtonBlock, module: &'a Module<'_>) -> Vec<&'a Unknown> {
 
 /// `LoopPQR` of the block `loop_p_q_r`.
 fn type_name(block: &Block) -> Ident {
-    format_ident!("{}", crate::model::type_name(&block.name))
+    format_ident!("{}", super::names::type_name(&block.name))
 }
 
 /// What the equations of a block read of what was found before it and of what is given.
@@ -126,8 +127,24 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
     let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
     let columns: Vec<Quantity> = tears.iter().map(|it| it.quantity).collect();
-    let [of_rows, of_columns] = newton.scaled_by.each_ref().map(|it| length(module, it));
-    let scales = scales([&of_rows, &of_columns], [&newton.quantities, &columns]);
+    let scaled = |quantities: &[Quantity], lengths: &Lengths| {
+        let is_scaled = quantities.iter().any(|it| it.power_of_length() != 0);
+        let Length { statements, name } = length(module, lengths);
+        let scales = scales(quantities, &name);
+        let statements = only(
+            is_scaled && !statements.is_empty(),
+            quote! {
+                let parameters = self.parameters;
+                #statements
+            },
+        );
+        quote!(#statements #scales)
+    };
+    let [of_rows, of_columns] = &newton.scaled_by;
+    let (row_scales, column_scales) = (
+        scaled(&newton.quantities, of_rows),
+        scaled(&columns, of_columns),
+    );
     let angles = angles(&columns);
     let found = listed(newton, module);
     let title = docs([format!("The equations of `{}` for {found}.", block.name)]);
@@ -158,7 +175,14 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
                 [#(#gamma),*]
             }
 
-            #scales
+            fn row_scales(&self) -> [Scalar; #size] {
+                #row_scales
+            }
+
+            fn column_scales(&self) -> [Scalar; #size] {
+                #column_scales
+            }
+
             #angles
         }
     };
@@ -213,8 +237,8 @@ fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenSt
     let reads = reads(newton, module);
     let reads_parameters = reads.parameters || scales_follow(newton, module);
     let at = only(reads.frame, quote!(at: &*at,));
-    let parameters = only(reads_parameters, quote!(parameters: given.parameters,));
-    let inputs = only(reads.inputs, quote!(inputs: given.inputs,));
+    let parameters = only(reads_parameters, quote!(parameters: conditions.parameters,));
+    let inputs = only(reads.inputs, quote!(inputs: conditions.inputs,));
     let fields = quote!(#at #parameters #inputs);
     match fields.is_empty() {
         true => quote!(#name),
@@ -275,7 +299,7 @@ fn solve(
             qdd: Vector::from([#(#last_qdd),*]),
         };
         let equations = #equations;
-        let tears = block::#call(&equations, &tears, given.start, &mut branches.#mode, given.t, given.settings #passed)
+        let tears = block::#call(&equations, &tears, conditions.start, &mut branches.#mode, conditions.t, conditions.settings #passed)
             .map_err(|failure| failure.in_block(#number))?;
         [#(#q),*] = tears.q.data.0[0];
         [#(#qd),*] = tears.qd.data.0[0];
@@ -293,7 +317,7 @@ fn factorize(index: usize, block: &Block, newton: &NewtonBlock, scope: &Scope<'_
     let (number, equations) = (count(index), instance(block, newton, module));
     quote! {
         let tears = Vector::from([#(#q),*]);
-        let factorization = kinematics::factorize(&#equations, &tears, given.t, given.settings)
+        let factorization = kinematics::factorize(&#equations, &tears, conditions.t, conditions.settings)
             .map_err(|failure| failure.in_block(#number))?;
     }
 }

@@ -8,7 +8,8 @@ use quote::{format_ident, quote};
 use super::lints;
 use super::literal::count;
 use super::module::{Module, only};
-use super::scope::{Place, Scope, identifier};
+use super::names::identifier;
+use super::scope::{Place, Scope};
 use crate::expr::SymbolId;
 use crate::program::{Path, Program, Statement};
 use crate::system::System;
@@ -29,7 +30,7 @@ pub(super) fn path(module: &Module<'_>) -> TokenStream {
         let read = names.iter().filter(|(is_read, _)| *is_read);
         read.map(|(_, name)| identifier(name)).collect()
     };
-    let given = named(&[
+    let conditions = named(&[
         (reads.time, "t"),
         (reads.parameters, "parameters"),
         (inputs, "inputs"),
@@ -39,11 +40,11 @@ pub(super) fn path(module: &Module<'_>) -> TokenStream {
         (reads.frame || has_tubes, "at"),
         (reads.last || has_tubes, "last"),
         (before, "before"),
-        (!given.is_empty(), "given"),
+        (!conditions.is_empty(), "conditions"),
     ]);
-    let given = only(
-        !given.is_empty(),
-        quote!(let &Given { #(#given,)* .. } = given;),
+    let conditions = only(
+        !conditions.is_empty(),
+        quote!(let &Conditions { #(#conditions,)* .. } = conditions;),
     );
     let body = quote! {
         #(#statements)*
@@ -70,7 +71,7 @@ pub(super) fn path(module: &Module<'_>) -> TokenStream {
         #approximate
         fn keeps_to_path(#pair: &Pair<'_>, #span: &Span, #tubes: &mut Tubes) -> Result<(), u16> {
             #both
-            #given
+            #conditions
             #body
             Ok(())
         }

@@ -6,7 +6,8 @@ use quote::quote;
 use super::docs::docs;
 use super::literal::count;
 use super::module::Module;
-use super::scope::{Place, Scope, identifier};
+use super::names::identifier;
+use super::scope::{Place, Scope};
 use crate::program::{Function, Output};
 use crate::system::Pressure;
 
@@ -42,9 +43,9 @@ pub(super) fn methods(module: &Module<'_>) -> TokenStream {
         };
         quote! {
             #text
-            pub fn #name(&self) -> Motion {
+            pub fn #name(&self) -> PointMotion {
                 #computed
-                Motion { position: [#x, #y], velocity: [#vx, #vy], acceleration: [#ax, #ay] }
+                PointMotion { position: [#x, #y], velocity: [#vx, #vy], acceleration: [#ax, #ay] }
             }
         }
     });

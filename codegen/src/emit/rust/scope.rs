@@ -4,10 +4,11 @@ use std::cell::OnceCell;
 use std::collections::HashSet;
 use std::rc::Rc;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::module::Module;
+use super::names::{LOCAL_VALUES, identifier, spelled};
 use crate::expr::{ExprId, SymbolId};
 use crate::model::field_name;
 use crate::program::Function;
@@ -26,34 +27,6 @@ pub(super) enum Place {
     /// In the frames `at` and `last`.
     Path,
 }
-
-/// What functions are given, and what they call the runtime's answers: no local value has one of these names.
-const RESERVED: &[&str] = &[
-    "at",
-    "last",
-    "branches",
-    "given",
-    "t",
-    "q",
-    "qd",
-    "qdd",
-    "parameters",
-    "inputs",
-    "settings",
-    "start",
-    "factorization",
-    "jacobian",
-    "measure",
-    "response",
-    "tears",
-    "equations",
-    "span",
-    "before",
-    "tubes",
-    "variation",
-    "pair",
-    "partial",
-];
 
 /// The names of one function.
 pub(super) struct Scope<'a> {
@@ -87,40 +60,6 @@ pub(super) struct Reads {
     pub frame: bool,
 }
 
-/// A name as an identifier; words that Rust reserves get an underscore.
-pub(super) fn identifier(name: &str) -> Ident {
-    match is_identifier(name) {
-        true => format_ident!("{name}"),
-        false => format_ident!("{name}_"),
-    }
-}
-
-fn is_identifier(name: &str) -> bool {
-    let is_letter = |letter: char| letter.is_ascii_alphabetic() || letter == '_';
-    let is_plain = name.chars().all(|it| is_letter(it) || it.is_ascii_digit());
-    // Words that Rust reserves are letters alone.
-    let is_word = name.chars().all(|it| it.is_ascii_alphabetic()) || name == "_";
-    match is_plain && !is_word {
-        true => name.starts_with(is_letter),
-        false => syn::parse_str::<Ident>(name).is_ok() && name != "gen",
-    }
-}
-
-/// A wish as a name of Rust: `bd_square` of `|BD|^2`.
-pub(super) fn spelled(wish: &str) -> String {
-    let plain = wish.replace('|', "").replace("^2", "_square");
-    let spelled = plain.to_lowercase();
-    // A coordinate keeps its capitals, as its field does.
-    let is_function = ["sin_", "cos_"]
-        .iter()
-        .any(|start| plain.starts_with(start));
-    let name = if is_function { plain } else { spelled };
-    match name.starts_with(|first: char| first.is_ascii_digit()) {
-        true => format!("_{name}"),
-        false => name,
-    }
-}
-
 impl<'a> Scope<'a> {
     pub(super) fn new(module: &'a Module<'a>, function: &'a Function, place: Place) -> Scope<'a> {
         Scope::with_tears(module, function, place, Vec::new())
@@ -136,7 +75,7 @@ impl<'a> Scope<'a> {
             Place::Frame => module.is_field(symbol),
             _ => tears.contains(&symbol),
         };
-        let locals = LocalNames::of(function, module.system, kept, RESERVED, spelled);
+        let locals = LocalNames::of(function, module.system, kept, LOCAL_VALUES, spelled);
         Scope {
             module,
             function,

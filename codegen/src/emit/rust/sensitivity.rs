@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::docs::docs;
 use super::module::{Module, derives};
-use super::scope::identifier;
+use super::names::identifier;
 use crate::joint::Quantity;
 use crate::program::{Found, SensitiveQuantity, Sensitivity};
 

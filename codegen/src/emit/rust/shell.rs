@@ -7,14 +7,13 @@ use quote::quote;
 
 use super::block::call;
 use super::docs::doc_lines;
-use super::given;
 use super::layout::Verbatim;
-use super::literal::count;
 use super::module::{Module, derives, only};
+use super::names::identifier;
+use super::names::type_name;
+use super::parameters;
 use super::path;
-use super::scope::identifier;
 use crate::expr::SymbolId;
-use crate::model::type_name;
 use crate::program::{Block, Function, Statement};
 
 /// The function that solves one instant, and the mechanism's own type.
@@ -30,12 +29,9 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
     text.docs(doc_lines(lines));
     text.tokens(derives(module.system.coordinates.len()));
     text.line(format!("{name}, {:?};", module.system.mechanism.name));
-    let list = |what: &str, is_declared: bool| match is_declared {
-        true => format!("{}: {what};", what.to_lowercase()),
-        false => format!("{}:;", what.to_lowercase()),
-    };
-    text.line(list("Parameters", declared.parameters));
-    text.line(list("Inputs", declared.inputs));
+    for line in declared.lines() {
+        text.line(line);
+    }
     let path = if module.program.path.is_some() {
         "guarded"
     } else {
@@ -45,13 +41,15 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
         0 => format!("path: {path};"),
         count => format!("path: {path}, tubes: {count};"),
     });
+    if module.program.drawn.is_some() {
+        text.line("drawn: drawn;");
+    }
     if module.program.requirements.is_some() {
         text.line("requirements: REQUIREMENTS;");
     }
     text.close("}");
-    let (item, more) = (text.item(), more(module));
-    let requirements = given::requirements(module);
-    quote!(#solve #requirements #item #more)
+    let (item, requirements) = (text.item(), parameters::requirements(module));
+    quote!(#solve #requirements #item)
 }
 
 /// Solves all blocks at one time.
@@ -69,18 +67,14 @@ fn solve(module: &Module<'_>) -> TokenStream {
     };
     let (last, branches) = (argument("last"), argument("branches"));
     let parameters = only(
-        module.is_whole() && module.frame_keeps_parameters(),
-        quote!(at.parameters = *given.parameters;),
+        module.holds_coordinates() && module.frame_keeps_parameters(),
+        quote!(at.parameters = *conditions.parameters;),
     );
     let checked = checked(module);
     let verdict = match module.is_large() || checked.is_empty() {
         true => quote!(Ok(())),
         false => quote! {
-            if all_finite(&[#(#checked),*]) {
-                Ok(())
-            } else {
-                Err(failed(FailureKind::NotFinite, given.t, 0))
-            }
+            finite(&[#(#checked),*], conditions.t, 0)
         },
     };
     quote! {
@@ -89,9 +83,9 @@ fn solve(module: &Module<'_>) -> TokenStream {
             at: &mut Frame,
             #last: &Frame,
             #branches: &mut Branches,
-            given: &Given<'_>,
+            conditions: &Conditions<'_>,
         ) -> Result<(), Failure> {
-            at.t = given.t;
+            at.t = conditions.t;
             #parameters
             #(#calls)*
             #verdict
@@ -125,58 +119,4 @@ fn checked(module: &Module<'_>) -> Vec<TokenStream> {
         checked.extend(leaves.map(|symbol| module.field(symbol, &at)));
     }
     checked
-}
-
-/// The methods that only some mechanisms have.
-fn more(module: &Module<'_>) -> TokenStream {
-    let declared = module.declared();
-    let name = identifier(&type_name(&module.system.mechanism.name));
-    let inputs = only(declared.inputs, quote!(, inputs: &Inputs));
-    let inputs_passed = match declared.inputs {
-        true => quote!(inputs),
-        false => quote!(&()),
-    };
-    let for_parameters = only(
-        declared.parameters,
-        quote! {
-            /// Assembles the mechanism of these parameters at time `t` (s) as it is drawn.
-            ///
-            /// # Errors
-            /// A [`Failure`] where it cannot be assembled so.
-            pub fn assemble_for(parameters: &Parameters, t: Scalar #inputs) -> Result<Self, Failure> {
-                let (pose, settings) = (drawn_pose(parameters), Settings::default());
-                Shell::assemble(Loops, parameters, &pose, Branches::DRAWN, t, #inputs_passed, settings).map(Self)
-            }
-        },
-    );
-    let newton_step = module.program.textbook.as_ref().map(|_| {
-        let size = count(module.system.rows.len());
-        let parameters = only(declared.parameters, quote!(parameters: &Parameters,));
-        let own_parameters = only(declared.parameters, quote!(parameters: *parameters,));
-        let own_inputs = only(declared.inputs, quote!(inputs: *inputs,));
-        let textbook = match declared.parameters || declared.inputs {
-            true => quote!(Textbook { #own_parameters #own_inputs }),
-            false => quote!(Textbook),
-        };
-        quote! {
-            /// One Newton-Raphson step of the textbook view from the pose `q` at time `t` (s), with its matrix and right-hand
-            /// side.
-            ///
-            /// # Errors
-            /// A [`Failure`] where the Jacobian is singular.
-            pub fn newton_step(q: &Coordinates, #parameters t: Scalar #inputs) -> Result<Step<#size>, Failure> {
-                newton::step(&#textbook, &Vector::from(q.to_array()), t, &Settings::default())
-            }
-        }
-    });
-    if for_parameters.is_empty() && newton_step.is_none() {
-        return TokenStream::new();
-    }
-    quote! {
-        #[allow(dead_code)]
-        impl #name {
-            #for_parameters
-            #newton_step
-        }
-    }
 }

@@ -4,19 +4,21 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::docs::docs;
-use super::layout::comment;
+use super::layout::{Verbatim, comment};
 use super::lints;
 use super::literal::count;
 use super::module::{Module, only};
-use super::scope::{Place, Reads, Scope, identifier};
+use super::names::identifier;
+use super::names::type_name;
+use super::scope::{Place, Reads, Scope};
 use crate::emit::{Notation, text};
 use crate::expr::ExprId;
 use crate::joint::Quantity;
 use crate::program::{Function, Lengths};
 use crate::system::{Row, System};
 
-/// The functions of the textbook view, what is monitored besides, and the type that the runtime solves.
-pub(super) fn textbook(module: &Module<'_>) -> TokenStream {
+/// The functions of the textbook view, and what is monitored besides.
+pub(super) fn functions(module: &Module<'_>) -> TokenStream {
     let Some(textbook) = &module.program.textbook else {
         return TokenStream::new();
     };
@@ -46,8 +48,7 @@ pub(super) fn textbook(module: &Module<'_>) -> TokenStream {
         .monitored
         .as_ref()
         .map(|function| monitored(module, function));
-    let dense = dense(module, &textbook.scaled_by);
-    quote! { #phi #phi_q #phi_t #gamma #monitored #dense }
+    quote! { #phi #phi_q #phi_t #gamma #monitored }
 }
 
 /// The arguments of a function; one that is not read begins with an underscore.
@@ -218,69 +219,80 @@ fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> String {
 }
 
 /// `struct Textbook`: the dense system as the runtime solves it.
-fn dense(module: &Module<'_>, scaled_by: &Lengths) -> TokenStream {
-    let system = module.system;
-    let size = count(system.rows.len());
-    let declared = module.declared();
-    let parameters = only(
-        declared.parameters,
-        quote! {
-            /// The parameters.
-            pub parameters: Parameters,
-        },
-    );
-    let inputs = only(
-        declared.inputs,
-        quote! {
-            /// The signals at the time for which the equations are evaluated.
-            pub inputs: Inputs,
-        },
-    );
-    let structure = match declared.parameters || declared.inputs {
-        true => quote!(pub struct Textbook { #parameters #inputs }),
-        false => quote!(
-            pub struct Textbook;
-        ),
+pub(super) fn dense(module: &Module<'_>) -> TokenStream {
+    let Some(textbook) = &module.program.textbook else {
+        return TokenStream::new();
     };
-    let own_parameters = only(declared.parameters, quote!(&self.parameters,));
-    let own_inputs = only(declared.inputs, quote!(&self.inputs,));
-    let passed = quote!(#own_parameters #own_inputs);
+    let system = module.system;
     let rows: Vec<Quantity> = system.rows.iter().map(|row| row.quantity).collect();
     let columns: Vec<Quantity> = system.coordinates.iter().map(|it| it.quantity).collect();
-    let length = length(module, scaled_by);
-    let scales = scales([&length, &length], [&rows, &columns]);
-    quote! {
-        /// All equations as one dense system, as `linkwright::newton` solves it.
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
-        #structure
-
-        impl BlockEquations<Scalar, #size> for Textbook {
-            fn residual(&self, q: &[Scalar; #size], t: Scalar) -> [Scalar; #size] {
-                phi(&Coordinates::from_array(*q), #passed t).data.0[0]
-            }
-
-            fn jacobian(&self, q: &[Scalar; #size], t: Scalar) -> Matrix<#size, #size> {
-                phi_q(&Coordinates::from_array(*q), #passed t)
-            }
-
-            fn time_derivative(&self, q: &[Scalar; #size], t: Scalar) -> [Scalar; #size] {
-                phi_t(&Coordinates::from_array(*q), #passed t).data.0[0]
-            }
-
-            fn gamma(&self, q: &[Scalar; #size], qd: &[Scalar; #size], t: Scalar) -> [Scalar; #size] {
-                gamma(&Coordinates::from_array(*q), &Coordinates::from_array(*qd), #passed t).data.0[0]
-            }
-
-            #scales
+    let mut text = Verbatim::default();
+    text.open("::linkwright::textbook! {");
+    text.line(format!(
+        "{}, {};",
+        type_name(&system.mechanism.name),
+        rows.len()
+    ));
+    for line in module.declared().lines() {
+        text.line(line);
+    }
+    let length = match textbook.scaled_by.following.is_some() {
+        true => {
+            text.line("lengths: length = characteristic_length(parameters);");
+            quote!(length)
         }
+        false => module.float(textbook.scaled_by.nominal),
+    };
+    for (title, quantities) in [("rows", rows), ("columns", columns)] {
+        let scales = scales(&quantities, &length).to_string();
+        // What is in brackets has no commas in it.
+        match scales
+            .strip_prefix('[')
+            .and_then(|it| it.strip_suffix(']'))
+            .filter(|it| !it.contains(';'))
+        {
+            Some(elements) if scales.len() > 80 => {
+                text.open(&format!("{title}: ["));
+                text.list(elements.split(',').map(str::trim));
+                text.close("];");
+            }
+            _ => text.line(format!(
+                "{title}: {};",
+                scales.replace(" ;", ";").replace(" ,", ",")
+            )),
+        }
+    }
+    text.close("}");
+    text.item()
+}
 
-        ::linkwright::equations!(Textbook, #size);
+/// `fn characteristic_length`: what the textbook view is scaled by, where parameters change it.
+pub(super) fn characteristic_length(module: &Module<'_>) -> TokenStream {
+    let textbook = module.program.textbook.as_ref();
+    let Some(lengths) = textbook.map(|it| &it.scaled_by) else {
+        return TokenStream::new();
+    };
+    if lengths.following.is_none() {
+        return TokenStream::new();
+    }
+    let Length { statements, name } = length(module, lengths);
+    let function = quote! {
+        fn characteristic_length(parameters: &Parameters) -> Scalar {
+            #statements
+            #name
+        }
+    };
+    let allow = lints::unused_item(&function);
+    quote! {
+        /// By what lengths are scaled.
+        #allow
+        #function
     }
 }
 
-/// By what lengths are scaled: a statement that finds it, and what it is called then.
+/// What lengths are scaled by: the statements that find it from `parameters`, and what it is called then.
 pub(super) struct Length {
-    pub statement: TokenStream,
+    pub statements: TokenStream,
     pub name: TokenStream,
 }
 
@@ -289,15 +301,14 @@ pub(super) fn length(module: &Module<'_>, lengths: &Lengths) -> Length {
     let otherwise = module.float(lengths.nominal);
     let Some(function) = &lengths.following else {
         return Length {
-            statement: TokenStream::new(),
+            statements: TokenStream::new(),
             name: otherwise,
         };
     };
     let scope = Scope::new(module, function, Place::Coordinates);
     let (statements, results) = (scope.plain_statements(), scope.results());
     Length {
-        statement: quote! {
-            let parameters = &self.parameters;
+        statements: quote! {
             #(#statements)*
             let length = largest_length(&[#(#results),*], #otherwise);
         },
@@ -305,37 +316,16 @@ pub(super) fn length(module: &Module<'_>, lengths: &Lengths) -> Length {
     }
 }
 
-/// The two functions that say by what rows and columns with these quantities are scaled.
-pub(super) fn scales(
-    [of_rows, of_columns]: [&Length; 2],
-    [rows, columns]: [&[Quantity]; 2],
-) -> TokenStream {
-    let size = count(rows.len());
-    let list = |quantities: &[Quantity], length: &Length| {
-        let scales: Vec<TokenStream> = quantities
-            .iter()
-            .map(|it| scale(*it, &length.name))
-            .collect();
-        let is_first = |scale: &TokenStream| scale.to_string() == scales[0].to_string();
-        let needs_length = quantities.iter().any(|it| it.power_of_length() != 0);
-        let statement = only(needs_length, length.statement.clone());
-        match scales.iter().all(is_first) && !scales.is_empty() {
-            true => {
-                let first = &scales[0];
-                quote!(#statement [#first; #size])
-            }
-            false => quote!(#statement [#(#scales),*]),
+/// By what rows or columns with these quantities are scaled.
+pub(super) fn scales(quantities: &[Quantity], length: &TokenStream) -> TokenStream {
+    let scales = quantities.iter().map(|it| scale(*it, length));
+    let scales: Vec<TokenStream> = scales.collect();
+    let size = count(scales.len());
+    match scales.split_first() {
+        Some((first, others)) if others.iter().all(|it| it.to_string() == first.to_string()) => {
+            quote!([#first; #size])
         }
-    };
-    let (rows, columns) = (list(rows, of_rows), list(columns, of_columns));
-    quote! {
-        fn row_scales(&self) -> [Scalar; #size] {
-            #rows
-        }
-
-        fn column_scales(&self) -> [Scalar; #size] {
-            #columns
-        }
+        _ => quote!([#(#scales),*]),
     }
 }
 

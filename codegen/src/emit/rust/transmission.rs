@@ -6,7 +6,7 @@ use quote::quote;
 use super::docs::docs;
 use super::literal::count;
 use super::module::Module;
-use super::scope::identifier;
+use super::names::identifier;
 use crate::joint::Quantity;
 use crate::program::Transmission;
 

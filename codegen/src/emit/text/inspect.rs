@@ -1,8 +1,8 @@
 //! A system → the page that shows its equations.
 
+use super::super::formula::Printer;
 use super::super::named_parts::NamedParts;
 use super::super::notation::Notation;
-use super::formula::Printer;
 use super::table::{aligned, in_lines, shown_width};
 use crate::expr::ExprId;
 use crate::model::{Dimension, Role};
@@ -88,7 +88,7 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
-    fn printer<'b>(&'b self, bodies: &'b [usize]) -> Printer<'b> {
+    fn printer<'b>(&'b self, bodies: &'b [usize]) -> Printer<'b, Notation> {
         Printer::new(self.system, bodies, self.notation)
     }
 

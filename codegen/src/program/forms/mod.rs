@@ -15,7 +15,7 @@ mod turning_slide;
 mod two_rotations;
 mod two_slides;
 
-pub use determinant::{Determinant, LARGEST_WRITTEN_OUT};
+pub use determinant::Determinant;
 pub use drawn_mode::DrawnMode;
 
 use std::fmt::Debug;

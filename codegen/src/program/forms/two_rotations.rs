@@ -209,7 +209,7 @@ impl Form for TwoRotations {
 }
 
 /// What the two links and their sum are called.
-struct Names {
+struct TriangleNames {
     links: [String; 2],
     base: String,
 }
@@ -221,12 +221,12 @@ impl TwoRotations {
         triangle: Option<&Triangle>,
         links: [Vector; 2],
         builder: &mut Builder<'_>,
-    ) -> Names {
+    ) -> TriangleNames {
         let [first, second] = self.angles.map(Piece::Unknown);
         let Some(triangle) = triangle else {
             let source = " from a loop of two turning links";
             builder.heading(phrase![first, " and ", second, source]);
-            return Names {
+            return TriangleNames {
                 links: ["p", "q"].map(str::to_string),
                 base: "d".to_string(),
             };
@@ -299,7 +299,7 @@ impl TwoRotations {
             words.push(".");
             words
         });
-        Names {
+        TriangleNames {
             links: [format!("{a}{apex}"), format!("{apex}{b}")],
             base: format!("{a}{b}"),
         }
@@ -308,7 +308,7 @@ impl TwoRotations {
     /// The loop as vectors and by components.
     fn close(
         &self,
-        names: &Names,
+        names: &TriangleNames,
         triangle: Option<&Triangle>,
         links: [Vector; 2],
         c: Vector,

@@ -130,7 +130,7 @@ fn described(system: &System, instants: &[(&Pose, &Rates)]) -> FreeMotion {
         }
         match coordinate.describes {
             Described::Pose { body, .. } if !bodies.contains(&body) => bodies.push(body),
-            Described::Pose { .. } => {}
+            Described::Pose { .. } | Described::Auxiliary => {}
             Described::Contact { joint } => contact = Some(joint),
         }
     }

@@ -9,7 +9,9 @@ fn system(statements: &str) -> System {
     let source = Source::new("case.mech", format!("mechanism case {{\n{statements}\n}}"));
     let mut found = Diagnostics::new();
     let document = crate::syntax::parse(&source, &mut found);
-    let mechanisms = document.and_then(|document| crate::model::resolve(&document, &mut found));
+    let mechanisms = document.and_then(|document| {
+        crate::model::resolve(&document, &crate::model::Naming::ANY, &mut found)
+    });
     assert!(!found.has_errors(), "{}", found.render(&source));
     let mechanism = mechanisms.and_then(|mut all| all.pop());
     released(mechanism.expect("a mechanism"))

@@ -1,7 +1,7 @@
 //! *What `advance` has made of a schedule, and where the smooth path goes* → *an outcome of every step*.
 
 use linkwright::Signal;
-use linkwright_solver::given::{InputSignals, Numbers};
+use linkwright_solver::supplied::{InputSignals, Numbers};
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;
 

@@ -16,7 +16,7 @@ use crate::syntax::{Expression, ExpressionKind, Name, Reference};
 
 /// What the equation that is being read mentions so far.
 #[derive(Debug, Default)]
-pub(super) struct Live {
+pub(super) struct KinematicTerms {
     /// Points of bodies that move, and their origins where coordinates are named.
     pub marks: Vec<Mark>,
     /// What stands for the arm of each mark; `None` where nothing mentions it.
@@ -51,13 +51,13 @@ const RATES: &[&str] = &[
 
 impl Resolver<'_> {
     /// A call that has a meaning in equations alone, or another one there; `None` for any other call.
-    pub(super) fn live_call(
+    pub(super) fn kinematic_call(
         &mut self,
         function: &Name,
         arguments: &[Expression],
         span: Span,
     ) -> Option<Option<Value>> {
-        self.live.as_ref()?;
+        self.kinematic.as_ref()?;
         let name = function.text.as_str();
         if RATES.contains(&name) {
             self.report_rate(function);
@@ -258,7 +258,7 @@ impl Resolver<'_> {
         axis: &Name,
         span: Span,
     ) -> Option<Value> {
-        if self.live.is_none() {
+        if self.kinematic.is_none() {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::OutsideGrammar,
@@ -370,24 +370,24 @@ impl Resolver<'_> {
         // No coordinate can have such a name: it begins with a digit.
         let name = format!("{} arm {at}", self.joints.len());
         let symbols = ["x", "y"].map(|axis| self.graph.symbol(&format!("{name} {axis}")));
-        if let Some(live) = &mut self.live {
-            live.arms[at] = Some(symbols);
+        if let Some(kinematic) = &mut self.kinematic {
+            kinematic.arms[at] = Some(symbols);
         }
         symbols.map(|symbol| self.graph.variable(symbol))
     }
 
     /// Notes that the equation mentions a mark: its index.
     fn mention_mark(&mut self, mark: Mark) -> usize {
-        let Some(live) = &mut self.live else {
+        let Some(kinematic) = &mut self.kinematic else {
             return 0;
         };
         let place = (mark.frame.body, mark.local);
-        if let Some(&known) = live.places.get(&place) {
+        if let Some(&known) = kinematic.places.get(&place) {
             return known;
         }
-        live.places.insert(place, live.marks.len());
-        live.marks.push(mark);
-        live.arms.push(None);
-        live.marks.len() - 1
+        kinematic.places.insert(place, kinematic.marks.len());
+        kinematic.marks.push(mark);
+        kinematic.arms.push(None);
+        kinematic.marks.len() - 1
     }
 }

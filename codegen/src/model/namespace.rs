@@ -10,7 +10,7 @@ use crate::syntax::Name;
 
 /// Names of one sort in written order, with what they stand for.
 #[derive(Clone, Debug)]
-pub(super) struct Names<T> {
+pub(super) struct Namespace<T> {
     /// What messages call one of them: `point`, `body`.
     sort: &'static str,
     declared: Vec<(Name, T)>,
@@ -19,9 +19,9 @@ pub(super) struct Names<T> {
     suggestions: Suggestions,
 }
 
-impl<T> Names<T> {
-    pub(super) fn new(sort: &'static str) -> Names<T> {
-        Names {
+impl<T> Namespace<T> {
+    pub(super) fn new(sort: &'static str) -> Namespace<T> {
+        Namespace {
             sort,
             declared: Vec::new(),
             index: HashMap::new(),

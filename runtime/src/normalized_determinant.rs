@@ -1,6 +1,6 @@
 //! The measures of a mechanism's blocks → the block that is closest to a singular pose, with its name.
 //!
-//! A mechanism whose description says `monitor;` offers its [`Closeness`] with every frame. The number goes to zero as the
+//! A mechanism whose description says `monitor;` offers its [`NormalizedDeterminant`] with every frame. The number goes to zero as the
 //! distance to the singular pose does, and is comparable between blocks and mechanisms: the sine of an angle, or what takes
 //! its place where more than two vectors are concerned ([`Measure`]). At 0.1 a rate, a force and an error of the drivers are
 //! magnified about ten times.
@@ -15,7 +15,7 @@ use crate::math::Real;
 
 /// How close a block of equations is to a singular pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Closeness<T = f64> {
+pub struct NormalizedDeterminant<T = f64> {
     /// The block, in solve order, as a [`crate::Failure`] counts it.
     pub block: u16,
     /// The block's determinant divided by the lengths of the columns of its Jacobian, from -1 to 1. Its sign is that of the
@@ -34,7 +34,7 @@ const EVERYTHING: BlockName<'static> = BlockName {
     singular: "",
 };
 
-impl<T: Real> Closeness<T> {
+impl<T: Real> NormalizedDeterminant<T> {
     /// That of a block with this measure.
     #[inline]
     pub fn new(block: u16, measure: Measure<T>, name: BlockName<'static>) -> Self {
@@ -66,7 +66,7 @@ impl<T: Real> Closeness<T> {
     }
 }
 
-impl<T: Real> fmt::Display for Closeness<T> {
+impl<T: Real> fmt::Display for NormalizedDeterminant<T> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let BlockName { name, singular } = self.name;
         if singular.is_empty() {
@@ -92,13 +92,13 @@ mod tests {
         singular: "c2 and the actuator c8-c7 are in line",
     };
 
-    fn at(block: u16, sine: f64) -> Closeness {
-        Closeness::new(block, Measure::sine(sine), LOOP)
+    fn at(block: u16, sine: f64) -> NormalizedDeterminant {
+        NormalizedDeterminant::new(block, Measure::sine(sine), LOOP)
     }
 
     #[test]
     fn the_closest_block_is_found_and_named() {
-        let closest = Closeness::closest(&[at(1, 0.5), at(2, -0.125), at(3, 0.125)]);
+        let closest = NormalizedDeterminant::closest(&[at(1, 0.5), at(2, -0.125), at(3, 0.125)]);
         assert_eq!((closest.block, closest.determinant), (2, -0.125));
         assert_eq!(closest.reciprocal_condition, 0.125);
         assert_eq!(
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn what_has_no_loop_is_never_singular() {
-        let none = Closeness::<f32>::closest(&[]);
+        let none = NormalizedDeterminant::<f32>::closest(&[]);
         assert_eq!((none.determinant, none.reciprocal_condition), (1.0, 1.0));
         assert_eq!(none.to_string(), "the mechanism: never singular");
         assert!(!none.is_below(1.0));

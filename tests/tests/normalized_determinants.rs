@@ -1,7 +1,7 @@
 //! How close generated mechanisms say they are to a singular pose: against closed forms, 384 bits, the interpreter's
 //! determinants, singular values and single precision.
 
-use linkwright::{Blocks, Closeness, Failure, Mechanism, Settings, Shell};
+use linkwright::{Blocks, Failure, Mechanism, NormalizedDeterminant, Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::approach::{Approach, Watch};
 use linkwright_solver::interpreted::Interpreted;
@@ -13,7 +13,7 @@ use linkwright_tests::values::{assembled, assembled_from};
 use nalgebra::DMatrix;
 
 /// The measures of every loop at these times, or why there are none.
-type Measured = Result<Vec<Vec<Closeness>>, Failure>;
+type Measured = Result<Vec<Vec<NormalizedDeterminant>>, Failure>;
 
 /// A mechanism's function for them.
 type Measures = fn(&[f64]) -> Measured;
@@ -21,7 +21,7 @@ type Measures = fn(&[f64]) -> Measured;
 /// The measures of all frames of a mechanism at these times; its frames say those of each loop, and the closest.
 fn measures<M>(
     times: &[f64],
-    of: impl Fn(&<M::Blocks as Blocks>::Frame) -> (Vec<Closeness>, Closeness),
+    of: impl Fn(&<M::Blocks as Blocks>::Frame) -> (Vec<NormalizedDeterminant>, NormalizedDeterminant),
 ) -> Measured
 where
     M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
@@ -32,7 +32,7 @@ where
     let mut found = Vec::new();
     for &t in times {
         let (each, closest) = of(shell.advance(t, &inputs)?);
-        assert_eq!(closest, Closeness::closest(&each));
+        assert_eq!(closest, NormalizedDeterminant::closest(&each));
         found.push(each);
     }
     Ok(found)
@@ -90,7 +90,7 @@ fn watched(name: &str, times: &[f64]) -> (Vec<Vec<f64>>, Vec<Approach>) {
 }
 
 /// The measures of generated code, and those of the interpreter.
-fn both(name: &str) -> (Vec<Vec<Closeness>>, Vec<Vec<f64>>) {
+fn both(name: &str) -> (Vec<Vec<NormalizedDeterminant>>, Vec<Vec<f64>>) {
     let found = of(name)(&times()).unwrap_or_else(|failure| panic!("{name}: {failure}"));
     let (wanted, _) = watched(name, &times());
     (found, wanted)
@@ -190,7 +190,7 @@ fn a_four_bar_is_as_far_as_the_sine_of_its_transmission_angle() {
         let product = 2.0 * coupler * rocker;
         let cosine = (coupler * coupler + rocker * rocker - gap * gap) / product;
         let wanted = (1.0 - cosine * cosine).sqrt();
-        let error = (frame.closeness().reciprocal_condition - wanted).abs();
+        let error = (frame.smallest_determinant().reciprocal_condition - wanted).abs();
         assert!(error < 1e-14, "{error:e} at {t}");
     }
 }
@@ -238,7 +238,7 @@ fn outputs_leave_the_measures_as_they_are() {
             assert_eq!(one.name, other.name);
         }
     }
-    let closest = Closeness::closest(&whole[0]);
+    let closest = NormalizedDeterminant::closest(&whole[0]);
     let text = closest.to_string();
     assert!(
         text.starts_with("loop L-G-H: ")
@@ -251,12 +251,15 @@ fn outputs_leave_the_measures_as_they_are() {
 fn single_precision_measures_the_same() {
     let double = of("platform_3rpr")(&[0.0, 0.5]).expect("it moves");
     let mut platform = single::platform::MonitoringPlatform3rpr::assemble(0.0).expect("as drawn");
-    let own = platform.advance(0.5).expect("it moves").closeness();
+    let own = platform
+        .advance(0.5)
+        .expect("it moves")
+        .smallest_determinant();
     let gap = (f64::from(own.reciprocal_condition) - double[1][0].reciprocal_condition).abs();
     assert!(gap < 1e-5, "{gap:e}");
     let exam = single::folding::MonitoringFolding::assemble(0.5).expect("as drawn");
     let double = of("folding")(&[0.5]).expect("as drawn");
-    let own = exam.frame().closeness();
+    let own = exam.frame().smallest_determinant();
     let gap = (f64::from(own.determinant) - double[0][0].determinant).abs();
     assert!(
         gap < 1e-6 && own.is_below(1.0) && !own.is_below(0.1),
@@ -267,7 +270,7 @@ fn single_precision_measures_the_same() {
 #[test]
 fn what_cannot_be_singular_says_so() {
     let mechanism = all::planetary_gear::MonitoringPlanetaryGear::assemble(0.0).expect("as drawn");
-    let closeness = mechanism.frame().closeness();
+    let closeness = mechanism.frame().smallest_determinant();
     assert_eq!(closeness.reciprocal_condition, 1.0);
     assert_eq!(closeness.to_string(), "the mechanism: never singular");
 }
@@ -292,7 +295,7 @@ fn without_the_statement_nothing_is_computed() {
             .expect("a module")
             .code;
         assert!(
-            monitored.contains("pub fn closeness(&self) -> Closeness"),
+            monitored.contains("pub fn smallest_determinant(&self) -> NormalizedDeterminant"),
             "{name}"
         );
     }

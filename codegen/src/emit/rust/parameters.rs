@@ -10,7 +10,8 @@ use super::layout::Verbatim;
 use super::lints;
 use super::literal::count;
 use super::module::{Module, only};
-use super::scope::{Place, Scope, identifier};
+use super::names::identifier;
+use super::scope::{Place, Scope};
 use crate::expr::ExprId;
 use crate::model::{Dimension, field_name};
 use crate::program::Function;
@@ -43,6 +44,18 @@ impl Module<'_> {
 }
 
 impl Declared {
+    /// What macros of the runtime are told of it.
+    pub(super) fn lines(self) -> [String; 2] {
+        let line = |what: &str, is_declared: bool| match is_declared {
+            true => format!("{}: {what};", what.to_lowercase()),
+            false => format!("{}:;", what.to_lowercase()),
+        };
+        [
+            line("Parameters", self.parameters),
+            line("Inputs", self.inputs),
+        ]
+    }
+
     /// `parameters: &Parameters, inputs: &Inputs,`; what is not read begins with an underscore.
     pub(super) fn arguments(self, reads_parameters: bool, reads_inputs: bool) -> TokenStream {
         let parameters = match reads_parameters {
@@ -75,7 +88,7 @@ fn parameters(module: &Module<'_>) -> TokenStream {
     structure(module, "parameters", "unless it is set", own)
 }
 
-/// `struct Parameters` and `struct Inputs` with their defaults, the type of what an instant is given, and the drawn pose.
+/// `struct Parameters` and `struct Inputs` with their defaults, and the drawn pose.
 pub(super) fn structures(module: &Module<'_>, owns_parameters: bool) -> TokenStream {
     let mechanism = &module.system.mechanism;
     let declared = module.declared();
@@ -91,21 +104,10 @@ pub(super) fn structures(module: &Module<'_>, owns_parameters: bool) -> TokenStr
     let own = mechanism.inputs.iter();
     let own = own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.initial));
     let inputs = structure(module, "inputs", "and at rest unless it is supplied", own);
-    let parameters_type = match declared.parameters {
-        true => quote!(Parameters),
-        false => quote!(()),
-    };
-    let inputs_type = match declared.inputs {
-        true => quote!(Inputs),
-        false => quote!(()),
-    };
-    let precision = module.scalar.precision();
     let drawn = drawn(module);
     quote! {
         #parameters
         #inputs
-        /// What one instant is solved with.
-        type Given<'a> = ::linkwright::#precision::Given<'a, #parameters_type, #inputs_type>;
         #drawn
     }
 }
@@ -140,7 +142,7 @@ fn structure<'a>(
             lines.extend(docs.iter().cloned());
         }
         text.docs(doc_lines(lines));
-        let (field, value) = (identifier(&field_name(name)), module.float(value));
+        let (field, value) = (identifier(&field_name(name)), module.number(value));
         text.line(format!("{field} = {value},"));
     }
     text.close("}");
@@ -157,7 +159,7 @@ pub(super) fn requirements(module: &Module<'_>) -> TokenStream {
     let (statements, results) = (scope.plain_statements(), scope.results());
     let names = requirements.names.iter().map(|&(joint, what)| {
         let label = &module.system.mechanism.joints[joint].label;
-        quote!(BlockName { name: #label, singular: #what })
+        quote!(BlockName::new(#label, #what))
     });
     let length = count(results.len());
     quote! {
@@ -171,34 +173,14 @@ pub(super) fn requirements(module: &Module<'_>) -> TokenStream {
     }
 }
 
-/// The drawing of given parameters: the coordinates, and where parameters change them a value per unknown.
+/// The drawing of given parameters: a value per unknown, coordinates first.
 fn drawn(module: &Module<'_>) -> TokenStream {
     let Some(function) = &module.program.drawn else {
-        let parameters = match module.declared().parameters {
-            true => quote!(&Parameters),
-            false => quote!(&()),
-        };
-        return quote! {
-            /// The pose in the drawing, from which the mechanism is assembled.
-            fn drawn_pose(_parameters: #parameters) -> Coordinates {
-                Coordinates::DRAWN
-            }
-        };
+        return TokenStream::new();
     };
     let scope = Scope::new(module, function, Place::Coordinates);
     let (statements, results) = (scope.plain_statements(), scope.results());
-    let (unknowns, coordinates) = (results.len(), module.system.coordinates.len());
-    let pose = match unknowns == coordinates {
-        true => quote!(Coordinates::from_array(drawn(parameters))),
-        false => {
-            let places = (0..coordinates).map(count);
-            quote! {
-                let drawn = drawn(parameters);
-                Coordinates::from_array([#(drawn[#places]),*])
-            }
-        }
-    };
-    let unknowns = count(unknowns);
+    let unknowns = count(results.len());
     let function = quote! {
         fn drawn(parameters: &Parameters) -> [Scalar; #unknowns] {
             #(#statements)*
@@ -210,19 +192,6 @@ fn drawn(module: &Module<'_>) -> TokenStream {
         /// The drawing's value of every coordinate and displacement.
         #allow
         #function
-
-        /// The pose in the drawing of these parameters, from which the mechanism is assembled.
-        fn drawn_pose(parameters: &Parameters) -> Coordinates {
-            #pose
-        }
-
-        #[allow(dead_code)]
-        impl Coordinates {
-            /// The pose in the drawing of these parameters, from which the mechanism is assembled.
-            pub fn drawn(parameters: &Parameters) -> Self {
-                drawn_pose(parameters)
-            }
-        }
     }
 }
 

@@ -1,11 +1,11 @@
 //! What the blocks are called, and what is said of them where they are singular, for every described mechanism.
 
-use linkwright_codegen::emit::{Notation, derivation};
-use linkwright_codegen::{program, structure};
+use linkwright_codegen::stages::emit::{Notation, derivation};
+use linkwright_codegen::stages::{program, structure};
 use linkwright_tests::{description, files};
 
 /// `NAME: block NAME, singular WORDS`, a line for each block that can be singular.
-fn spoken() -> String {
+fn block_words() -> String {
     let mut text = String::new();
     let mut names = description::names();
     names.extend(description::small());
@@ -53,10 +53,10 @@ fn spoken() -> String {
 
 #[test]
 fn every_block_has_a_name_and_words_for_its_singular_pose() {
-    let text = spoken();
+    let text = block_words();
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(files::package("snapshots/messages"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!("spoken", text));
+    settings.bind(|| insta::assert_snapshot!("block_words", text));
 }

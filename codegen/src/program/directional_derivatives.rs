@@ -15,7 +15,7 @@ use crate::system::{Direction, SymbolRole, System};
 
 /// How everything found so far responds to each direction.
 #[derive(Clone, Debug)]
-pub(super) struct Responses {
+pub(super) struct DirectionalDerivatives {
     directions: Vec<Along>,
     /// The turned vectors of links that change their length: which angle turns them, and the other component, by component.
     turned: HashMap<SymbolId, Turned>,
@@ -51,7 +51,7 @@ struct Turned {
     across: ExprId,
 }
 
-impl Responses {
+impl DirectionalDerivatives {
     /// The symbols that drivers are shifted by, all zero.
     pub fn shifts(&self) -> Vec<SymbolId> {
         let shifts = self.directions.iter().filter(|along| !along.is_parameter);
@@ -59,7 +59,7 @@ impl Responses {
     }
 
     /// Nothing has been found yet.
-    pub(super) fn new(system: &mut System) -> Responses {
+    pub(super) fn new(system: &mut System) -> DirectionalDerivatives {
         let unknowns = system.vector_form.unknowns.len();
         let along = |direction: &Direction| Along {
             symbol: direction.symbol,
@@ -71,7 +71,7 @@ impl Responses {
             stretches: HashMap::new(),
         };
         let directions: Vec<Along> = system.directions.iter().map(along).collect();
-        let mut responses = Responses {
+        let mut derivatives = DirectionalDerivatives {
             directions,
             turned: HashMap::new(),
             fixed: HashMap::new(),
@@ -79,17 +79,17 @@ impl Responses {
             found: HashSet::new(),
         };
         for place in 0..system.vector_form.arms.len() {
-            responses.change_arm(place, system);
+            derivatives.change_arm(place, system);
         }
-        if !responses.directions.is_empty() {
+        if !derivatives.directions.is_empty() {
             let form = &system.vector_form;
             let unknowns = form.unknowns.iter().map(|unknown| unknown.name.clone());
-            responses.taken.extend(unknowns);
+            derivatives.taken.extend(unknowns);
             let arms = form.arms.iter().flat_map(|arm| arm.symbols);
             let names = arms.map(|symbol| system.local_name(symbol).to_string());
-            responses.taken.extend(names);
+            derivatives.taken.extend(names);
         }
-        responses
+        derivatives
     }
 
     /// Makes the arms R ∂s/∂p of an arm R s, which are defined as it is.
@@ -214,7 +214,7 @@ impl Responses {
 impl Builder<'_> {
     /// The derivative of an expression along a direction.
     pub(super) fn along(&mut self, expr: ExprId, direction: usize) -> ExprId {
-        self.responses.along(expr, direction, self.system)
+        self.derivatives.along(expr, direction, self.system)
     }
 
     /// States the response of an unknown. A constant needs no name, and what it multiplies may vanish.
@@ -226,7 +226,7 @@ impl Builder<'_> {
             self.assign(target, value);
             self.graph().variable(target)
         };
-        self.responses.directions[direction].values[unknown] = Some(value);
+        self.derivatives.directions[direction].values[unknown] = Some(value);
     }
 
     /// States the rate of such a response; that of a constant is zero whatever `value` looks like.
@@ -242,7 +242,7 @@ impl Builder<'_> {
 
     /// The symbol of a response that is no constant.
     fn response(&self, unknown: usize, direction: usize) -> Option<SymbolId> {
-        let value = self.responses.directions[direction].values[unknown]?;
+        let value = self.derivatives.directions[direction].values[unknown]?;
         match *self.system.mechanism.graph.node(value) {
             Node::Symbol(symbol) => Some(symbol),
             _ => None,
@@ -254,14 +254,14 @@ impl Builder<'_> {
         if let Some(symbol) = self.response(unknown, direction) {
             self.system.vector_form.set_rate(symbol, rate);
         }
-        self.responses.directions[direction].rates[unknown] = Some(rate);
+        self.derivatives.directions[direction].rates[unknown] = Some(rate);
     }
 
     fn response_symbol(&mut self, unknown: usize, direction: usize) -> SymbolId {
         let name = self.system.unknown_name(unknown).to_string();
-        let name = self.responses.name(&name, direction);
+        let name = self.derivatives.name(&name, direction);
         let symbol = self.system.intermediate(&name);
-        self.responses.found.insert(symbol);
+        self.derivatives.found.insert(symbol);
         // What has not been found is held.
         let zero = self.graph().zero();
         self.system.vector_form.set_rate(symbol, zero);
@@ -270,21 +270,21 @@ impl Builder<'_> {
 
     fn response_rate_symbol(&mut self, unknown: usize, direction: usize) -> SymbolId {
         let name = format!("{}_rate", self.system.unknown_name(unknown));
-        let name = self.responses.name(&name, direction);
+        let name = self.derivatives.name(&name, direction);
         let symbol = self.system.intermediate(&name);
-        self.responses.found.insert(symbol);
+        self.derivatives.found.insert(symbol);
         symbol
     }
 
     /// States that the symbols of a turned vector respond as R(φ) p does.
     pub(super) fn turn_response(&mut self, angle: usize, w: [ExprId; 2]) {
-        if self.responses.directions.is_empty() {
+        if self.derivatives.directions.is_empty() {
             return;
         }
         let back = self.graph().negate(w[1]);
         for (component, across) in w.into_iter().zip([back, w[0]]) {
             if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(component) {
-                self.responses
+                self.derivatives
                     .turned
                     .insert(symbol, Turned { angle, across });
             }
@@ -325,7 +325,7 @@ impl Builder<'_> {
                 let target = self.response_symbol(unknown, direction);
                 targets.push(Some(target));
                 let value = self.graph().variable(target);
-                self.responses.directions[direction].values[unknown] = Some(value);
+                self.derivatives.directions[direction].values[unknown] = Some(value);
             }
         }
         if !self.statements.contains(&Statement::Factorize) {
@@ -339,7 +339,7 @@ impl Builder<'_> {
 
     /// The statements, and the equations of Newton-Raphson, at δ = 0.
     pub(super) fn without_shifts(&mut self, newton: Option<&mut NewtonBlock>) {
-        let shifts = self.responses.shifts();
+        let shifts = self.derivatives.shifts();
         if shifts.is_empty() {
             return;
         }
@@ -357,14 +357,14 @@ impl Builder<'_> {
 
     /// The levels of a block after its pose, in their order.
     pub(super) fn levels(&self) -> Vec<Level> {
-        let directions = self.responses.directions.iter().enumerate();
-        let responses = directions.flat_map(|(place, along)| {
+        let directions = self.derivatives.directions.iter().enumerate();
+        let derivatives = directions.flat_map(|(place, along)| {
             let rate = along.is_parameter.then_some(Level::ResponseRate(place));
             [Some(Level::Response(place)), rate].into_iter().flatten()
         });
         [Level::Velocity, Level::Acceleration]
             .into_iter()
-            .chain(responses)
+            .chain(derivatives)
             .collect()
     }
 }

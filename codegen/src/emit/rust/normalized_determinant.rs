@@ -8,7 +8,7 @@ use super::module::Module;
 use crate::program::Measured;
 
 /// The functions that say it; nothing where the description does not ask.
-pub(super) fn closeness(module: &Module<'_>) -> TokenStream {
+pub(super) fn smallest_determinant(module: &Module<'_>) -> TokenStream {
     if !module.system.mechanism.monitor {
         return TokenStream::new();
     }
@@ -17,20 +17,20 @@ pub(super) fn closeness(module: &Module<'_>) -> TokenStream {
         let number = count(index);
         block.measured.iter().map(move |measured| {
             let measure = measure(measured, module);
-            quote!(Closeness::new(#number, #measure, BLOCKS[#number]))
+            quote!(NormalizedDeterminant::new(#number, #measure, BLOCKS[#number]))
         })
     });
     let each: Vec<TokenStream> = each.collect();
     let number = count(each.len());
     quote! {
-        /// How close every loop is to a singular pose, in solve order; see `linkwright::Closeness`.
-        pub fn closeness_of_each(&self) -> [Closeness; #number] {
+        /// How close every loop is to a singular pose, in solve order; see `linkwright::NormalizedDeterminant`.
+        pub fn normalized_determinants(&self) -> [NormalizedDeterminant; #number] {
             [#(#each),*]
         }
 
         /// How close the loop is to a singular pose that is closest to one.
-        pub fn closeness(&self) -> Closeness {
-            Closeness::closest(&self.closeness_of_each())
+        pub fn smallest_determinant(&self) -> NormalizedDeterminant {
+            NormalizedDeterminant::closest(&self.normalized_determinants())
         }
     }
 }

@@ -1,8 +1,8 @@
 //! What a caller supplies of a described mechanism: pose, parameters, inputs and assembly modes, in the order of its description.
 
 use linkwright::{Branch, Signal, Signals, Values};
-use linkwright_codegen::expr::Tape;
-use linkwright_codegen::system::System;
+use linkwright_codegen::stages::expr::Tape;
+use linkwright_codegen::stages::system::System;
 
 /// Numbers in the order of a description and in SI units.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,0 +1,220 @@
+//! Lines as the formatter breaks them → lines as a person does.
+//!
+//! The formatter breaks at a width of its own, and then puts every element of a list on a line. Here what fits into a line is on
+//! one, lists of short elements fill their lines, and sums break where the line ends. The tokens stay what they are, but for the
+//! comma after a last element. What is not known to be safe to join stays as it is.
+
+/// The longest line, as wide as the documentation.
+pub(super) const WIDTH: usize = 120;
+
+/// Elements up to this length share a line with others.
+const SHORT: usize = 36;
+
+/// Lines of code, broken anew.
+pub(super) fn broken(lines: &[&str]) -> Vec<String> {
+    let mut found = Vec::with_capacity(lines.len());
+    let mut rest = lines;
+    while let Some(first) = rest.first() {
+        let depth = indentation(first);
+        let belongs = |line: &&&str| {
+            let own = indentation(line);
+            own > depth || own == depth && line.trim_start().starts_with(['}', ']', ')'])
+        };
+        let count = 1 + rest[1..].iter().take_while(belongs).count();
+        let (statement, others) = rest.split_at(count);
+        rest = others;
+        match statement.iter().any(|line| opens_or_closes_block(line)) {
+            true => with_blocks(statement, depth, &mut found),
+            false => found.extend(plain(statement, depth)),
+        }
+    }
+    found
+}
+
+fn indentation(line: &str) -> usize {
+    line.len() - line.trim_start().len()
+}
+
+fn opens_or_closes_block(line: &str) -> bool {
+    let content = line.trim_start();
+    content.ends_with('{')
+        || content.starts_with('}')
+        || content.starts_with("//")
+        || content.starts_with('#')
+}
+
+/// A statement or item with blocks in it: what stands before a block is joined where it fits, what stands in it is broken anew.
+fn with_blocks(statement: &[&str], depth: usize, found: &mut Vec<String>) {
+    let mut rest = statement;
+    while let Some(first) = rest.first() {
+        if indentation(first) > depth {
+            let inner = rest
+                .iter()
+                .take_while(|line| indentation(line) > depth)
+                .count();
+            found.extend(broken(&rest[..inner]));
+            rest = &rest[inner..];
+            continue;
+        }
+        let next = rest[1..].iter().position(|line| indentation(line) == depth);
+        let head = &rest[..next.map_or(1, |next| next + 2)];
+        let opens = head.last().is_some_and(|line| line.ends_with('{'));
+        let is_plain = |lines: &[&str]| !lines.iter().any(|line| opens_or_closes_block(line));
+        let is_head = opens && is_plain(&head[..head.len() - 1]);
+        let line = is_head.then(|| joined(head)).flatten();
+        match line.filter(|line| fits(line)) {
+            Some(line) => {
+                found.push(line);
+                rest = &rest[head.len()..];
+            }
+            None => {
+                found.push(first.to_string());
+                rest = &rest[1..];
+            }
+        }
+    }
+}
+
+/// A statement without blocks.
+fn plain(statement: &[&str], depth: usize) -> Vec<String> {
+    let unchanged = || statement.iter().map(|line| line.to_string()).collect();
+    let [first, inner @ .., last] = statement else {
+        return unchanged();
+    };
+    let Some(whole) = joined(statement) else {
+        return unchanged();
+    };
+    if fits(&whole) {
+        return vec![whole];
+    }
+    let opens = first.ends_with(['(', '[']);
+    if !(opens && indentation(last) == depth && inner.iter().all(|line| indentation(line) > depth))
+    {
+        return terms(&whole, depth).unwrap_or_else(unchanged);
+    }
+    let elements = broken(inner);
+    let is_short = |line: &String| line.trim().len() <= SHORT && indentation(line) == depth + 4;
+    let elements = match first.ends_with('[') && elements.iter().all(is_short) {
+        true => filled(elements.iter().map(|line| line.trim()), depth + 4),
+        false => elements,
+    };
+    [first.to_string()]
+        .into_iter()
+        .chain(elements)
+        .chain([last.to_string()])
+        .collect()
+}
+
+fn fits(line: &str) -> bool {
+    line.chars().count() <= WIDTH
+}
+
+/// The lines as one; `None` where joining them could change what they mean.
+fn joined(lines: &[&str]) -> Option<String> {
+    let mut whole = lines.first()?.to_string();
+    for line in &lines[1..] {
+        let content = line.trim_start();
+        let closes = content.starts_with([')', ']']);
+        if closes && whole.ends_with(',') {
+            whole.pop();
+        }
+        if whole.ends_with('|') || content.starts_with('|') {
+            return None;
+        }
+        if !(closes || whole.ends_with(['(', '['])) {
+            whole.push(' ');
+        }
+        whole.push_str(content);
+    }
+    Some(whole)
+}
+
+/// Pieces one after another in lines that are full.
+pub(super) fn filled<'a>(pieces: impl IntoIterator<Item = &'a str>, depth: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for piece in pieces {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + piece.chars().count() <= WIDTH => {
+                line.push(' ');
+                line.push_str(piece);
+            }
+            _ => lines.push(format!("{:depth$}{piece}", "")),
+        }
+    }
+    lines
+}
+
+/// A long sum, or else a long product, in lines that begin with an operator.
+fn terms(statement: &str, depth: usize) -> Option<Vec<String>> {
+    [[" + ", " - "], [" * ", " / "]]
+        .into_iter()
+        .find_map(|operators| {
+            let pieces = split(statement.trim_start(), operators)?;
+            let (first, others) = pieces.split_first()?;
+            let mut lines = vec![format!("{:depth$}{first}", "")];
+            for piece in others {
+                match lines.last_mut() {
+                    Some(line) if line.chars().count() + 1 + piece.chars().count() <= WIDTH => {
+                        line.push(' ');
+                        line.push_str(piece);
+                    }
+                    _ => lines.push(format!("{:1$}{piece}", "", depth + 4)),
+                }
+            }
+            lines.iter().all(|line| fits(line)).then_some(lines)
+        })
+}
+
+/// A text before each of these operators that stands outside of all brackets; `None` where there is none.
+fn split<'a>(text: &'a str, operators: [&str; 2]) -> Option<Vec<&'a str>> {
+    let (mut pieces, mut start, mut open) = (Vec::new(), 0, 0_i32);
+    for (place, letter) in text.char_indices() {
+        match letter {
+            '(' | '[' | '{' => open += 1,
+            ')' | ']' | '}' => open -= 1,
+            '"' => return None,
+            ' ' if open == 0 && operators.iter().any(|it| text[place..].starts_with(it)) => {
+                pieces.push(&text[start..place]);
+                start = place + 1;
+            }
+            _ => {}
+        }
+    }
+    pieces.push(&text[start..]);
+    (pieces.len() > 1).then_some(pieces)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::broken;
+
+    fn anew(source: &str) -> String {
+        broken(&source.lines().collect::<Vec<_>>()).join("\n")
+    }
+
+    #[test]
+    fn what_fits_into_a_line_is_on_one() {
+        let source = "fn f(\n    a: A,\n    b: B,\n) -> C {\n    return Err(\n        no(\n            1.0,\n            2.0,\n        ),\n    );\n}";
+        assert_eq!(
+            anew(source),
+            "fn f(a: A, b: B) -> C {\n    return Err(no(1.0, 2.0));\n}"
+        );
+    }
+
+    #[test]
+    fn short_elements_fill_their_lines() {
+        let list = |elements: &str| format!("let x = [\n{elements}];");
+        let apart = "    1.25,\n".repeat(40);
+        let [full, rest] = [19, 2].map(|count| format!("    {}\n", vec!["1.25,"; count].join(" ")));
+        assert_eq!(anew(&list(&apart)), list(&format!("{full}{full}{rest}")));
+    }
+
+    #[test]
+    fn a_sum_breaks_outside_of_brackets() {
+        let term = "alpha * (beta - gamma)";
+        let apart = format!("let x = {term}{}", format!("\n    + {term}").repeat(5));
+        let line = format!("let x = {term}{}", format!(" + {term}").repeat(3));
+        let last = format!("    + {term} + {term};");
+        assert_eq!(anew(&format!("{apart};")), format!("{line}\n{last}"));
+    }
+}

@@ -1,0 +1,282 @@
+//! Which names a module has of its own, and what names of a description become beside them.
+//!
+//! This is the only place that knows: whoever resolves a description is handed [`NAMING`].
+
+use proc_macro2::Ident;
+use quote::format_ident;
+
+use crate::diagnostic::{Code, Diagnostic};
+use crate::model::Naming;
+use crate::syntax::Name;
+
+/// What a module asks of the names of a description.
+pub const NAMING: Naming = Naming {
+    mechanism: not_a_type,
+    motion: not_a_module,
+    apart,
+};
+
+/// What a mechanism's type must not be named like: generated items, what they are written with, and words of Rust.
+const TYPES: &[&str] = &[
+    "Branches",
+    "Coordinates",
+    "Frame",
+    "Inputs",
+    "Loops",
+    "Pair",
+    "Parameters",
+    "PointSensitivity",
+    "Sensitivity",
+    "Textbook",
+    "Tubes",
+    // Of the runtime.
+    "BlockEquations",
+    "BlockName",
+    "Blocks",
+    "Branch",
+    "NormalizedDeterminant",
+    "Const",
+    "Explained",
+    "Factorization",
+    "Failure",
+    "Conditions",
+    "Matrix",
+    "Measure",
+    "Mechanism",
+    "PointMotion",
+    "NamedPoint",
+    "Scalar",
+    "Settings",
+    "Shell",
+    "Signal",
+    "Span",
+    "Start",
+    "Step",
+    "Table",
+    "Tube",
+    "Vector",
+    // Of Rust.
+    "Default",
+    "Err",
+    "None",
+    "Ok",
+    "Option",
+    "Result",
+    "Self",
+    "Some",
+];
+
+/// What names of rows and blocks must not be, since the generated functions have it in scope: arguments, modules, functions.
+const ITEMS: &[&str] = &[
+    "q",
+    "qd",
+    "qdd",
+    "t",
+    "at",
+    "math",
+    "newton",
+    "kinematics",
+    "linkwright",
+    "phi",
+    "phi_q",
+    "phi_t",
+    "gamma",
+    "solve",
+    "no_span",
+    "spans",
+    "explicit",
+    "branches",
+    "settings",
+    "frame",
+    "block",
+    "angle_near",
+    "finite",
+    "isolate",
+    "required",
+    "largest_length",
+    "singular_divisor",
+    "drawn",
+    "describe",
+    "monitored",
+    "requirements",
+    "characteristic_length",
+    "is_within",
+    "keeps_to_path",
+    "parameters",
+    "inputs",
+];
+
+/// What the names of local values begin with: `sin_phi1`, `shared_1`. Words up to the first `_`.
+const PREFIXES: &[&str] = &[
+    "sin",
+    "cos",
+    "shared",
+    "argument",
+    "angle",
+    "exponential",
+    "logarithm",
+];
+
+/// What functions are given, and what they call the runtime's answers: no local value has one of these names.
+pub(super) const LOCAL_VALUES: &[&str] = &[
+    "at",
+    "last",
+    "branches",
+    "conditions",
+    "t",
+    "q",
+    "qd",
+    "qdd",
+    "parameters",
+    "inputs",
+    "settings",
+    "start",
+    "factorization",
+    "jacobian",
+    "measure",
+    "response",
+    "tears",
+    "equations",
+    "span",
+    "before",
+    "tubes",
+    "variation",
+    "pair",
+    "partial",
+    "sags",
+];
+
+/// The name of the type that a mechanism becomes: `TwoBody` of `two_body`.
+pub fn type_name(mechanism: &str) -> String {
+    let words = mechanism.split('_').filter(|word| !word.is_empty());
+    words
+        .map(|word| {
+            // A name that is not ASCII has been reported, but comes here too.
+            let mut rest = word.chars();
+            let first = rest.next().map(|it| it.to_ascii_uppercase());
+            first.into_iter().chain(rest).collect::<String>()
+        })
+        .collect()
+}
+
+fn not_a_type(name: &Name) -> Option<Diagnostic> {
+    let (text, type_name) = (&name.text, type_name(&name.text));
+    let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
+        format!("`{text}` gives no name for a type")
+    } else if TYPES.contains(&type_name.as_str()) {
+        format!(
+            "`{text}` would become the type `{type_name}`, which every generated module has already"
+        )
+    } else {
+        return None;
+    };
+    let finding = Diagnostic::error(Code::NameNotAllowed, name.span, problem);
+    Some(finding.help("give the mechanism another name"))
+}
+
+fn not_a_module(name: &Name) -> Option<Diagnostic> {
+    let text = name.text.as_str();
+    let snake_case = text
+        .chars()
+        .all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_');
+    let problem = if !snake_case {
+        "a module of Rust is named in lower case, with `_` between words"
+    } else if syn::parse_str::<Ident>(text).is_err() {
+        "Rust reserves this word"
+    } else {
+        return None;
+    };
+    let finding = Diagnostic::error(
+        Code::NameNotAllowed,
+        name.span,
+        format!("`{text}` gives no name for a module"),
+    )
+    .label(problem);
+    let lower = text.to_ascii_lowercase();
+    Some(if !snake_case && lower.is_ascii() {
+        finding.help(format!("write `{lower}`"))
+    } else {
+        finding.help("give the motion another name")
+    })
+}
+
+fn apart(name: &str, prefix: &str) -> String {
+    let first_word = name.split('_').next().unwrap_or_default();
+    let is_taken = PREFIXES.contains(&first_word) || ITEMS.contains(&name);
+    match is_taken || syn::parse_str::<Ident>(name).is_err() {
+        true => format!("{prefix}_{name}"),
+        false => name.to_string(),
+    }
+}
+
+/// A name as an identifier; words that Rust reserves get an underscore.
+pub(super) fn identifier(name: &str) -> Ident {
+    match is_identifier(name) {
+        true => format_ident!("{name}"),
+        false => format_ident!("{name}_"),
+    }
+}
+
+fn is_identifier(name: &str) -> bool {
+    let is_letter = |letter: char| letter.is_ascii_alphabetic() || letter == '_';
+    let is_plain = name.chars().all(|it| is_letter(it) || it.is_ascii_digit());
+    // Words that Rust reserves are letters alone.
+    let is_word = name.chars().all(|it| it.is_ascii_alphabetic()) || name == "_";
+    match is_plain && !is_word {
+        true => name.starts_with(is_letter),
+        false => syn::parse_str::<Ident>(name).is_ok() && name != "gen",
+    }
+}
+
+/// A wish as a name of Rust: `bd_square` of `|BD|^2`.
+pub(super) fn spelled(wish: &str) -> String {
+    let plain = wish.replace('|', "").replace("^2", "_square");
+    let spelled = plain.to_lowercase();
+    // A coordinate keeps its capitals, as its field does.
+    let is_function = ["sin_", "cos_"]
+        .iter()
+        .any(|start| plain.starts_with(start));
+    let name = if is_function { plain } else { spelled };
+    match name.starts_with(|first: char| first.is_ascii_digit()) {
+        true => format!("_{name}"),
+        false => name,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::apart;
+
+    #[test]
+    fn names_in_use_are_kept_apart() {
+        for name in [
+            "p",
+            "absolute_x_1",
+            "drive_phi_1",
+            "crank",
+            "sine",
+            "phi_1",
+            "_a",
+        ] {
+            assert_eq!(apart(name, "row"), name);
+        }
+        for name in [
+            "sin_phi1",
+            "cos",
+            "shared_1",
+            "angle",
+            "argument_2",
+            "q",
+            "t",
+            "math",
+            "phi_q",
+            "gamma",
+            "7",
+            "type",
+            "self",
+            "fn",
+        ] {
+            assert_eq!(apart(name, "row"), format!("row_{name}"));
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! What stands between the stages of the pipeline, for tools that go on from one of them: the solver and the command line.
+//!
+//! A build script needs nothing of it. What is here may change with every release.
+
+/// Expressions: the graph, its evaluation, and straight-line code that evaluates several at once.
+pub mod expr {
+    pub use crate::expr::{
+        Code, ExprId, Factor, Graph, Node, Number, Recorder, Register, SymbolId, Tape,
+    };
+}
+
+/// What joints measure and where their points are.
+pub mod joint {
+    pub use crate::joint::Quantity;
+    pub use crate::joint::geometry;
+}
+
+/// Descriptions with their names resolved.
+pub mod model {
+    pub use crate::model::{Joint, Requested, Role, set};
+}
+
+/// Descriptions as they are written.
+pub mod syntax {
+    pub use crate::syntax::*;
+}
+
+/// The equations of the textbook view.
+pub mod system {
+    pub use crate::system::{Cause, Described, Row, SymbolRole, System};
+}
+
+/// In which order the unknowns are found.
+pub mod structure {
+    pub use crate::structure::{Freedom, SolvedPlan, analyze, plan, plan_of_motion};
+}
+
+/// What is computed, statement by statement.
+pub mod program {
+    pub use crate::program::{
+        Block, Branch, Found, Function, Lengths, Level, NewtonBlock, Operations, Program,
+        Statement, forms_of, lower, lower_with_unknowns, unpruned,
+    };
+}
+
+/// What is written of it.
+pub mod emit {
+    pub use crate::emit::{Notation, derivation, latex, report, text};
+
+    /// Modules of Rust.
+    pub mod rust {
+        pub use crate::emit::rust::type_name;
+    }
+}
+
+/// Files that are named in messages as a person names them.
+pub mod files {
+    pub use crate::files::{folder_of, may_write_in, noun, read, reason, replace};
+}

@@ -1,0 +1,78 @@
+//! *What frames hold* → *the structure, and the frame from which a mechanism is assembled*.
+
+/// A frame: the time, all coordinates with their rates and accelerations and what points are found with where they are asked for, and
+/// other numbers. Those that are `drawn` are not zero in the estimate from which the mechanism is assembled.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! frame {
+    (
+        $(#[$docs:meta])*
+        $name:ident(q, qd, qdd $(, $kept:ident)?) from ($pose:ident, $parameters:ident) { $($field:ident),* $(,)? }
+        $(drawn { $($own:ident = $drawn:expr),* $(,)? })?
+    ) => {
+        $crate::frame! {
+            @define $(#[$docs])* $name from ($pose, $parameters) {
+                /// The pose.
+                pub q: Coordinates = Coordinates::REST,
+                /// The rates of the coordinates.
+                pub qd: Coordinates = Coordinates::REST,
+                /// The accelerations of the coordinates.
+                pub qdd: Coordinates = Coordinates::REST,
+                $(
+                    /// What the points of this instant are found with.
+                    $kept: Parameters = Parameters::NOMINAL,
+                )?
+                $($field: Scalar = 0.0,)*
+            }
+            { q = *$pose, $($kept = *$parameters,)? $($($own = $drawn,)*)? }
+        }
+
+        impl $name {
+            /// A coordinate with its rate and its acceleration.
+            fn coordinate(&self, index: usize) -> Option<[Scalar; 3]> {
+                let of = |values: &Coordinates| values.to_array().get(index).copied();
+                Some([of(&self.q)?, of(&self.qd)?, of(&self.qdd)?])
+            }
+        }
+    };
+    (
+        $(#[$docs:meta])*
+        $name:ident() from ($pose:ident, $parameters:ident) { $($field:ident),* $(,)? }
+        $(drawn { $($own:ident = $drawn:expr),* $(,)? })?
+    ) => {
+        $crate::frame! {
+            @define $(#[$docs])* $name from ($pose, $parameters) { $($field: Scalar = 0.0,)* } { $($($own = $drawn,)*)? }
+        }
+
+        impl $name {
+            /// Frames hold what is asked for alone.
+            fn coordinate(&self, _index: usize) -> Option<[Scalar; 3]> {
+                None
+            }
+        }
+    };
+    (
+        @define $(#[$docs:meta])* $name:ident from ($pose:ident, $parameters:ident) {
+            $($(#[$field_docs:meta])* $visible:vis $field:ident: $type:ty = $rest:expr,)*
+        }
+        { $($own:ident = $drawn:expr,)* }
+    ) => {
+        $(#[$docs])*
+        pub struct $name {
+            /// The time t, in s.
+            pub t: Scalar,
+            $($(#[$field_docs])* $visible $field: $type,)*
+        }
+
+        impl $name {
+            const REST: Self = Self { t: 0.0, $($field: $rest,)* };
+
+            /// The frame before the first one: a pose at rest.
+            #[allow(clippy::needless_update)]
+            fn estimate($pose: &Coordinates, $parameters: &<Loops as Blocks>::Parameters, t: Scalar) -> Self {
+                let _ = ($pose, $parameters);
+                Self { t, $($own: $drawn,)* ..Self::REST }
+            }
+        }
+    };
+}
