@@ -28,7 +28,7 @@ macro_rules! turned {
 }
 
 pub mod double {
-    use core::f64::consts::FRAC_2_PI;
+    use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
     /// The leading 36 bits of π/2: their product with a number of quadrants below [`LARGEST`] is exact.
     const HALF_PI: f64 = 1.5707963267923333;
@@ -64,15 +64,18 @@ pub mod double {
     #[inline]
     pub fn sin_cos(angle: f64) -> (f64, f64) {
         let size = angle.abs();
-        let shifted = size * FRAC_2_PI + ROUNDER;
-        let quadrants = shifted - ROUNDER;
-        let above = size - quadrants * HALF_PI;
-        let below = quadrants * HALF_PI_REST;
-        let mut y = above - below;
-        let mut tail = (above - y) - below;
-        let mut quadrant = shifted.to_bits() as u32;
-        if !(size <= LARGEST && y.abs() >= quadrants * CLOSEST) {
-            (quadrant, y, tail) = super::far_angle::double(size);
+        let (mut quadrant, mut y, mut tail) = (0, size, 0.0);
+        if size > FRAC_PI_4 {
+            let shifted = size * FRAC_2_PI + ROUNDER;
+            let quadrants = shifted - ROUNDER;
+            let above = size - quadrants * HALF_PI;
+            let below = quadrants * HALF_PI_REST;
+            y = above - below;
+            tail = (above - y) - below;
+            quadrant = shifted.to_bits() as u32;
+            if size > LARGEST || y.abs() < quadrants * CLOSEST {
+                (quadrant, y, tail) = super::far_angle::double(size);
+            }
         }
 
         let z = y * y;
@@ -81,11 +84,12 @@ pub mod double {
         // In pairs that do not wait for one another.
         let fourth = z * z;
         let eighth = fourth * fourth;
-        let bend = (s0 + z * s1) + fourth * (s2 + z * s3) + eighth * (s4 + z * s5);
+        let cube = y * z;
+        let bend = fourth * (s2 + z * s3) + eighth * (s4 + z * s5);
         let rise = (c0 + z * c1) + fourth * (c2 + z * c3) + eighth * (c4 + z * c5);
         let half = 0.5 * z;
         let parabola = 1.0 - half;
-        let sine = y + ((y * z) * bend + tail * parabola);
+        let sine = y + ((cube * (s0 + z * s1) + tail * parabola) + cube * bend);
         let cosine = parabola + (((1.0 - parabola) - half) + (fourth * rise - y * tail));
         turned!(f64, u64, angle, sine, cosine, quadrant)
     }
@@ -104,7 +108,7 @@ pub mod double {
 }
 
 pub mod single {
-    use core::f32::consts::FRAC_2_PI;
+    use core::f32::consts::{FRAC_2_PI, FRAC_PI_4};
 
     /// The leading 11 bits of π/2: their product with a number of quadrants below [`LARGEST`] is exact.
     const HALF_PI: f32 = 1.5703125;
@@ -128,15 +132,18 @@ pub mod single {
     #[inline]
     pub fn sin_cos(angle: f32) -> (f32, f32) {
         let size = angle.abs();
-        let shifted = size * FRAC_2_PI + ROUNDER;
-        let quadrants = shifted - ROUNDER;
-        let above = (size - quadrants * HALF_PI) - quadrants * HALF_PI_MIDDLE;
-        let below = quadrants * HALF_PI_REST;
-        let mut y = above - below;
-        let mut tail = (above - y) - below;
-        let mut quadrant = shifted.to_bits();
-        if !(size <= LARGEST && y.abs() >= quadrants * CLOSEST) {
-            (quadrant, y, tail) = super::far_angle::single(size);
+        let (mut quadrant, mut y, mut tail) = (0, size, 0.0);
+        if size > FRAC_PI_4 {
+            let shifted = size * FRAC_2_PI + ROUNDER;
+            let quadrants = shifted - ROUNDER;
+            let above = (size - quadrants * HALF_PI) - quadrants * HALF_PI_MIDDLE;
+            let below = quadrants * HALF_PI_REST;
+            y = above - below;
+            tail = (above - y) - below;
+            quadrant = shifted.to_bits();
+            if size > LARGEST || y.abs() < quadrants * CLOSEST {
+                (quadrant, y, tail) = super::far_angle::single(size);
+            }
         }
 
         let z = y * y;
