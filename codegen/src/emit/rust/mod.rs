@@ -10,6 +10,7 @@ mod explained;
 mod expression;
 mod file;
 mod frame;
+mod functions;
 mod given;
 mod layout;
 mod lints;

@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
+use super::functions::functions;
 use super::literal::Scalar;
 use super::scope::{identifier, spelled};
 use super::{
@@ -29,6 +30,8 @@ pub(super) struct Module<'a> {
     pub system: &'a System,
     pub program: &'a Program,
     pub scalar: Scalar,
+    /// The path of the module whose elementary functions are taken instead of the runtime's.
+    math: Option<&'a str>,
     /// Where each part of the plan is singular.
     pub poses: Vec<SingularPose>,
     /// What each block of the program is called.
@@ -46,6 +49,7 @@ impl<'a> Module<'a> {
         plan: &SolvedPlan,
         program: &'a Program,
         scalar: Scalar,
+        math: Option<&'a str>,
     ) -> Module<'a> {
         let kept = program.fields.iter().copied();
         let poses = derivation::singular_poses(system, plan, &program.forms, Notation::Unicode);
@@ -58,6 +62,7 @@ impl<'a> Module<'a> {
             system,
             program,
             scalar,
+            math,
         }
     }
 
@@ -152,9 +157,10 @@ impl<'a> Module<'a> {
         let mentioned = identifiers(&parts);
         let constants = self.constants(&mentioned);
         let tables = tables::tables(self, &mentioned);
+        let functions = self.math.map(|path| functions(path, &mentioned));
         parts.insert(
             0,
-            quote!(use ::linkwright::#precision::*; #constants #tables),
+            quote!(use ::linkwright::#precision::*; #functions #constants #tables),
         );
         parts
     }
