@@ -105,24 +105,26 @@ macro_rules! arctangents {
                 if x.is_nan() || y.is_nan() {
                     return $scalar::NAN;
                 }
-                // A vector that is infinite in both directions is taken to be between them.
-                let part = |component: $scalar| -> $scalar {
-                    if component.is_infinite() { 1.0 } else { 0.0 }
-                };
-                if x.is_infinite() || y.is_infinite() {
-                    return angle(part(y).copysign(y), part(x).copysign(x));
-                }
-                if x == 0.0 && y == 0.0 {
-                    return angle(y, (1.0 as $scalar).copysign(x));
-                }
-                let is_tiny = y.abs() < 1.0 && x.abs() < 1.0;
+                let is_infinite = x.is_infinite() || y.is_infinite();
+                let is_zero = x == 0.0 && y == 0.0;
                 // 2⁶⁰ and 1/4: powers of two are exact.
+                let is_tiny = y.abs() < 1.0 && x.abs() < 1.0;
                 let scale = if is_tiny {
                     1_152_921_504_606_846_976.0
                 } else {
                     0.25
                 };
-                angle(scale * y, scale * x)
+                let scaled = |component: $scalar, otherwise: $scalar| {
+                    let size = match component.is_infinite() {
+                        // A vector that is infinite in both directions is taken to be between them.
+                        true => 1.0,
+                        false if is_infinite => 0.0,
+                        false if is_zero => otherwise,
+                        false => scale * component.abs(),
+                    };
+                    size.copysign(component)
+                };
+                angle(scaled(y, 0.0), scaled(x, 1.0))
             }
 
             /// The angle (rad) with this sine and cosine, or a common positive multiple of them of ordinary size, that is nearest to
@@ -150,7 +152,7 @@ macro_rules! arctangents {
                 if sine == 0.0 && cosine == 0.0 {
                     return $scalar::NAN;
                 }
-                nearest_turn(atan2(sine, cosine), near)
+                nearest_turn(angle(sine, cosine), near)
             }
 
             /// The angle that differs from `angle` by whole turns and is nearest to `near` (rad).
