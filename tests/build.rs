@@ -20,6 +20,7 @@ fn main() {
     linkwright_codegen::build("descriptions");
     let single = Options {
         scalar: Scalar::F32,
+        ..Options::default()
     };
     linkwright_codegen::build_with("../mechanisms", &single);
     linkwright_codegen::build("stability");
@@ -31,10 +32,25 @@ fn main() {
         let target = Path::new(&output).join("linkwright/tables_single.rs");
         fs::write(target, tables.code).expect("the module is written");
     }
+    write_counted();
     monitoring::write(&["descriptions", "../mechanisms"]);
     list_modules();
     sensing::write("descriptions");
     transmitting::write(&["descriptions", "../mechanisms"]);
+}
+
+/// A mechanism whose module calls elementary functions of the test that includes it.
+fn write_counted() {
+    let options = Options {
+        math: Some("crate::counting"),
+        ..Options::default()
+    };
+    let text = fs::read_to_string("../mechanisms/four_bar.mech").expect("the description");
+    if let Ok(module) = generate_with(&Source::new("four_bar.mech", text), &options) {
+        let output = env::var_os("OUT_DIR").expect("cargo sets it");
+        let target = Path::new(&output).join("linkwright/counted_four_bar.rs");
+        fs::write(target, module.code).expect("the module is written");
+    }
 }
 
 /// The repository's mechanisms as a list, and each of them in single precision.

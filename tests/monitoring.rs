@@ -44,6 +44,7 @@ pub fn write(folders: &[&str]) {
         if ["folding", "platform_3rpr"].contains(&name) {
             let single = Options {
                 scalar: Scalar::F32,
+                ..Options::default()
             };
             if let Ok(module) = generate_with(&Source::new(name, text.clone()), &single) {
                 let target = output.join(format!("linkwright/{own}_single.rs"));

@@ -17,7 +17,8 @@
 //! and [`build_with`] does it in single precision:
 //! ```no_run
 //! use linkwright_codegen::{Options, Scalar};
-//! linkwright_codegen::build_with("descriptions", &Options { scalar: Scalar::F32 });
+//! let options = Options { scalar: Scalar::F32, ..Options::default() };
+//! linkwright_codegen::build_with("descriptions", &options);
 //! ```
 
 mod cargo;
@@ -73,10 +74,35 @@ impl Read {
 }
 
 /// What can be chosen about the generated code.
+///
+/// Without a choice the code is in f64, and sines, roots and angles are those of `linkwright::math`. A processor that has its own
+/// way to compute some of them, or a program that prefers the standard library's, names a module with functions of the same
+/// names, which takes over all others from there:
+/// ```ignore
+/// mod plain {
+///     pub use linkwright::math::*;
+///
+///     pub fn sin_cos(angle: f64) -> (f64, f64) {
+///         angle.sin_cos()
+///     }
+/// }
+/// ```
+/// In `build.rs`:
+/// ```no_run
+/// use linkwright_codegen::Options;
+///
+/// let options = Options { math: Some("crate::plain"), ..Options::default() };
+/// linkwright_codegen::build_with("descriptions", &options);
+/// ```
+/// The bits of a frame are then those of these functions, and so are its errors. `angle_near` of `linkwright::math` does not call
+/// `atan2`, so whoever replaces the arctangent replaces both, the one by `nearest_turn(atan2(sine, cosine), near)`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// The scalar: f64, or f32 where the hardware has nothing else.
     pub scalar: Scalar,
+    /// The path of the module whose functions the code calls instead of those of `linkwright::math`, such as `crate::plain`. It is
+    /// resolved where the code is included, by the compiler; what the runtime computes for itself, such as scales, stays its own.
+    pub math: Option<&'static str>,
 }
 
 /// The Rust source of a mechanism.
@@ -230,7 +256,7 @@ pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Di
         .map(|(system, ..)| system.mechanism.name.clone());
     Ok(Generated {
         name: name.unwrap_or_default(),
-        code: emit::rust::file(&lowered, options.scalar),
+        code: emit::rust::file(&lowered, options.scalar, options.math),
         warnings,
     })
 }

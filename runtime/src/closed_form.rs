@@ -1,4 +1,4 @@
-//! What closed-form blocks need besides arithmetic: the assembly mode, the nearest turn, and the failures.
+//! What closed-form blocks need besides arithmetic: the assembly mode and the failures.
 //!
 //! A closed form finds a square root of a quantity that is positive while the links span the distance between their far
 //! pins. The module does not know the links; the generated code hands over the distances.
@@ -117,29 +117,6 @@ pub fn failed<T: Real>(kind: FailureKind<T>, time: T, block: u16) -> Failure<T> 
     }
 }
 
-/// The angle with this sine and cosine, or a common positive multiple of them, that is nearest to `near` (rad).
-#[inline]
-pub fn angle_near<T: Real>(sine: T, cosine: T, near: T) -> T {
-    sine.angle_near(cosine, near)
-}
-
-/// The same by the general arctangent.
-#[inline]
-pub(crate) fn wound_arctangent<T: Real>(sine: T, cosine: T, near: T) -> T {
-    nearest_turn(sine.atan2(cosine), near)
-}
-
-/// The angle that differs from `angle` by whole turns and is nearest to `near` (rad).
-#[inline]
-pub fn nearest_turn<T: Real>(angle: T, near: T) -> T {
-    let gap = near - angle;
-    if gap.abs() <= T::from_f64(core::f64::consts::PI) {
-        return angle;
-    }
-    let turns = (gap * T::from_f64(core::f64::consts::FRAC_1_PI) * T::HALF).round();
-    angle + turns * T::from_f64(core::f64::consts::TAU)
-}
-
 /// Whether every value is a finite number.
 ///
 /// Zero times anything else is no number, and neither is a sum with it. Eight sums that do not wait for one another let the
@@ -183,15 +160,6 @@ fn not_finite<T: Real>(time: T, block: u16) -> Result<(), Failure<T>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_nearest_turn_follows_a_winding_angle() {
-        let tau = core::f64::consts::TAU;
-        assert_eq!(nearest_turn(0.5_f64, 0.4), 0.5);
-        assert_eq!(nearest_turn(-3.0_f64, 3.1), -3.0 + tau);
-        assert_eq!(nearest_turn(0.1_f64, 10.0 * tau), 0.1 + 10.0 * tau);
-        assert_eq!(nearest_turn(0.1_f64, -3.0 * tau), 0.1 - 3.0 * tau);
-    }
 
     #[test]
     fn one_value_that_is_no_number_is_found_at_every_place() {

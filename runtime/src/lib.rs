@@ -9,7 +9,7 @@
 //! [`include_mechanism!`] brings in what `linkwright_codegen::build` made of it.
 //!
 //! A generated mechanism is solved block by block. Where a block has a closed form, the generated code calls
-//! [`closed_form`] and [`angle`]: a [`Branch`] says in which of two ways the block is assembled, and links that do not meet
+//! [`closed_form`] and [`math`]: a [`Branch`] says in which of two ways the block is assembled, and links that do not meet
 //! are [`FailureKind::OutOfReach`]. The other blocks implement [`Equations`] and are solved by [`advance`], and so is the
 //! textbook view, all equations as one dense system, through the type `Textbook` of the generated module. The scalar is f64
 //! or f32.
@@ -74,7 +74,6 @@
 //! ```
 #![no_std]
 
-pub mod angle;
 pub mod assembly;
 pub mod block;
 pub mod block_equations;

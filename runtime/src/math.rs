@@ -1,16 +1,15 @@
-//! A scalar and its elementary functions → the same functions from `std` or from `libm`.
+//! A scalar and its elementary functions, which are those of `linkwright-math`: the same bits with and without the standard library,
+//! on every platform.
 //!
-//! This is the only module that chooses between the two: with the feature `std` (the default) sines, exponentials
-//! and square roots come from the standard library, without it from `libm`. Everything else in this crate, and all
-//! generated code, is written against [`Real`] or the free functions below, so that it reads the same in both cases.
+//! Everything else in this crate, and all generated code, is written against [`Real`] or the free functions below. Generated
+//! code can also be written against a module of its user's that holds functions of these names; see the options of the
+//! generator. Such a module begins with `pub use linkwright::math::*;` and defines what is to be different.
 //!
-//! The module does not know angles from lengths: arguments of `sin` and `cos` are in radians, all else is unitless.
+//! Sines, cosines and angles are within 1 and 2 ulp, in f64 and in f32, and f32 does without f64; `linkwright-math` states the
+//! bounds. The module does not know angles from lengths: arguments of `sin` and `cos` are in radians, all else is unitless.
 
 use core::fmt::{Debug, Display, LowerExp};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-
-#[cfg(feature = "std")]
-extern crate std;
 
 mod sealed {
     /// Keeps [`super::Real`] to the two scalars whose rounding the default settings are made for.
@@ -69,6 +68,8 @@ pub trait Real:
     fn atan2(self, abscissa: Self) -> Self;
     /// The angle nearest to `near` whose sine and cosine are `self` and `cosine`, or a common positive multiple of them.
     fn angle_near(self, cosine: Self, near: Self) -> Self;
+    /// The angle that differs from `self` by whole turns and is nearest to `near`.
+    fn nearest_turn(self, near: Self) -> Self;
     /// The exponential function.
     fn exp(self) -> Self;
     /// The natural logarithm; NaN for a negative argument, -∞ for zero.
@@ -94,9 +95,7 @@ pub trait Real:
 }
 
 macro_rules! implement_real {
-    ($scalar:ident, $frexp:ident, $ldexp:ident, $angle:expr, {
-        $($method:ident($($argument:ident),*) -> $output:ty, $free:ident;)*
-    }) => {
+    ($scalar:ident, $functions:ident, { $($function:ident($($argument:ident: $type:ty),*) -> $output:ty;)* }) => {
         impl Real for $scalar {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -113,14 +112,6 @@ macro_rules! implement_real {
                 self.into()
             }
             #[inline]
-            fn abs(self) -> Self {
-                $scalar::abs(self)
-            }
-            #[inline]
-            fn angle_near(self, cosine: Self, near: Self) -> Self {
-                $angle(self, cosine, near)
-            }
-            #[inline]
             fn is_finite(self) -> bool {
                 $scalar::is_finite(self)
             }
@@ -132,58 +123,42 @@ macro_rules! implement_real {
             fn min(self, other: Self) -> Self {
                 $scalar::min(self, other)
             }
-            // Splitting and scaling by powers of two are exact, and the standard library does not offer them.
-            #[inline]
-            fn significand_exponent(self) -> (Self, i32) {
-                libm::$frexp(self)
-            }
-            #[inline]
-            fn scale_by_power_of_two(self, exponent: i32) -> Self {
-                libm::$ldexp(self, exponent)
-            }
             $(
-                #[cfg(feature = "std")]
                 #[inline]
-                fn $method(self $(, $argument: Self)*) -> $output {
-                    $scalar::$method(self $(, $argument)*)
-                }
-                #[cfg(not(feature = "std"))]
-                #[inline]
-                fn $method(self $(, $argument: Self)*) -> $output {
-                    libm::$free(self $(, $argument)*)
+                fn $function(self $(, $argument: $type)*) -> $output {
+                    linkwright_math::$functions::$function(self $(, $argument)*)
                 }
             )*
         }
     };
 }
 
-implement_real!(f64, frexp, ldexp, crate::angle::angle_near, {
-    sqrt() -> Self, sqrt;
-    sin() -> Self, sin;
-    cos() -> Self, cos;
-    sin_cos() -> (Self, Self), sincos;
-    atan2(abscissa) -> Self, atan2;
-    exp() -> Self, exp;
-    ln() -> Self, log;
-    powf(exponent) -> Self, pow;
-    hypot(other) -> Self, hypot;
-    floor() -> Self, floor;
-    round() -> Self, round;
-});
+macro_rules! implement_reals {
+    ($($scalar:ident: $functions:ident;)*) => {
+        $(
+            implement_real!($scalar, $functions, {
+                abs() -> Self;
+                sqrt() -> Self;
+                sin() -> Self;
+                cos() -> Self;
+                sin_cos() -> (Self, Self);
+                atan2(abscissa: Self) -> Self;
+                angle_near(cosine: Self, near: Self) -> Self;
+                nearest_turn(near: Self) -> Self;
+                exp() -> Self;
+                ln() -> Self;
+                powf(exponent: Self) -> Self;
+                hypot(other: Self) -> Self;
+                floor() -> Self;
+                round() -> Self;
+                significand_exponent() -> (Self, i32);
+                scale_by_power_of_two(exponent: i32) -> Self;
+            });
+        )*
+    };
+}
 
-implement_real!(f32, frexpf, ldexpf, crate::closed_form::wound_arctangent, {
-    sqrt() -> Self, sqrtf;
-    sin() -> Self, sinf;
-    cos() -> Self, cosf;
-    sin_cos() -> (Self, Self), sincosf;
-    atan2(abscissa) -> Self, atan2f;
-    exp() -> Self, expf;
-    ln() -> Self, logf;
-    powf(exponent) -> Self, powf;
-    hypot(other) -> Self, hypotf;
-    floor() -> Self, floorf;
-    round() -> Self, roundf;
-});
+implement_reals!(f64: double; f32: single;);
 
 /// The magnitude.
 #[inline]
@@ -219,6 +194,19 @@ pub fn sqrt<T: Real>(x: T) -> T {
 #[inline]
 pub fn atan2<T: Real>(ordinate: T, abscissa: T) -> T {
     ordinate.atan2(abscissa)
+}
+
+/// The angle (rad) with this sine and cosine, or a common positive multiple of them, that is nearest to `near`. NaN where both are
+/// zero.
+#[inline]
+pub fn angle_near<T: Real>(sine: T, cosine: T, near: T) -> T {
+    sine.angle_near(cosine, near)
+}
+
+/// The angle that differs from `angle` by whole turns and is nearest to `near` (rad).
+#[inline]
+pub fn nearest_turn<T: Real>(angle: T, near: T) -> T {
+    angle.nearest_turn(near)
 }
 
 /// The exponential function.

@@ -6,6 +6,7 @@ pub mod baseline;
 pub mod description;
 pub mod deviation;
 pub mod dyad_chain;
+pub mod elementary;
 pub mod files;
 pub mod generated;
 pub mod hunt;

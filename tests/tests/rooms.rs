@@ -27,9 +27,10 @@ const ORDER: [&str; 17] = [
 ];
 
 /// The folders of the packages that are published, each with those of ours that it is built from.
-const PACKAGES: [(&str, &[&str]); 5] = [
-    ("runtime", &[]),
-    ("codegen", &[]),
+const PACKAGES: [(&str, &[&str]); 6] = [
+    ("runtime/math", &[]),
+    ("runtime", &["linkwright-math"]),
+    ("codegen", &["linkwright-math"]),
     ("codegen/solver", &["linkwright", "linkwright-codegen"]),
     (
         "codegen/cli",

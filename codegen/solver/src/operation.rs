@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use linkwright::closed_form::{angle_near, no_span, singular_divisor, spans};
+use linkwright::closed_form::{no_span, singular_divisor, spans};
+use linkwright::math::angle_near;
 use linkwright::{Failure, FailureKind};
 use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId};
 use linkwright_codegen::stages::program::{Function, Statement};

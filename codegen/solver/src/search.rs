@@ -5,7 +5,8 @@
 
 use std::f64::consts::PI;
 
-use linkwright::closed_form::{failed, nearest_turn};
+use linkwright::closed_form::failed;
+use linkwright::math::nearest_turn;
 use linkwright::{Branch, Failure, FailureKind, Start};
 use nalgebra::DVector;
 

@@ -7,6 +7,8 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::sync::Arc;
 
+use linkwright_math::double;
+
 use super::graph::Graph;
 use super::hashing::BuildExprHasher;
 use super::node::{ExprId, Factor, Node, SymbolId, Term};
@@ -95,16 +97,16 @@ impl Code {
                 target,
                 float_power(of(base), self.exponents[exponent as usize]),
             ),
-            Instruction::Sine(target, angle) => (target, of(angle).sin()),
-            Instruction::Cosine(target, angle) => (target, of(angle).cos()),
+            Instruction::Sine(target, angle) => (target, double::sin(of(angle))),
+            Instruction::Cosine(target, angle) => (target, double::cos(of(angle))),
             Instruction::SineCosine([sine, cosine], angle) => {
-                let (s, c) = of(angle).sin_cos();
+                let (s, c) = double::sin_cos(of(angle));
                 registers[sine.index()] = s;
                 (cosine, c)
             }
-            Instruction::Arctangent(target, [y, x]) => (target, of(y).atan2(of(x))),
-            Instruction::Exponential(target, a) => (target, of(a).exp()),
-            Instruction::Logarithm(target, a) => (target, of(a).ln()),
+            Instruction::Arctangent(target, [y, x]) => (target, double::atan2(of(y), of(x))),
+            Instruction::Exponential(target, a) => (target, double::exp(of(a))),
+            Instruction::Logarithm(target, a) => (target, double::ln(of(a))),
             Instruction::Floor(target, a) => (target, of(a).floor()),
             Instruction::Choose(target, [condition, below, otherwise]) => {
                 let chosen = if of(condition) < 0.0 {

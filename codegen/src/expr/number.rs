@@ -5,6 +5,7 @@
 
 use super::radical::{exact_root, extract_squares};
 use super::rational::{Decimal, Rational, greatest_common_divisor};
+use linkwright_math::double;
 use std::hash::{Hash, Hasher};
 
 /// A real number: exact as a rational times a square root, or a float where that does not fit.
@@ -301,7 +302,7 @@ impl Number {
 /// The power of a float: by repeated squaring for an integer exponent, otherwise by the library, NaN for a negative base.
 pub(super) fn float_power(base: f64, exponent: Rational) -> f64 {
     if !exponent.is_integer() {
-        return base.powf(exponent.to_f64());
+        return double::powf(base, exponent.to_f64());
     }
     let mut remaining = exponent.numerator().unsigned_abs();
     let (mut square, mut power) = (base, 1.0);

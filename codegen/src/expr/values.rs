@@ -9,6 +9,7 @@ use super::hashing::BuildExprHasher;
 use super::node::{ExprId, Factor, Node, Term};
 use super::number::{Number, float_power};
 use super::rational::Rational;
+use linkwright_math::double;
 use std::collections::HashSet;
 
 /// What a node is worth where numbers are wanted.
@@ -104,13 +105,13 @@ impl Graph {
             Node::Symbol(symbol) => self.nominal(*symbol).map_or(MOVING, fixed),
             Node::Sum(terms) => self.worth_of_sum(terms),
             Node::Product(factors) => self.worth_of_product(factors),
-            Node::Sin(angle) => function(angle, f64::sin),
-            Node::Cos(angle) => function(angle, f64::cos),
-            Node::Exp(exponent) => function(exponent, f64::exp),
-            Node::Ln(argument) => function(argument, f64::ln),
+            Node::Sin(angle) => function(angle, double::sin),
+            Node::Cos(angle) => function(angle, double::cos),
+            Node::Exp(exponent) => function(exponent, double::exp),
+            Node::Ln(argument) => function(argument, double::ln),
             Node::Floor(argument) => function(argument, f64::floor),
             Node::Atan2(y, x) => match (of(y), of(x)) {
-                (y, x) if y.is_fixed && x.is_fixed => fixed(y.value.atan2(x.value)),
+                (y, x) if y.is_fixed && x.is_fixed => fixed(double::atan2(y.value, x.value)),
                 _ => MOVING,
             },
             Node::Choose {

@@ -3,6 +3,8 @@
 //! The drawing says where every body is, so it gives every unknown and every arm a value, whatever the drivers ask for at any time.
 //! What is supplied at run time has its default, and t is zero: neither says anything about the drawing.
 
+use linkwright_math::double;
+
 use super::{SymbolRole, System};
 use crate::expr::{ExprId, SymbolId, Tape};
 use crate::joint::geometry::{Mark, Vector};
@@ -20,7 +22,7 @@ impl System {
 
     /// R(φ) v with the drawing's angle φ.
     pub fn drawn_turn(&self, angle: usize, v: Vector) -> [f64; 2] {
-        let (sine, cosine) = self.drawn_unknown(angle).sin_cos();
+        let (sine, cosine) = double::sin_cos(self.drawn_unknown(angle));
         let [x, y] = v.map(|part| self.drawn_value(part));
         [cosine * x - sine * y, sine * x + cosine * y]
     }

@@ -15,10 +15,11 @@ macro_rules! precision {
         $(#[$docs])*
         pub mod $name {
             pub use crate::closed_form::{
-                angle_near, finite, no_span, singular_divisor, spans,
+                finite, no_span, singular_divisor, spans,
             };
             pub use crate::contact::pressure_angle;
             pub use crate::linear::Factorization;
+            pub use crate::math::angle_near;
             pub use crate::scale::largest_length;
             pub use crate::span::{isolate, required};
             pub use crate::{

@@ -86,7 +86,10 @@ fn write_package(folder: &Path, texts: &[String]) -> io::Result<()> {
         for (name, scalar) in [("f64", Scalar::F64), ("f32", Scalar::F32)] {
             let generated = generate_with(
                 &Source::new("found.mech", text.as_str()),
-                &Options { scalar },
+                &Options {
+                    scalar,
+                    ..Options::default()
+                },
             )
             .map_err(|errors| io::Error::other(format!("{errors:?}")))?;
             let file = format!("{}.rs", program::module(index, name));

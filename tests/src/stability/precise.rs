@@ -92,6 +92,11 @@ impl Precise {
         with_constants(|constants| Precise(self.0.acos(BITS, ROUNDING, constants)))
     }
 
+    /// The angle in [-π/2, π/2] with this tangent.
+    pub fn atan(&self) -> Precise {
+        with_constants(|constants| Precise(self.0.atan(BITS, ROUNDING, constants)))
+    }
+
     /// Whether the number is below zero.
     pub fn is_negative(&self) -> bool {
         self.0.is_negative() && !self.0.is_zero()

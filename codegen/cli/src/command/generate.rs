@@ -73,5 +73,6 @@ fn options(arguments: &Generate) -> Options {
             Precision::F64 => Scalar::F64,
             Precision::F32 => Scalar::F32,
         },
+        ..Options::default()
     }
 }

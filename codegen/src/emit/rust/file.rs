@@ -14,9 +14,15 @@ use crate::structure::SolvedPlan;
 use crate::system::System;
 
 /// The formatted source of the generated file, with a header of comments. A mechanism with motions becomes one module for each.
-pub fn file(motions: &[(System, SolvedPlan, Program)], scalar: Scalar) -> String {
+/// Its elementary functions are the runtime's, or those of the module at the path `math`.
+pub fn file(
+    motions: &[(System, SolvedPlan, Program)],
+    scalar: Scalar,
+    math: Option<&str>,
+) -> String {
     let motions = motions.iter();
-    let modules = motions.map(|(system, plan, program)| Module::new(system, plan, program, scalar));
+    let modules =
+        motions.map(|(system, plan, program)| Module::new(system, plan, program, scalar, math));
     let modules: Vec<Module<'_>> = modules.collect();
     let Some(first) = modules.first() else {
         return String::new();

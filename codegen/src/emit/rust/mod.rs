@@ -9,6 +9,7 @@ mod explained;
 mod expression;
 mod file;
 mod frame;
+mod functions;
 mod layout;
 mod lines;
 mod lints;

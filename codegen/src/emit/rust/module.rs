@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
+use super::functions::functions;
 use super::layout::Verbatim;
 use super::literal::Scalar;
 use super::names::identifier;
@@ -30,6 +31,8 @@ pub(super) struct Module<'a> {
     pub system: &'a System,
     pub program: &'a Program,
     pub scalar: Scalar,
+    /// The path of the module whose elementary functions are taken instead of the runtime's.
+    math: Option<&'a str>,
     /// Where each part of the plan is singular.
     pub poses: Vec<SingularPose>,
     /// What each block of the program is called.
@@ -47,6 +50,7 @@ impl<'a> Module<'a> {
         plan: &SolvedPlan,
         program: &'a Program,
         scalar: Scalar,
+        math: Option<&'a str>,
     ) -> Module<'a> {
         let kept = program.fields.iter().copied();
         let poses = derivation::singular_poses(system, plan, &program.forms, Notation::Unicode);
@@ -59,6 +63,7 @@ impl<'a> Module<'a> {
             system,
             program,
             scalar,
+            math,
         }
     }
 
@@ -161,9 +166,10 @@ impl<'a> Module<'a> {
         let mentioned = identifiers(&parts);
         let constants = self.constants(&mentioned);
         let tables = tables::tables(self, &mentioned);
+        let functions = self.math.map(|path| functions(path, &mentioned));
         parts.insert(
             0,
-            quote!(use ::linkwright::#precision::*; #constants #tables),
+            quote!(use ::linkwright::#precision::*; #functions #constants #tables),
         );
         parts
     }

@@ -6,6 +6,8 @@
 
 use std::sync::Arc;
 
+use linkwright_math::double;
+
 use super::determinant::{length, of_one_angle};
 use super::linear::say_again;
 use super::{Candidate, Determinant, Form, Solved};
@@ -128,7 +130,7 @@ impl OneAngle {
     /// The mode whose sign is that of a slope in the drawing, minus the derivative of the equation.
     fn mode(&self, builder: &mut Builder<'_>) -> ExprId {
         let [a, b] = [self.cosine, self.sine].map(|part| builder.system.drawn_value(part));
-        let (sine, cosine) = builder.system.drawn_unknown(self.angle).sin_cos();
+        let (sine, cosine) = double::sin_cos(builder.system.drawn_unknown(self.angle));
         let name = builder.system.unknown_name(self.angle).to_string();
         let meaning = format!("which of two values {name} takes");
         let drawn = (a * sine - b * cosine) / a.hypot(b);
@@ -172,7 +174,7 @@ impl OneAngle {
         } else {
             other
         };
-        let (sine, cosine) = builder.system.drawn_unknown(self.angle).sin_cos();
+        let (sine, cosine) = double::sin_cos(builder.system.drawn_unknown(self.angle));
         let drawn = if by_cosine { sine } else { cosine };
         let sign = if drawn < 0.0 { "negative" } else { "positive" };
         let remark = format!("{sign} as in the drawing").into();

@@ -2,6 +2,8 @@
 
 use std::collections::{HashMap, HashSet};
 
+use linkwright_math::double;
+
 use super::costs::Computed;
 use crate::expr::{ExprId, Factor, Graph, Node, Number, Term};
 use crate::program::function::Function;
@@ -83,7 +85,7 @@ impl ConstantPart {
                 .sum(),
             ConstantPart::Product(number, factors) => factors
                 .iter()
-                .map(|factor| of(factor.base).powf(factor.exponent.to_f64()))
+                .map(|factor| double::powf(of(factor.base), factor.exponent.to_f64()))
                 .fold(number.to_f64(), |product, factor| product * factor),
         }
     }

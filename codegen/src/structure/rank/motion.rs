@@ -6,6 +6,8 @@
 
 use std::cmp::Reverse;
 
+use linkwright_math::double;
+
 use super::balanced;
 use super::functions::{Functions, Pose};
 use super::independence::Basis;
@@ -177,7 +179,7 @@ fn movement(system: &System, body: usize, instants: &[(&Pose, &Rates)]) -> Moves
                 let [[_, x], [_, y], [angle, turning]] = of_body(system, body, instant);
                 let [[px, py]] = [values(system, local, instant.0)];
                 // The point p rests where ṙ + φ̇ Ω R p = 0.
-                let (sine, cosine) = angle.sin_cos();
+                let (sine, cosine) = double::sin_cos(angle);
                 let (ax, ay) = (cosine * px - sine * py, sine * px + cosine * py);
                 let rest = (x - turning * ay).hypot(y + turning * ax);
                 rest <= MET * length * turning.abs()

@@ -1,0 +1,209 @@
+//! A vector → its angle; a sine, a cosine and an angle nearby → their angle, wound up.
+//!
+//! A quotient of magnitude 1/2 at most goes into an odd polynomial, a minimax fit of (x − atan x)/x³ whose error is below 2⁻⁵⁷ in f64
+//! and 2⁻²⁶ in f32 of the arctangent. The general arctangent gets there by exchanging the components, and by turning the
+//! vector by π/4 where the quotient would be larger; the difference of its components is exact then. What the rounded
+//! multiples of π/4 lack is added to the small parts first.
+//!
+//! From one frame to the next an angle moves little. [`double::angle_near`] therefore measures from the multiple of π/4 next to the last
+//! one, which needs one quotient and the polynomial, and winds up at the same time; only where that is too far the octant is
+//! found first.
+
+macro_rules! arctangents {
+    (
+        $name:ident, $scalar:ident;
+        rounder: $rounder:literal, quarter_rest: $quarter_rest:literal, coefficients: $coefficients:expr,
+        ordinary: $smallest:literal to $largest:literal,
+        |$square:ident, $c:pat_param| $bend:expr
+    ) => {
+        pub mod $name {
+            use core::$scalar::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI, TAU};
+
+            /// Adding it to a number of moderate size leaves the nearest integer in the last bits.
+            const ROUNDER: $scalar = $rounder;
+
+            /// What the rounded π/4 lacks.
+            const QUARTER_REST: $scalar = $quarter_rest;
+
+            /// cos(k π/4) for k = 0 … 7; the sine of the same is two places further back.
+            const COSINES: [$scalar; 8] = [
+                1.0,
+                FRAC_1_SQRT_2,
+                0.0,
+                -FRAC_1_SQRT_2,
+                -1.0,
+                -FRAC_1_SQRT_2,
+                0.0,
+                FRAC_1_SQRT_2,
+            ];
+
+            /// x − atan(x) for |x| ≤ 1/2.
+            #[inline]
+            fn bend(x: $scalar) -> $scalar {
+                let $square = x * x;
+                let $c = $coefficients;
+                x * $bend
+            }
+
+            /// The angle in [-π, π] (rad) of the vector (`x`, `y`), within 2 ulp: 0 or π, with the sign of `y`, for both zero, and the
+            /// limits of the angle for infinite components.
+            #[inline]
+            pub fn atan2(y: $scalar, x: $scalar) -> $scalar {
+                let (across, along) = (y.abs(), x.abs());
+                let high = if across > along { across } else { along };
+                if ($smallest..=$largest).contains(&high) {
+                    angle(y, x)
+                } else {
+                    extreme(y, x)
+                }
+            }
+
+            /// The same where the larger component neither overflows nor is subnormal when it is doubled or halved.
+            #[inline]
+            fn angle(y: $scalar, x: $scalar) -> $scalar {
+                let (across, along) = (y.abs(), x.abs());
+                let is_steep = across > along;
+                let (low, high) = if is_steep {
+                    (along, across)
+                } else {
+                    (across, along)
+                };
+                let is_turned = low > 0.5 * high;
+                let (numerator, denominator) = if is_turned {
+                    (low - high, low + high)
+                } else {
+                    (low, high)
+                };
+                let quotient = numerator / denominator;
+                let bend = bend(quotient);
+                let (base, rest) = if is_turned {
+                    (FRAC_PI_4, QUARTER_REST)
+                } else {
+                    (0.0, 0.0)
+                };
+                let octant = base + (quotient - (bend - rest));
+                let is_behind = x.is_sign_negative();
+                let (base, rest) = if is_steep {
+                    (FRAC_PI_2, 2.0 * QUARTER_REST)
+                } else if is_behind {
+                    (PI, 4.0 * QUARTER_REST)
+                } else {
+                    (0.0, 0.0)
+                };
+                let signed = if is_steep == is_behind {
+                    octant
+                } else {
+                    -octant
+                };
+                (base + (signed + rest)).copysign(y)
+            }
+
+            /// The angle of a vector whose larger component is zero, tiny, huge, infinite or no number.
+            #[cold]
+            #[inline(never)]
+            fn extreme(y: $scalar, x: $scalar) -> $scalar {
+                if x.is_nan() || y.is_nan() {
+                    return $scalar::NAN;
+                }
+                let is_infinite = x.is_infinite() || y.is_infinite();
+                let is_zero = x == 0.0 && y == 0.0;
+                // 2⁶⁰ and 1/4: powers of two are exact.
+                let is_tiny = y.abs() < 1.0 && x.abs() < 1.0;
+                let scale = if is_tiny {
+                    1_152_921_504_606_846_976.0
+                } else {
+                    0.25
+                };
+                let scaled = |component: $scalar, otherwise: $scalar| {
+                    let size = match component.is_infinite() {
+                        // A vector that is infinite in both directions is taken to be between them.
+                        true => 1.0,
+                        false if is_infinite => 0.0,
+                        false if is_zero => otherwise,
+                        false => scale * component.abs(),
+                    };
+                    size.copysign(component)
+                };
+                angle(scaled(y, 0.0), scaled(x, 1.0))
+            }
+
+            /// The angle (rad) with this sine and cosine, or a common positive multiple of them of ordinary size, that is nearest to
+            /// `near`. NaN where one of them is NaN or both are zero.
+            #[inline]
+            pub fn angle_near(sine: $scalar, cosine: $scalar, near: $scalar) -> $scalar {
+                let shifted = near * (4.0 / PI) + ROUNDER;
+                let octants = shifted - ROUNDER;
+                // Only the last three bits are used, which are right however many octants have been wound up.
+                let place = (shifted.to_bits() & 7) as usize;
+                let (along, across) = (COSINES[place], COSINES[(place + 6) & 7]);
+                let high = cosine * along + sine * across;
+                let low = sine * along - cosine * across;
+                let x = low / high;
+                if high > 0.0 && x.abs() <= 0.5 {
+                    octants * FRAC_PI_4 + (octants * QUARTER_REST + (x - bend(x)))
+                } else {
+                    angle_afar(sine, cosine, near)
+                }
+            }
+
+            /// The same from an angle that says nothing about the octant.
+            #[cold]
+            fn angle_afar(sine: $scalar, cosine: $scalar, near: $scalar) -> $scalar {
+                if sine == 0.0 && cosine == 0.0 {
+                    return $scalar::NAN;
+                }
+                nearest_turn(angle(sine, cosine), near)
+            }
+
+            /// The angle that differs from `angle` by whole turns and is nearest to `near` (rad).
+            #[inline]
+            pub fn nearest_turn(angle: $scalar, near: $scalar) -> $scalar {
+                let gap = near - angle;
+                if gap.abs() <= PI {
+                    return angle;
+                }
+                angle + crate::$name::round(gap * (1.0 / TAU)) * TAU
+            }
+        }
+    };
+}
+
+arctangents!(
+    double, f64;
+    rounder: 6_755_399_441_055_744.0, quarter_rest: 3.061616997868383e-17,
+    coefficients: [
+        0.3333333333333298,
+        -0.1999999999990311,
+        0.14285714276385547,
+        -0.11111110659606666,
+        0.0909089624363649,
+        -0.0769207389053018,
+        0.06663810351291395,
+        -0.05858296891311183,
+        0.05121995960854574,
+        -0.04186474804083825,
+        0.02743444999642423,
+        -0.010116482732360559,
+    ],
+    ordinary: 1e-290 to 1e307,
+    |square, [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9, c10, c11]| {
+        // In pairs that do not wait for one another.
+        let fourth = square * square;
+        let eighth = fourth * fourth;
+        let low = (c0 + square * c1) + fourth * (c2 + square * c3);
+        let middle = (c4 + square * c5) + fourth * (c6 + square * c7);
+        let high = (c8 + square * c9) + fourth * (c10 + square * c11);
+        square * (low + eighth * (middle + eighth * high))
+    }
+);
+
+arctangents!(
+    single, f32;
+    rounder: 12_582_912.0, quarter_rest: -2.1855695e-8,
+    coefficients: [0.33333233, -0.19994168, 0.14174205, -0.10155718, 0.05125411],
+    ordinary: 1e-28 to 1e38,
+    |square, [c0, c1, c2, c3, c4]| {
+        let fourth = square * square;
+        square * ((c0 + square * c1) + fourth * ((c2 + square * c3) + fourth * c4))
+    }
+);

@@ -1,0 +1,103 @@
+//! A floating-point number → its sine and cosine, the angle of a vector and the other elementary functions, with the same bits
+//! everywhere.
+//!
+//! [`double`] is for f64, [`single`] for f32. Both hold the same functions, so that one stands in for the other:
+//!
+//! | function | f64 | f32 |
+//! |---|---|---|
+//! | `sin`, `cos`, `sin_cos` | within 1 ulp | within 1 ulp |
+//! | `atan2` | within 2 ulp | within 2 ulp |
+//! | `angle_near` | within 2 ε of the angle's magnitude, or of π/4 where that is larger | the same |
+//! | `sqrt`, `floor`, `round`, `abs` | exact or correctly rounded | the same |
+//! | `exp`, `ln`, `powf`, `hypot` | those of `libm` | the same |
+//!
+//! One ulp is the distance of the two numbers between which the exact result lies. The bounds hold for all finite arguments,
+//! subnormal ones included; the tests look at all arguments in f32, and at dense samples in f64.
+//!
+//! The functions of the first three rows are this crate's own. They add, subtract, multiply, divide and look at bits: nothing
+//! that a platform, the standard library or the optimizer may do in another way, so that a debug build, a microcontroller with
+//! or without a floating-point unit and a WebAssembly module agree to the last bit. In f32 they never use f64, which many
+//! microcontrollers have no instructions for. None of them can panic.
+//!
+//! The crate does not know mechanisms. It stands below both the runtime and the generator, because numbers that are computed
+//! while code is generated must be those that the code would compute.
+#![no_std]
+
+mod arctangent;
+mod borrowed;
+mod far_angle;
+mod sine_cosine;
+
+/// The functions of f64.
+pub mod double {
+    pub use crate::arctangent::double::*;
+    pub use crate::borrowed::double::*;
+    pub use crate::sine_cosine::double::*;
+}
+
+/// The functions of f32, which take no f64.
+pub mod single {
+    pub use crate::arctangent::single::*;
+    pub use crate::borrowed::single::*;
+    pub use crate::sine_cosine::single::*;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{double, single};
+
+    /// Numbers of 64 bits that look random: a linear congruence (D. Knuth's), of which the upper bits are taken twice.
+    struct Sequence(u64);
+
+    impl Sequence {
+        fn word(&mut self) -> u64 {
+            let mut upper = || {
+                self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
+                self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
+                self.0 >> 32
+            };
+            upper() << 32 | upper()
+        }
+    }
+
+    /// What all the bits of many results come down to (Fowler, Noll and Vo).
+    fn digest() -> u64 {
+        let mut digest = 0xcbf2_9ce4_8422_2325_u64;
+        let mut add = |bits: u64| digest = (digest ^ bits).wrapping_mul(0x0100_0000_01b3);
+        let mut sequence = Sequence(14);
+        for _ in 0..20_000 {
+            let (a, b) = (sequence.word(), sequence.word());
+            // Up to 2^18 and below, and any finite number.
+            let of_size = |word: u64, size: u64| {
+                f64::from_bits((word & !(0x7ff << 52)) | (1023 - 32 + word % size) << 52)
+            };
+            let any = f64::from_bits(a & !(1 << 62));
+            for angle in [of_size(a, 50), any] {
+                let (sine, cosine) = double::sin_cos(angle);
+                add(sine.to_bits());
+                add(cosine.to_bits());
+                let (sine, cosine) = single::sin_cos(angle as f32);
+                if sine.is_finite() {
+                    add(sine.to_bits().into());
+                    add(cosine.to_bits().into());
+                }
+            }
+            let (y, x, near) = (of_size(a, 40), of_size(b, 40), of_size(a ^ b, 40));
+            add(double::atan2(y, x).to_bits());
+            add(double::angle_near(y, x, near).to_bits());
+            let (y, x, near) = (y as f32, x as f32, near as f32);
+            add(single::atan2(y, x).to_bits().into());
+            add(single::angle_near(y, x, near).to_bits().into());
+            add(double::sqrt(y.abs().into()).to_bits());
+            add(single::sqrt(y.abs()).to_bits().into());
+        }
+        digest
+    }
+
+    /// The same on every platform, with and without the standard library, optimized or not. A change of the functions that is
+    /// meant changes it.
+    #[test]
+    fn the_bits_are_those_of_every_other_platform() {
+        assert_eq!(digest(), 0x58f0_e830_342e_281e);
+    }
+}
