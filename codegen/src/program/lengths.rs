@@ -7,9 +7,8 @@ use std::collections::HashSet;
 
 use super::function::Function;
 use super::lower::shared;
-use crate::expr::{ExprId, Graph, Node};
+use crate::expr::{ExprId, Graph, Node, Rational};
 use crate::joint::Quantity;
-use crate::joint::geometry::Vector;
 use crate::system::{SymbolRole, System};
 
 /// Lengths, in m, the largest of which others are scaled by.
@@ -41,20 +40,23 @@ impl Lengths {
         quantities: &[Quantity],
         system: &mut System,
     ) -> [Lengths; 2] {
-        let mut arms: Vec<ExprId> = arms(residuals, system).into_iter().flatten().collect();
-        let mut added = Vec::new();
-        let graph = &mut system.mechanism.graph;
+        let mut found = Collected::default();
         for (&residual, quantity) in residuals.iter().zip(quantities) {
+            let one = system.mechanism.graph.one();
             match quantity.power_of_length() {
-                1 => collect(residual, &mut arms, &mut added, graph),
+                1 => found.collect(residual, one, false, system),
                 2 => {
-                    let mut areas = Vec::new();
-                    collect(residual, &mut Vec::new(), &mut areas, graph);
-                    added.extend(areas.iter().filter_map(|&area| side(area, graph)));
+                    let mut areas = Collected::default();
+                    areas.collect(residual, one, false, system);
+                    let graph = &mut system.mechanism.graph;
+                    let sides = areas.added.iter().filter_map(|&area| side(area, graph));
+                    found.added.extend(sides);
                 }
                 _ => {}
             }
         }
+        let Collected { arms, added } = found;
+        let graph = &system.mechanism.graph;
         let mut columns = Largest::of(&arms, graph);
         if columns.nominal(graph) == 0.0 {
             columns = Largest::of(&added, graph);
@@ -84,63 +86,102 @@ impl Lengths {
     }
 }
 
-/// The arms that occur in expressions, in their bodies.
-fn arms(expressions: &[ExprId], system: &System) -> Vec<Vector> {
-    let graph = &system.mechanism.graph;
-    let symbols = expressions.iter().flat_map(|&it| graph.symbols(it));
-    let places = symbols.filter_map(|symbol| match system.roles.get(symbol.index()) {
-        Some(SymbolRole::Arm(place)) => Some(*place),
-        _ => None,
-    });
-    let mut known = HashSet::new();
-    places
-        .filter(|place| known.insert(*place))
-        .map(|place| system.vector_form.arms[place].local)
-        .collect()
+/// The lengths in equations.
+#[derive(Default)]
+struct Collected {
+    /// What is turned, and the amplitudes of sines.
+    arms: Vec<ExprId>,
+    /// What is added and neither turns nor swings.
+    added: Vec<ExprId>,
 }
 
-/// What multiplies sines and cosines in a sum, and what is added to it.
-fn collect(
-    residual: ExprId,
-    amplitudes: &mut Vec<ExprId>,
-    added: &mut Vec<ExprId>,
-    graph: &mut Graph,
-) {
-    if graph.is_fixed(residual) {
-        added.push(residual);
-        return;
-    }
-    let Node::Sum(terms) = graph.node(residual) else {
-        return;
-    };
-    for term in terms.clone() {
-        if graph.is_fixed(term.expr) {
-            added.push(graph.scale(term.coefficient, term.expr));
-            continue;
-        }
-        let (mut fixed, mut turned) = (Vec::new(), false);
-        match graph.node(term.expr) {
-            Node::Sin(_) | Node::Cos(_) => turned = true,
-            Node::Product(factors) => {
-                let factors = factors.clone();
-                turned = factors.iter().all(|factor| {
-                    let wave = matches!(graph.node(factor.base), Node::Sin(_) | Node::Cos(_));
-                    wave || graph.is_fixed(factor.base)
-                });
-                for factor in factors.iter().filter(|it| graph.is_fixed(it.base)) {
-                    fixed.push((factor.base, factor.exponent));
+/// What a factor is.
+enum Part {
+    /// A number or a parameter.
+    Fixed(ExprId),
+    /// A sine or a cosine, at most 1.
+    Wave,
+    /// A component of an arm, an index into the vector form.
+    Arm(usize),
+    /// A sum.
+    Sum(ExprId),
+    Other,
+}
+
+impl Collected {
+    /// Collects from `factor` times an expression, which swings where it is multiplied by a sine.
+    fn collect(&mut self, expr: ExprId, factor: ExprId, swings: bool, system: &mut System) {
+        match part(expr, system) {
+            Part::Fixed(value) => {
+                let value = system.mechanism.graph.multiply(factor, value);
+                let list = if swings {
+                    &mut self.arms
+                } else {
+                    &mut self.added
+                };
+                list.push(value);
+            }
+            Part::Wave => self.arms.push(factor),
+            Part::Arm(place) => {
+                let local = system.vector_form.arms[place].local;
+                let graph = &mut system.mechanism.graph;
+                self.arms.extend(local.map(|it| graph.multiply(factor, it)));
+            }
+            Part::Sum(sum) => {
+                let Node::Sum(terms) = system.mechanism.graph.node(sum) else {
+                    return;
+                };
+                for term in terms.clone() {
+                    let factor = system.mechanism.graph.scale(term.coefficient, factor);
+                    self.collect(term.expr, factor, swings, system);
                 }
             }
-            _ => {}
+            Part::Other => self.collect_product(expr, factor, swings, system),
         }
-        if turned {
-            let fixed: Vec<ExprId> = fixed
-                .into_iter()
-                .map(|(base, exponent)| graph.power(base, exponent))
-                .collect();
-            let product = graph.product(&fixed);
-            amplitudes.push(graph.scale(term.coefficient, product));
+    }
+
+    /// Collects from a product of sines and of one arm or sum at most. What else is multiplied need not be a length.
+    fn collect_product(&mut self, expr: ExprId, factor: ExprId, swings: bool, system: &mut System) {
+        let Node::Product(factors) = system.mechanism.graph.node(expr) else {
+            return;
+        };
+        let (mut factor, mut swings, mut carrier) = (factor, swings, None);
+        for own in factors.clone() {
+            match part(own.base, system) {
+                Part::Fixed(value) => {
+                    let graph = &mut system.mechanism.graph;
+                    let power = graph.power(value, own.exponent);
+                    factor = graph.multiply(factor, power);
+                }
+                Part::Wave => swings = true,
+                Part::Arm(_) | Part::Sum(_)
+                    if carrier.is_none() && own.exponent == Rational::ONE =>
+                {
+                    carrier = Some(own.base);
+                }
+                _ => return,
+            }
         }
+        match carrier {
+            Some(carrier) => self.collect(carrier, factor, swings, system),
+            None => self.arms.push(factor),
+        }
+    }
+}
+
+fn part(expr: ExprId, system: &System) -> Part {
+    let graph = &system.mechanism.graph;
+    if graph.is_fixed(expr) {
+        return Part::Fixed(expr);
+    }
+    match graph.node(expr) {
+        Node::Sin(_) | Node::Cos(_) => Part::Wave,
+        Node::Sum(_) => Part::Sum(expr),
+        Node::Symbol(symbol) => match system.roles.get(symbol.index()) {
+            Some(SymbolRole::Arm(place)) => Part::Arm(*place),
+            _ => Part::Other,
+        },
+        _ => Part::Other,
     }
 }
 
