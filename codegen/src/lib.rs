@@ -5,10 +5,10 @@
 //!
 //! The generated code holds two views of a mechanism. Its type runs the *solved view*: the equations are ordered into the
 //! smallest blocks that can be solved one after another ([`stages::structure::SolvedPlan`]), and each block becomes one function, in
-//! closed form where it has one (one angle, two rotations, a rotation and a slide, two slides, linear) and by Newton-Raphson
-//! otherwise. What no `output` of the description needs is left out; [`report`] says what is left. The *textbook view* is
-//! Φ, Φ_q, Φ_t and γ as functions, to be solved as one dense system; mechanisms of hundreds of coordinates
-//! have none.
+//! closed form where it has one (linear, one angle, two rotations, a rotation and a slide, a turning slide, two slides) and by
+//! Newton-Raphson otherwise. What no `output` of the description needs is left out; [`report`] says what is left. The *textbook
+//! view* is Φ, Φ_q, Φ_t and γ as functions, to be solved as one dense system; mechanisms of hundreds of coordinates have none. Every
+//! limit stands in `linkwright::thresholds`.
 //!
 //! In a build script, [`build`] does everything:
 //! ```no_run
@@ -29,6 +29,7 @@ mod files;
 mod finiteness;
 mod joint;
 mod model;
+mod modes;
 mod program;
 pub mod stages;
 mod structure;
@@ -130,11 +131,11 @@ fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnostics) -> Diag
     diagnostic::merged(found.collect())
 }
 
-/// Checks that the equations determine every coordinate exactly once and that what solves them is made of numbers.
+/// Checks that the equations determine every coordinate exactly once and that what solves them is made of numbers. Gives warnings.
 ///
 /// # Errors
 /// Too few or too many equations, with the bodies and joints concerned; numbers that become infinite or undefined.
-pub fn check(system: &System) -> Result<(), Diagnostics> {
+pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
     if !structure::analyze(system, &mut diagnostics) {
         return Err(diagnostics);
@@ -150,7 +151,8 @@ pub fn check(system: &System) -> Result<(), Diagnostics> {
     if diagnostics.has_errors() {
         return Err(diagnostics);
     }
-    Ok(())
+    diagnostics.extend(program.iter().flat_map(|it| modes::of_program(&system, it)));
+    Ok(diagnostics)
 }
 
 /// The same for every motion; a finding of some motions alone names the motion.
@@ -193,7 +195,10 @@ pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
 /// # Errors
 /// Every error of the description; nothing is written then.
 pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Diagnostics> {
-    let Read { motions, warnings } = read(source)?;
+    let Read {
+        motions,
+        mut warnings,
+    } = read(source)?;
     check_all(&motions)?;
     let range = match options.scalar {
         Scalar::F64 => finiteness::Range::F64,
@@ -205,10 +210,9 @@ pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Di
         let program = plan.as_ref().map(|plan| program::lower(&mut system, plan));
         let motion = system.mechanism.motion.as_ref();
         let name = motion.map_or(String::new(), |motion| motion.name.clone());
-        found.push((
-            name,
-            finiteness::of_program(&system, program.as_ref(), range),
-        ));
+        let mut own = finiteness::of_program(&system, program.as_ref(), range);
+        own.extend(program.iter().flat_map(|it| modes::of_program(&system, it)));
+        found.push((name, own));
         if let (Some(plan), Some(program)) = (plan, program) {
             lowered.push((system, plan, program));
         }
@@ -220,6 +224,7 @@ pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Di
     if found.has_errors() {
         return Err(found);
     }
+    warnings.extend(found);
     let name = lowered
         .first()
         .map(|(system, ..)| system.mechanism.name.clone());

@@ -21,6 +21,13 @@ const MISS: f64 = 1.0 / 64.0;
 /// How many steps before and beyond the meeting the poses are compared, and at least.
 const COMPARED: [f64; 2] = [256.0, 8.0];
 
+/// The least distance of the first times about the meeting, as a part of the way so far.
+const FIRST_STEP: f64 = 1.0 / 16.0;
+
+/// By how much the times are brought closer together at once, and how many times their distance the middle may move.
+const CLOSER: f64 = 4.0;
+const LARGEST_SHIFT: f64 = 4.0;
+
 /// How often the times about the meeting are brought closer together.
 const REFINEMENTS: u8 = 32;
 
@@ -82,8 +89,9 @@ where
         let [from, near] = [origin, reached].map(B::time);
         let four = B::Scalar::from_f64(4.0);
         let mut middle = near;
-        let sixteenth = B::Scalar::from_f64(0.0625);
-        let mut step = (refused - near).abs().max(sixteenth * (near - from).abs());
+        let closer = B::Scalar::from_f64(CLOSER);
+        let first = B::Scalar::from_f64(FIRST_STEP) * (near - from).abs();
+        let mut step = (refused - near).abs().max(first);
         let is_ahead = step > B::Scalar::ZERO;
         if !is_ahead {
             return None;
@@ -92,7 +100,7 @@ where
             let around = [middle - step, middle, middle + step];
             let [before, at, after] = around.map(|t| self.distance(t, reached));
             let (Some(before), Some(after)) = (before, after) else {
-                step /= four;
+                step /= closer;
                 continue;
             };
             // Where the modes meet, rounding may leave links apart, and where there is a gap, they are: the parabola through four other
@@ -104,7 +112,7 @@ where
                 Some((four * near - far) / B::Scalar::from_f64(6.0))
             });
             let Some(at) = at else {
-                step /= four;
+                step /= closer;
                 continue;
             };
             let curvature = before - at - at + after;
@@ -125,7 +133,7 @@ where
                 return (is_between && meets).then_some(Meeting { time, apart });
             }
             // The parabola is followed as far as it can be trusted.
-            let limit = four;
+            let limit = B::Scalar::from_f64(LARGEST_SHIFT);
             let shift = if shift.abs() <= limit {
                 shift
             } else {
@@ -133,7 +141,7 @@ where
             };
             middle -= shift * step;
             if shift.abs() <= B::Scalar::ONE {
-                step /= four;
+                step /= closer;
             }
         }
         None

@@ -30,6 +30,9 @@ pub const SMALLEST_PART: f64 = 1e-4;
 /// The ratio of two consecutive corrections, both at full length, below which plain Newton-Raphson takes over.
 const NEAR: f64 = 0.25;
 
+/// The share of the part of a step by which the next correction must at least be shorter than this one.
+const LEAST_GAIN: f64 = 0.25;
+
 /// Moves the estimate `q` (n) to a pose at which the equations hold at time `t`, by damped steps as long as they are needed.
 ///
 /// The pose is as good as that of [`newton::solve`], which does the rest of the way.
@@ -105,7 +108,7 @@ where
             let next_length = scales.step_length(&correction);
             let ratio = next_length / length;
             // Written so that NaN is not accepted.
-            if ratio <= T::ONE - T::from_f64(0.25) * part && after.magnitude.is_finite() {
+            if ratio <= T::ONE - T::from_f64(LEAST_GAIN) * part && after.magnitude.is_finite() {
                 pose = trial;
                 residual = after;
                 break (correction, ratio);

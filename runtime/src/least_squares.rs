@@ -25,6 +25,9 @@ const GOOD: f64 = 1e-4;
 /// The first μ, relative to the largest entry of the diagonal of Jᵀ J.
 const FIRST_DAMPING: f64 = 1e-2;
 
+/// The smallest part of μ that a step may leave which gains what it promised.
+const LARGEST_EASING: f64 = 1.0 / 3.0;
+
 /// Moves the estimate `q` (n) towards a minimum of the residuals at time `t`; true if they are small there.
 ///
 /// # Work
@@ -90,7 +93,7 @@ where
             equations.jacobian(q, t, &mut jacobian);
             assemble_normal(&mut jacobian, &phi, &scales, &mut normal, &mut gradient);
             let bend = gain + gain - T::ONE;
-            damping *= (T::ONE - bend * bend * bend).max(T::from_f64(1.0 / 3.0));
+            damping *= (T::ONE - bend * bend * bend).max(T::from_f64(LARGEST_EASING));
             growth = T::ONE + T::ONE;
         } else {
             damping *= growth;

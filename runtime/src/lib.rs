@@ -18,6 +18,10 @@
 //! branch, goes there in as many steps as it needs, and names the time at which a path ends. [`assemble`] is for good
 //! estimates, [`assemble_from_afar`] for poor ones.
 //!
+//! Around the blocks of a mechanism stands a [`Shell`]: it assembles, keeps the last frame and the next one, takes parameters and
+//! inputs, and moves from frame to frame on one smooth path, which a [`Guard`] shows, in as many steps as that takes. Every generated
+//! type is a [`Mechanism`], so code can be written for any of them. Every tolerance and every limit is on one page, [`thresholds`].
+//!
 //! # By hand
 //!
 //! A slider on the x axis hangs on a crank of length 1 by a rod of length 2; the crank turns as φ = t. The position s
@@ -101,6 +105,7 @@ pub mod signal;
 pub mod span;
 pub mod substeps;
 pub mod table;
+pub mod thresholds;
 mod vector;
 mod watch;
 mod way;

@@ -5,6 +5,24 @@
 
 use crate::math::Real;
 
+/// The tolerance in double precision: 4500 ε. Rounding leaves less in a residual, and the polishing step takes away the rest.
+const TOLERANCE: f64 = 1e-12;
+
+/// The tolerance in single precision: 84 ε, for the same reason.
+const TOLERANCE_SINGLE: f64 = 1e-5;
+
+/// Newton-Raphson steps of one call.
+const ITERATIONS: u16 = 25;
+
+/// The multiple of ε below which a ratio of pivots is rounding.
+///
+/// Elimination of an n × n matrix leaves errors of a few n ε in its pivots. A pivot below 64 ε carries no digit that could be
+/// told from such an error at the sizes this crate is for.
+const PIVOT_RATIO: f64 = 64.0;
+
+/// Attempts to move on.
+const SUBSTEPS: u16 = 256;
+
 /// The limits within which a solve must succeed.
 ///
 /// `Settings::default()` exists for `f64` and for `f32`; the table gives both.
@@ -29,7 +47,7 @@ pub struct Settings<T = f64> {
     /// Convergence is quadratic, so one step more, with the newest factorization, as a rule removes all that the tolerance
     /// left.
     pub polish: bool,
-    /// The largest number of attempts of [`crate::follow`] to move on, and the least that it makes is one.
+    /// The largest number of attempts of [`crate::follow`], and of [`crate::Shell::advance`], to move on; the least is one.
     ///
     /// An attempt that fails halves the step. Two attempts are worth about one bit of the time at which a path ends.
     pub substeps: u16,
@@ -37,24 +55,22 @@ pub struct Settings<T = f64> {
 
 impl Default for Settings<f64> {
     fn default() -> Self {
-        with_tolerance(1e-12)
+        with_tolerance(TOLERANCE)
     }
 }
 
 impl Default for Settings<f32> {
     fn default() -> Self {
-        with_tolerance(1e-5)
+        with_tolerance(TOLERANCE_SINGLE)
     }
 }
 
-fn with_tolerance<T: Real>(tolerance: T) -> Settings<T> {
+fn with_tolerance<T: Real>(tolerance: f64) -> Settings<T> {
     Settings {
-        tolerance,
-        iterations: 25,
-        // Elimination of an n × n matrix leaves errors of a few n ε in its pivots. A pivot below 64 ε carries no
-        // digit that could be told from such an error at the sizes this crate is for.
-        pivot_ratio: T::EPSILON * T::from_f64(64.0),
+        tolerance: T::from_f64(tolerance),
+        iterations: ITERATIONS,
+        pivot_ratio: T::EPSILON * T::from_f64(PIVOT_RATIO),
         polish: true,
-        substeps: 256,
+        substeps: SUBSTEPS,
     }
 }

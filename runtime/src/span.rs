@@ -147,10 +147,12 @@ const WIDENED: u8 = 8;
 pub fn isolate<T: Real, const N: usize>(
     blocks: [u16; N],
     bounds: [T; N],
+    sizes: [T; N],
     jacobian: &SMatrix<T, N, N>,
     variation: impl Fn(&[T; N], &mut SMatrix<T, N, N>),
 ) -> Result<[T; N], u16> {
-    let found = isolate_all(&SVector::from(bounds), jacobian, |sags, entries| {
+    let (bounds, sizes) = (SVector::from(bounds), SVector::from(sizes));
+    let found = isolate_all(&bounds, &sizes, jacobian, |sags, entries| {
         let [sags] = &sags.data.0;
         variation(sags, entries);
     });
@@ -163,8 +165,8 @@ pub fn isolate<T: Real, const N: usize>(
 /// How far n unknowns may be from a straight line through two frames, where their equations have one solution about the line at
 /// every time of the span.
 ///
-/// `bounds` (n) says how far each equation may be from zero on the line, `jacobian` (n × n) is that of the second frame, and
-/// `variation` how far its entries may change where the unknowns are no farther from the line than its first argument (n): it writes
+/// `bounds` (n) says how far each equation may be from zero on the line, `sizes` (n) how large the unknowns are, which rounding is a
+/// part of, `jacobian` (n × n) is that of the second frame, and `variation` how far its entries may change where the unknowns are no farther from the line than its first argument (n): it writes
 /// those that do over a matrix (n × n) of zeros.
 /// With C the inverse of the Jacobian, the operator of Newton with C maps the sags R into themselves where
 /// |C| bounds + |C| variation(R) R ≤ R (Krawczyk).
@@ -173,24 +175,28 @@ pub fn isolate<T: Real, const N: usize>(
 /// The row that is farthest from it, where it cannot be shown.
 pub fn isolate_all<T: Real, D: Dim>(
     bounds: &OVector<T, D>,
+    sizes: &OVector<T, D>,
     jacobian: &OMatrix<T, D, D>,
     mut variation: impl FnMut(&OVector<T, D>, &mut OMatrix<T, D, D>),
 ) -> Result<OVector<T, D>, usize>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let sizes = inverse_sizes(jacobian)?;
+    let inverse = inverse_sizes(jacobian)?;
+    let dimension = bounds.shape_generic().0;
+    let mut entries = zero_matrix(dimension);
     // Both frames satisfy their equations but for rounding, so that is how far they may be from zero on the line at least.
-    let mut off = roundings(jacobian);
+    let sizes = sizes.map(|size| size.abs());
+    variation(&sizes, &mut entries);
+    let mut off = roundings(jacobian, &entries, &sizes);
     add(&mut off, bounds);
-    let least = times(&sizes, &off);
+    let least = times(&inverse, &off);
     let mut sags = widened(&least);
     let mut farthest = 0;
-    let mut entries = zero_matrix(bounds.shape_generic().0);
     for _ in 0..WIDENED {
         variation(&sags, &mut entries);
         let spread = times(&entries, &sags);
-        let mut needed = times(&sizes, &spread);
+        let mut needed = times(&inverse, &spread);
         add(&mut needed, &least);
         let mut largest = T::ONE;
         let mut is_inside = true;
@@ -212,23 +218,25 @@ where
     Err(farthest)
 }
 
-/// How far rounding may leave each equation from zero, for unknowns of about 1: by what multiplies the unknowns that it contains,
-/// wherever they are multiplied most. Links in line multiply their angles by almost nothing along the line, but are as long as ever.
-fn roundings<T: Real, D: Dim>(jacobian: &OMatrix<T, D, D>) -> OVector<T, D>
+/// How far rounding may leave each equation from zero: by the largest part that an unknown has in it, where it is or, as links in
+/// line multiply their angles by almost nothing along the line, where `variation` takes it.
+fn roundings<T: Real, D: Dim>(
+    jacobian: &OMatrix<T, D, D>,
+    variation: &OMatrix<T, D, D>,
+    sizes: &OVector<T, D>,
+) -> OVector<T, D>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     let dimension = jacobian.shape_generic().0;
     let mut roundings = zero_vector(dimension);
-    for column in jacobian.as_slice().chunks_exact(dimension.value()) {
-        let largest = column
-            .iter()
-            .fold(T::ZERO, |largest, entry| largest.max(entry.abs()));
-        let rounding = T::from_f64(LEFT_BY_ROUNDING) * T::EPSILON * largest;
-        for (sum, entry) in roundings.as_mut_slice().iter_mut().zip(column) {
-            if *entry != T::ZERO {
-                *sum = rounding.max(*sum);
-            }
+    let columns = jacobian.as_slice().chunks_exact(dimension.value());
+    let changes = variation.as_slice().chunks_exact(dimension.value());
+    for ((column, change), size) in columns.zip(changes).zip(sizes.as_slice()) {
+        let rounding = T::from_f64(LEFT_BY_ROUNDING) * T::EPSILON * *size;
+        let entries = column.iter().zip(change);
+        for (largest, (entry, change)) in roundings.as_mut_slice().iter_mut().zip(entries) {
+            *largest = (rounding * (entry.abs() + change.abs())).max(*largest);
         }
     }
     roundings

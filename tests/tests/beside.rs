@@ -144,13 +144,11 @@ fn nothing_small_beside_mechanisms_of_the_hunt_changes_them() {
 }
 
 #[test]
-#[ignore = "loops of Newton-Raphson measure lengths against the whole drawing"]
 fn nothing_far_beside_the_mechanisms_of_the_repository_changes_them() {
     mechanisms_of_the_repository(true);
 }
 
 #[test]
-#[ignore = "loops of Newton-Raphson measure lengths against the whole drawing"]
 fn nothing_far_beside_mechanisms_of_the_hunt_changes_them() {
     mechanisms_of_the_hunt(true);
 }

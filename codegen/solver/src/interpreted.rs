@@ -468,9 +468,11 @@ impl Blocks for Interpreted {
                 .program
                 .branches
                 .iter()
-                .map(|it| drawn(it.positive))
+                .map(|it| drawn(it.is_positive()))
                 .collect(),
-            iterated: newtons.map(|newton| newton.drawn.map(drawn)).collect(),
+            iterated: newtons
+                .map(|newton| newton.drawn.sign().map(drawn))
+                .collect(),
         }
     }
 

@@ -7,7 +7,7 @@
 
 use linkwright::Measure;
 use linkwright_codegen::stages::expr::ExprId;
-use linkwright_codegen::stages::program::Program;
+use linkwright_codegen::stages::program::{Lengths, Program};
 use linkwright_codegen::stages::structure::SolvedPlan;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
@@ -57,10 +57,10 @@ pub(crate) fn measured(
         .iter()
         .filter(|direction| !direction.is_parameter());
     let shifts: Vec<_> = drivers.map(|direction| (direction.symbol, zero)).collect();
-    let length = system.characteristic_length();
     let form = &system.vector_form;
     let graph = &mut system.mechanism.graph;
     let (mut parts, mut all) = (Vec::new(), Vec::new());
+    let mut single_newtons = Vec::new();
     for (block, forms) in program.forms.iter().enumerate().take(plan.blocks.len()) {
         for (part, own) in forms.iter().enumerate() {
             let found = own.determinant(form, graph);
@@ -87,9 +87,11 @@ pub(crate) fn measured(
             let unknowns = own.unknowns();
             let scale = match (is_single && own.modes().is_none(), &unknowns[..]) {
                 (true, &[unknown]) => {
-                    let row = plan.blocks[block].parts[part].equations[0].quantity;
+                    let equation = &plan.blocks[block].parts[part].equations[0];
+                    let row = equation.quantity;
                     let column = form.unknowns[unknown].quantity;
-                    length.powi(column.power_of_length() - row.power_of_length())
+                    single_newtons.push((parts.len(), equation.residual, row, column));
+                    1.0
                 }
                 _ => 1.0,
             };
@@ -103,6 +105,11 @@ pub(crate) fn measured(
                 size: (found.normalized.is_none() && !is_single).then_some(found.jacobian.len()),
             });
         }
+    }
+    for (part, residual, row, column) in single_newtons {
+        let [rows, columns] = Lengths::of_block(&[residual], &[row], system);
+        let part: &mut MeasuredPart = &mut parts[part];
+        part.scale = columns.scale(column) / rows.scale(row);
     }
     (parts, all)
 }

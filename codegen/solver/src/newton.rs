@@ -1,12 +1,11 @@
 //! *The equations of a block without a closed form* → [`Equations`] on registers.
 
 use std::cell::RefCell;
-use std::ops::Range;
 
 use linkwright::{Equations, Frame};
 use linkwright_codegen::stages::expr::{Code, Register};
 use linkwright_codegen::stages::joint::Quantity;
-use linkwright_codegen::stages::program::{Block, Function, Statement};
+use linkwright_codegen::stages::program::{Block, Function, Lengths, Statement};
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -29,9 +28,16 @@ pub(crate) struct Newton {
     gamma: Part,
     rows: Vec<Quantity>,
     columns: Vec<Quantity>,
-    lengths: (Range<usize>, Vec<Register>),
-    /// What lengths are scaled by where none follows a parameter, in m.
-    length: f64,
+    /// What lengths are scaled by in the rows, and in the columns.
+    scaled_by: [ScaledBy; 2],
+}
+
+/// The lengths that others are scaled by; the largest counts.
+#[derive(Clone, Debug)]
+struct ScaledBy {
+    following: Option<Part>,
+    /// At the nominal parameters, in m.
+    nominal: f64,
 }
 
 /// One of the functions.
@@ -65,10 +71,10 @@ impl Newton {
                 _ => None,
             });
         let columns: Vec<Quantity> = unknowns.map(|it| it.quantity).collect();
-        let lengths = writer.aside(|writer| {
-            let lengths = system.lengths.iter();
-            lengths.map(|&it| writer.recorder.value(it)).collect()
-        });
+        let scaled_by = newton
+            .scaled_by
+            .each_ref()
+            .map(|it| ScaledBy::new(it, writer));
         Some(Newton {
             measure: measure.map(|both| both.map(|symbol| writer.found(symbol))),
             residual: Part::new(&newton.residual, writer),
@@ -78,8 +84,7 @@ impl Newton {
             is_angle: columns.iter().map(|it| *it == Quantity::Angle).collect(),
             rows: newton.quantities.clone(),
             columns,
-            lengths,
-            length: system.characteristic_length(),
+            scaled_by,
             tears,
             last,
         })
@@ -92,20 +97,15 @@ impl Newton {
         registers: &'a mut [f64],
         count: &'a dyn Fn(),
     ) -> NewtonEquations<'a> {
-        let (range, lengths) = &self.lengths;
-        code.run(range.clone(), registers);
-        let lengths = lengths.iter().map(|it| registers[it.index()].abs());
-        let largest = lengths.fold(0.0, f64::max);
-        let length = if largest > 0.0 && largest.is_finite() {
-            largest
-        } else {
-            self.length
-        };
+        let lengths = self
+            .scaled_by
+            .each_ref()
+            .map(|it| it.length(code, registers));
         NewtonEquations {
             newton: self,
             code,
             registers: RefCell::new(registers),
-            length,
+            lengths,
             count,
         }
     }
@@ -125,7 +125,9 @@ impl Newton {
 
     /// What a change of a tear is scaled by, at the nominal parameters.
     pub fn scale(&self, place: usize) -> f64 {
-        self.length.powi(self.columns[place].power_of_length())
+        self.scaled_by[1]
+            .nominal
+            .powi(self.columns[place].power_of_length())
     }
 
     /// The tears that were found.
@@ -136,6 +138,40 @@ impl Newton {
 
 fn vector(places: &[Register], registers: &[f64]) -> DVector<f64> {
     DVector::from_iterator(places.len(), places.iter().map(|it| registers[it.index()]))
+}
+
+impl ScaledBy {
+    fn new(lengths: &Lengths, writer: &mut Writer<'_>) -> ScaledBy {
+        let following = lengths.following.as_ref();
+        ScaledBy {
+            following: following.map(|function| Part::new(function, writer)),
+            nominal: lengths.nominal,
+        }
+    }
+
+    fn length(&self, code: &Code, registers: &mut [f64]) -> f64 {
+        let Some(Part {
+            operations,
+            results,
+        }) = &self.following
+        else {
+            return self.nominal;
+        };
+        // Nothing in it depends on time, and nothing fails.
+        let ran = operations
+            .iter()
+            .all(|it| run(it, code, registers, 0.0, 0).is_ok());
+        let lengths = results.iter().map(|it| registers[it.index()].abs());
+        let largest = if ran {
+            lengths.fold(0.0, f64::max)
+        } else {
+            0.0
+        };
+        match largest > 0.0 && largest.is_finite() {
+            true => largest,
+            false => self.nominal,
+        }
+    }
 }
 
 impl Part {
@@ -153,7 +189,7 @@ pub(crate) struct NewtonEquations<'a> {
     pub newton: &'a Newton,
     code: &'a Code,
     registers: RefCell<&'a mut [f64]>,
-    length: f64,
+    lengths: [f64; 2],
     count: &'a dyn Fn(),
 }
 
@@ -190,10 +226,6 @@ impl NewtonEquations<'_> {
             );
         }
     }
-
-    fn scale(&self, quantity: Quantity) -> f64 {
-        self.length.powi(quantity.power_of_length())
-    }
 }
 
 impl Equations<f64, Dyn> for NewtonEquations<'_> {
@@ -224,11 +256,11 @@ impl Equations<f64, Dyn> for NewtonEquations<'_> {
     }
 
     fn row_scale(&self, row: usize) -> f64 {
-        self.scale(self.newton.rows[row])
+        self.lengths[0].powi(self.newton.rows[row].power_of_length())
     }
 
     fn coordinate_scale(&self, column: usize) -> f64 {
-        self.scale(self.newton.columns[column])
+        self.lengths[1].powi(self.newton.columns[column].power_of_length())
     }
 
     fn is_angle(&self, column: usize) -> bool {

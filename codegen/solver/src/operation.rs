@@ -199,11 +199,13 @@ impl<'a> Writer<'a> {
                 blocks,
                 found,
                 bounds,
+                sizes,
                 jacobian,
                 varied,
                 variation,
             } => {
                 let bounds = bounds.iter().map(&mut value).collect();
+                let sizes = sizes.iter().map(&mut value).collect();
                 let entries = jacobian.iter();
                 let jacobian = entries
                     .map(|(place, entry)| (*place, value(entry)))
@@ -213,6 +215,7 @@ impl<'a> Writer<'a> {
                 self.operation(Operation::Isolate(Isolation {
                     blocks: blocks.clone(),
                     bounds,
+                    sizes,
                     jacobian,
                     found,
                     variation,

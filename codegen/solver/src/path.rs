@@ -35,6 +35,7 @@ pub(crate) struct Isolation {
     /// The block of each equation, by its place in the plan.
     pub blocks: Vec<usize>,
     pub bounds: Vec<Register>,
+    pub sizes: Vec<Register>,
     pub jacobian: Vec<([usize; 2], Register)>,
     /// One sag an unknown.
     pub found: Vec<Register>,
@@ -178,11 +179,13 @@ impl Isolation {
                     matrix[(row, column)] = registers[register.index()];
                 }
             };
-        let bounds = self.bounds.iter().map(|it| registers[it.index()]);
-        let bounds = DVector::from_iterator(order, bounds);
+        let vector = |places: &[Register]| {
+            DVector::from_iterator(order, places.iter().map(|it| registers[it.index()]))
+        };
+        let (bounds, magnitudes) = (vector(&self.bounds), vector(&self.sizes));
         let mut jacobian = DMatrix::zeros(order, order);
         fill(&mut jacobian, &self.jacobian, registers);
-        let sags = isolate_all(&bounds, &jacobian, |sags, variation| {
+        let sags = isolate_all(&bounds, &magnitudes, &jacobian, |sags, variation| {
             for (register, sag) in self.found.iter().zip(sags.iter()) {
                 registers[register.index()] = *sag;
             }

@@ -102,6 +102,8 @@ codes! {
     ContradictingEquations = "K36";
     /// Formulas or equations that take more work than one description may cause.
     TooMuchWork = "K37";
+    /// An assembly mode that the drawing decides by little.
+    UndecidedMode = "K38";
 }
 
 impl fmt::Display for Code {

@@ -6,6 +6,9 @@ use std::cell::Cell;
 /// a long list is told the first ones.
 const MOST: usize = 1_000_000;
 
+/// One slip in so many letters is forgiven, and always one.
+const LETTERS_PER_SLIP: usize = 3;
+
 /// Suggestions from long lists, as many as take little time.
 #[derive(Debug, Clone, Default)]
 pub struct Suggestions {
@@ -35,7 +38,7 @@ impl Suggestions {
 /// regard to case. Among equally near candidates the first one given wins.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let wanted: Vec<char> = word.chars().flat_map(char::to_lowercase).collect();
-    let limit = (wanted.len() / 3).max(1);
+    let limit = (wanted.len() / LETTERS_PER_SLIP).max(1);
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
         let letters: Vec<char> = candidate.chars().flat_map(char::to_lowercase).collect();

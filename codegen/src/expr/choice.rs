@@ -9,6 +9,9 @@ use super::graph::Graph;
 use super::node::{ExprId, Node, Term};
 use super::number::Number;
 
+/// The largest floor that becomes a whole number: larger numbers are whole anyway, and too large to be counted exactly.
+const LARGEST_COUNTED: f64 = 1e15;
+
 /// A condition as a person writes it: `left < right`, or `left > right`, without negative variable terms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
@@ -106,8 +109,7 @@ impl Graph {
             && let Some(value) = self.constant_value(argument)
         {
             let floor = value.floor();
-            // Larger numbers are whole anyway, and too large to be counted exactly.
-            return if floor.abs() < 1e15 {
+            return if floor.abs() < LARGEST_COUNTED {
                 self.integer(floor as i64)
             } else {
                 self.number(Number::float(floor))

@@ -3,6 +3,9 @@
 //! Squares are found by trial division up to 1000 and by a last look for a perfect square. This bounds the work at some 500
 //! divisions; a square of a larger prime beside another factor may stay under the root.
 
+/// The largest divisor whose square is looked for.
+const LARGEST_DIVISOR: u128 = 1000;
+
 /// The root of this order where it is a whole number.
 pub(super) fn exact_root(value: u128, order: i128) -> Option<u128> {
     if order == 1 || value <= 1 {
@@ -26,7 +29,7 @@ pub(super) fn extract_squares(value: u128) -> (u128, u128) {
     let (mut root, mut kept, mut rest) = (1, 1, value);
     let mut divisor = 2u128;
     // What has no divisor below d and is less than d³ is a prime, a product of two primes or the square of one.
-    while divisor <= 1000 && divisor * divisor * divisor <= rest {
+    while divisor <= LARGEST_DIVISOR && divisor * divisor * divisor <= rest {
         while rest % (divisor * divisor) == 0 {
             rest /= divisor * divisor;
             root *= divisor;

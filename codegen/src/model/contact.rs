@@ -17,6 +17,9 @@ const AS_GOOD: f64 = 1e-3;
 /// What is called far away, in shares of the size of the curve.
 const FAR: f64 = 0.25;
 
+/// Estimates are rounded to parts of this: eight decimals are more than an estimate needs, and the same on every machine.
+const ESTIMATED_TO: f64 = 1e8;
+
 impl Resolver<'_> {
     /// The curve of this name; `None` also where its own statement has an error.
     pub(super) fn named_curve(&mut self, reference: &Reference) -> Option<DrawnCurve> {
@@ -162,8 +165,7 @@ impl Resolver<'_> {
                 .help("draw the bodies as they touch; the mechanism is assembled from there"),
             );
         }
-        // Eight decimals are more than an estimate needs, and the same on every machine.
-        let rounded = (place * 1e8).round() / 1e8;
+        let rounded = (place * ESTIMATED_TO).round() / ESTIMATED_TO;
         let estimate = self.graph.number(Number::float(rounded));
         operands.curve = Some(Curve {
             side,

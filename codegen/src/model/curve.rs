@@ -12,6 +12,9 @@ use crate::joint::Quantity;
 use crate::joint::geometry::{BodyId, Vector};
 use crate::syntax;
 
+/// The square of the share of the largest speed below which the point of a curve stops.
+const STANDSTILL: f64 = 1e-10;
+
 /// A curve as it is declared.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DrawnCurve {
@@ -177,8 +180,7 @@ impl Resolver<'_> {
         let mut along = self.along(&tangent, drawn.parameter);
         let minima = minima(drawn.range, |place| along.square(place));
         let Some(found) = minima.first() else { return };
-        // A share of 1e-5 of the largest speed is none.
-        if found.cost <= 1e-10 * minima.largest {
+        if found.cost <= STANDSTILL * minima.largest {
             self.diagnostics.push(
                 Diagnostic::warning(
                     Code::DegenerateGeometry,

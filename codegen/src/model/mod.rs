@@ -89,7 +89,7 @@ pub struct Mechanism {
     pub monitor: bool,
     /// Whether an `unguarded` statement leaves out what shows that frames lie on the path of the last one.
     pub is_unguarded: bool,
-    /// The largest coordinate of any point, origin or local vector, in m: what lengths are measured against. Never zero.
+    /// The largest coordinate of an origin or of a point that a joint holds, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }
 

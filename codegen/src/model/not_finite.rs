@@ -10,6 +10,9 @@ use crate::syntax::{Expression, ExpressionKind, Operation};
 /// The fourth power of a length is still a number: no closed form needs a higher one.
 const LARGEST_LENGTH: f64 = 1e75;
 
+/// The tangent of an angle has no value where its cosine is smaller: no angle that is written is a right one to the last digit.
+const SMALLEST_COSINE: f64 = 1e-9;
+
 /// What is wrong, where, and what to do about it.
 struct Cause {
     span: Span,
@@ -118,7 +121,7 @@ impl Resolver<'_> {
             "sqrt" => (value < 0.0, "numbers that are not negative"),
             "ln" => (value <= 0.0, "positive numbers"),
             "tan" => (
-                value.cos().abs() < 1e-9,
+                value.cos().abs() < SMALLEST_COSINE,
                 "angles other than 90deg, 270deg, …",
             ),
             "atan2" => (value == 0.0, "two numbers that are not both zero"),

@@ -519,15 +519,15 @@ impl Resolver<'_> {
         }
     }
 
-    /// The largest coordinate in the drawing, which lengths are measured against.
+    /// The largest coordinate of what joints hold, which lengths are measured against.
     fn characteristic_length(&self) -> f64 {
         let marks = self
-            .bodies
+            .joints
             .iter()
-            .flat_map(|body| body.marks.iter().map(|mark| mark.mark.local));
+            .flat_map(|(joint, _)| &joint.operands.marks);
+        let marks = marks.map(|mark| mark.local);
         let origins = self.bodies.iter().map(|body| body.drawn.origin);
-        let drawn = self.drawn.iter().map(|(_, point)| point.position);
-        let components = marks.chain(origins).chain(drawn).flatten();
+        let components = marks.chain(origins).flatten();
         let largest = components
             .filter_map(|component| self.graph.constant_value(component))
             .fold(0.0_f64, |largest, value| largest.max(value.abs()));

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use super::builder::Builder;
 use super::directional_derivatives::DirectionalDerivatives;
-use super::forms::{Form, recognize};
+use super::forms::{DrawnMode, Form, recognize};
 use super::function::{Function, Level, Statement};
+use super::lengths::Lengths;
 use super::path::{Path, Paths};
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
@@ -57,10 +58,19 @@ pub struct Branch {
     pub name: String,
     /// The symbol that is +1 or −1.
     pub symbol: SymbolId,
-    /// Whether it is positive in the drawing.
-    pub positive: bool,
+    /// The block of the plan that it belongs to, from 0.
+    pub block: usize,
+    /// What has its sign in the drawing: the sine of the angle between what the form turns, or NaN.
+    pub drawn: f64,
     /// What its sign tells apart.
     pub meaning: String,
+}
+
+impl Branch {
+    /// Whether it is positive in the drawing; also where the drawing says nothing.
+    pub fn is_positive(&self) -> bool {
+        self.drawn.is_nan() || self.drawn >= 0.0
+    }
 }
 
 /// The equations that Newton-Raphson solves in one block, as functions of the tears and of what is known before.
@@ -68,10 +78,12 @@ pub struct Branch {
 pub struct NewtonBlock {
     /// The tears.
     pub unknowns: Vec<usize>,
-    /// Whether the determinant is positive in the drawing; `None` where the drawing does not fit or does not decide it.
-    pub drawn: Option<bool>,
+    /// The sign of the determinant in the drawing.
+    pub drawn: DrawnMode,
     /// What each residual is measured in.
     pub quantities: Vec<Quantity>,
+    /// What lengths are scaled by in the residuals, and in the tears.
+    pub scaled_by: [Lengths; 2],
     /// One residual a row.
     pub residual: Function,
     /// Row by row.
@@ -147,11 +159,14 @@ impl Block {
 
     /// All its functions: its own, and those of its Newton-Raphson.
     pub fn functions(&self) -> impl Iterator<Item = &Function> {
-        let newton = self.newton.iter().flat_map(NewtonBlock::functions);
-        [&self.function].into_iter().chain(newton)
+        let newton = self.newton.iter();
+        let lengths = newton.clone().flat_map(|it| &it.scaled_by);
+        let lengths = lengths.filter_map(|it| it.following.as_ref());
+        let newton = newton.flat_map(NewtonBlock::functions);
+        [&self.function].into_iter().chain(newton).chain(lengths)
     }
 
-    /// The same, to be changed.
+    /// The same without what scales its Newton-Raphson, to be changed.
     pub(super) fn functions_mut(&mut self) -> impl Iterator<Item = &mut Function> {
         let newton = self.newton.iter_mut().flat_map(NewtonBlock::functions_mut);
         [&mut self.function].into_iter().chain(newton)

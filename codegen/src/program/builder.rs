@@ -444,13 +444,14 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// A new assembly mode, positive or negative as `drawn`, as a factor that is +1 or −1. A page writes the sign of the drawing.
+    /// A new assembly mode as a factor that is +1 or −1, which has the sign of the sine `drawn`. A page writes the sign of the drawing.
     pub fn branch(&mut self, name: String, meaning: String, drawn: f64) -> ExprId {
         let symbol = self.system.intermediate("branch");
         self.branches.push(Branch {
             name,
             symbol,
-            positive: drawn >= 0.0,
+            block: self.place,
+            drawn,
             meaning,
         });
         self.graph().variable(symbol)

@@ -143,6 +143,8 @@ pub enum Statement {
         found: Vec<SymbolId>,
         /// How far each equation is from zero on the line.
         bounds: Vec<ExprId>,
+        /// How large each unknown is: 1 for angles, and lengths as they are.
+        sizes: Vec<ExprId>,
         /// The entries of the Jacobian in this frame that are not zero, with their rows and columns.
         jacobian: Vec<([usize; 2], ExprId)>,
         /// The rows and columns of its entries that change.
@@ -191,10 +193,14 @@ impl Statement {
             } => right_hand_side.clone(),
             Statement::Require { value, .. } => vec![*value],
             Statement::Isolate {
-                bounds, jacobian, ..
+                bounds,
+                sizes,
+                jacobian,
+                ..
             } => {
                 let entries = jacobian.iter().map(|(_, entry)| *entry);
-                bounds.iter().copied().chain(entries).collect()
+                let bounds = bounds.iter().chain(sizes).copied();
+                bounds.chain(entries).collect()
             }
             Statement::Signal { .. }
             | Statement::Section(_)
@@ -226,10 +232,13 @@ impl Statement {
             } => right_hand_side.iter_mut().collect(),
             Statement::Require { value, .. } => vec![value],
             Statement::Isolate {
-                bounds, jacobian, ..
+                bounds,
+                sizes,
+                jacobian,
+                ..
             } => {
                 let entries = jacobian.iter_mut().map(|(_, entry)| entry);
-                bounds.iter_mut().chain(entries).collect()
+                bounds.iter_mut().chain(sizes).chain(entries).collect()
             }
             Statement::Signal { .. }
             | Statement::Section(_)

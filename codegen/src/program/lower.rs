@@ -147,7 +147,6 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
         requirements: requirements(system),
         textbook: Textbook::of(system),
         drawn: drawn(system),
-        lengths: lengths(system),
         // The points of a mechanism with outputs are among its blocks.
         points: if outputs.is_none() {
             points(system)
@@ -210,7 +209,7 @@ impl Program {
         let paths = self.path.iter().flat_map(Path::functions);
         let textbook = self.textbook.iter().flat_map(Textbook::functions);
         let others = self.points.iter().chain(&self.pressures);
-        let given = self.drawn.iter().chain(&self.lengths);
+        let given = self.drawn.iter();
         let given = given.chain(self.requirements.iter().map(|it| &it.function));
         blocks
             .chain(paths)
@@ -310,7 +309,7 @@ fn angles_left_out(blocks: &[Block], system: &System) -> Vec<String> {
 }
 
 /// A function with these results, everything in it shared.
-fn shared(results: impl IntoIterator<Item = ExprId>, system: &mut System) -> Function {
+pub(super) fn shared(results: impl IntoIterator<Item = ExprId>, system: &mut System) -> Function {
     let mut function = Function::of_results(results);
     share_all(&mut function, system);
     function
@@ -323,11 +322,6 @@ fn drawn(system: &mut System) -> Option<Function> {
     let graph = &system.mechanism.graph;
     let is_given = estimates.iter().any(|&expr| !graph.is_constant(expr));
     is_given.then(|| shared(estimates, system))
-}
-
-fn lengths(system: &mut System) -> Option<Function> {
-    let lengths = system.lengths.clone();
-    (!lengths.is_empty()).then(|| shared(lengths, system))
 }
 
 fn points(system: &mut System) -> Vec<Function> {

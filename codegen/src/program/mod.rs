@@ -12,6 +12,7 @@ mod builder;
 mod directional_derivatives;
 pub mod forms;
 mod function;
+mod lengths;
 mod lower;
 mod outputs;
 pub mod passes;
@@ -25,7 +26,9 @@ mod transmissions;
 
 pub use addends::{Addend, Compared, Power, addends, compared};
 pub use block::{Block, Branch, Measured, NewtonBlock, PageName};
+pub use forms::DrawnMode;
 pub use function::{Function, Level, Statement};
+pub use lengths::Lengths;
 pub use lower::{forms_of, lower, lower_with_unknowns, unpruned};
 pub use outputs::Output;
 pub use passes::constants::{ConstantPart, Constants};
@@ -67,8 +70,6 @@ pub struct Program {
     pub textbook: Option<Textbook>,
     /// The drawing's value of every unknown of the vector form, where parameters change it.
     pub drawn: Option<Function>,
-    /// The lengths of [`crate::system::System::lengths`], where there are any.
-    pub lengths: Option<Function>,
     /// The motion of each point: position, velocity, acceleration, x and y each. Empty where single outputs are asked for.
     pub points: Vec<Function>,
     /// What each pressure angle follows from: the velocity along and across the normal, and the square of the sliding speed.

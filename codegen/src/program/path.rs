@@ -276,11 +276,13 @@ impl Builder<'_> {
             .chain(variations)
             .chain(bounds.iter().copied())
             .collect();
+        let sizes = unknowns.iter().map(|&it| self.size(it)).collect();
         self.path_geometry(&all);
         self.state(Statement::Isolate {
             blocks: blocks.clone(),
             found: sags.clone(),
             bounds,
+            sizes,
             jacobian,
             varied,
             variation: Box::new(Function {
@@ -298,6 +300,18 @@ impl Builder<'_> {
             self.know(unknown, Enclosure { radius, sag });
         }
         self.require(blocks[0]);
+    }
+
+    /// What rounding of an unknown is a part of: its value where it is a length.
+    fn size(&mut self, unknown: usize) -> ExprId {
+        let unknown = &self.system.vector_form.unknowns[unknown];
+        match unknown.quantity {
+            Quantity::Angle => self.graph().one(),
+            Quantity::Length | Quantity::Power(_) => {
+                let position = unknown.position;
+                self.graph().variable(position)
+            }
+        }
     }
 
     /// Whether nothing moves unknowns.

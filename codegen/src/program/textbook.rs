@@ -1,6 +1,7 @@
 //! The functions of the textbook view.
 
 use super::function::{Function, Written};
+use super::lengths::Lengths;
 use super::passes::sharing::share_all;
 use crate::expr::ExprId;
 use crate::system::{Row, System};
@@ -18,6 +19,8 @@ pub struct Textbook {
     pub gamma: Function,
     /// The residuals of the rows that are monitored instead of solved, where there are any.
     pub monitored: Option<Function>,
+    /// What lengths are scaled by.
+    pub scaled_by: Lengths,
 }
 
 /// More coordinates than these make a dense Φ_q of over 175 kB, which no firmware and few threads have room for.
@@ -56,6 +59,7 @@ impl Textbook {
             time_derivative: rows(&system.rows, |row| row.time_derivative),
             gamma: rows(&system.rows, |row| row.gamma),
             monitored: (!monitored.results.is_empty()).then_some(monitored),
+            scaled_by: Lengths::of_system(system),
         };
         for function in textbook.functions_mut() {
             share_all(function, system);
@@ -70,6 +74,7 @@ impl Textbook {
             .into_iter()
             .chain(derived)
             .chain(&self.monitored)
+            .chain(&self.scaled_by.following)
     }
 
     fn functions_mut(&mut self) -> impl Iterator<Item = &mut Function> {

@@ -5,6 +5,9 @@ use super::{Incidence, coarse_parts, maximum_matching};
 use crate::model::Role;
 use crate::system::System;
 
+/// A direction is called that of an axis where its other component is smaller.
+const ON_AXIS: f64 = 1e-6;
+
 /// The degrees of freedom of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Freedom {
@@ -68,9 +71,9 @@ impl FreeMotion {
             Moves::Turning => "turn".to_string(),
             Moves::Along(line) => format!("slide along `{line}`"),
             Moves::Toward([x, y]) => {
-                if y.abs() < 1e-6 {
+                if y.abs() < ON_AXIS {
                     "move along x".to_string()
-                } else if x.abs() < 1e-6 {
+                } else if x.abs() < ON_AXIS {
                     "move along y".to_string()
                 } else {
                     format!("move along ({x:.3}, {y:.3})")

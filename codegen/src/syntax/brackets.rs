@@ -8,6 +8,12 @@ use super::scan::{Fill, Kind, Lexeme, Scan};
 use super::{DEEPEST, KEYWORDS};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
+/// How many brackets left open are shown, the innermost first.
+const SHOWN: usize = 3;
+
+/// So many missing brackets are written out.
+const LONGEST_CLOSING: usize = 8;
+
 /// Words that continue the head of a body, or a table, on a new line.
 const CONTINUATIONS: [&str; 5] = ["at", "facing", "turned", "along", "clamped"];
 
@@ -247,11 +253,11 @@ impl Balance<'_> {
             "the file ends inside brackets",
         )
         .label(format!("expected `{bracket}`"));
-        for opener in self.open.iter().rev().take(3) {
+        for opener in self.open.iter().rev().take(SHOWN) {
             let label = format!("`{}` opened here", opener.bracket as char);
             finding = finding.also(Span::new(opener.at, opener.at + 1), label);
         }
-        finding = finding.help(if missing.len() <= 8 {
+        finding = finding.help(if missing.len() <= LONGEST_CLOSING {
             format!("close what is open with `{missing}`")
         } else {
             "close each bracket where what it holds ends".to_string()

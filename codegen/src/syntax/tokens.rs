@@ -14,6 +14,9 @@ use super::repair::Repaired;
 use super::scan::Documentation;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 
+/// The most characters of a text that a message repeats.
+const LONGEST_REPEATED: usize = 40;
+
 /// What a rule gives: its node, or the one finding that stopped it.
 pub(super) type Outcome<T> = Result<T, Box<Diagnostic>>;
 
@@ -296,7 +299,7 @@ impl<'a> Tokens<'a> {
         let span = self.next_span();
         match self.reader.written(span) {
             "" => "the end of the file".to_string(),
-            written if written.chars().count() > 40 => "this".to_string(),
+            written if written.chars().count() > LONGEST_REPEATED => "this".to_string(),
             written => format!("`{written}`"),
         }
     }

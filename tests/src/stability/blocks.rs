@@ -73,7 +73,7 @@ impl Blocks {
             scalar,
         };
         for branch in &self.branches {
-            let sign = if branch.positive { 1.0 } else { -1.0 };
+            let sign = if branch.is_positive() { 1.0 } else { -1.0 };
             state.symbols[branch.symbol.index()] = Precise::from_f64(sign);
         }
         for block in &self.blocks {

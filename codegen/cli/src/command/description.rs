@@ -91,7 +91,8 @@ pub fn determined(source: &Source, wanted: Option<&str>) -> Result<System, Probl
     }
     // There is always one.
     let system = motions.remove(0);
-    linkwright_codegen::check(&system).map_err(|found| rendered(&found, source))?;
+    let warnings = linkwright_codegen::check(&system).map_err(|found| rendered(&found, source))?;
+    warn(&warnings, source);
     Ok(system)
 }
 

@@ -13,6 +13,14 @@ const ROWS: usize = 11;
 /// The fraction of the mechanism's size (and of that per second) that is rounding.
 const NOISE: f64 = 1e-12;
 
+/// A printed time is exact where it is off by less than this part of it, and has no more decimals than these.
+const EXACT: f64 = 1e-12;
+const MOST_DECIMALS: usize = 9;
+
+/// A column whose largest magnitude is from the first to below the second is written without exponents.
+const SMALLEST_PLAIN: f64 = 1e-2;
+const LARGEST_PLAIN: f64 = 1e7;
+
 /// Which of `count` frames are shown: all of a few, otherwise every k-th and the last, with k of the series 1, 2, 5, 10 …
 /// so that times stay round.
 pub fn shown(count: usize) -> Vec<usize> {
@@ -78,15 +86,15 @@ pub fn table(times: &[f64], motions: &[PointMotion<f64>], size: f64) -> String {
     text
 }
 
-/// All with as many decimals as the longest needs, at most nine.
+/// All with as many decimals as the longest needs.
 fn exact(values: &[f64]) -> Vec<String> {
     let needed = |value: &f64| {
-        (0..9)
+        (0..MOST_DECIMALS)
             .find(|decimals| {
                 let shown: f64 = fixed(*value, *decimals).parse().unwrap_or(f64::NAN);
-                (shown - value).abs() <= 1e-12 * value.abs()
+                (shown - value).abs() <= EXACT * value.abs()
             })
-            .unwrap_or(9)
+            .unwrap_or(MOST_DECIMALS)
     };
     let decimals = values.iter().map(needed).max().unwrap_or(0);
     values.iter().map(|value| fixed(*value, decimals)).collect()
@@ -94,7 +102,7 @@ fn exact(values: &[f64]) -> Vec<String> {
 
 fn formatted(values: &[f64], size: f64) -> Vec<String> {
     let largest = values.iter().fold(0.0_f64, |most, it| most.max(it.abs()));
-    let plain = (1e-2..1e7).contains(&largest) || largest <= NOISE * size;
+    let plain = (SMALLEST_PLAIN..LARGEST_PLAIN).contains(&largest) || largest <= NOISE * size;
     let cell = |value: &f64| match plain {
         true => fixed(*value, 6),
         false => scientific(*value, 6),

@@ -23,6 +23,13 @@ const COLORS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
 /// A range below this fraction of the values' magnitude is rounding.
 const FLAT: f64 = 1e-9;
 
+/// Labels have no exponents where magnitudes are below the first and the range is above the second.
+const LARGEST_PLAIN: f64 = 1e6;
+const SMALLEST_PLAIN: f64 = 1e-4;
+
+/// A label below this fraction of the range is zero.
+const ZERO: f64 = 1e-9;
+
 /// What one panel shows.
 struct Panel {
     title: &'static str,
@@ -177,11 +184,11 @@ fn range(values: impl Iterator<Item = f64>, reference: f64) -> (f64, f64) {
 fn label_format(low: f64, high: f64) -> impl Fn(&f64) -> String {
     let (span, magnitude) = (high - low, low.abs().max(high.abs()));
     let decimals = (1.0 - span.log10()).ceil().clamp(0.0, 12.0) as usize;
-    let plain = magnitude < 1e6 && span > 1e-4;
+    let plain = magnitude < LARGEST_PLAIN && span > SMALLEST_PLAIN;
     let digits = (magnitude / span).log10().max(0.0) as usize + 2;
     move |value| {
         // A label next to zero is zero up to the rounding of the axis.
-        let value = if value.abs() < 1e-9 * span {
+        let value = if value.abs() < ZERO * span {
             0.0
         } else {
             *value

@@ -6,6 +6,7 @@ mod derivatives;
 mod files;
 mod folder;
 mod generate_and_inspect;
+mod guide;
 mod motions;
 mod plan;
 mod pressure;

@@ -50,7 +50,7 @@ impl<'a> Writer<'a> {
         for branch in std::mem::take(&mut self.branches) {
             let graph = self.spelling.graph();
             let one = graph.one();
-            let sign = if branch.positive {
+            let sign = if branch.is_positive() {
                 one
             } else {
                 graph.negate(one)

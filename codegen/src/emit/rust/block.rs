@@ -187,11 +187,14 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
         let of = exchanged_by(branch.symbol, module)
             .map_or(String::new(), |number| format!(", block {number}"));
         text.docs(doc_lines([sentence(&branch.meaning)]));
-        text.line(format!("{name}: Branch = {}{of};", drawn(branch.positive)));
+        text.line(format!(
+            "{name}: Branch = {}{of};",
+            drawn(branch.is_positive())
+        ));
     }
     for (number, block, newton) in iterated {
         let name = identifier(&block.name);
-        let drawn = newton.drawn.map_or("None".to_string(), |positive| {
+        let drawn = newton.drawn.sign().map_or("None".to_string(), |positive| {
             format!("Some({})", drawn(positive))
         });
         text.docs(doc_lines([format!(

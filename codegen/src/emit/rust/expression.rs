@@ -133,13 +133,22 @@ impl Scope<'_> {
                 blocks,
                 found,
                 bounds,
+                sizes,
                 jacobian,
                 varied,
                 variation,
             } => {
                 let blocks = blocks.iter().map(|&place| self.block_number(place));
                 let bounds = bounds.iter().map(write);
-                let bounds = quote!([#(#blocks),*], [#(#bounds),*]);
+                let (order, one) = (count(sizes.len()), self.module.system.mechanism.graph.one());
+                let sizes = match sizes.iter().all(|size| *size == one) {
+                    true => quote!([1.0; #order]),
+                    false => {
+                        let sizes = sizes.iter().map(write);
+                        quote!([#(#sizes),*])
+                    }
+                };
+                let bounds = quote!([#(#blocks),*], [#(#bounds),*], #sizes);
                 self.isolation(found, bounds, jacobian, (varied, variation))
             }
             Statement::Solve {

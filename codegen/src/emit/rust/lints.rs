@@ -4,6 +4,9 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use std::f64::consts;
 
+/// How close a literal is to a constant of the standard library, relative to it, where clippy may object.
+const CLOSE: f64 = 1e-3;
+
 /// The constants of the standard library that clippy looks for among literals.
 const KNOWN: [f64; 19] = [
     consts::E,
@@ -40,7 +43,7 @@ pub(super) fn approximate(tokens: &TokenStream) -> TokenStream {
         TokenTree::Literal(literal) => literal.to_string().parse::<f64>().is_ok_and(|value| {
             KNOWN
                 .iter()
-                .any(|known| (value - known).abs() < 1e-3 * known)
+                .any(|known| (value - known).abs() < CLOSE * known)
         }),
         _ => false,
     });

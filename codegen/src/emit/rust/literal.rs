@@ -3,6 +3,10 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+/// Magnitudes from the first to below the second are written without an exponent.
+const SMALLEST_PLAIN: f64 = 1e-5;
+const LARGEST_PLAIN: f64 = 1e16;
+
 /// The scalar of the generated code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scalar {
@@ -42,7 +46,7 @@ impl Scalar {
 
 /// The digits of a number; beyond ordinary sizes a literal would be hundreds of digits long.
 fn digits<T: std::fmt::Display + std::fmt::LowerExp>(size: f64, value: T) -> String {
-    if size != 0.0 && !(1e-5..1e16).contains(&size) {
+    if size != 0.0 && !(SMALLEST_PLAIN..LARGEST_PLAIN).contains(&size) {
         return format!("{value:e}");
     }
     let text = value.to_string();

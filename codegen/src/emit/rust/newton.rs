@@ -9,10 +9,10 @@ use super::literal::count;
 use super::module::{Module, only};
 use super::names::identifier;
 use super::scope::{Place, Reads, Scope};
-use super::textbook::scales;
+use super::textbook::{Length, length, scales};
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
-use crate::program::{Block, Function, NewtonBlock, Statement};
+use crate::program::{Block, Function, Lengths, NewtonBlock, Statement};
 use crate::system::Unknown;
 
 /// A type with the equations of every Newton block.
@@ -65,23 +65,27 @@ fn scope<'a>(
     )
 }
 
-/// The lengths of a block as a function of the parameters, where they change one.
-fn lengths<'a>(newton: &NewtonBlock, module: &'a Module<'_>) -> Option<&'a Function> {
+/// Whether parameters change what the residuals or the tears of a block are scaled by.
+fn scales_follow(newton: &NewtonBlock, module: &Module<'_>) -> bool {
     let tears = tears(newton, module);
-    let columns = tears.iter().map(|it| it.quantity);
-    let mut quantities = columns.chain(newton.quantities.iter().copied());
-    let measures_length = quantities.any(|it| it.power_of_length() != 0);
-    module.program.lengths.as_ref().filter(|_| measures_length)
+    let of_tears: Vec<Quantity> = tears.iter().map(|it| it.quantity).collect();
+    let follow = |(lengths, quantities): (&Lengths, &Vec<Quantity>)| {
+        lengths.following.is_some() && quantities.iter().any(|it| it.power_of_length() != 0)
+    };
+    newton
+        .scaled_by
+        .iter()
+        .zip([&newton.quantities, &of_tears])
+        .any(follow)
 }
 
 fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
     let (name, size) = (type_name(block), count(newton.unknowns.len()));
     let tears = tears(newton, module);
-    let lengths = lengths(newton, module);
     let reads = reads(newton, module);
     let at = only(reads.frame, quote!(at: &'a Frame,));
     let parameters = only(
-        reads.parameters || lengths.is_some(),
+        reads.parameters || scales_follow(newton, module),
         quote!(parameters: &'a Parameters,),
     );
     let inputs = only(reads.inputs, quote!(inputs: &'a Inputs,));
@@ -123,20 +127,15 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
     let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
     let columns: Vec<Quantity> = tears.iter().map(|it| it.quantity).collect();
-    let length = match lengths {
-        Some(_) => quote!(length),
-        None => module.float(module.system.characteristic_length()),
+    let [of_rows, of_columns] = newton.scaled_by.each_ref().map(|it| length(module, it));
+    let scaled = |quantities: &[Quantity], length: Length| {
+        let scales = scales(quantities, &length.name);
+        let reads = quantities.iter().any(|it| it.power_of_length() != 0);
+        let statement = only(reads, length.statement);
+        quote!(#statement #scales)
     };
-    let scaled = |quantities: &[Quantity]| {
-        let scales = scales(quantities, &length);
-        let reads = lengths.is_some() && quantities.iter().any(|it| it.power_of_length() != 0);
-        let length = only(
-            reads,
-            quote!(let length = characteristic_length(self.parameters);),
-        );
-        quote!(#length #scales)
-    };
-    let (row_scales, column_scales) = (scaled(&newton.quantities), scaled(&columns));
+    let row_scales = scaled(&newton.quantities, of_rows);
+    let column_scales = scaled(&columns, of_columns);
     let angles = angles(&columns);
     let found = listed(newton, module);
     let title = docs([format!("The equations of `{}` for {found}.", block.name)]);
@@ -227,7 +226,7 @@ pub(super) fn statement(
 fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
     let name = type_name(block);
     let reads = reads(newton, module);
-    let reads_parameters = reads.parameters || lengths(newton, module).is_some();
+    let reads_parameters = reads.parameters || scales_follow(newton, module);
     let at = only(reads.frame, quote!(at: &*at,));
     let parameters = only(reads_parameters, quote!(parameters: conditions.parameters,));
     let inputs = only(reads.inputs, quote!(inputs: conditions.inputs,));

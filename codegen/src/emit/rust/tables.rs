@@ -11,6 +11,9 @@ use super::literal::count;
 use super::module::Module;
 use crate::expr::Spline;
 
+/// By how much of their distance starts may be off where they are called equally spaced.
+const EVEN: f64 = 1e-6;
+
 /// The constant that holds a table. No other constant begins like this.
 pub(super) fn table_name(table: &str) -> Ident {
     format_ident!("TABLE_{}", table.to_uppercase())
@@ -71,7 +74,7 @@ fn spacing(starts: &[f64]) -> Option<f64> {
     let spacing = (last - first) / (starts.len() - 1) as f64;
     let even = starts.iter().enumerate().all(|(place, start)| {
         let expected = first + spacing * place as f64;
-        (start - expected).abs() <= 1e-6 * spacing
+        (start - expected).abs() <= EVEN * spacing
     });
     // Two starts are found without it.
     (even && starts.len() > 2).then_some(spacing)

@@ -14,7 +14,7 @@ use super::scope::{Place, Reads, Scope};
 use crate::emit::{Notation, text};
 use crate::expr::ExprId;
 use crate::joint::Quantity;
-use crate::program::Function;
+use crate::program::{Function, Lengths};
 use crate::system::{Row, System};
 
 /// The functions of the textbook view, and what is monitored besides.
@@ -220,46 +220,37 @@ fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> String {
 
 /// `struct Textbook`: the dense system as the runtime solves it.
 pub(super) fn dense(module: &Module<'_>) -> TokenStream {
-    if module.program.textbook.is_none() {
+    let Some(textbook) = &module.program.textbook else {
         return TokenStream::new();
-    }
+    };
     let system = module.system;
     let rows: Vec<Quantity> = system.rows.iter().map(|row| row.quantity).collect();
     let columns: Vec<Quantity> = system.coordinates.iter().map(|it| it.quantity).collect();
     let mut text = Verbatim::default();
     text.open("::linkwright::textbook! {");
-    text.line(format!(
-        "{}, {};",
-        type_name(&system.mechanism.name),
-        rows.len()
-    ));
+    let mechanism = type_name(&system.mechanism.name);
+    text.line(format!("{mechanism}, {};", rows.len()));
     for line in module.declared().lines() {
         text.line(line);
     }
-    let length = match module.program.lengths.is_some() {
-        true => {
-            text.line("lengths: length = characteristic_length(parameters);");
-            quote!(length)
-        }
-        false => module.float(system.characteristic_length()),
-    };
+    let length = length(module, &textbook.scaled_by);
+    if !length.statement.is_empty() {
+        text.line("lengths: length = characteristic_length(parameters);");
+    }
     for (title, quantities) in [("rows", rows), ("columns", columns)] {
-        let scales = scales(&quantities, &length).to_string();
+        let scales = scales(&quantities, &length.name).to_string();
+        let elements = scales.strip_prefix('[').and_then(|it| it.strip_suffix(']'));
         // What is in brackets has no commas in it.
-        match scales
-            .strip_prefix('[')
-            .and_then(|it| it.strip_suffix(']'))
-            .filter(|it| !it.contains(';'))
-        {
+        match elements.filter(|it| !it.contains(';')) {
             Some(elements) if scales.len() > 80 => {
                 text.open(&format!("{title}: ["));
                 text.list(elements.split(',').map(str::trim));
                 text.close("];");
             }
-            _ => text.line(format!(
-                "{title}: {};",
-                scales.replace(" ;", ";").replace(" ,", ",")
-            )),
+            _ => {
+                let scales = scales.replace(" ;", ";").replace(" ,", ",");
+                text.line(format!("{title}: {scales};"));
+            }
         }
     }
     text.close("}");
@@ -268,12 +259,16 @@ pub(super) fn dense(module: &Module<'_>) -> TokenStream {
 
 /// `fn characteristic_length`: the largest length, where parameters change one.
 pub(super) fn characteristic_length(module: &Module<'_>) -> TokenStream {
-    let Some(function) = &module.program.lengths else {
+    let textbook = module.program.textbook.as_ref();
+    let Some((lengths, function)) = textbook.and_then(|it| {
+        let lengths = &it.scaled_by;
+        Some((lengths, lengths.following.as_ref()?))
+    }) else {
         return TokenStream::new();
     };
     let scope = Scope::new(module, function, Place::Coordinates);
     let (statements, results) = (scope.plain_statements(), scope.results());
-    let otherwise = module.float(module.system.characteristic_length());
+    let otherwise = module.float(lengths.nominal);
     let function = quote! {
         fn characteristic_length(parameters: &Parameters) -> Scalar {
             #(#statements)*
@@ -285,6 +280,33 @@ pub(super) fn characteristic_length(module: &Module<'_>) -> TokenStream {
         /// By what lengths are scaled.
         #allow
         #function
+    }
+}
+
+/// By what lengths are scaled: a statement that finds it, and what it is called then.
+pub(super) struct Length {
+    pub statement: TokenStream,
+    pub name: TokenStream,
+}
+
+/// The largest of some lengths, or a number where no parameter changes them.
+pub(super) fn length(module: &Module<'_>, lengths: &Lengths) -> Length {
+    let otherwise = module.float(lengths.nominal);
+    let Some(function) = &lengths.following else {
+        return Length {
+            statement: TokenStream::new(),
+            name: otherwise,
+        };
+    };
+    let scope = Scope::new(module, function, Place::Coordinates);
+    let (statements, results) = (scope.plain_statements(), scope.results());
+    Length {
+        statement: quote! {
+            let parameters = &self.parameters;
+            #(#statements)*
+            let length = largest_length(&[#(#results),*], #otherwise);
+        },
+        name: quote!(length),
     }
 }
 

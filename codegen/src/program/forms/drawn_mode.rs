@@ -5,6 +5,7 @@
 
 use crate::expr::ExprId;
 use crate::joint::Quantity;
+use crate::program::lengths::Lengths;
 use crate::system::{SymbolRole, System};
 
 /// By how much an equation may miss, as a part of what it is scaled by: drawings are written with some digits.
@@ -14,37 +15,61 @@ const FITS: f64 = 1e-4;
 const DECIDED: f64 = 1e-6;
 const LARGEST: usize = 64;
 
-/// The sign, true where it is positive; `None` where the drawing does not fit or does not decide it. The Jacobian is given row by row.
+/// What the drawing says about the assembly mode of a block without a closed form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DrawnMode {
+    /// The determinant has this sign: whether it is positive.
+    Sign(bool),
+    /// The drawing does not fit the equations, or there are too many of them for a sign to tell modes apart.
+    Open,
+    /// The drawing fits, but is nearly singular.
+    Undecided,
+}
+
+impl DrawnMode {
+    /// Whether the determinant is positive, where the drawing says so.
+    pub fn sign(self) -> Option<bool> {
+        match self {
+            DrawnMode::Sign(is_positive) => Some(is_positive),
+            DrawnMode::Open | DrawnMode::Undecided => None,
+        }
+    }
+}
+
+/// The mode of the drawing. The Jacobian is given row by row.
 pub(super) fn drawn_mode(
     residuals: &[ExprId],
     jacobian: &[ExprId],
     [rows, columns]: [&[Quantity]; 2],
+    [row_lengths, column_lengths]: &[Lengths; 2],
     system: &System,
-) -> Option<bool> {
+) -> DrawnMode {
     let order = residuals.len();
     if order > LARGEST {
-        return None;
+        return DrawnMode::Open;
     }
-    let length = system.characteristic_length();
-    let scale = |quantity: &Quantity| length.powi(quantity.power_of_length());
     let fits = |(residual, row): (&ExprId, &Quantity)| {
-        is_driven(*residual, system) || system.drawn_value(*residual).abs() <= FITS * scale(row)
+        is_driven(*residual, system)
+            || system.drawn_value(*residual).abs() <= FITS * row_lengths.scale(*row)
     };
     if !residuals.iter().zip(rows).all(fits) {
-        return None;
+        return DrawnMode::Open;
     }
     let mut matrix: Vec<Vec<f64>> = Vec::with_capacity(order);
     for entries in jacobian.chunks(order) {
         let entries = entries.iter().zip(columns);
         let row: Vec<f64> = entries
-            .map(|(entry, column)| system.drawn_value(*entry) * scale(column))
+            .map(|(entry, column)| system.drawn_value(*entry) * column_lengths.scale(*column))
             .collect();
         let size = row.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
         matrix.push(row.into_iter().map(|entry| entry / size).collect());
     }
     let determinant = determinant(matrix);
     // Written so that NaN decides nothing.
-    (determinant.abs() >= DECIDED).then_some(determinant > 0.0)
+    match determinant.abs() >= DECIDED {
+        true => DrawnMode::Sign(determinant > 0.0),
+        false => DrawnMode::Undecided,
+    }
 }
 
 /// Whether what is given from outside changes an equation.

@@ -16,6 +16,7 @@ mod two_rotations;
 mod two_slides;
 
 pub use determinant::Determinant;
+pub use drawn_mode::DrawnMode;
 
 use std::fmt::Debug;
 use std::sync::Arc;

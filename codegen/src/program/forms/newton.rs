@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use super::determinant::LARGEST_WRITTEN_OUT;
-use super::drawn_mode::drawn_mode;
+use super::drawn_mode::{DrawnMode, drawn_mode};
 use super::{Candidate, Determinant, Form, Solved};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::Quantity;
@@ -14,6 +14,7 @@ use crate::joint::geometry::Vector;
 use crate::program::block::NewtonBlock;
 use crate::program::builder::Builder;
 use crate::program::function::{Function, Level, Statement};
+use crate::program::lengths::Lengths;
 use crate::program::passes::liveness;
 use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, counted, enumerated, phrase};
@@ -101,12 +102,22 @@ impl Form for Newton {
             .iter()
             .map(|&it| unknowns[it].quantity)
             .collect();
+        let scaled_by = Lengths::of_block(&self.residuals, &self.quantities, builder.system);
         let drawn = drawn_mode(
             &self.residuals,
             &jacobian,
             [&self.quantities, &columns],
+            &scaled_by,
             builder.system,
         );
+        builder.say(|_| {
+            match drawn {
+                DrawnMode::Sign(_) => "Of several assemblies the one is kept whose determinant has the sign of the drawing.",
+                DrawnMode::Open => "The drawing does not fit these equations: the assembly is the one that is found from it.",
+                DrawnMode::Undecided => "The drawing is nearly singular: of several assemblies the one nearest to it is kept.",
+            }
+            .into()
+        });
         let geometry = builder.geometry(&self.unknowns);
         let function = |results: Vec<ExprId>| {
             let results = Function::of_results(results);
@@ -123,6 +134,7 @@ impl Form for Newton {
             unknowns: self.unknowns.clone(),
             drawn,
             quantities: self.quantities.clone(),
+            scaled_by,
             residual: function(self.residuals.clone()),
             jacobian: function(jacobian),
             time_derivative: function(time_derivative),

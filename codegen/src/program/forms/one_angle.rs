@@ -131,7 +131,8 @@ impl OneAngle {
         let (sine, cosine) = builder.system.drawn_unknown(self.angle).sin_cos();
         let name = builder.system.unknown_name(self.angle).to_string();
         let meaning = format!("which of two values {name} takes");
-        builder.branch(name, meaning, a * sine - b * cosine)
+        let drawn = (a * sine - b * cosine) / a.hypot(b);
+        builder.branch(name, meaning, drawn)
     }
 
     /// a cos φ = c with a constant a, or b sin φ = c: the direction, and the root as it is needed.

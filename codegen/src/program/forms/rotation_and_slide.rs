@@ -111,7 +111,8 @@ impl Form for RotationAndSlide {
         let drawn = {
             let w = builder.system.drawn_turn(angle, p);
             let line = self.direction.map(|part| builder.system.drawn_value(part));
-            w[0] * line[0] + w[1] * line[1]
+            let lengths = w[0].hypot(w[1]) * line[0].hypot(line[1]);
+            (w[0] * line[0] + w[1] * line[1]) / lengths
         };
         let name = builder.system.unknown_name(angle).to_string();
         let meaning = "whether the link points along the line or against it".to_string();

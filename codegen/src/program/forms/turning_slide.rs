@@ -122,7 +122,10 @@ impl Form for TurningSlide {
         let graph = builder.graph();
         let (distance, shortest) = (graph.sqrt(m_square), graph.sqrt(b_square));
         builder.reach(excess, m_square, [distance, distance, shortest]);
-        let drawn = builder.system.drawn_value(a) + builder.system.drawn_unknown(slide);
+        let drawn = {
+            let along = builder.system.drawn_value(a) + builder.system.drawn_unknown(slide);
+            along / along.hypot(builder.system.drawn_value(b))
+        };
         let meaning = "whether the point lies ahead on the line or behind its foot".to_string();
         let branch_name = builder.system.unknown_name(angle).to_string();
         let branch = builder.branch(branch_name, meaning, drawn);

@@ -99,7 +99,8 @@ impl Form for TwoRotations {
         let drawn = {
             let [first, second] =
                 [0, 1].map(|side| builder.system.drawn_turn(angles[side], [p, q][side]));
-            first[0] * second[1] - first[1] * second[0]
+            let lengths = first[0].hypot(first[1]) * second[0].hypot(second[1]);
+            (first[0] * second[1] - first[1] * second[0]) / lengths
         };
         self.say_mode(triangle.as_ref(), drawn, builder);
         let minus = builder.negated(c);

@@ -7,6 +7,9 @@ use crate::expr::{ExprId, Factor, Graph, Node, Number, Term};
 use crate::program::function::Function;
 use crate::system::System;
 
+/// The longest name of a constant, in characters; others are written as literals.
+const LONGEST_NAME: usize = 28;
+
 /// A constant part: what one multiplication or addition of generated code takes.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum ConstantPart {
@@ -118,7 +121,7 @@ impl ConstantPart {
             words.push(format!("OVER_{denominator}"));
         }
         let name = words.join("_");
-        (name.len() <= 28).then_some(name)
+        (name.len() <= LONGEST_NAME).then_some(name)
     }
 }
 

@@ -19,6 +19,9 @@ const LONGEST: u64 = 4000;
 /// A sum in parentheses of more characters has a statement of its own.
 const LONGEST_NESTED: u64 = 3000;
 
+/// A multiple of t whose numerator or denominator reaches this has a name without them.
+const LARGEST_IN_NAME: i128 = 1000;
+
 /// Shares what a function of a block computes.
 pub(in crate::program) fn share(function: &mut Function, system: &mut System) {
     let values: Vec<ExprId> = function.values().collect();
@@ -231,7 +234,7 @@ fn multiple_of_time(angle: ExprId, system: &System) -> Option<String> {
         return None;
     };
     let (numerator, denominator) = (rational.numerator(), rational.denominator());
-    let short = (1..1000).contains(&numerator) && denominator < 1000;
+    let short = (1..LARGEST_IN_NAME).contains(&numerator) && denominator < LARGEST_IN_NAME;
     if system.roles[symbol.index()] != SymbolRole::Time || !short {
         return None;
     }

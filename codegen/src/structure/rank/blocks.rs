@@ -12,6 +12,13 @@ use crate::system::System;
 /// A block larger than this is left to the solver, which judges it at run time.
 const LARGEST_BLOCK: usize = super::LARGEST_SURVEY;
 
+/// In so many poses in which it holds a block must be singular before its equations are said to repeat one another: one pose
+/// may be a singular one of the mechanism.
+const SINGULAR_POSES: usize = 2;
+
+/// In so many poses off all solutions it must be singular before they are said to contradict one another.
+const SINGULAR_ELSEWHERE: usize = 3;
+
 /// Equations that determine less than their number.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::structure) enum Singular {
@@ -86,7 +93,7 @@ pub(in crate::structure) fn singular(
             .filter(|(_, found)| !found.regular)
     };
     let mut rows: Vec<usize> = open()
-        .filter(|(_, found)| found.singular > 1)
+        .filter(|(_, found)| found.singular >= SINGULAR_POSES)
         .flat_map(|(block, _)| block.rows.iter().copied())
         .collect();
     rows.sort_unstable();
@@ -94,7 +101,7 @@ pub(in crate::structure) fn singular(
         return Some(Singular::Repeating(rows));
     }
     open().find_map(|(block, found)| {
-        let everywhere = found.singular_anywhere > 2 && !found.regular_somewhere;
+        let everywhere = found.singular_anywhere >= SINGULAR_ELSEWHERE && !found.regular_somewhere;
         let (off, (place, repeats), pose) = found.misfit.as_ref().filter(|_| everywhere)?;
         if !off.is_finite() || *off <= pose::HOLDS {
             return None;

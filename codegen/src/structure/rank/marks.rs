@@ -7,6 +7,9 @@ use super::{LARGEST_SURVEY, balanced, pose};
 use crate::model::Mechanism;
 use crate::system::{System, assemble, assemble_without};
 
+/// By which factor a later row must be better than an earlier one to be preferred.
+const CLEARLY: f64 = 1.05;
+
 /// A monitored row that does not follow from the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::structure) struct Misfit {
@@ -111,7 +114,7 @@ fn most_independent(
             most = most.max(reduced.independent);
         }
         // In written order, unless a later row is clearly better.
-        let is_better = best.as_ref().is_none_or(|best| least > 1.05 * best.0);
+        let is_better = best.as_ref().is_none_or(|best| least > CLEARLY * best.0);
         if most > TOLERANCE && is_better {
             best = Some((least, place, reduced));
         }

@@ -29,6 +29,20 @@ pub(super) const HOLDS: f64 = 1e-9;
 /// The most steps of one search.
 const STEPS: usize = 60;
 
+/// The smallest size of a row that is measured by it.
+const SMALLEST_ROW: f64 = 1e-6;
+
+/// A residual, or a step, below this is rounding: no search goes on.
+const ROUNDING: f64 = 1e-15;
+
+/// The damping at first, at least and at most, relative to the residual.
+const FIRST_DAMPING: f64 = 1e-3;
+const LEAST_DAMPING: f64 = 1e-6;
+const LARGEST_DAMPING: f64 = 1e6;
+
+/// The longest step, in characteristic lengths or rad: a longer one leads to another assembly.
+const LONGEST_STEP: f64 = 0.5;
+
 /// Where the search for the pose with this number starts.
 pub(super) fn start(system: &System, number: usize) -> Pose {
     let (time, off) = POSES[number % COUNT];
@@ -60,7 +74,7 @@ pub(super) fn project(functions: &Functions<'_>, pose: &mut Pose) -> f64 {
         .jacobian(pose)
         .iter()
         .map(|row| match norm(row) {
-            size if size > 1e-6 && size.is_finite() => 1.0 / size,
+            size if size > SMALLEST_ROW && size.is_finite() => 1.0 / size,
             _ => 1.0,
         })
         .collect();
@@ -69,9 +83,9 @@ pub(super) fn project(functions: &Functions<'_>, pose: &mut Pose) -> f64 {
     let mut size = norm(&weighted(&residuals));
     let mut coordinates = functions.coordinates(pose);
     let rest = vec![0.0; coordinates.len()];
-    let mut factor = 1e-3;
+    let mut factor = FIRST_DAMPING;
     for _ in 0..STEPS {
-        if !(size.is_finite() && size > 1e-15) {
+        if !(size.is_finite() && size > ROUNDING) {
             break;
         }
         let mut rows = functions.jacobian(pose);
@@ -84,9 +98,8 @@ pub(super) fn project(functions: &Functions<'_>, pose: &mut Pose) -> f64 {
         if !length.is_finite() {
             break;
         }
-        // Half a characteristic length or half a radian leads to another assembly.
-        if length > 0.5 {
-            step.iter_mut().for_each(|by| *by *= 0.5 / length);
+        if length > LONGEST_STEP {
+            step.iter_mut().for_each(|by| *by *= LONGEST_STEP / length);
         }
         functions.place(pose, &coordinates, &step);
         let found = functions.residuals(pose);
@@ -94,11 +107,11 @@ pub(super) fn project(functions: &Functions<'_>, pose: &mut Pose) -> f64 {
         if next_size < size {
             (residuals, size) = (found, next_size);
             coordinates = functions.coordinates(pose);
-            factor = (factor * 0.1).max(1e-6);
+            factor = (factor * 0.1).max(LEAST_DAMPING);
             continue;
         }
         functions.place(pose, &coordinates, &rest);
-        if factor > 1e6 || length < 1e-15 {
+        if factor > LARGEST_DAMPING || length < ROUNDING {
             break;
         }
         factor *= 10.0;
