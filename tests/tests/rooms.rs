@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 16] = [
+const ORDER: [&str; 17] = [
     "diagnostic",
     "syntax",
     "consequences",
@@ -18,6 +18,7 @@ const ORDER: [&str; 16] = [
     "words",
     "program",
     "finiteness",
+    "modes",
     "emit",
     "files",
     "stages",
