@@ -136,25 +136,10 @@ pub fn all_finite<T: Real, const N: usize>(values: &[T; N]) -> bool {
     sums.iter().all(|sum| *sum == T::ZERO)
 }
 
-/// Fails where one of these numbers of a block is not finite.
-///
-/// # Errors
-/// [`FailureKind::NotFinite`].
-#[inline]
-pub fn finite<T: Real, const N: usize>(
-    values: &[T; N],
-    time: T,
-    block: u16,
-) -> Result<(), Failure<T>> {
-    if all_finite(values) {
-        return Ok(());
-    }
-    not_finite(time, block)
-}
-
+/// What a block fails with that finds a number which is not finite.
 #[cold]
-fn not_finite<T: Real>(time: T, block: u16) -> Result<(), Failure<T>> {
-    Err(failed(FailureKind::NotFinite, time, block))
+pub fn not_finite<T: Real>(time: T, block: u16) -> Failure<T> {
+    failed(FailureKind::NotFinite, time, block)
 }
 
 #[cfg(test)]

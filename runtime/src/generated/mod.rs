@@ -15,7 +15,7 @@ macro_rules! precision {
         $(#[$docs])*
         pub mod $name {
             pub use crate::closed_form::{
-                finite, no_span, singular_divisor, spans,
+                all_finite, no_span, not_finite, singular_divisor, spans,
             };
             pub use crate::contact::pressure_angle;
             pub use crate::linear::Factorization;

@@ -151,7 +151,9 @@ fn own_check(index: usize, block: &Block, scope: &Scope<'_>) -> TokenStream {
     let fields: Vec<TokenStream> = found.map(|symbol| scope.symbol(symbol)).collect();
     let number = count(index);
     quote! {
-        finite(&[#(#fields),*], t, #number)?;
+        if !all_finite(&[#(#fields),*]) {
+            return Err(not_finite(t, #number));
+        }
     }
 }
 

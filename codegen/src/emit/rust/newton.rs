@@ -127,24 +127,15 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
     let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
     let columns: Vec<Quantity> = tears.iter().map(|it| it.quantity).collect();
-    let scaled = |quantities: &[Quantity], lengths: &Lengths| {
-        let is_scaled = quantities.iter().any(|it| it.power_of_length() != 0);
-        let Length { statements, name } = length(module, lengths);
-        let scales = scales(quantities, &name);
-        let statements = only(
-            is_scaled && !statements.is_empty(),
-            quote! {
-                let parameters = self.parameters;
-                #statements
-            },
-        );
-        quote!(#statements #scales)
+    let [of_rows, of_columns] = newton.scaled_by.each_ref().map(|it| length(module, it));
+    let scaled = |quantities: &[Quantity], length: Length| {
+        let scales = scales(quantities, &length.name);
+        let reads = quantities.iter().any(|it| it.power_of_length() != 0);
+        let statement = only(reads, length.statement);
+        quote!(#statement #scales)
     };
-    let [of_rows, of_columns] = &newton.scaled_by;
-    let (row_scales, column_scales) = (
-        scaled(&newton.quantities, of_rows),
-        scaled(&columns, of_columns),
-    );
+    let row_scales = scaled(&newton.quantities, of_rows);
+    let column_scales = scaled(&columns, of_columns);
     let angles = angles(&columns);
     let found = listed(newton, module);
     let title = docs([format!("The equations of `{}` for {found}.", block.name)]);

@@ -74,7 +74,11 @@ fn solve(module: &Module<'_>) -> TokenStream {
     let verdict = match module.is_large() || checked.is_empty() {
         true => quote!(Ok(())),
         false => quote! {
-            finite(&[#(#checked),*], conditions.t, 0)
+            if all_finite(&[#(#checked),*]) {
+                Ok(())
+            } else {
+                Err(not_finite(conditions.t, 0))
+            }
         },
     };
     quote! {

@@ -228,58 +228,51 @@ pub(super) fn dense(module: &Module<'_>) -> TokenStream {
     let columns: Vec<Quantity> = system.coordinates.iter().map(|it| it.quantity).collect();
     let mut text = Verbatim::default();
     text.open("::linkwright::textbook! {");
-    text.line(format!(
-        "{}, {};",
-        type_name(&system.mechanism.name),
-        rows.len()
-    ));
+    let mechanism = type_name(&system.mechanism.name);
+    text.line(format!("{mechanism}, {};", rows.len()));
     for line in module.declared().lines() {
         text.line(line);
     }
-    let length = match textbook.scaled_by.following.is_some() {
-        true => {
-            text.line("lengths: length = characteristic_length(parameters);");
-            quote!(length)
-        }
-        false => module.float(textbook.scaled_by.nominal),
-    };
+    let length = length(module, &textbook.scaled_by);
+    if !length.statement.is_empty() {
+        text.line("lengths: length = characteristic_length(parameters);");
+    }
     for (title, quantities) in [("rows", rows), ("columns", columns)] {
-        let scales = scales(&quantities, &length).to_string();
+        let scales = scales(&quantities, &length.name).to_string();
+        let elements = scales.strip_prefix('[').and_then(|it| it.strip_suffix(']'));
         // What is in brackets has no commas in it.
-        match scales
-            .strip_prefix('[')
-            .and_then(|it| it.strip_suffix(']'))
-            .filter(|it| !it.contains(';'))
-        {
+        match elements.filter(|it| !it.contains(';')) {
             Some(elements) if scales.len() > 80 => {
                 text.open(&format!("{title}: ["));
                 text.list(elements.split(',').map(str::trim));
                 text.close("];");
             }
-            _ => text.line(format!(
-                "{title}: {};",
-                scales.replace(" ;", ";").replace(" ,", ",")
-            )),
+            _ => {
+                let scales = scales.replace(" ;", ";").replace(" ,", ",");
+                text.line(format!("{title}: {scales};"));
+            }
         }
     }
     text.close("}");
     text.item()
 }
 
-/// `fn characteristic_length`: what the textbook view is scaled by, where parameters change it.
+/// `fn characteristic_length`: the largest length, where parameters change one.
 pub(super) fn characteristic_length(module: &Module<'_>) -> TokenStream {
     let textbook = module.program.textbook.as_ref();
-    let Some(lengths) = textbook.map(|it| &it.scaled_by) else {
+    let Some((lengths, function)) = textbook.and_then(|it| {
+        let lengths = &it.scaled_by;
+        Some((lengths, lengths.following.as_ref()?))
+    }) else {
         return TokenStream::new();
     };
-    if lengths.following.is_none() {
-        return TokenStream::new();
-    }
-    let Length { statements, name } = length(module, lengths);
+    let scope = Scope::new(module, function, Place::Coordinates);
+    let (statements, results) = (scope.plain_statements(), scope.results());
+    let otherwise = module.float(lengths.nominal);
     let function = quote! {
         fn characteristic_length(parameters: &Parameters) -> Scalar {
-            #statements
-            #name
+            #(#statements)*
+            largest_length(&[#(#results),*], #otherwise)
         }
     };
     let allow = lints::unused_item(&function);
@@ -290,9 +283,9 @@ pub(super) fn characteristic_length(module: &Module<'_>) -> TokenStream {
     }
 }
 
-/// What lengths are scaled by: the statements that find it from `parameters`, and what it is called then.
+/// By what lengths are scaled: a statement that finds it, and what it is called then.
 pub(super) struct Length {
-    pub statements: TokenStream,
+    pub statement: TokenStream,
     pub name: TokenStream,
 }
 
@@ -301,14 +294,15 @@ pub(super) fn length(module: &Module<'_>, lengths: &Lengths) -> Length {
     let otherwise = module.float(lengths.nominal);
     let Some(function) = &lengths.following else {
         return Length {
-            statements: TokenStream::new(),
+            statement: TokenStream::new(),
             name: otherwise,
         };
     };
     let scope = Scope::new(module, function, Place::Coordinates);
     let (statements, results) = (scope.plain_statements(), scope.results());
     Length {
-        statements: quote! {
+        statement: quote! {
+            let parameters = &self.parameters;
             #(#statements)*
             let length = largest_length(&[#(#results),*], #otherwise);
         },
