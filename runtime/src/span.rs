@@ -303,7 +303,8 @@ where
                 pivot = row;
             }
         }
-        let size = rows[(column, pivot)];
+        // There always is such an entry, which the compiler does not see.
+        let size = rows.get((column, pivot)).copied().unwrap_or(T::ZERO);
         // Written so that NaN is refused.
         let is_pivot = size.abs() > T::ZERO;
         if !is_pivot {

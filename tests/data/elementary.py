@@ -96,10 +96,14 @@ def polynomial(target, weight, count, top, bits):
 def families():
     """The name of each polynomial, its function of z = x^2, what its error is multiplied by, and where z ends."""
     quarter = pi / 4 * (1 + mpf(2) ** -10)
+    sine = lambda z: (sin(sqrt(z)) - sqrt(z)) / sqrt(z) ** 3, lambda z: sqrt(z) ** 3 / sin(sqrt(z))
+    cosine = lambda z: (cos(sqrt(z)) - 1 + z / 2) / z**2, lambda z: z**2 / cos(sqrt(z))
+    bend = lambda z: (sqrt(z) - atan(sqrt(z))) / sqrt(z) ** 3, lambda z: sqrt(z) ** 3 / atan(sqrt(z))
     return [
-        ("sine", lambda z: (sin(sqrt(z)) - sqrt(z)) / sqrt(z) ** 3, lambda z: sqrt(z) ** 3 / sin(sqrt(z)), quarter**2),
-        ("cosine", lambda z: (cos(sqrt(z)) - 1 + z / 2) / z**2, lambda z: z**2 / cos(sqrt(z)), quarter**2),
-        ("arctangent", lambda z: (sqrt(z) - atan(sqrt(z))) / sqrt(z) ** 3, lambda z: sqrt(z) ** 3 / atan(sqrt(z)), mpf(1) / 4),
+        ("sine", *sine, quarter**2),
+        ("cosine", *cosine, quarter**2),
+        ("arctangent up to 1/2", *bend, (mpf(1) / 2) ** 2),
+        ("arctangent up to 7/16", *bend, (mpf(7) / 16) ** 2),
     ]
 
 
@@ -123,7 +127,7 @@ def words(value, bits, count):
 def constants():
     """The name of each constant of each scalar, and how it is written."""
     found = []
-    for scalar, bits, parts, counts in (("f64", 53, [36], [6, 6, 12]), ("f32", 24, [11, 11], [3, 3, 5])):
+    for scalar, bits, parts, counts in (("f64", 53, [36], [6, 6, 12, 11]), ("f32", 24, [11, 11], [3, 3, 5, 5])):
         rest = pi / 2
         for part in parts:
             found.append((f"{scalar} part of pi/2", decimal(cut(rest, part), bits)))

@@ -98,6 +98,6 @@ mod tests {
     /// meant changes it.
     #[test]
     fn the_bits_are_those_of_every_other_platform() {
-        assert_eq!(digest(), 0x58f0_e830_342e_281e);
+        assert_eq!(digest(), 0xe142_8d95_b9b7_8851);
     }
 }

@@ -36,9 +36,8 @@ pub mod double {
     const HALF_PI_REST: f64 = 2.563344151594519e-12;
     /// The largest angle whose quadrants have so few bits, 17, that the products above are exact.
     const LARGEST: f64 = 205_000.0;
-    /// What the parts of π/2 lack, and the rounding of the last product, are within 2⁻⁵ ulp of a rest above this part of
-    /// the number of quadrants: 2⁻³³.
-    const CLOSEST: f64 = 1.164_153_218_269_348_1e-10;
+    /// What the parts of π/2 lack, and the rounding of the last product, are within 2⁻⁵ ulp of a rest above this: 2⁻¹⁶.
+    const CLOSEST: f64 = 1.525_878_906_25e-5;
     /// Adding it to a number of moderate size leaves the nearest integer in the last bits: 1.5 · 2⁵².
     const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
@@ -65,7 +64,7 @@ pub mod double {
     pub fn sin_cos(angle: f64) -> (f64, f64) {
         let size = angle.abs();
         let (mut quadrant, mut y, mut tail) = (0, size, 0.0);
-        if size > FRAC_PI_4 {
+        if size.to_bits() > FRAC_PI_4.to_bits() {
             let shifted = size * FRAC_2_PI + ROUNDER;
             let quadrants = shifted - ROUNDER;
             let above = size - quadrants * HALF_PI;
@@ -73,7 +72,8 @@ pub mod double {
             y = above - below;
             tail = (above - y) - below;
             quadrant = shifted.to_bits() as u32;
-            if size > LARGEST || y.abs() < quadrants * CLOSEST {
+            // Positive numbers are in the order of their bits, which are compared faster where f64 is computed in software.
+            if size.to_bits() > LARGEST.to_bits() || y.abs().to_bits() < CLOSEST.to_bits() {
                 (quadrant, y, tail) = super::far_angle::double(size);
             }
         }
