@@ -4,6 +4,7 @@
 //! functions of time. Deliberately unknown here: files, and where an expression came from.
 
 pub mod derivation;
+pub mod drawing;
 pub mod latex;
 mod named_parts;
 mod notation;
