@@ -157,9 +157,4 @@ impl Draft<'_> {
             Some(self.pixels(found.1))
         })
     }
-
-    /// A point along the way from one place to another.
-    pub fn between(from: Point, to: Point, share: f64) -> Point {
-        onward(from, share, difference(to, from))
-    }
 }
