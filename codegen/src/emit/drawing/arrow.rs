@@ -17,7 +17,11 @@ impl Draft<'_> {
         let start = self.facing(center) + self.figure.places[body].angle;
         let way = if sign.is_falling { -1.0 } else { 1.0 };
         let radius = self.clear_radius(center);
-        let ends = [start + way * 0.35, start + way * 1.75];
+        let ends = match self.corners[body].len() {
+            // Nothing says where the body points to: above, away from a support.
+            0 | 1 => [-0.7, 0.7].map(|it| std::f64::consts::FRAC_PI_2 + way * it),
+            _ => [start + way * 0.35, start + way * 1.75],
+        };
         let frame = Frame::Riding(center, 0);
         self.curved(frame, radius, ends, Look::Drive, group);
         self.curved_head(frame, radius, ends[1], way, group);

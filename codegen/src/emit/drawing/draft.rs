@@ -67,6 +67,7 @@ pub(super) fn drafted(scene: &Scene, scale: f64) -> (Figure, f64) {
     for body in 1..scene.bodies.len() {
         draft.shape(body);
     }
+    draft.dots();
     let unit = draft.unit;
     (draft.figure, unit)
 }
@@ -108,9 +109,11 @@ impl Draft<'_> {
     /// How large signs may be: the length of the shortest link decides.
     fn room(&self) -> f64 {
         let links = self.corners.iter().skip(1);
-        let lengths = links.flat_map(|corners| {
-            let next = corners.iter().skip(1);
-            corners.iter().zip(next).map(|(a, b)| distance(*a, *b))
+        let lengths = links.map(|corners| {
+            let first = corners.first().copied().unwrap_or_default();
+            corners
+                .iter()
+                .fold(0.0, |most: f64, it| most.max(distance(first, *it)))
         });
         let shortest = lengths.filter(|it| *it > 4.0).fold(f64::INFINITY, f64::min);
         (shortest / 34.0).clamp(0.55, 1.0)
@@ -187,13 +190,28 @@ impl Draft<'_> {
         }
     }
 
+    /// The points with a name, which pins cover where there are some.
+    fn dots(&mut self) {
+        let radius = 2.0 * self.unit;
+        let mut ground = Group::new("body-ground".to_string(), "ground".to_string());
+        for point in &self.scene.points {
+            let At { body, local } = self.pixels(point.at);
+            let dot = Outline::Circle(local, radius);
+            match self.body(body) {
+                Some(group) => group.add(Layer::Below, Frame::Body(body), Look::Ink, dot),
+                None => ground.add(Layer::Upon, Frame::Body(0), Look::Ink, dot),
+            }
+        }
+        self.figure.extras.push(ground);
+    }
+
     /// Whether a wheel or a cam of the body, or a rack's bar, holds all its points.
     fn is_covered(&self, body: usize, corners: &[Point]) -> bool {
         let Some(group) = self.figure.bodies.get(body - 1) else {
             return false;
         };
         let elements = group.parts().flat_map(|part| &part.elements);
-        let mut bodies = elements.filter(|it| it.look == Look::Body);
+        let mut bodies = elements.filter(|it| matches!(it.look, Look::Body | Look::Disc));
         bodies.any(|it| match &it.outline {
             Outline::Circle(center, radius) => corners
                 .iter()

@@ -24,6 +24,8 @@ pub(super) enum Frame {
 pub(super) enum Look {
     /// The shape of a body, filled with its tint.
     Body,
+    /// The same without an edge of its own.
+    Disc,
     /// A hole through it or a part set upon it.
     Part,
     /// An edge without a filling.
@@ -165,6 +167,11 @@ impl Figure {
             }
             Frame::Still => Place::default(),
         }
+    }
+
+    /// Where a point of a body is.
+    pub fn global(&self, at: At) -> Point {
+        self.places[at.body].globally(at.local)
     }
 
     pub fn groups(&self) -> impl Iterator<Item = &Group> {

@@ -58,7 +58,8 @@ impl Obstacles {
             let bounds = Bounds::of(edge);
             self.segments.push((weight, bounds, edge));
         }
-        if let (true, Some(owner), Look::Body) = (trace.is_closed, owner, trace.look) {
+        let is_shape = matches!(trace.look, Look::Body | Look::Disc);
+        if let (true, Some(owner), true) = (trace.is_closed, owner, is_shape) {
             let bounds = Bounds::of(trace.points.iter().copied());
             self.fills.push((owner, bounds, trace.points.clone()));
         }
@@ -182,8 +183,10 @@ fn candidates(label: &Label, obstacles: &Obstacles, area: &Bounds) -> Vec<(f64, 
             if !area.holds(&own) || !is_free {
                 continue;
             }
-            let cost = anchor.cost + 0.42 * step + obstacles.cost(&own, label.owner);
-            let leader = (*step > 25.0).then_some(anchor.at);
+            let is_led = *step > 25.0;
+            let far = if is_led { 8.0 } else { 0.0 };
+            let cost = anchor.cost + far + 0.42 * step + obstacles.cost(&own, label.owner);
+            let leader = is_led.then_some(anchor.at);
             found.push((cost, Placed { area: own, leader }));
         }
     }

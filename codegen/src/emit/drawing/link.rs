@@ -2,7 +2,7 @@
 
 use super::draft::{BLOCK, Draft, PIN};
 use super::figure::{Frame, Group, Layer, Look, Outline};
-use super::plane::{Point, difference, distance, onward, scaled};
+use super::plane::{Point, difference, distance, scaled};
 use super::pose::{At, Sign};
 use crate::joint::Feature;
 
@@ -89,12 +89,8 @@ impl Draft<'_> {
     pub fn angle(&mut self, sign: &Sign, is_driver: bool, group: &mut Group) {
         let [a, b] = [sign.marks[0].body, sign.marks[1].body];
         let center = self.pin_between(a, b).unwrap_or_else(|| {
-            let origin = At {
-                body: b,
-                local: [0.0; 2],
-            };
-            let origin = self.scene.global(origin);
-            self.pixels(self.scene.carried_by(b, origin))
+            let local = self.corners[b].first().copied().unwrap_or_default();
+            At { body: b, local }
         });
         let there = self.figure.places[b].globally(center.local);
         let own = At {
@@ -126,6 +122,14 @@ impl Draft<'_> {
         let mut places: Vec<Point> = Vec::new();
         for mark in &sign.marks {
             let there = self.global(*mark);
+            let own = self.pixels(*mark).local;
+            // The origin of a frame alone is nothing to be seen.
+            if self.corners[mark.body]
+                .iter()
+                .all(|it| distance(*it, own) > 0.5)
+            {
+                continue;
+            }
             if places.iter().all(|it| distance(*it, there) > 1.0) {
                 places.push(there);
                 let at = self.pixels(*mark);

@@ -1,10 +1,10 @@
 //! *A scene and its figure* → *its names, and where each may stand*.
 
-use super::figure::{Figure, Look, Outline, offset_edges};
+use super::figure::{Figure, Frame, Look, Outline, offset_edges};
 use super::label::{Anchor, Label, Obstacles};
 use super::letters::width;
 use super::plane::{Point, difference, distance, heading, hull, left_of, scaled};
-use super::pose::Scene;
+use super::pose::{At, Scene};
 
 /// The size of letters in pixels.
 pub(super) const SIZE: f64 = 13.0;
@@ -33,9 +33,15 @@ const DIRECTIONS: usize = 16;
 pub(super) fn names(scene: &Scene, figure: &Figure, unit: f64) -> Vec<Name> {
     let mut names: Vec<Name> = Vec::new();
     let mut seen: Vec<(&str, Point)> = Vec::new();
-    for (number, (text, at)) in scene.points.iter().enumerate() {
-        let there = scaled(scene.global(*at), figure.scale);
-        // What bodies carry under one name at one place is one point.
+    let place = |at: At| scaled(scene.global(at), figure.scale);
+    for (number, point) in scene.points.iter().enumerate() {
+        let there = place(point.at);
+        // What bodies carry under one name at one place is one point to whoever looks at it.
+        let mut namesakes = scene.points.iter().filter(|it| it.written == point.written);
+        let text = match namesakes.all(|it| distance(place(it.at), there) < 1.0) {
+            true => &point.written,
+            false => &point.name,
+        };
         if seen
             .iter()
             .any(|(name, it)| name == text && distance(*it, there) < 1.0)
@@ -114,7 +120,7 @@ fn beside(figure: &Figure, body: usize) -> Vec<Anchor> {
     let group = &figure.bodies[body - 1];
     let own = group.parts().flat_map(|part| &part.elements);
     let own: Vec<&Outline> = own
-        .filter(|it| it.look == Look::Body)
+        .filter(|it| matches!(it.look, Look::Body | Look::Disc))
         .map(|it| &it.outline)
         .collect();
     for outline in &own {
@@ -160,6 +166,9 @@ fn beside(figure: &Figure, body: usize) -> Vec<Anchor> {
                     }
                 }
             }
+            Outline::Rounded(corners, radius) if corners.len() == 1 => {
+                anchors.extend(around(place.globally(corners[0]), radius + 3.0));
+            }
             Outline::Rounded(..) | Outline::Closed(_) | Outline::Open(_) => {
                 let points = hull(&outline.points());
                 if points.len() > 1 {
@@ -173,9 +182,34 @@ fn beside(figure: &Figure, body: usize) -> Vec<Anchor> {
         }
     }
     if anchors.is_empty() {
+        ridden(&mut anchors, figure, body);
+    }
+    if anchors.is_empty() {
         anchors.extend(around(place.origin, 12.0));
     }
     anchors
+}
+
+/// Beside the blocks that stand for a body.
+fn ridden(anchors: &mut Vec<Anchor>, figure: &Figure, body: usize) {
+    let parts = figure.joints.iter().flat_map(|it| it.parts());
+    for part in parts {
+        let is_own = match part.frame {
+            Frame::Riding(at, _) => at.body == body,
+            frame => frame == Frame::Body(body),
+        };
+        if !is_own {
+            continue;
+        }
+        let place = figure.place(part.frame);
+        let blocks = part.elements.iter().map(|it| &it.outline);
+        for block in blocks.filter(|it| !matches!(it, Outline::Open(_))) {
+            let points = hull(&block.points());
+            for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {
+                edge(anchors, place.globally(*a), place.globally(*b));
+            }
+        }
+    }
 }
 
 /// Along an edge of a shape that lies to its left.

@@ -87,7 +87,16 @@ impl Draft<'_> {
             let inside: f64 = edges.map(|(a, b)| area.length_inside(*a, *b)).sum();
             inside
         });
-        bodies.sum()
+        // Cylinders and links without a body.
+        let links = self.scene.signs.iter().filter(|it| {
+            let is_line = matches!(it.feature, Feature::Slide | Feature::Link);
+            is_line && !it.marks.iter().all(|mark| mark.body == 0)
+        });
+        let links = links.map(|sign| {
+            let ends = [0, 1].map(|mark| self.global(sign.marks[mark]));
+            area.length_inside(ends[0], ends[1])
+        });
+        bodies.sum::<f64>() + links.sum::<f64>()
     }
 
     /// The mark that joins two bodies for good.
@@ -145,8 +154,18 @@ impl Draft<'_> {
     /// The angle of a body that is kept, where the block on its guide does not show it already: two guides across one another.
     pub fn kept_orientation(&mut self, sign: &Sign, group: &mut Group) {
         let body = sign.marks[0].body;
-        let local = self.corners[body].first().copied().unwrap_or_default();
-        let at = At { body, local };
+        let held = self.partner(sign, |it| {
+            matches!(it.feature, Feature::Coordinate(_))
+                && !it.is_driver
+                && it.marks[0].body == body
+        });
+        let at = match held {
+            Some(held) => self.pixels(held.marks[0]),
+            None => At {
+                body,
+                local: self.corners[body].first().copied().unwrap_or_default(),
+            },
+        };
         let frame = Frame::Riding(at, 0);
         let size = match self.is_guided(body) {
             true => 2.4 * self.unit,

@@ -94,13 +94,23 @@ pub(super) struct Carried {
     pub points: Vec<Point>,
 }
 
+/// A point with its name.
+#[derive(Clone, Debug)]
+pub(super) struct Entitled {
+    /// Its name among all points.
+    pub name: String,
+    /// As bodies carry it, where several points may have it.
+    pub written: String,
+    pub at: At,
+}
+
 /// A mechanism in one pose, in numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Scene {
     pub bodies: Vec<Carried>,
     pub signs: Vec<Sign>,
     /// The points with a name, each once.
-    pub points: Vec<(String, At)>,
+    pub points: Vec<Entitled>,
     /// What lengths are measured against.
     pub size: f64,
     /// Where the bodies are in each pose that the drawing is made for.
@@ -218,7 +228,17 @@ impl Scene {
                 .points
                 .iter()
                 .zip(&points)
-                .map(|(point, place)| (point.name.clone(), at(place)))
+                .map(|(point, place)| {
+                    let marks = &mechanism.bodies[point.mark.frame.body.0].marks;
+                    let own = marks.iter().find(|it| {
+                        it.mark.local == point.mark.local && point.name.starts_with(&it.name)
+                    });
+                    Entitled {
+                        name: point.name.clone(),
+                        written: own.map_or(&point.name, |own| &own.name).clone(),
+                        at: at(place),
+                    }
+                })
                 .collect(),
             size: mechanism.characteristic_length,
         }

@@ -6,6 +6,7 @@ use super::figure::Look;
 pub(super) fn class(look: Look) -> &'static str {
     match look {
         Look::Body => "body",
+        Look::Disc => "body disc",
         Look::Part => "part",
         Look::Edge => "edge",
         Look::Face => "face",
@@ -37,6 +38,7 @@ pub(super) fn sheet() -> String {
 .linkwright .paper { fill: #ffffff; }
 .linkwright path, .linkwright circle { fill: none; stroke: #1c2024; stroke-width: 1.4; stroke-linecap: round; stroke-linejoin: round; }
 .linkwright .body { fill-opacity: 0.28; fill-rule: evenodd; }
+.linkwright .disc { stroke: none; }
 .linkwright .part { fill: #ffffff; }
 .linkwright .face { stroke-width: 2.6; }
 .linkwright .thought { stroke-width: 1; stroke-dasharray: 9 3 2 3; }

@@ -6,6 +6,27 @@ use super::plane::{Point, angle_of, difference, distance, dot, heading, left_of,
 use super::pose::{At, Sign};
 use crate::joint::{Feature, Mesh};
 
+/// How the edge of a wheel looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rim {
+    /// The pitch circle of teeth outside.
+    Pitch,
+    /// Teeth inside of a ring.
+    Ring,
+    /// What a belt lies on.
+    Solid,
+}
+
+/// Whether two circles, or two rings, are one up to rounding.
+fn is_near(one: &Outline, other: &Outline) -> bool {
+    let near = |a: &Point, b: &Point, i: f64, j: f64| distance(*a, *b) < 0.5 && (i - j).abs() < 0.5;
+    match (one, other) {
+        (Outline::Circle(a, i), Outline::Circle(b, j)) => near(a, b, *i, *j),
+        (Outline::Ring(a, i, _), Outline::Ring(b, j, _)) => near(a, b, *i, *j),
+        _ => false,
+    }
+}
+
 impl Draft<'_> {
     /// Two wheels and what moves the one by the other.
     pub fn wheels(&mut self, sign: &Sign, mesh: Mesh, group: &mut Group) {
@@ -28,9 +49,13 @@ impl Draft<'_> {
             return;
         }
         for side in [0, 1] {
-            let is_ring = mesh == Mesh::Internal && radii[side] > radii[1 - side];
-            let layer = centers[side];
-            self.wheel(layer, radii[side], is_ring, group);
+            let look = match mesh {
+                Mesh::External => Rim::Pitch,
+                Mesh::Internal if radii[side] > radii[1 - side] => Rim::Ring,
+                Mesh::Internal => Rim::Pitch,
+                Mesh::Belt | Mesh::CrossedBelt => Rim::Solid,
+            };
+            self.wheel(centers[side], radii[side], look, group);
         }
         let frame = Frame::Toward(centers[0], centers[1]);
         match mesh {
@@ -72,46 +97,62 @@ impl Draft<'_> {
         }
     }
 
-    fn wheel(&mut self, center: At, radius: f64, is_ring: bool, group: &mut Group) {
+    /// A wheel of a body, or one that is fixed to the ground. Several pairs may share it.
+    fn wheel(&mut self, center: At, radius: f64, rim: Rim, group: &mut Group) {
         let At { body, local } = center;
         let pitch = Outline::Circle(local, radius);
-        group.add(Layer::Upon, Frame::Body(body), Look::Thought, pitch);
-        let rim = 7.0 * self.unit;
+        if rim != Rim::Solid {
+            group.add(Layer::Upon, Frame::Body(body), Look::Thought, pitch.clone());
+        }
+        let width = 7.0 * self.unit;
         if body == 0 {
-            let edge = if is_ring { radius + rim } else { radius - rim };
-            let circle = Outline::Circle(local, edge.max(1.0));
-            group.add(Layer::Below, Frame::Body(0), Look::Edge, circle);
-            let strokes = (edge * 0.5).clamp(12.0, 72.0) as usize;
-            for stroke in 0..strokes {
-                let angle = std::f64::consts::TAU * stroke as f64 / strokes as f64;
-                let out = heading(angle);
-                let from = onward(local, edge, out);
-                let side = if is_ring { rim } else { -rim };
-                let to = onward(local, edge + side, heading(angle + rim / edge.max(1.0)));
-                group.add(
-                    Layer::Below,
-                    Frame::Body(0),
-                    Look::Hatch,
-                    Outline::line(from, to),
-                );
-            }
+            self.fixed_wheel(local, radius, rim, width, group);
             return;
         }
-        // A body that is a wheel twice has its own shape but once.
-        let has_wheel = self.is_shaped[body];
-        let shape = match is_ring {
-            true => Outline::Ring(local, radius, radius + rim),
-            false => Outline::Circle(local, radius),
+        let (look, shape) = match rim {
+            Rim::Ring => (Look::Body, Outline::Ring(local, radius, radius + width)),
+            Rim::Pitch => (Look::Disc, pitch),
+            Rim::Solid => (Look::Body, pitch),
         };
-        self.add_to_body(body, Look::Body, shape);
+        let own = self.figure.bodies[body - 1].parts();
+        let own: Vec<&Outline> = own
+            .flat_map(|it| &it.elements)
+            .map(|it| &it.outline)
+            .collect();
+        if own.iter().any(|it| is_near(it, &shape)) {
+            return;
+        }
+        let has_wheel = !own.is_empty();
+        self.add_to_body(body, look, shape);
         if !has_wheel {
-            let from = if is_ring { radius } else { 7.0 * self.unit };
-            let to = if is_ring { radius + rim } else { radius };
-            let spoke = Outline::line(
-                onward(local, from.min(to), [1.0, 0.0]),
-                onward(local, to, [1.0, 0.0]),
-            );
-            self.add_to_body(body, Look::Edge, spoke);
+            let [from, to] = match rim {
+                Rim::Ring => [radius, radius + width],
+                _ => [width.min(radius), radius],
+            };
+            let ends = [from, to].map(|it| onward(local, it, [1.0, 0.0]));
+            self.add_to_body(body, Look::Edge, Outline::Open(ends.to_vec()));
+        }
+    }
+
+    /// Teeth of the ground: a hatched circle.
+    fn fixed_wheel(&self, local: Point, radius: f64, rim: Rim, width: f64, group: &mut Group) {
+        let outward = if rim == Rim::Ring { width } else { -width };
+        let edge = (radius + outward).max(1.0);
+        let frame = Frame::Body(0);
+        group.add(
+            Layer::Below,
+            frame,
+            Look::Edge,
+            Outline::Circle(local, edge),
+        );
+        let turn = std::f64::consts::TAU;
+        let strokes = (turn * edge / (7.0 * self.unit)).clamp(12.0, 400.0) as usize;
+        for stroke in 0..strokes {
+            let angle = turn * stroke as f64 / strokes as f64;
+            let from = onward(local, edge, heading(angle));
+            let end = heading(angle + 0.7 * width / edge);
+            let to = onward(local, edge + 0.8 * outward, end);
+            group.add(Layer::Below, frame, Look::Hatch, Outline::line(from, to));
         }
     }
 
@@ -154,7 +195,7 @@ impl Draft<'_> {
         let radius = sign.number * self.figure.scale;
         let travel = self.scene.travel(sign, line);
         let scale = self.figure.scale;
-        self.wheel(self.pixels(wheel), radius, false, group);
+        self.wheel(self.pixels(wheel), radius, Rim::Pitch, group);
         let side = if travel.aside < 0.0 { -1.0 } else { 1.0 };
         let (along, across) = (line.along, scaled(left_of(line.along), side));
         let mark = self.pixels(owner).local;
