@@ -7,6 +7,7 @@ pub mod condition;
 pub mod dense;
 pub mod derivatives;
 pub mod diagnosis;
+pub mod drawn;
 pub mod given;
 pub mod instant;
 pub mod interpreted;

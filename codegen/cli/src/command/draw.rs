@@ -7,17 +7,17 @@ use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::emit::drawing::{self, Options, Pose, Traced};
 use linkwright_codegen::model::set;
 use linkwright_codegen::system::System;
+use linkwright_solver::drawn::pose;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::schedule::Schedule;
-use linkwright_solver::view::View;
 
 use super::description::{chosen, determined, interpreted, motions, outputs, several, source};
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Draw;
 use crate::motion::{Followed, Shown, Sink, Wanted, select};
 use crate::progress::Progress;
-use crate::report::drawing::{pose, tick_steps, traced};
+use crate::report::drawing::{tick_steps, traced};
 use crate::report::{picture, raster};
 
 /// How many poses a drawing is made for at most, beside the one that is shown.
@@ -135,7 +135,7 @@ fn solved(arguments: &Draw, system: &System) -> Result<Solved, Problem> {
     let mut frames = Frames::new(1);
     let error = follow(arguments, &view, Vec::new(), &schedule, &mut frames)?;
     let mut solved = Solved {
-        shown: frames.poses(system, &view).pop(),
+        shown: frames.poses(&view).pop(),
         caption: format!(", t = {at} s"),
         error,
         ..Solved::default()
@@ -145,7 +145,7 @@ fn solved(arguments: &Draw, system: &System) -> Result<Solved, Problem> {
         let every = (whole.wanted() / PLACES).max(1);
         let mut frames = Frames::new((whole.wanted() / POSES).max(1));
         solved.error = follow(arguments, &view, points.clone(), &whole, &mut frames)?;
-        solved.others = frames.poses(system, &view);
+        solved.others = frames.poses(&view);
         for (place, point) in points.iter().enumerate() {
             let places: Vec<[f64; 2]> = frames.places.iter().map(|it| it[place]).collect();
             let name = &system.outputs[*point].name;
@@ -206,11 +206,9 @@ impl Frames {
         }
     }
 
-    fn poses(&self, system: &System, view: &Interpreted) -> Vec<Pose> {
+    fn poses(&self, view: &Interpreted) -> Vec<Pose> {
         let instants = self.instants.iter();
-        instants
-            .map(|instant| pose(system, view.layout(), instant))
-            .collect()
+        instants.map(|instant| pose(view, instant)).collect()
     }
 }
 

@@ -1,9 +1,8 @@
-//! *Solved instants* → *what the drawing room draws*: poses, paths of points, and the sheet of all assemblies.
+//! *Solved instants* → *what the drawing room draws*: paths of points, and the sheet of all assemblies.
 
-use linkwright_codegen::emit::drawing::{self, Panel, Pose, Traced};
-use linkwright_codegen::system::System;
+use linkwright_codegen::emit::drawing::{self, Panel, Traced};
 use linkwright_solver::assemblies::Assembly;
-use linkwright_solver::instant::{Instant, Layout};
+use linkwright_solver::drawn::pose;
 use linkwright_solver::view::View;
 
 use super::picture::signed;
@@ -13,18 +12,6 @@ const TICKS: f64 = 24.0;
 
 /// How many assemblies are drawn.
 const DRAWN: usize = 64;
-
-/// An instant as the drawing room takes it.
-pub fn pose(system: &System, layout: &Layout, instant: &Instant) -> Pose {
-    let mechanism = &system.mechanism;
-    let parameters = mechanism.parameters.iter().map(|it| it.symbol);
-    let inputs = mechanism.inputs.iter().flat_map(|it| it.symbols);
-    let coordinates = system.coordinates.iter().map(|it| it.position);
-    let symbols = [mechanism.time].into_iter().chain(parameters);
-    let symbols = symbols.chain(inputs).chain(coordinates);
-    let known = symbols.filter_map(|symbol| Some((symbol, instant.values()[layout.slot(symbol)?])));
-    Pose::new(system, known)
-}
 
 /// The time between two ticks of a path: one, two or five times a power of ten, as steps of the motion.
 pub fn tick_steps(length: f64, step: f64) -> usize {
@@ -51,7 +38,7 @@ pub fn assemblies<V: View>(view: &V, found: &[Assembly]) -> String {
         let drawn = if assembly.drawn { " as drawn" } else { "" };
         Panel {
             title: format!("{}{drawn}", assembly.label().replace('-', "−")),
-            pose: pose(system, view.layout(), &assembly.instant),
+            pose: pose(view, &assembly.instant),
         }
     });
     let panels: Vec<Panel> = panels.collect();

@@ -33,8 +33,13 @@ fn is_ours(bytes: &[u8]) -> bool {
 pub fn raster(svg: &str, factor: f32) -> Result<Vec<u8>, String> {
     let mut fonts = Database::new();
     fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
+    let families = fonts.faces().next().map(|face| face.families.clone());
+    let family = families.and_then(|all| all.into_iter().next());
+    let family = family.map_or(String::new(), |(name, _)| name);
+    // The drawing asks for any sans serif in the end.
+    fonts.set_sans_serif_family(&family);
     let options = Options {
-        font_family: "Ubuntu".to_string(),
+        font_family: family,
         fontdb: Arc::new(fonts),
         ..Options::default()
     };

@@ -169,11 +169,6 @@ impl Figure {
         }
     }
 
-    /// Where a point of a body is.
-    pub fn global(&self, at: At) -> Point {
-        self.places[at.body].globally(at.local)
-    }
-
     pub fn groups(&self) -> impl Iterator<Item = &Group> {
         self.bodies.iter().chain(&self.joints).chain(&self.extras)
     }

@@ -65,7 +65,7 @@ pub(super) fn names(scene: &Scene, figure: &Figure, unit: f64) -> Vec<Name> {
             text: carried.name.clone(),
             label: Label {
                 half: [0.5 * width(&carried.name, SIZE) + 5.0, 0.5 * SIZE + 2.0],
-                anchors: beside(figure, body),
+                anchors: beside(figure, body, width(&carried.name, SIZE)),
                 owner: Some(body),
             },
         });
@@ -108,7 +108,7 @@ fn around(at: Point, gap: f64) -> Vec<Anchor> {
 }
 
 /// Beside the shape of a body, or upon it where it is large.
-fn beside(figure: &Figure, body: usize) -> Vec<Anchor> {
+fn beside(figure: &Figure, body: usize, width: f64) -> Vec<Anchor> {
     let place = figure.places[body];
     let mut anchors = Vec::new();
     let upon = |at: Point, cost: f64| Anchor {
@@ -127,12 +127,12 @@ fn beside(figure: &Figure, body: usize) -> Vec<Anchor> {
         match outline {
             Outline::Circle(center, radius) => {
                 anchors.extend(around(place.globally(*center), radius + 3.0));
+                if *radius < width.max(40.0) {
+                    continue;
+                }
                 let inner = around(*center, 0.6 * radius);
                 anchors.extend(inner.into_iter().map(|it| {
-                    let at = [
-                        center[0] + it.gap * it.out[0],
-                        center[1] + it.gap * it.out[1],
-                    ];
+                    let at = [0, 1].map(|axis| center[axis] + it.gap * it.out[axis]);
                     upon(at, 1.0)
                 }));
             }
@@ -177,7 +177,10 @@ fn beside(figure: &Figure, body: usize) -> Vec<Anchor> {
                     }
                 }
                 let bounds = super::plane::Bounds::of(points.iter().copied());
-                anchors.push(upon(bounds.center(), 0.0));
+                // A name does not hide what is no larger.
+                if bounds.size()[0] > 1.5 * width && bounds.size()[1] > 4.0 * SIZE {
+                    anchors.push(upon(bounds.center(), 0.0));
+                }
             }
         }
     }
