@@ -184,7 +184,7 @@ Examples:
   linkwright draw mechanisms/excavator.mech                         excavator.svg, at t = 0
   linkwright draw mechanisms/jansen.mech --paths T --to 2.1         with the path of a point
   linkwright draw mechanisms/two_body.mech --at 0.3 --frame 2       with the axes of a body's frame
-  linkwright draw mechanisms/four_bar.mech --branch phi_coupler=other --out other.svg
+  linkwright draw mechanisms/four_bar.mech --branch phi_coupler_phi_rocker=other --out other.svg
   linkwright draw mechanisms/disc_cam.mech --out cam.png --size 1200x900
 
 Exit codes: 0 drawn, 1 the mechanism cannot be assembled or its motion ends before T, 2 bad input.";

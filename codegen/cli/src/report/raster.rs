@@ -16,6 +16,13 @@ const HEAD: usize = 8 + 25;
 /// The chunk behind it: `Software` is the registered word for what has made an image.
 const WORDS: &[u8] = b"tEXtSoftware\0linkwright";
 
+/// The letters are light ones.
+const BOLDER: &str = "\
+.linkwright text { stroke: #1c2024; stroke-width: 0.25; }
+.linkwright .point { stroke-width: 0.7; }
+.linkwright .note, .linkwright .caption { stroke: #57606a; }
+";
+
 /// How a PNG is known again.
 pub const SIGNATURE: Signature = Signature {
     noun: "a picture that this command has drawn",
@@ -43,7 +50,8 @@ pub fn raster(svg: &str, factor: f32) -> Result<Vec<u8>, String> {
         fontdb: Arc::new(fonts),
         ..Options::default()
     };
-    let tree = Tree::from_str(svg, &options).map_err(|error| error.to_string())?;
+    let svg = svg.replacen("</style>", &format!("{BOLDER}</style>"), 1);
+    let tree = Tree::from_str(&svg, &options).map_err(|error| error.to_string())?;
     let size = tree.size();
     let [width, height] = [size.width(), size.height()].map(|it| (it * factor).ceil() as u32);
     let mut pixels = Pixmap::new(width, height).ok_or("so many pixels have no room in memory")?;

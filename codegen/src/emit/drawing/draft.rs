@@ -21,6 +21,8 @@ pub(super) struct Draft<'a> {
     pub is_shaped: Vec<bool>,
     /// Where supports stand.
     pub supports: Vec<Point>,
+    /// The edges of bodies, and what lies between the ends of cylinders and of links without a body.
+    pub lines: Vec<[Point; 2]>,
 }
 
 /// Half the width of a link, in units.
@@ -56,8 +58,10 @@ pub(super) fn drafted(scene: &Scene, scale: f64) -> (Figure, f64) {
         corners: vec![Vec::new(); scene.bodies.len()],
         is_shaped: vec![false; scene.bodies.len()],
         supports: Vec::new(),
+        lines: Vec::new(),
     };
     draft.collect_corners();
+    draft.collect_lines();
     draft.unit = draft.room();
     for sign in &scene.signs {
         let mut group = Group::new(format!("joint-{}", sign.slug), sign.label.clone());
@@ -103,6 +107,23 @@ impl Draft<'_> {
                 }
             }
             *corners = distinct;
+        }
+    }
+
+    fn collect_lines(&mut self) {
+        for (corners, place) in self.corners.iter().zip(&self.figure.places).skip(1) {
+            let corners = hull(corners);
+            let next = corners.iter().cycle().skip(1);
+            let edges = corners.iter().zip(next).filter(|_| corners.len() > 1);
+            let edges = edges.map(|(a, b)| [*a, *b].map(|it| place.globally(it)));
+            self.lines.extend(edges);
+        }
+        for sign in &self.scene.signs {
+            let is_line = matches!(sign.feature, Feature::Slide | Feature::Link);
+            if is_line && sign.marks.iter().any(|mark| mark.body != 0) {
+                let ends = [0, 1].map(|mark| self.global(sign.marks[mark]));
+                self.lines.push(ends);
+            }
         }
     }
 

@@ -25,6 +25,7 @@ mod label;
 mod letters;
 mod link;
 mod naming;
+mod numbers;
 mod picture;
 mod pin;
 mod plane;

@@ -2,7 +2,7 @@
 
 use super::draft::{Draft, LINK, PIN};
 use super::figure::{Frame, Group, Layer, Look, Outline};
-use super::plane::{Bounds, Point, difference, distance, hull, left_of, onward, scaled, sum};
+use super::plane::{Bounds, Point, difference, distance, left_of, onward, scaled, sum};
 use super::pose::{At, Sign};
 use crate::joint::Feature;
 
@@ -73,30 +73,11 @@ impl Draft<'_> {
         }
     }
 
-    /// How much of the bodies' outlines runs through an area.
+    /// How much of the bodies' lines runs through an area.
     pub fn inked(&self, area: &Bounds) -> f64 {
-        let bodies = (1..self.scene.bodies.len()).map(|body| {
-            let place = self.figure.places[body];
-            let corners: Vec<Point> = hull(&self.corners[body])
-                .into_iter()
-                .map(|corner| place.globally(corner))
-                .collect();
-            let next = corners.iter().cycle().skip(1);
-            let edges = corners.iter().zip(next);
-            let area = area.widened(0.5 * LINK * self.unit);
-            let inside: f64 = edges.map(|(a, b)| area.length_inside(*a, *b)).sum();
-            inside
-        });
-        // Cylinders and links without a body.
-        let links = self.scene.signs.iter().filter(|it| {
-            let is_line = matches!(it.feature, Feature::Slide | Feature::Link);
-            is_line && !it.marks.iter().all(|mark| mark.body == 0)
-        });
-        let links = links.map(|sign| {
-            let ends = [0, 1].map(|mark| self.global(sign.marks[mark]));
-            area.length_inside(ends[0], ends[1])
-        });
-        bodies.sum::<f64>() + links.sum::<f64>()
+        let area = area.widened(0.5 * LINK * self.unit);
+        let lines = self.lines.iter();
+        lines.map(|[a, b]| area.length_inside(*a, *b)).sum()
     }
 
     /// The mark that joins two bodies for good.

@@ -3,15 +3,13 @@
 //! Afterwards nothing is an expression: every body has its place, every joint its sign with marks, line and numbers. Deliberately
 //! unknown here: pixels, and how a sign looks.
 
+use super::numbers::{Numbers, sampled};
 use super::plane::{Place, Point, left_of};
-use crate::expr::{ExprId, Graph, SymbolId, Tape};
-use crate::joint::geometry::{Mark, Vector};
+use crate::expr::SymbolId;
+use crate::joint::geometry::Mark;
 use crate::joint::{Feature, Follower};
 use crate::model::Role;
 use crate::system::System;
-
-/// How finely a curve is drawn.
-const SAMPLES: usize = 180;
 
 /// The values of all symbols at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -167,7 +165,7 @@ impl Scene {
                 .map(|axis| (axis.owner, numbers.pair(axis.direction)));
             signs.push((joint, feature, number, numbers.one(rate), marks, line));
         }
-        let value = numbers.evaluate(&graph, shown);
+        let value = numbers.evaluate(&graph, &shown.values);
         let both = |[x, y]: [usize; 2]| [value[x], value[y]];
         let place_in = |value: &[f64], [x, y, angle]: [usize; 3]| Place {
             origin: [value[x], value[y]],
@@ -195,7 +193,13 @@ impl Scene {
                     let [from, to] = curve.range;
                     Drawn {
                         body: curve.frame.body.0,
-                        points: sampled(&graph, curve.point, curve.parameter, [from, to], shown),
+                        points: sampled(
+                            &graph,
+                            curve.point,
+                            curve.parameter,
+                            [from, to],
+                            &shown.values,
+                        ),
                         is_closed: false,
                     }
                     .closed_if_it_returns()
@@ -204,7 +208,7 @@ impl Scene {
             });
         let signs = signs.collect();
         let motion = std::iter::once(shown).chain(others).map(|pose| {
-            let value = numbers.evaluate(&graph, pose);
+            let value = numbers.evaluate(&graph, &pose.values);
             places
                 .iter()
                 .map(|&place| place_in(&value, place))
@@ -309,59 +313,5 @@ impl Drawn {
             }
         }
         self
-    }
-}
-
-fn sampled(
-    graph: &Graph,
-    point: Vector,
-    parameter: SymbolId,
-    [from, to]: [f64; 2],
-    pose: &Pose,
-) -> Vec<Point> {
-    let tape = Tape::new(graph, &point);
-    let mut values = pose.values.clone();
-    let mut workspace = Vec::new();
-    let sample = |place: usize| {
-        values[parameter.index()] = from + (to - from) * place as f64 / SAMPLES as f64;
-        let mut found = [0.0; 2];
-        tape.evaluate(&values, &mut workspace, &mut found);
-        found
-    };
-    (0..=SAMPLES).map(sample).collect()
-}
-
-/// Expressions that are evaluated together.
-#[derive(Default)]
-struct Numbers {
-    roots: Vec<ExprId>,
-}
-
-impl Numbers {
-    fn one(&mut self, root: ExprId) -> usize {
-        self.roots.push(root);
-        self.roots.len() - 1
-    }
-
-    fn pair(&mut self, vector: Vector) -> [usize; 2] {
-        vector.map(|part| self.one(part))
-    }
-
-    fn places(&mut self, system: &System) -> Vec<[usize; 3]> {
-        let frames = system.mechanism.bodies.iter().map(|body| body.frame);
-        frames
-            .map(|frame| {
-                let [x, y] = self.pair(frame.origin);
-                [x, y, self.one(frame.angle)]
-            })
-            .collect()
-    }
-
-    fn evaluate(&self, graph: &Graph, pose: &Pose) -> Vec<f64> {
-        let mut values = pose.values.clone();
-        values.resize(graph.symbol_count(), 0.0);
-        let mut found = vec![0.0; self.roots.len()];
-        Tape::new(graph, &self.roots).evaluate(&values, &mut Vec::new(), &mut found);
-        found
     }
 }
