@@ -4,8 +4,8 @@
 //! anchor. Names are placed one after another, then each again while the others stay (Christensen, Marks and Shieber 1995 compare
 //! such searches). Afterwards no two names overlap and all lie in the area. The same input gives the same places.
 
-use super::figure::{Look, Trace};
-use super::plane::{Bounds, Point, difference, dot, is_inside, onward};
+use super::obstacles::Obstacles;
+use super::plane::{Bounds, Point, distance, onward};
 
 /// A place from which candidates lie outwards.
 #[derive(Clone, Copy, Debug)]
@@ -29,93 +29,14 @@ pub(super) struct Label {
     pub owner: Option<usize>,
 }
 
-/// What labels avoid.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Obstacles {
-    segments: Vec<(f64, Bounds, [Point; 2])>,
-    fills: Vec<(usize, Bounds, Vec<Point>)>,
-    /// Boxes that are taken.
-    pub taken: Vec<Bounds>,
-}
-
 /// The steps away from an anchor, in pixels.
 const STEPS: [f64; 7] = [0.0, 5.0, 11.0, 19.0, 30.0, 44.0, 64.0];
 
+/// How many free places are compared for a name that finds no room beside what it names.
+const NEAREST: usize = 100;
+
 /// How often each name is placed again.
 const ROUNDS: usize = 3;
-
-impl Obstacles {
-    /// Takes in an outline; `owner` tells whose it is, where names know that.
-    pub fn add(&mut self, trace: &Trace, owner: Option<usize>) {
-        let weight = match trace.look {
-            Look::Hatch => 0.5,
-            Look::Thought | Look::Massless => 0.6,
-            Look::Path => 0.7,
-            Look::Part | Look::DriveHead | Look::Drive | Look::Ink | Look::AxisHead => 2.0,
-            _ => 1.0,
-        };
-        for edge in trace.segments() {
-            let bounds = Bounds::of(edge);
-            self.segments.push((weight, bounds, edge));
-        }
-        let is_shape = matches!(trace.look, Look::Body | Look::Disc);
-        if let (true, Some(owner), true) = (trace.is_closed, owner, is_shape) {
-            let bounds = Bounds::of(trace.points.iter().copied());
-            self.fills.push((owner, bounds, trace.points.clone()));
-        }
-        // What is small and closed hides a name that lies within as well.
-        if trace.is_closed && matches!(trace.look, Look::Part | Look::Ink) {
-            let bounds = Bounds::of(trace.points.iter().copied());
-            let [low, high] = [bounds.low, bounds.high];
-            let cross = [[low, high], [[low[0], high[1]], [high[0], low[1]]]];
-            self.segments
-                .extend(cross.map(|edge| (weight, bounds, edge)));
-        }
-    }
-
-    /// What it costs to cover a box.
-    fn cost(&self, area: &Bounds, owner: Option<usize>) -> f64 {
-        let near = area.widened(1.5);
-        let meeting = self.segments.iter().filter(|(_, bounds, _)| {
-            // A level line has no extent across.
-            bounds.widened(0.01).meets(&near)
-        });
-        let lines: f64 = meeting
-            .map(|(weight, _, [a, b])| {
-                let inside = near.length_inside(*a, *b);
-                if inside > 0.0 {
-                    weight * (inside + 3.0)
-                } else {
-                    0.0
-                }
-            })
-            .sum();
-        let [low, high] = [area.low, area.high];
-        let samples = [
-            low,
-            high,
-            [low[0], high[1]],
-            [high[0], low[1]],
-            area.center(),
-        ];
-        let fills = self
-            .fills
-            .iter()
-            .filter(|(_, bounds, _)| bounds.meets(area));
-        let covered: f64 = fills
-            .map(|(whose, _, points)| {
-                let inside = samples.iter().filter(|it| is_inside(**it, points)).count() as f64;
-                let weight = match owner {
-                    Some(owner) if owner == *whose => 0.0,
-                    Some(_) => 6.0,
-                    None => 1.2,
-                };
-                weight * inside
-            })
-            .sum();
-        lines + covered
-    }
-}
 
 /// Where a name stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -157,10 +78,10 @@ pub(super) fn placed(
                 .iter()
                 .filter(fits)
                 .min_by(|a, b| a.0.total_cmp(&b.0));
-            let is_lost = best.is_none() && round > 0;
             chosen[at] = match best {
                 Some((_, placed)) => Some(*placed),
-                None if is_lost => anywhere(&labels[at], &others, obstacles, area),
+                // In the end any free place is better than none.
+                None if round == ROUNDS => anywhere(&labels[at], &others, obstacles, area),
                 None => None,
             };
         }
@@ -201,22 +122,25 @@ fn anywhere(
     area: &Bounds,
 ) -> Option<Placed> {
     let from = label.anchors.first()?.at;
-    let step = label.half[1];
+    let step = 2.0 * label.half[1];
     let [width, height] = area.size();
     let (columns, rows) = ((width / step) as usize, (height / step) as usize);
     let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| [column, row]));
-    let boxes = cells.filter_map(|[column, row]| {
+    let free = cells.filter_map(|[column, row]| {
         let at = [
             area.low[0] + step * column as f64,
             area.low[1] + step * row as f64,
         ];
         let own = Bounds::around(at, label.half);
-        let taken = others.iter().chain(&obstacles.taken);
-        let is_free = area.holds(&own) && taken.into_iter().all(|it| !it.meets(&own));
-        let gap = difference(at, from);
-        is_free.then(|| (dot(gap, gap).sqrt() + obstacles.cost(&own, None), own))
+        let mut taken = others.iter().chain(&obstacles.taken);
+        let is_free = area.holds(&own) && taken.all(|it| !it.meets(&own));
+        is_free.then(|| (distance(at, from), own))
     });
-    let best = boxes.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let mut free: Vec<(f64, Bounds)> = free.collect();
+    free.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let costly = free.into_iter().take(NEAREST);
+    let costly = costly.map(|(far, own)| (far + obstacles.cost(&own, None), own));
+    let best = costly.min_by(|a, b| a.0.total_cmp(&b.0))?;
     Some(Placed {
         area: best.1,
         leader: Some(from),
@@ -225,6 +149,7 @@ fn anywhere(
 
 #[cfg(test)]
 mod tests {
+    use super::super::figure::{Look, Trace};
     use super::*;
 
     fn around(at: Point) -> Vec<Anchor> {

@@ -26,6 +26,7 @@ mod letters;
 mod link;
 mod naming;
 mod numbers;
+mod obstacles;
 mod picture;
 mod pin;
 mod plane;

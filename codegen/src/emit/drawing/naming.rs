@@ -1,8 +1,9 @@
 //! *A scene and its figure* → *its names, and where each may stand*.
 
 use super::figure::{Figure, Frame, Look, Outline, offset_edges};
-use super::label::{Anchor, Label, Obstacles};
+use super::label::{Anchor, Label};
 use super::letters::width;
+use super::obstacles::Obstacles;
 use super::plane::{Point, difference, distance, heading, hull, left_of, scaled};
 use super::pose::{At, Scene};
 
@@ -29,9 +30,15 @@ pub(super) struct Name {
 /// How many directions a name may stand in.
 const DIRECTIONS: usize = 16;
 
+/// More names than this are left out: nobody could read them.
+const NAMED: usize = 250;
+
 /// The names of all points and of all moving bodies.
 pub(super) fn names(scene: &Scene, figure: &Figure, unit: f64) -> Vec<Name> {
     let mut names: Vec<Name> = Vec::new();
+    if scene.points.len() + scene.bodies.len() > NAMED {
+        return names;
+    }
     let mut seen: Vec<(&str, Point)> = Vec::new();
     let place = |at: At| scaled(scene.global(at), figure.scale);
     for (number, point) in scene.points.iter().enumerate() {

@@ -37,9 +37,6 @@ const MARGIN: f64 = 30.0;
 /// The height of a line of the legend.
 const ROW: f64 = 20.0;
 
-/// More names than this are not placed.
-const NAMED: usize = 400;
-
 /// The mechanism in a pose, with paths of points. Guides are as long as what slides on them needs in the other poses.
 pub fn draw(
     system: &System,
@@ -163,8 +160,7 @@ pub(super) fn labels(
     area: &Bounds,
     frames: &[usize],
 ) -> String {
-    let mut names = names(scene, figure, unit);
-    names.truncate(NAMED);
+    let names = names(scene, figure, unit);
     let mut obstacles = obstacles(figure);
     let mut text = String::from("<g id=\"names\">\n");
     for &body in frames {
