@@ -122,15 +122,14 @@ fn anywhere(
     area: &Bounds,
 ) -> Option<Placed> {
     let from = label.anchors.first()?.at;
-    let step = 2.0 * label.half[1];
-    let [width, height] = area.size();
-    let (columns, rows) = ((width / step) as usize, (height / step) as usize);
-    let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| [column, row]));
-    let free = cells.filter_map(|[column, row]| {
-        let at = [
-            area.low[0] + step * column as f64,
-            area.low[1] + step * row as f64,
-        ];
+    let step = label.half[1];
+    let size = area.size();
+    let counts =
+        [0, 1].map(|axis| ((size[axis] - 2.0 * label.half[axis]) / step).max(0.0) as usize);
+    let [columns, rows] = counts;
+    let cells = (0..=rows).flat_map(|row| (0..=columns).map(move |column| [column, row]));
+    let free = cells.filter_map(|cell| {
+        let at = [0, 1].map(|axis| area.low[axis] + label.half[axis] + step * cell[axis] as f64);
         let own = Bounds::around(at, label.half);
         let mut taken = others.iter().chain(&obstacles.taken);
         let is_free = area.holds(&own) && taken.all(|it| !it.meets(&own));
