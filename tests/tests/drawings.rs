@@ -309,7 +309,7 @@ fn a_size_that_is_asked_for_is_kept() {
     }
 }
 
-/// Six loops of two assemblies each.
+/// The sixteen assemblies of the excavator, each four times: as many panels as are drawn at most.
 #[test]
 fn sixty_four_assemblies_have_one_scale_and_a_panel_each() {
     let system = description::system("excavator");
