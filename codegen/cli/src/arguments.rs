@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-/// Reads descriptions of planar mechanisms: solves them, shows their equations, derives their
-/// solution, writes them as Rust.
+/// Reads descriptions of planar mechanisms: solves them, draws them, shows their equations, derives
+/// their solution, writes them as Rust.
 #[derive(Parser, Debug)]
 #[command(name = "linkwright", version, after_help = EXAMPLES)]
 pub struct Arguments {
@@ -18,6 +18,7 @@ const EXAMPLES: &str = "\
 Examples:
   linkwright solve mechanisms/excavator.mech
   linkwright solve mechanisms/two_body.mech --to 1 --step 0.1 --points Q
+  linkwright draw mechanisms/excavator.mech
   linkwright inspect mechanisms/two_body.mech --format unicode
   linkwright plan mechanisms/excavator.mech
   linkwright check mechanisms/two_body.mech
@@ -31,6 +32,8 @@ or `check --deny-warnings` something to look at), 2 bad input.";
 pub enum Command {
     /// Solve the motion: print it, write CSV and plots
     Solve(Solve),
+    /// Draw the mechanism as an SVG or a PNG
+    Draw(Draw),
     /// Write the mechanism as a Rust module
     Generate(Generate),
     /// Show Φ, Φ_q, Φ_t and γ, and what the generated code solves
@@ -121,6 +124,70 @@ Examples:
 
 Exit codes: 0 solved, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.
 Frames before the end of a motion that ends early are printed and written all the same.";
+
+/// Draws the mechanism in one pose as a mechanical engineer does: bodies by the points they carry, supports and guides hatched,
+/// driven joints with an arrow.
+///
+/// The pose is solved by the blocks that a generated module runs. A mechanism whose equations do not determine its motion is drawn
+/// with `--as-written`, in the estimates of its description.
+#[derive(Args, Debug)]
+#[command(after_help = DRAW_EXAMPLES)]
+pub struct Draw {
+    /// The description, a `.mech` file
+    pub file: PathBuf,
+    /// Which motion, where the mechanism has several
+    #[arg(long, value_name = "NAME")]
+    pub motion: Option<String>,
+    /// Where to write the picture, `.svg` or `.png`; `-` is stdout [default: NAME.svg]
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Write a PNG, whatever the file is called [default file: NAME.png]
+    #[arg(long)]
+    pub png: bool,
+    /// The instant that is drawn, in s, followed from T0 by steps of H [default: T0]
+    #[arg(long, value_name = "T", value_parser = finite, allow_hyphen_values = true)]
+    pub at: Option<f64>,
+    /// The poses that the description estimates, instead of a solved one
+    #[arg(long, conflicts_with_all = ["at", "branch", "paths", "set"])]
+    pub as_written: bool,
+    /// Draw the paths of these points from T0 to T1, with ticks at equal times
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    pub paths: Vec<String>,
+    /// When the motion starts, in s; the mechanism is assembled there
+    #[arg(long, value_name = "T0", default_value = "0", value_parser = finite, allow_hyphen_values = true)]
+    pub from: f64,
+    /// When the paths end, in s
+    #[arg(long, value_name = "T1", default_value = "5", value_parser = finite, allow_hyphen_values = true)]
+    pub to: f64,
+    /// The time between frames, in s
+    #[arg(long, value_name = "H", default_value = "0.01", value_parser = positive, allow_hyphen_values = true)]
+    pub step: f64,
+    /// Draw the frames of these bodies, `ground` among them
+    #[arg(long, value_name = "BODY", value_delimiter = ',')]
+    pub frame: Vec<String>,
+    /// Width and height in pixels [default: as large as the drawing needs, up to 760x620]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<[u32; 2]>,
+    /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
+    /// The assembly mode of a loop: `positive` or `negative`, or `other` than drawn; may be repeated. A wrong name lists the loops
+    #[arg(long, value_name = "LOOP=MODE")]
+    pub branch: Vec<String>,
+    /// Replace a file that is not what this command has written
+    #[arg(long)]
+    pub force: bool,
+}
+
+const DRAW_EXAMPLES: &str = "\
+Examples:
+  linkwright draw mechanisms/excavator.mech                         excavator.svg, at t = 0
+  linkwright draw mechanisms/jansen.mech --paths T --to 2.1         with the path of a point
+  linkwright draw mechanisms/two_body.mech --at 0.3 --frame 2       with the axes of a body's frame
+  linkwright draw mechanisms/four_bar.mech --branch phi_coupler_phi_rocker=other --out other.svg
+  linkwright draw mechanisms/disc_cam.mech --out cam.png --size 1200x900
+
+Exit codes: 0 drawn, 1 the mechanism cannot be assembled or its motion ends before T, 2 bad input.";
 
 /// Says what can go wrong: degrees of freedom, the determinant of each block and what the pose is like where it is zero, the
 /// assemblies at the start, and where over a range of time each block comes closest to singular.
@@ -280,6 +347,17 @@ fn finite(text: &str) -> Result<f64, String> {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err("not a finite number".to_string()),
         Err(_) => Err("not a number".to_string()),
+    }
+}
+
+/// `800x600`, from a thumbnail to what a printer wants.
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let sides = text.split_once('x').map(|(width, height)| [width, height]);
+    let sides = sides.and_then(|it| Some([it[0].parse().ok()?, it[1].parse().ok()?]));
+    match sides {
+        Some(size) if size.iter().all(|it| (100..=10_000).contains(it)) => Ok(size),
+        Some(_) => Err("width and height are between 100 and 10000".to_string()),
+        None => Err("write width and height as in `800x600`".to_string()),
     }
 }
 

@@ -13,6 +13,7 @@ pub mod condition;
 pub mod dense;
 pub mod derivatives;
 pub mod diagnosis;
+pub mod drawn;
 pub mod instant;
 pub mod interpreted;
 pub mod measures;

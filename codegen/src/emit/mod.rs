@@ -1,9 +1,10 @@
-//! System and Program → Rust, text and LaTeX.
+//! System and Program → Rust, text, LaTeX and drawings.
 //!
-//! The three print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
+//! The first three print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
 //! functions of time. Deliberately unknown here: files, and where an expression came from.
 
 pub mod derivation;
+pub mod drawing;
 mod formula;
 pub mod latex;
 mod named_parts;

@@ -1,6 +1,6 @@
 //! Absolute angle: a body does not turn.
 
-use super::{Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// φ_i − C = 0 (Haug 1989, section 3.2).
@@ -34,6 +34,10 @@ impl Kind for AbsoluteAngle {
 
     fn example(&self) -> &'static str {
         "`absolute_angle(1) = 30deg;`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Orientation)
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

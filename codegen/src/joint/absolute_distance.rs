@@ -1,7 +1,7 @@
 //! Absolute distance: a point of a body stays on a circle about a point of the ground.
 
 use super::link::{link_rows, refuse_length, squared_row};
-use super::{Auxiliary, Kind, Operands, Quantity, Refusal, Resolved, Row, Slot, Value};
+use super::{Auxiliary, Feature, Kind, Operands, Quantity, Refusal, Resolved, Row, Slot, Value};
 use crate::expr::{ExprId, Graph};
 
 /// (r_i + R_i s_i − A)ᵀ (r_i + R_i s_i − A) − L² = 0 (Haug 1989, section 3.2).
@@ -22,6 +22,10 @@ impl Kind for AbsoluteDistance {
 
     fn example(&self) -> &'static str {
         "`absolute_distance (1.P, A) = 2;` with A a point of the drawing"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Link)
     }
 
     fn auxiliaries(&self) -> &'static [Auxiliary] {

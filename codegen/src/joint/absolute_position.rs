@@ -1,6 +1,6 @@
 //! Absolute x and absolute y: a point of a body stays on a vertical or horizontal line.
 
-use super::{Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// x_i + (R_i s_i)_x − C = 0 (Haug 1989, section 3.2).
@@ -40,6 +40,10 @@ impl Kind for AbsoluteX {
         "`absolute_x(1) = 0;` or `absolute_x(1.P) = sqrt(3);`"
     }
 
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Coordinate(0))
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         held(operands, 0, graph)
     }
@@ -60,6 +64,10 @@ impl Kind for AbsoluteY {
 
     fn example(&self) -> &'static str {
         "`absolute_y(1) = 0;` or `absolute_y(1.P) = 20mm;`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Coordinate(1))
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

@@ -1,7 +1,7 @@
 //! Absolute angle driver: a body's angle is a function of time.
 
 use super::absolute_angle::angle_row;
-use super::{Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// φ_i − f(t) = 0 (Haug 1989, section 3.5).
@@ -22,6 +22,10 @@ impl Kind for AngleDriver {
 
     fn example(&self) -> &'static str {
         "`drive phi(1) = pi/6 + sin(2*t);`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Orientation)
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

@@ -21,6 +21,8 @@ pub struct Curve {
     pub estimate: ExprId,
     /// p(s), in the frame, in m.
     pub point: Vector,
+    /// Where the parameter begins and ends in a drawing.
+    pub range: [f64; 2],
     /// 1 where what touches lies to the right of the curve as s grows, as it does outside a curve that turns
     /// counterclockwise; −1 where it lies to the left.
     pub side: ExprId,

@@ -1,6 +1,6 @@
 //! Equation: a row that the description writes out, over coordinates, points of bodies and t.
 
-use super::{Kind, Operands, Resolved, Row, Value};
+use super::{Feature, Kind, Operands, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// left − right = 0, as it is written.
@@ -21,6 +21,10 @@ impl Kind for Equation {
 
     fn example(&self) -> &'static str {
         "`equation rope: K.x^2 + K.y^2 = 4;`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Written)
     }
 
     /// The formula with the arms of the marks put in, so that the vector form has symbols for them.

@@ -1,7 +1,7 @@
 //! Flat-faced follower: a straight face of one body stays tangent to a curve of another.
 
 use super::geometry::{dot, perpendicular, subtract};
-use super::{Contact, Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Contact, Feature, Follower, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// (R_j v)ᵀ (r_i + R_i p(s) − r_j − R_j s_A) = 0 and (R_j v)ᵀ R_i p'(s) = 0, with v across the face, fixed in body j: the touched
@@ -23,6 +23,10 @@ impl Kind for Flat {
 
     fn example(&self) -> &'static str {
         "`flat (2, rim) along A -> B;` with A and B on body 2"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Contact(Follower::Face))
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

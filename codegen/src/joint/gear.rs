@@ -1,6 +1,6 @@
 //! Gears and belts: the angles of two bodies, seen from a carrier, keep a ratio.
 
-use super::{Kind, Operands, Quantity, Refusal, Resolved, Row, Value};
+use super::{Feature, Kind, Mesh, Operands, Quantity, Refusal, Resolved, Row, Value};
 use crate::expr::{ExprId, Graph};
 
 /// (φ_j − φ_k − φ_j⁰) ± ratio (φ_i − φ_k − φ_i⁰) = 0 with the carrier k, the angles φ⁰ seen from it in the drawing, and
@@ -14,6 +14,8 @@ pub struct Gear {
     other: &'static str,
     /// Whether the two turn against one another, seen from the carrier.
     opposite: bool,
+    /// What turns them.
+    mesh: Mesh,
 }
 
 /// Two wheels with teeth outside: they turn against one another.
@@ -22,6 +24,7 @@ pub static EXTERNAL_GEAR: Gear = Gear {
     example: "`external_gear (1, 2) = 20mm/40mm;`, or with a carrier `external_gear (1, 2, 3) = 20/40;`",
     other: "internal_gear",
     opposite: true,
+    mesh: Mesh::External,
 };
 
 /// A wheel inside a ring: both turn in one sense.
@@ -30,6 +33,7 @@ pub static INTERNAL_GEAR: Gear = Gear {
     example: "`internal_gear (1, 2) = 20mm/40mm;`, or with a carrier `internal_gear (1, 2, 3) = 20/40;`",
     other: "external_gear",
     opposite: false,
+    mesh: Mesh::Internal,
 };
 
 /// Two wheels in an open belt: both turn in one sense.
@@ -38,6 +42,7 @@ pub static BELT: Gear = Gear {
     example: "`belt (1, 2) = 20mm/40mm;`, or with a carrier `belt (1, 2, 3) = 20/40;`",
     other: "crossed_belt",
     opposite: false,
+    mesh: Mesh::Belt,
 };
 
 /// Two wheels in a crossed belt: they turn against one another.
@@ -46,6 +51,7 @@ pub static CROSSED_BELT: Gear = Gear {
     example: "`crossed_belt (1, 2) = 20mm/40mm;`, or with a carrier `crossed_belt (1, 2, 3) = 20/40;`",
     other: "belt",
     opposite: true,
+    mesh: Mesh::CrossedBelt,
 };
 
 impl Kind for Gear {
@@ -63,6 +69,10 @@ impl Kind for Gear {
 
     fn example(&self) -> &'static str {
         self.example
+    }
+
+    fn feature(&self, operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Wheels(self.mesh, operands.value?))
     }
 
     fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {

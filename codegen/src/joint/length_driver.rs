@@ -1,7 +1,7 @@
 //! Length driver: the distance between the two points of a translational joint, along it, is a function of time.
 
 use super::geometry::offset_along;
-use super::{Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// (R_i u)ᵀ (r_j + R_j s_j − r_i − R_i s_i) − f(t) = 0, with u along the line, fixed in body i (Haug 1989, section 3.5).
@@ -24,6 +24,10 @@ impl Kind for LengthDriver {
 
     fn example(&self) -> &'static str {
         "`drive length(P, Q) = 0.5 + 0.1*sin(t);` after `translational (1, 2) along P -> Q;`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Slide)
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

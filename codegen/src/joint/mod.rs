@@ -1,6 +1,6 @@
 //! Operands of a joint or driver → its rows of Φ.
 //!
-//! One file per kind, and one line in [`CONSTRAINTS`] or [`DRIVERS`]. A kind says how it is written and states its
+//! One file per kind, and one line in [`CONSTRAINTS`] or [`DRIVERS`]. A kind says how it is written and drawn and states its
 //! residuals; the Jacobian, Φ_t, γ, the printing and the diagnostics follow from these. Afterwards every row is a scalar
 //! expression of the coordinates and t that vanishes when the joint is satisfied.
 //!
@@ -12,6 +12,7 @@ mod absolute_position;
 mod angle_driver;
 mod curve;
 mod equation;
+mod feature;
 mod flat;
 mod gear;
 pub mod geometry;
@@ -32,6 +33,7 @@ mod translational;
 mod weld;
 
 pub use curve::Curve;
+pub use feature::{Feature, Follower, Mesh};
 pub use operands::{
     Auxiliary, AuxiliaryUnknown, Axis, Drawn, Formula, Line, Operands, Resolved, Slot, Value,
 };
@@ -84,6 +86,8 @@ pub trait Kind: Sync {
     fn value(&self) -> Value;
     /// Statements of this kind as they are written, for help lines.
     fn example(&self) -> &'static str;
+    /// What a drawing shows of it; `None` where its operands are not complete.
+    fn feature(&self, operands: &Resolved, graph: &mut Graph) -> Option<Feature>;
     /// Whether the joint keeps its two marks at one place, so that they are one point of the mechanism.
     fn joins_points(&self) -> bool {
         false

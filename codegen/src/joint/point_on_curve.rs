@@ -1,7 +1,7 @@
 //! Point on curve: a point of one body stays on a curve of another.
 
 use super::geometry::subtract;
-use super::{Contact, Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Contact, Feature, Follower, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// r_j + R_j s_j − r_i − R_i p(s) = 0, with s as a coordinate of its own (Nikravesh 1988, section 4.2.4).
@@ -22,6 +22,10 @@ impl Kind for PointOnCurve {
 
     fn example(&self) -> &'static str {
         "`point_on_curve (2.P, rim);` with `curve rim(s) on 1 = (X, Y);`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Contact(Follower::Point))
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

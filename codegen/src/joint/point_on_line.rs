@@ -1,7 +1,7 @@
 //! A point of one body stays on a line of another, or at a distance from it: a pin in a slot, and the massless slider.
 
 use super::geometry::{offset_along, perpendicular, subtract};
-use super::{Auxiliary, Kind, Line, Operands, Quantity, Resolved, Row, Slot, Value};
+use super::{Auxiliary, Feature, Kind, Line, Operands, Quantity, Resolved, Row, Slot, Value};
 use crate::expr::{ExprId, Graph};
 
 /// (R_i v)ᵀ (r_j + R_j s_Q − r_i − R_i s_P) = 0, with v across the line through P, fixed in body i (Haug 1989, section 3.3).
@@ -74,6 +74,10 @@ impl Kind for PointOnLine {
         "`point_on_line (2.Q, 1) along P -> R;` with P and R on body 1"
     }
 
+    fn feature(&self, _operands: &Resolved, graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Slot(graph.zero()))
+    }
+
     fn auxiliaries(&self) -> &'static [Auxiliary] {
         &[Auxiliary::Displacement]
     }
@@ -107,6 +111,11 @@ impl Kind for RevoluteTranslational {
 
     fn example(&self) -> &'static str {
         "`revolute_translational (1, 2.Q) along P -> R = 20mm;` with P and R on body 1"
+    }
+
+    fn feature(&self, operands: &Resolved, graph: &mut Graph) -> Option<Feature> {
+        let offset = offset(operands, graph);
+        Some(Feature::Slot(offset))
     }
 
     fn auxiliaries(&self) -> &'static [Auxiliary] {

@@ -1,7 +1,7 @@
 //! Position drivers: the x or the y of a point is a function of time.
 
 use super::absolute_position::held;
-use super::{Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// (r_i + R_i s_i)_x − f(t) = 0 (Haug 1989, section 3.5).
@@ -27,6 +27,10 @@ impl Kind for XDriver {
         "`drive x(1.P) = 0.1*sin(t);` or `drive P.x = 0.1*sin(t);`"
     }
 
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Coordinate(0))
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         held(operands, 0, graph)
     }
@@ -47,6 +51,10 @@ impl Kind for YDriver {
 
     fn example(&self) -> &'static str {
         "`drive y(1.P) = 0.1*sin(t);` or `drive P.y = 0.1*sin(t);`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Coordinate(1))
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

@@ -1,7 +1,9 @@
 //! Rack and pinion: a wheel rolls without slip on a line of another body; both bodies may move and turn.
 
 use super::geometry::{offset_along, perpendicular, subtract};
-use super::{Auxiliary, Kind, Line, Operands, Quantity, Refusal, Resolved, Row, Slot, Value};
+use super::{
+    Auxiliary, Feature, Kind, Line, Operands, Quantity, Refusal, Resolved, Row, Slot, Value,
+};
 use crate::expr::{ExprId, Graph};
 
 /// (R_k u)ᵀ (r_i + R_i s_C − r_k − R_k s_P) − ℓ⁰ ± radius (φ_i − φ_k − φ⁰) = 0: as far as the centre C of the pinion i has moved
@@ -49,6 +51,22 @@ impl Kind for Rack {
 
     fn example(&self) -> &'static str {
         "`rack (pinion.C, rack) along P -> Q = 20mm;` with P and Q on the rack, where the teeth meet"
+    }
+
+    fn feature(&self, operands: &Resolved, graph: &mut Graph) -> Option<Feature> {
+        let radius = match operands.value {
+            Some(radius) => radius,
+            None => {
+                let across = operands.across_in_drawing(graph)?;
+                let is_right = graph.constant_value(across)? < 0.0;
+                if is_right {
+                    graph.negate(across)
+                } else {
+                    across
+                }
+            }
+        };
+        Some(Feature::Pinion(radius))
     }
 
     fn auxiliaries(&self) -> &'static [Auxiliary] {

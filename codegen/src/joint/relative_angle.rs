@@ -1,6 +1,6 @@
 //! Relative angle: one body keeps its angle to another.
 
-use super::{Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::{ExprId, Graph};
 
 /// φ_j − φ_i − C = 0 (Haug 1989, section 3.3); as a driver with f(t) for C (section 3.5).
@@ -37,6 +37,10 @@ impl Kind for RelativeAngle {
 
     fn example(&self) -> &'static str {
         "`relative_angle (1, 2) = 30deg;`, or driven `drive relative_angle(1, 2) = 2*t;`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::RelativeOrientation)
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

@@ -2,7 +2,7 @@
 //! driver of the distance.
 
 use super::link::{drawn_length, link_rows, refuse_length, squared_row};
-use super::{Auxiliary, Kind, Operands, Quantity, Refusal, Resolved, Row, Value};
+use super::{Auxiliary, Feature, Kind, Operands, Quantity, Refusal, Resolved, Row, Value};
 use crate::expr::{ExprId, Graph};
 
 /// dᵀd − L² = 0 with d = r_j + R_j s_j − r_i − R_i s_i (Haug 1989, section 3.3).
@@ -40,6 +40,10 @@ impl Kind for RelativeDistance {
 
     fn example(&self) -> &'static str {
         "`relative_distance (1.P, 2.Q) = 2;`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Link)
     }
 
     fn auxiliaries(&self) -> &'static [Auxiliary] {
@@ -82,6 +86,10 @@ impl Kind for RevoluteRevolute {
         "`revolute_revolute (1.P, 2.Q);` or `revolute_revolute (1.P, 2.Q) = 2;`"
     }
 
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Link)
+    }
+
     fn auxiliaries(&self) -> &'static [Auxiliary] {
         &[Auxiliary::LinkAngle]
     }
@@ -118,6 +126,10 @@ impl Kind for DistanceDriver {
 
     fn example(&self) -> &'static str {
         "`drive distance(1.P, 2.Q) = 2 + 0.1*sin(t);`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Link)
     }
 
     fn auxiliaries(&self) -> &'static [Auxiliary] {

@@ -1,6 +1,6 @@
 //! Relative x and relative y: a point of one body stays beside, or above, a point of another.
 
-use super::{Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// (r_j + R_j s_j − r_i − R_i s_i)_x − C = 0 (Haug 1989, section 3.3); as a driver with f(t) for C.
@@ -40,6 +40,10 @@ impl Kind for RelativeX {
         "`relative_x (1.P, 2.Q) = 0.5;`, or driven `drive relative_x(1.P, 2.Q) = 0.5*sin(t);`"
     }
 
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Offset(0))
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         apart(operands, 0, graph)
     }
@@ -60,6 +64,10 @@ impl Kind for RelativeY {
 
     fn example(&self) -> &'static str {
         "`relative_y (1.P, 2.Q) = 0.5;`, or driven `drive relative_y(1.P, 2.Q) = 0.5*sin(t);`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Offset(1))
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

@@ -1,7 +1,7 @@
 //! Revolute joint: a point of one body stays on a point of another.
 
 use super::geometry::subtract;
-use super::{Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
 /// r_i + R_i s_i − r_j − R_j s_j = 0 (Haug 1989, section 3.3).
@@ -22,6 +22,10 @@ impl Kind for Revolute {
 
     fn example(&self) -> &'static str {
         "`revolute P(1, 2);` or `revolute (1.P, 2.Q);`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Pin)
     }
 
     fn joins_points(&self) -> bool {

@@ -1,7 +1,9 @@
 //! Roller follower: a disc whose center is a point of one body rolls along a curve of another.
 
 use super::geometry::{Vector, add, subtract};
-use super::{Contact, Curve, Kind, Operands, Quantity, Refusal, Resolved, Row, Value};
+use super::{
+    Contact, Curve, Feature, Follower, Kind, Operands, Quantity, Refusal, Resolved, Row, Value,
+};
 use crate::expr::{ExprId, Graph};
 
 /// r_j + R_j s_j − r_i − R_i (p(s) + ρ n(s)) = 0, with the radius ρ, and the unit normal n on the side on which the drawing
@@ -32,6 +34,11 @@ impl Kind for Roller {
 
     fn example(&self) -> &'static str {
         "`roller (2.P, rim) = 10mm;` with `curve rim(a) on 1 = polar RADIUS;`"
+    }
+
+    fn feature(&self, operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        let radius = operands.value?;
+        Some(Feature::Contact(Follower::Roller(radius)))
     }
 
     fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {

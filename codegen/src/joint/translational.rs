@@ -1,7 +1,7 @@
 //! Translational joint: two bodies slide along a common line and keep their relative angle.
 
 use super::geometry::{offset_along, perpendicular, subtract};
-use super::{Auxiliary, Kind, Operands, Quantity, Resolved, Row, Value};
+use super::{Auxiliary, Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::{ExprId, Graph};
 
 /// φ_i − φ_j − φ⁰ = 0 and (R_i v)ᵀ (r_j + R_j s_j − r_i − R_i s_i) = 0, with v across the line, fixed in body i
@@ -23,6 +23,10 @@ impl Kind for Translational {
 
     fn example(&self) -> &'static str {
         "`translational (1, 2) along P -> Q;` with P on body 1 and Q on body 2"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Slide)
     }
 
     fn without(&self, component: &str) -> Option<&'static str> {

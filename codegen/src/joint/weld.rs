@@ -2,7 +2,7 @@
 
 use super::relative_angle::relative_angle_row;
 use super::revolute::Revolute;
-use super::{Kind, Operands, Resolved, Row, Slot, Value};
+use super::{Feature, Kind, Operands, Resolved, Row, Slot, Value};
 use crate::expr::Graph;
 
 /// r_i + R_i s_i − r_j = 0 and φ_j − φ_i − φ⁰ = 0, with the origin of body j as body i carries it in the drawing (Nikravesh 1988,
@@ -24,6 +24,10 @@ impl Kind for Weld {
 
     fn example(&self) -> &'static str {
         "`weld (1, 2);`"
+    }
+
+    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
+        Some(Feature::Weld)
     }
 
     fn without(&self, component: &str) -> Option<&'static str> {

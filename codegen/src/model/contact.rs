@@ -60,6 +60,7 @@ impl Resolver<'_> {
             parameter,
             quantity: drawn.quantity,
             point,
+            range: [drawn.range.from, drawn.range.to],
             side: one,
             estimate: zero,
         }

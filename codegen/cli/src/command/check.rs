@@ -9,7 +9,7 @@ use super::description::{determined, interpreted, outputs, source};
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Check as Arguments;
 use crate::progress::Progress;
-use crate::report::{assembly_plot, check_json, check_text, picture};
+use crate::report::{check_json, check_text, drawing, picture};
 
 /// Checks the mechanism and reports it.
 ///
@@ -50,8 +50,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
         say(&format!("error: `{}` {error}", system.mechanism.title()));
     }
     if let Some(output) = output {
-        let picture = assembly_plot::draw(system, &check.assemblies.found)
-            .map_err(|text| Problem(format!("error: {text}")))?;
+        let picture = drawing::assemblies(&check.interpreted, &check.assemblies.found);
         if !picture.is_empty() {
             let path = output.path().to_path_buf();
             output.write(|output| output.write_all(picture.as_bytes()))?;

@@ -3,10 +3,14 @@
 use std::path::Path;
 use std::{fs, io};
 
+use linkwright::Blocks;
 use linkwright_codegen::diagnostic::{Diagnostics, Source, nearest};
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::system::System;
+use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::supplied::Modes;
+use linkwright_solver::wishes::Wishes;
 
 use super::{Problem, say};
 use crate::output::Outputs;
@@ -104,6 +108,29 @@ pub fn interpreted(system: &System, path: &Path) -> Result<Interpreted, Problem>
     Interpreted::new(system).ok_or_else(|| no_order(path))
 }
 
+/// The pose and the modes that are wished for by `LOOP=MODE`, where some are.
+///
+/// # Errors
+/// A wish cannot be read, or there is no such assembly.
+pub fn chosen(
+    wished: &[String],
+    interpreted: &Interpreted,
+    t: f64,
+) -> Result<Option<(Instant, Modes)>, Problem> {
+    if wished.is_empty() {
+        return Ok(None);
+    }
+    let wishes = Wishes::read(interpreted, wished);
+    let wishes = wishes.map_err(|text| Problem(format!("error: {text}")))?;
+    let assembled = wishes.assembled(interpreted, t).map_err(|failure| {
+        let explained = interpreted.explained(&failure);
+        Problem(format!(
+            "error: the mechanism cannot be assembled so: {explained}"
+        ))
+    });
+    assembled.map(Some)
+}
+
 /// That a mechanism has no order in which its blocks could be solved.
 pub fn no_order(path: &Path) -> Problem {
     Problem(format!(
@@ -120,7 +147,8 @@ fn names(motions: &[System]) -> Vec<String> {
     named.map(|motion| format!("`{}`", motion.name)).collect()
 }
 
-fn several(source: &Source, motions: &[System]) -> Problem {
+/// That one of several motions is to be named.
+pub fn several(source: &Source, motions: &[System]) -> Problem {
     let first = motions
         .iter()
         .find_map(|system| system.mechanism.motion.as_ref())

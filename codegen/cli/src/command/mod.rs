@@ -5,6 +5,7 @@
 
 pub mod check;
 pub mod description;
+pub mod draw;
 pub mod generate;
 pub mod inspect;
 pub mod plan;
@@ -47,6 +48,7 @@ impl Problem {
 pub fn run(arguments: Arguments) -> ExitCode {
     let outcome = match arguments.command {
         Command::Solve(solve) => solve::run(&solve),
+        Command::Draw(draw) => draw::run(&draw),
         Command::Generate(generate) => generate::run(&generate),
         Command::Inspect(inspect) => inspect::run(&inspect),
         Command::Plan(plan) => plan::run(&plan),

@@ -3,19 +3,16 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use linkwright::Blocks;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::model::set;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::dense::Dense;
 use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::schedule::Schedule;
 use linkwright_solver::supplied::Modes;
 use linkwright_solver::view::View;
-use linkwright_solver::wishes::Wishes;
 
-use super::description::{determined, interpreted, outputs, source};
+use super::description::{chosen, determined, interpreted, outputs, source};
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::{Equations, Solve};
 use crate::motion::{Followed, Shown, Sink, Wanted, select};
@@ -57,30 +54,10 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
         }
         Equations::Blocks => {
             let interpreted = interpreted(&system, &arguments.file)?;
-            let chosen = chosen(arguments, &interpreted, schedule.start.t)?;
+            let chosen = chosen(&arguments.branch, &interpreted, schedule.start.t)?;
             report(arguments, interpreted, wanted, &schedule, chosen, files)
         }
     }
-}
-
-/// The pose and the modes that are wished for, where some are.
-fn chosen(
-    arguments: &Solve,
-    interpreted: &Interpreted,
-    t: f64,
-) -> Result<Option<(Instant, Modes)>, Problem> {
-    if arguments.branch.is_empty() {
-        return Ok(None);
-    }
-    let wishes = Wishes::read(interpreted, &arguments.branch);
-    let wishes = wishes.map_err(|text| Problem(format!("error: {text}")))?;
-    let assembled = wishes.assembled(interpreted, t).map_err(|failure| {
-        let explained = interpreted.explained(&failure);
-        Problem(format!(
-            "error: the mechanism cannot be assembled so: {explained}"
-        ))
-    });
-    assembled.map(Some)
 }
 
 fn report<V: View>(

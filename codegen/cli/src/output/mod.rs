@@ -21,9 +21,21 @@ use self::place::{Why, existing, is_stdout, is_stream, missing, ours, replaceabl
 pub struct Signature {
     /// What it is, as in "this is not …".
     pub noun: &'static str,
-    /// Whether this first line is that of such a file.
-    pub is_first_line: fn(&str) -> bool,
+    /// How such a file begins.
+    pub beginning: Beginning,
 }
+
+/// What tells a file of ours from others.
+#[derive(Clone, Copy, Debug)]
+pub enum Beginning {
+    /// Whether this first line is that of such a file.
+    Line(fn(&str) -> bool),
+    /// Whether such a file has these first bytes, of which there are at most [`LONGEST_BEGINNING`].
+    Bytes(fn(&[u8]) -> bool),
+}
+
+/// How many bytes are looked at of a file that is no text.
+pub const LONGEST_BEGINNING: u64 = 256;
 
 /// A file that cannot be written: why, and what can be done.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use linkwright_codegen::stages::files;
 
-use super::{Refused, Signature};
+use super::{Beginning, LONGEST_BEGINNING, Refused, Signature};
 
 /// The longest first line that is looked at: a table of ten thousand bodies has one of two megabytes.
 const LONGEST_LINE: u64 = 16 << 20;
@@ -124,14 +124,25 @@ pub(super) fn replaceable(place: &Path) -> Result<(), Why> {
     may_write_in(folder, folder)
 }
 
-/// Whether a file is empty or begins with the first line of what may replace it.
+/// Whether a file is empty or begins like what may replace it.
 pub(super) fn ours(place: &Path, signature: Signature) -> Result<(), Why> {
-    let mut line = Vec::new();
-    BufReader::new(File::open(place)?)
-        .take(LONGEST_LINE)
-        .read_until(b'\n', &mut line)?;
-    let text = std::str::from_utf8(&line).map(|line| line.trim_end_matches(['\n', '\r']));
-    if line.is_empty() || text.is_ok_and(signature.is_first_line) {
+    let mut file = BufReader::new(File::open(place)?);
+    let mut start = Vec::new();
+    let is_ours = match signature.beginning {
+        Beginning::Line(is_first_line) => {
+            file.take(LONGEST_LINE).read_until(b'\n', &mut start)?;
+            let text = std::str::from_utf8(&start);
+            let text = text.map(|line| line.trim_end_matches(['\n', '\r']));
+            text.is_ok_and(is_first_line)
+        }
+        Beginning::Bytes(is_start) => {
+            file.by_ref()
+                .take(LONGEST_BEGINNING)
+                .read_to_end(&mut start)?;
+            is_start(&start)
+        }
+    };
+    if start.is_empty() || is_ours {
         return Ok(());
     }
     let why = Why::new(format!(

@@ -10,7 +10,7 @@ use std::io::{self, Write};
 use linkwright_solver::view::View;
 
 use crate::motion::{Followed, Shown, Sink};
-use crate::output::Signature;
+use crate::output::{Beginning, Signature};
 
 /// What follows the name of a coordinate, its rate and its acceleration.
 const RATES: [&str; 3] = ["", "_d", "_dd"];
@@ -21,7 +21,7 @@ const OF_POINT: [&str; 6] = ["_x", "_y", "_vx", "_vy", "_ax", "_ay"];
 /// How such a table is known again, also that of another mechanism.
 pub const SIGNATURE: Signature = Signature {
     noun: "a table of frames that this command has written",
-    is_first_line: is_header,
+    beginning: Beginning::Line(is_header),
 };
 
 /// The table of a motion, to which frames are added one by one.

@@ -281,29 +281,30 @@ fn text_pictures_and_exit_codes_follow_the_options() {
     }
     assert_eq!(ran.stderr, "");
     let picture = folder.read("pictures/assemblies.svg");
-    // The crank of length 1 and the rod of length √3 are drawn to scale.
-    let links: Vec<f64> = picture
-        .split("points=\"")
-        .skip(1)
-        .map(|rest| {
-            let mut pairs = rest.split(['"', ' ']).filter_map(|pair| {
-                let (x, y) = pair.split_once(',')?;
-                Some((x.parse::<f64>().ok()?, y.parse::<f64>().ok()?))
-            });
-            let (a, b) = (
-                pairs.next().expect("a point"),
-                pairs.next().expect("a point"),
-            );
-            (a.0 - b.0).hypot(a.1 - b.1)
-        })
-        .collect();
-    assert_eq!(links.len(), 4, "{picture}");
-    // Q is the middle of the rod, its second point; pixels are whole.
-    assert!(
-        (links[1] / links[0] - 0.75_f64.sqrt()).abs() < 0.03,
-        "{links:?}"
-    );
-    assert!((links[2] / links[0] - 1.0).abs() < 0.03, "{links:?}");
+    // The crank of length 1 and the rod of length √3 are drawn to scale, at one scale in both panels.
+    let length = |id: &str| -> f64 {
+        let shape = picture
+            .split(&format!("id=\"{id}\""))
+            .nth(1)
+            .expect("a body");
+        let shape = shape
+            .split("<path class=\"body\" d=\"M")
+            .nth(1)
+            .expect("its shape");
+        let edge = shape.split('A').next().expect("its first edge");
+        let ends: Vec<f64> = edge
+            .split([' ', 'L'])
+            .map(|it| it.parse().expect("a number"))
+            .collect();
+        (ends[2] - ends[0]).hypot(ends[3] - ends[1])
+    };
+    for panel in [1, 2] {
+        let crank = length(&format!("assembly-{panel}-body-1"));
+        let rod = length(&format!("assembly-{panel}-body-2"));
+        assert!((rod / crank - 3.0_f64.sqrt()).abs() < 1e-3, "{crank} {rod}");
+        assert!((crank / length("assembly-1-body-1") - 1.0).abs() < 1e-3);
+    }
+    assert!(picture.contains(">+ as drawn</text>") && picture.contains(">−</text>"));
     folder.run("check a.mech --deny-warnings").exits_with(0);
     // A rod that comes within half a degree of the x axis, between two frames.
     let near = Folder::new(

@@ -3,6 +3,7 @@
 mod branch;
 mod check;
 mod derivatives;
+mod draw;
 mod files;
 mod folder;
 mod generate_and_inspect;

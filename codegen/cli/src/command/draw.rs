@@ -1,0 +1,267 @@
+//! *A description and an instant* → *a picture of the mechanism*, as an SVG or a PNG.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use linkwright_codegen::diagnostic::nearest;
+use linkwright_codegen::stages::emit::drawing::{self, Options, Pose, Traced};
+use linkwright_codegen::stages::model::set;
+use linkwright_codegen::stages::system::System;
+use linkwright_solver::drawn::pose;
+use linkwright_solver::instant::Instant;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::schedule::Schedule;
+
+use super::description::{chosen, determined, interpreted, motions, outputs, several, source};
+use super::{Outcome, Problem, print, say};
+use crate::arguments::Draw;
+use crate::motion::{Followed, Shown, Sink, Wanted, select};
+use crate::progress::Progress;
+use crate::report::drawing::{tick_steps, traced};
+use crate::report::{picture, raster};
+
+/// How many poses a drawing is made for at most, beside the one that is shown.
+const POSES: usize = 200;
+
+/// How many places a path goes through at most.
+const PLACES: usize = 2000;
+
+/// Pixels of a PNG for each of the drawing.
+const FINE: f32 = 2.0;
+
+/// Draws the mechanism.
+///
+/// # Errors
+/// The description has errors, an option cannot be used, or the picture cannot be written. That the mechanism cannot be assembled, or
+/// that its motion ends before what is wanted, is an outcome.
+pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
+    let source = source(&arguments.file)?;
+    let motion = arguments.motion.as_deref();
+    let mut system = match arguments.as_written {
+        false => determined(&source, motion)?,
+        true => {
+            let mut found = motions(&source, motion)?;
+            if found.len() > 1 {
+                return Err(several(&source, &found));
+            }
+            // There is always one.
+            found.remove(0)
+        }
+    };
+    for assignment in &arguments.set {
+        set(&mut system.mechanism, assignment).map_err(Problem)?;
+    }
+    let mut options = Options {
+        size: arguments.size,
+        frames: frames(&system, &arguments.frame)?,
+        caption: system.mechanism.title(),
+    };
+    let path = path(arguments, &system);
+    let is_png = arguments.png
+        || path
+            .extension()
+            .is_some_and(|it| it.eq_ignore_ascii_case("png"));
+    let signature = match is_png {
+        true => raster::SIGNATURE,
+        false => picture::SIGNATURE,
+    };
+    let output = match is_stdout(&path) {
+        true => None,
+        false => {
+            let mut outputs = outputs(&arguments.file, &source, arguments.force);
+            Some(outputs.file(&path, signature)?)
+        }
+    };
+    let mut solved = match arguments.as_written {
+        true => Solved {
+            shown: Some(Pose::drawn(&system)),
+            ..Solved::default()
+        },
+        false => solved(arguments, &system)?,
+    };
+    if let Some(error) = &solved.error {
+        say(&format!("error: `{}` {error}", system.mechanism.title()));
+    }
+    let Some(shown) = solved.shown.take() else {
+        return Ok(Outcome::Failed);
+    };
+    options.caption += &solved.caption;
+    let svg = drawing::draw(&system, &shown, &solved.others, &solved.paths, &options);
+    let bytes = match is_png {
+        // A size that is asked for is that of the file.
+        true => raster::raster(&svg, if arguments.size.is_some() { 1.0 } else { FINE })
+            .map_err(|text| Problem(format!("error: cannot make a PNG: {text}")))?,
+        false => picture::signed(&svg).into_bytes(),
+    };
+    match output {
+        None => print(|output| output.write_all(&bytes))?,
+        Some(output) => {
+            output.write(|output| output.write_all(&bytes))?;
+            print(|output| writeln!(output, "wrote {}", path.display()))?;
+        }
+    }
+    Ok(match solved.error {
+        None => Outcome::Done,
+        Some(_) => Outcome::Failed,
+    })
+}
+
+/// What is drawn.
+#[derive(Default)]
+struct Solved {
+    shown: Option<Pose>,
+    others: Vec<Pose>,
+    paths: Vec<Traced>,
+    /// What the caption says besides the name.
+    caption: String,
+    /// Why the mechanism cannot be assembled, or its motion ends early.
+    error: Option<String>,
+}
+
+fn solved(arguments: &Draw, system: &System) -> Result<Solved, Problem> {
+    let refused = |text: String| Problem(format!("error: {text}"));
+    let points = match arguments.paths.is_empty() {
+        true => Vec::new(),
+        false => select(system, &arguments.paths).map_err(refused)?,
+    };
+    let at = arguments.at.unwrap_or(arguments.from);
+    let (from, to, step) = (arguments.from, arguments.to, arguments.step);
+    let schedule = Schedule::instants(from, &[at], step).map_err(refused)?;
+    let whole = match points.is_empty() {
+        true => None,
+        false => Some(Schedule::range(from, to, step).map_err(refused)?),
+    };
+    let view = interpreted(system, &arguments.file)?;
+    let mut frames = Frames::new(1);
+    let error = follow(arguments, &view, Vec::new(), &schedule, &mut frames)?;
+    let mut solved = Solved {
+        shown: frames.poses(&view).pop(),
+        caption: format!(", t = {at} s"),
+        error,
+        ..Solved::default()
+    };
+    if let (Some(whole), None) = (whole, &solved.error) {
+        let ticks = tick_steps(to - from, step);
+        let every = (whole.wanted() / PLACES).max(1);
+        let mut frames = Frames::new((whole.wanted() / POSES).max(1));
+        solved.error = follow(arguments, &view, points.clone(), &whole, &mut frames)?;
+        solved.others = frames.poses(&view);
+        for (place, point) in points.iter().enumerate() {
+            let places: Vec<[f64; 2]> = frames.places.iter().map(|it| it[place]).collect();
+            let name = &system.outputs[*point].name;
+            let mut path = traced(name, &places, ticks);
+            // A tick stays where it is although not every place of the path is kept.
+            path.points = path.points.into_iter().step_by(every).collect();
+            solved.paths.push(path);
+        }
+        solved.caption += &format!(", ticks every {} s", rounded(ticks as f64 * step));
+    }
+    Ok(solved)
+}
+
+/// A time without the rounding of a product.
+fn rounded(time: f64) -> f64 {
+    format!("{time:.12e}").parse().unwrap_or(time)
+}
+
+/// Follows the motion; why it ends early, where it does.
+fn follow(
+    arguments: &Draw,
+    view: &Interpreted,
+    points: Vec<usize>,
+    schedule: &Schedule,
+    frames: &mut Frames,
+) -> Result<Option<String>, Problem> {
+    let start = chosen(&arguments.branch, view, schedule.start.t)?;
+    let wanted = Wanted {
+        points,
+        monitor: false,
+        curves: false,
+    };
+    let mut progress = Progress::new(schedule.visits());
+    let mut motion = Followed::new(view.clone(), wanted, schedule.start.t, start);
+    let followed = motion.follow(schedule, &mut [frames], |count| progress.reached(count));
+    progress.finish();
+    followed.map_err(Problem::of)?;
+    Ok(motion.error)
+}
+
+/// Instants, as far as a drawing needs them.
+struct Frames {
+    /// Every instant whose number is a multiple of this is kept.
+    every: usize,
+    count: usize,
+    instants: Vec<Instant>,
+    /// Of every instant the places of the wanted points.
+    places: Vec<Vec<[f64; 2]>>,
+}
+
+impl Frames {
+    fn new(every: usize) -> Frames {
+        Frames {
+            every,
+            count: 0,
+            instants: Vec::new(),
+            places: Vec::new(),
+        }
+    }
+
+    fn poses(&self, view: &Interpreted) -> Vec<Pose> {
+        let instants = self.instants.iter();
+        instants.map(|instant| pose(view, instant)).collect()
+    }
+}
+
+impl Sink for Frames {
+    fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
+        if self.count.is_multiple_of(self.every) {
+            self.instants.push(shown.instant.clone());
+        }
+        self.count += 1;
+        let places = shown.motions.iter().map(|motion| motion.position);
+        self.places.push(places.collect());
+        Ok(())
+    }
+}
+
+/// The bodies of these names.
+fn frames(system: &System, names: &[String]) -> Result<Vec<usize>, Problem> {
+    let bodies = &system.mechanism.bodies;
+    let known = || bodies.iter().map(|body| body.name.as_str());
+    let mut found = Vec::new();
+    for name in names {
+        match known().position(|it| it == name) {
+            Some(body) if found.contains(&body) => {}
+            Some(body) => found.push(body),
+            None => {
+                let guess = match nearest(name, known()) {
+                    Some(guess) => format!("; did you mean `{guess}`?"),
+                    None => String::new(),
+                };
+                let list: Vec<&str> = known().collect();
+                return Err(Problem(format!(
+                    "error: no body `{name}` in `{}`{guess}\n  its bodies are: {}",
+                    system.mechanism.name,
+                    list.join(", ")
+                )));
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Where the picture goes.
+fn path(arguments: &Draw, system: &System) -> PathBuf {
+    if let Some(path) = &arguments.out {
+        return path.clone();
+    }
+    let mechanism = &system.mechanism;
+    let motion = mechanism.motion.as_ref();
+    let motion = motion.map_or(String::new(), |motion| format!("_{}", motion.name));
+    let ending = if arguments.png { "png" } else { "svg" };
+    PathBuf::from(format!("{}{motion}.{ending}", mechanism.name))
+}
+
+fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
+}

@@ -1,0 +1,62 @@
+//! *Solved instants* → *what the drawing room draws*: paths of points, and the sheet of all assemblies.
+
+use linkwright_codegen::stages::emit::drawing::{self, Panel, Traced};
+use linkwright_solver::assemblies::Assembly;
+use linkwright_solver::drawn::pose;
+use linkwright_solver::view::View;
+
+use super::picture::signed;
+
+/// How many ticks a path has at most.
+const TICKS: f64 = 24.0;
+
+/// How many assemblies are drawn.
+const DRAWN: usize = 64;
+
+/// The time between two ticks of a path: one, two or five times a power of ten, as steps of the motion.
+pub fn tick_steps(length: f64, step: f64) -> usize {
+    let least = length / TICKS;
+    let power = 10.0_f64.powf(least.log10().floor());
+    let round = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
+    let interval = round.into_iter().find(|it| *it >= least * (1.0 - 1e-9));
+    ((interval.unwrap_or(least) / step).round() as usize).max(1)
+}
+
+/// The path of a point from its places, with a tick at every so many of them.
+pub fn traced(name: &str, places: &[[f64; 2]], ticks: usize) -> Traced {
+    Traced {
+        name: name.to_string(),
+        points: places.to_vec(),
+        ticks: places.iter().step_by(ticks).copied().collect(),
+    }
+}
+
+/// The picture of all assemblies, each under its signs and letters, the drawing's first; empty where there are none.
+pub fn assemblies<V: View>(view: &V, found: &[Assembly]) -> String {
+    let system = view.system();
+    let panels = found.iter().take(DRAWN).map(|assembly| {
+        let drawn = if assembly.drawn { " as drawn" } else { "" };
+        Panel {
+            title: format!("{}{drawn}", assembly.label().replace('-', "−")),
+            pose: pose(view, &assembly.instant),
+        }
+    });
+    let panels: Vec<Panel> = panels.collect();
+    match panels.is_empty() {
+        true => String::new(),
+        false => signed(&drawing::sheet(system, &panels)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::tick_steps;
+
+    #[test]
+    fn ticks_are_round_times_apart() {
+        assert_eq!(tick_steps(5.0, 0.01), 50);
+        assert_eq!(tick_steps(2.0, 0.01), 10);
+        assert_eq!(tick_steps(1e-3, 1e-5), 5);
+        assert_eq!(tick_steps(0.1, 1.0), 1);
+    }
+}

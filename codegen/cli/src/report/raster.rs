@@ -1,0 +1,107 @@
+//! *An SVG of the drawing room* → *a PNG*, with letters that come with the program.
+//!
+//! Fonts of the machine are not asked for, so that the same drawing has the same bytes everywhere. A PNG of ours says so in its
+//! first chunk of text.
+
+use std::sync::Arc;
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree, fontdb::Database};
+
+use crate::output::{Beginning, Signature};
+
+/// What a PNG begins with: its signature, and the chunk that holds its size.
+const HEAD: usize = 8 + 25;
+
+/// The chunk behind it: `Software` is the registered word for what has made an image.
+const WORDS: &[u8] = b"tEXtSoftware\0linkwright";
+
+/// The letters are light ones.
+const BOLDER: &str = "\
+.linkwright text { stroke: #1c2024; stroke-width: 0.25; }
+.linkwright .point { stroke-width: 0.7; }
+.linkwright .note, .linkwright .caption { stroke: #57606a; }
+";
+
+/// How a PNG is known again.
+pub const SIGNATURE: Signature = Signature {
+    noun: "a picture that this command has drawn",
+    beginning: Beginning::Bytes(is_ours),
+};
+
+fn is_ours(bytes: &[u8]) -> bool {
+    bytes.get(HEAD + 4..HEAD + 4 + WORDS.len()) == Some(WORDS)
+}
+
+/// The picture in pixels, `factor` to each of the drawing's.
+///
+/// # Errors
+/// A picture without a size or too large for the memory.
+pub fn raster(svg: &str, factor: f32) -> Result<Vec<u8>, String> {
+    let mut fonts = Database::new();
+    fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
+    let families = fonts.faces().next().map(|face| face.families.clone());
+    let family = families.and_then(|all| all.into_iter().next());
+    let family = family.map_or(String::new(), |(name, _)| name);
+    // The drawing asks for any sans serif in the end.
+    fonts.set_sans_serif_family(&family);
+    let options = Options {
+        font_family: family,
+        fontdb: Arc::new(fonts),
+        ..Options::default()
+    };
+    let svg = svg.replacen("</style>", &format!("{BOLDER}</style>"), 1);
+    let tree = Tree::from_str(&svg, &options).map_err(|error| error.to_string())?;
+    let size = tree.size();
+    let [width, height] = [size.width(), size.height()].map(|it| (it * factor).ceil() as u32);
+    let mut pixels = Pixmap::new(width, height).ok_or("so many pixels have no room in memory")?;
+    let transform = Transform::from_scale(factor, factor);
+    resvg::render(&tree, transform, &mut pixels.as_mut());
+    let png = pixels.encode_png().map_err(|error| error.to_string())?;
+    Ok(marked(png))
+}
+
+/// The picture with the words that say whose it is.
+fn marked(mut png: Vec<u8>) -> Vec<u8> {
+    let mut chunk = (WORDS.len() as u32 - 4).to_be_bytes().to_vec();
+    chunk.extend(WORDS);
+    chunk.extend(checksum(WORDS).to_be_bytes());
+    png.splice(HEAD..HEAD, chunk);
+    png
+}
+
+/// The cyclic redundancy check of a chunk (PNG specification, annex D).
+fn checksum(bytes: &[u8]) -> u32 {
+    let step = |remainder: u32, byte: &u8| {
+        (0..8).fold(remainder ^ u32::from(*byte), |it, _| match it & 1 {
+            1 => it >> 1 ^ 0xedb8_8320,
+            _ => it >> 1,
+        })
+    };
+    !bytes.iter().fold(u32::MAX, step)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_checksum_is_that_of_the_specification() {
+        // Every PNG ends with this chunk.
+        assert_eq!(checksum(b"IEND"), 0xae42_6082);
+    }
+
+    #[test]
+    fn a_picture_is_known_again_and_has_letters() {
+        let svg = |text: &str| {
+            format!(
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"60\" height=\"20\"><text x=\"30\" y=\"15\">{text}</text></svg>"
+            )
+        };
+        let [empty, written] = ["", "Q"].map(|it| raster(&svg(it), 2.0).expect("a picture"));
+        assert!(is_ours(&empty) && is_ours(&written));
+        assert_ne!(empty, written);
+        assert_eq!(written, raster(&svg("Q"), 2.0).expect("a picture"));
+        assert!(!is_ours(b"\x89PNG\r\n\x1a\n"));
+    }
+}

@@ -1,0 +1,303 @@
+//! What a picture is made of: groups of outlines, each in a frame that moves as a whole.
+//!
+//! Lengths are pixels and y points upwards; a frame of a body is its frame with lengths in pixels. Whoever moves the mechanism moves
+//! the frames and nothing else. Deliberately unknown here: joints, colours, and how an outline is written.
+
+use super::plane::{Bounds, Place, Point, angle_of, difference, distance, heading, onward, sum};
+use super::pose::At;
+
+/// What moves with one frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Frame {
+    /// The body of this number; 0 is the ground.
+    Body(usize),
+    /// At a point, turned as this body is.
+    Riding(At, usize),
+    /// From one point towards another, in pixels of their bodies: the first is the origin, and the second lies on the x axis.
+    Toward(At, At),
+    /// The picture as it is in this pose.
+    Still,
+}
+
+/// What an outline is, and so how it looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Look {
+    /// The shape of a body, filled with its tint.
+    Body,
+    /// The same without an edge of its own.
+    Disc,
+    /// A hole through it or a part set upon it.
+    Part,
+    /// An edge without a filling.
+    Edge,
+    /// A thick edge, where bodies touch.
+    Face,
+    /// A pitch line, or another line that is only thought.
+    Thought,
+    /// A link without a body.
+    Massless,
+    /// Hatching of the ground.
+    Hatch,
+    /// What a driver does.
+    Drive,
+    /// The head of its arrow.
+    DriveHead,
+    /// Axes of a frame.
+    Axis,
+    /// The head of an axis.
+    AxisHead,
+    /// The path of a point.
+    Path,
+    /// A tick on it.
+    Tick,
+    /// What is filled with ink.
+    Ink,
+}
+
+/// Where ink goes, in a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Outline {
+    /// From point to point.
+    Open(Vec<Point>),
+    /// Back to the first.
+    Closed(Vec<Point>),
+    /// All within this distance of the convex polygon with these corners, counterclockwise.
+    Rounded(Vec<Point>, f64),
+    /// About a point.
+    Circle(Point, f64),
+    /// Between two circles about a point.
+    Ring(Point, f64, f64),
+}
+
+/// Outlines of one look.
+#[derive(Clone, Debug)]
+pub(super) struct Element {
+    pub look: Look,
+    pub outline: Outline,
+}
+
+/// Elements of one frame.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    pub frame: Frame,
+    pub elements: Vec<Element>,
+}
+
+/// What is drawn of a body, a joint or a path.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Group {
+    /// Its name in the file.
+    pub id: String,
+    /// What it is called when pointed at.
+    pub title: String,
+    pub layers: [Vec<Part>; 3],
+}
+
+/// Where a joint is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Layer {
+    /// Under the bodies.
+    Below,
+    /// Upon them.
+    Upon,
+    /// Upon everything else.
+    Above,
+}
+
+impl Group {
+    pub fn new(id: String, title: String) -> Group {
+        Group {
+            id,
+            title,
+            ..Group::default()
+        }
+    }
+
+    /// Adds an outline.
+    pub fn add(&mut self, layer: Layer, frame: Frame, look: Look, outline: Outline) {
+        let parts = &mut self.layers[layer as usize];
+        let element = Element { look, outline };
+        match parts.last_mut() {
+            Some(last) if last.frame == frame => last.elements.push(element),
+            _ => parts.push(Part {
+                frame,
+                elements: vec![element],
+            }),
+        }
+    }
+
+    /// All parts, the lowest first.
+    pub fn parts(&self) -> impl Iterator<Item = &Part> {
+        self.layers.iter().flatten()
+    }
+}
+
+/// All that is drawn of a mechanism.
+#[derive(Clone, Debug)]
+pub(super) struct Figure {
+    /// Pixels per metre.
+    pub scale: f64,
+    /// Where the frames of the bodies are, in pixels.
+    pub places: Vec<Place>,
+    /// One for each moving body, in their order.
+    pub bodies: Vec<Group>,
+    /// One for each joint and driver.
+    pub joints: Vec<Group>,
+    /// Paths and axes.
+    pub extras: Vec<Group>,
+    /// What has no sign, in words.
+    pub notes: Vec<String>,
+}
+
+impl Figure {
+    /// Where a frame is in this pose.
+    pub fn place(&self, frame: Frame) -> Place {
+        match frame {
+            Frame::Body(body) => self.places[body],
+            Frame::Riding(at, body) => Place {
+                origin: self.places[at.body].globally(at.local),
+                angle: self.places[body].angle,
+            },
+            Frame::Toward(from, to) => {
+                let [from, to] = [from, to].map(|it| self.places[it.body].globally(it.local));
+                Place {
+                    origin: from,
+                    angle: angle_of(difference(to, from)),
+                }
+            }
+            Frame::Still => Place::default(),
+        }
+    }
+
+    pub fn groups(&self) -> impl Iterator<Item = &Group> {
+        self.bodies.iter().chain(&self.joints).chain(&self.extras)
+    }
+
+    /// Every outline in global components, as a polygon.
+    pub fn traces(&self, group: &Group) -> Vec<Trace> {
+        group
+            .parts()
+            .flat_map(|part| {
+                let place = self.place(part.frame);
+                part.elements.iter().map(move |element| Trace {
+                    look: element.look,
+                    is_closed: !matches!(element.outline, Outline::Open(_)),
+                    points: element
+                        .outline
+                        .points()
+                        .into_iter()
+                        .map(|point| place.globally(point))
+                        .collect(),
+                })
+            })
+            .collect()
+    }
+
+    /// Around all outlines.
+    pub fn bounds(&self) -> Bounds {
+        let traces = self.groups().flat_map(|group| self.traces(group));
+        Bounds::of(traces.flat_map(|trace| trace.points))
+    }
+}
+
+/// An outline where it is.
+#[derive(Clone, Debug)]
+pub(super) struct Trace {
+    pub look: Look,
+    pub points: Vec<Point>,
+    pub is_closed: bool,
+}
+
+impl Trace {
+    /// Its edges.
+    pub fn segments(&self) -> impl Iterator<Item = [Point; 2]> + '_ {
+        let count = self.points.len();
+        let edges = match self.is_closed {
+            true => count,
+            false => count.saturating_sub(1),
+        };
+        (0..edges).map(move |at| [self.points[at], self.points[(at + 1) % count]])
+    }
+}
+
+/// How many corners stand for a circle.
+const CORNERS: usize = 24;
+
+impl Outline {
+    /// From one point to another.
+    pub fn line(from: Point, to: Point) -> Outline {
+        Outline::Open(vec![from, to])
+    }
+
+    /// A rectangle about a point, half its length along a unit vector and half its width across.
+    pub fn block(center: Point, along: Point, half: Point) -> Outline {
+        let across = super::plane::left_of(along);
+        let corner =
+            |x: f64, y: f64| onward(onward(center, x * half[0], along), y * half[1], across);
+        Outline::Closed(vec![
+            corner(-1.0, -1.0),
+            corner(1.0, -1.0),
+            corner(1.0, 1.0),
+            corner(-1.0, 1.0),
+        ])
+    }
+
+    /// The head of an arrow that ends at a point.
+    pub fn head(tip: Point, along: Point, length: f64) -> Outline {
+        let back = onward(tip, -length, along);
+        let across = super::plane::left_of(along);
+        Outline::Closed(vec![
+            tip,
+            onward(back, 0.36 * length, across),
+            onward(back, -0.36 * length, across),
+        ])
+    }
+
+    /// Part of a circle.
+    pub fn arc(center: Point, radius: f64, from: f64, to: f64) -> Outline {
+        let steps = ((to - from).abs() / 0.15).ceil().max(1.0);
+        let angle = |step: f64| from + (to - from) * step / steps;
+        let points = (0..=steps as usize).map(|step| {
+            let direction = heading(angle(step as f64));
+            onward(center, radius, direction)
+        });
+        Outline::Open(points.collect())
+    }
+
+    /// Points along it.
+    pub fn points(&self) -> Vec<Point> {
+        let circle = |center: Point, radius: f64| {
+            let angles = (0..CORNERS).map(|at| std::f64::consts::TAU * at as f64 / CORNERS as f64);
+            angles.map(move |angle| onward(center, radius, heading(angle)))
+        };
+        match self {
+            Outline::Open(points) | Outline::Closed(points) => points.clone(),
+            Outline::Circle(center, radius) | Outline::Ring(center, _, radius) => {
+                circle(*center, *radius).collect()
+            }
+            Outline::Rounded(corners, radius) => {
+                let around: Vec<Point> = corners
+                    .iter()
+                    .flat_map(|&corner| circle(corner, *radius))
+                    .collect();
+                super::plane::hull(&around)
+            }
+        }
+    }
+}
+
+/// Where the edges of a rounded polygon begin and end.
+pub(super) fn offset_edges(corners: &[Point], radius: f64) -> Vec<[Point; 2]> {
+    let next = corners.iter().cycle().skip(1);
+    corners
+        .iter()
+        .zip(next)
+        .map(|(&a, &b)| {
+            let length = distance(a, b);
+            let along = difference(b, a);
+            // Counterclockwise, what is outside lies to the right.
+            let out = [along[1] * radius / length, -along[0] * radius / length];
+            [sum(a, out), sum(b, out)]
+        })
+        .collect()
+}

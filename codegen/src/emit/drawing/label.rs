@@ -1,0 +1,226 @@
+//! *Names with places where they may stand, and what is drawn* → *where each stands, or that it finds no room*.
+//!
+//! Every name has candidates around its anchors; what they cost grows with the lines that they cover and with the way from the
+//! anchor. Names are placed one after another, then each again while the others stay (Christensen, Marks and Shieber 1995 compare
+//! such searches). Afterwards no two names overlap and all lie in the area. The same input gives the same places.
+
+use super::obstacles::Obstacles;
+use super::plane::{Bounds, Point, distance, onward};
+
+/// A place from which candidates lie outwards.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Anchor {
+    pub at: Point,
+    /// The unit vector in which a name goes away from it, or zero for a name upon it.
+    pub out: Point,
+    /// How far the name stays away.
+    pub gap: f64,
+    /// How little it is liked.
+    pub cost: f64,
+}
+
+/// A name that is to be placed.
+#[derive(Clone, Debug)]
+pub(super) struct Label {
+    /// Half its width and half its height.
+    pub half: Point,
+    pub anchors: Vec<Anchor>,
+    /// The outline to which it belongs, among the filled ones.
+    pub owner: Option<usize>,
+}
+
+/// The steps away from an anchor, in pixels.
+const STEPS: [f64; 7] = [0.0, 5.0, 11.0, 19.0, 30.0, 44.0, 64.0];
+
+/// How many free places are compared for a name that finds no room beside what it names.
+const NEAREST: usize = 100;
+
+/// How often each name is placed again.
+const ROUNDS: usize = 3;
+
+/// Where a name stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Placed {
+    pub area: Bounds,
+    /// The anchor, where it is so far away that a line leads there.
+    pub leader: Option<Point>,
+}
+
+/// Where the names stand; `None` for one that finds no room.
+pub(super) fn placed(
+    labels: &[Label],
+    obstacles: &Obstacles,
+    area: &Bounds,
+) -> Vec<Option<Placed>> {
+    let candidates: Vec<Vec<(f64, Placed)>> = labels
+        .iter()
+        .map(|label| candidates(label, obstacles, area))
+        .collect();
+    let mut chosen: Vec<Option<Placed>> = vec![None; labels.len()];
+    // Those with the fewest free candidates first.
+    let mut order: Vec<usize> = (0..labels.len()).collect();
+    let free = |at: usize| {
+        candidates[at]
+            .iter()
+            .filter(|(cost, _)| *cost < 12.0)
+            .count()
+    };
+    order.sort_by_key(|&at| free(at));
+    for round in 0..=ROUNDS {
+        for &at in &order {
+            let rest = |other: usize| (other != at).then_some(chosen[other]).flatten();
+            let others: Vec<Bounds> = (0..labels.len())
+                .filter_map(rest)
+                .map(|it| it.area.widened(1.5))
+                .collect();
+            let fits = |it: &&(f64, Placed)| others.iter().all(|other| !other.meets(&it.1.area));
+            let best = candidates[at]
+                .iter()
+                .filter(fits)
+                .min_by(|a, b| a.0.total_cmp(&b.0));
+            chosen[at] = match best {
+                Some((_, placed)) => Some(*placed),
+                // In the end any free place is better than none.
+                None if round == ROUNDS => anywhere(&labels[at], &others, obstacles, area),
+                None => None,
+            };
+        }
+    }
+    chosen
+}
+
+fn candidates(label: &Label, obstacles: &Obstacles, area: &Bounds) -> Vec<(f64, Placed)> {
+    let mut found = Vec::new();
+    for anchor in &label.anchors {
+        let is_upon = anchor.out == [0.0; 2];
+        let steps = if is_upon { &STEPS[..1] } else { &STEPS[..] };
+        for step in steps {
+            let half = label.half;
+            // A box beside the point touches the circle about it, rather than the line across.
+            let reach = (anchor.out[0] * half[0]).abs() + (anchor.out[1] * half[1]).abs();
+            let center = onward(anchor.at, anchor.gap + step + reach, anchor.out);
+            let own = Bounds::around(center, half);
+            let is_free = obstacles.taken.iter().all(|it| !it.meets(&own));
+            if !area.holds(&own) || !is_free {
+                continue;
+            }
+            let is_led = *step > 25.0;
+            let far = if is_led { 8.0 } else { 0.0 };
+            let cost = anchor.cost + far + 0.42 * step + obstacles.cost(&own, label.owner);
+            let leader = is_led.then_some(anchor.at);
+            found.push((cost, Placed { area: own, leader }));
+        }
+    }
+    found
+}
+
+/// The free place nearest to the first anchor, with a line that leads to it.
+fn anywhere(
+    label: &Label,
+    others: &[Bounds],
+    obstacles: &Obstacles,
+    area: &Bounds,
+) -> Option<Placed> {
+    let from = label.anchors.first()?.at;
+    let step = label.half[1];
+    let size = area.size();
+    let counts =
+        [0, 1].map(|axis| ((size[axis] - 2.0 * label.half[axis]) / step).max(0.0) as usize);
+    let [columns, rows] = counts;
+    let cells = (0..=rows).flat_map(|row| (0..=columns).map(move |column| [column, row]));
+    let free = cells.filter_map(|cell| {
+        let at = [0, 1].map(|axis| area.low[axis] + label.half[axis] + step * cell[axis] as f64);
+        let own = Bounds::around(at, label.half);
+        let mut taken = others.iter().chain(&obstacles.taken);
+        let is_free = area.holds(&own) && taken.all(|it| !it.meets(&own));
+        is_free.then(|| (distance(at, from), own))
+    });
+    let mut free: Vec<(f64, Bounds)> = free.collect();
+    free.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let costly = free.into_iter().take(NEAREST);
+    let costly = costly.map(|(far, own)| (far + obstacles.cost(&own, None), own));
+    let best = costly.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(Placed {
+        area: best.1,
+        leader: Some(from),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::figure::{Look, Trace};
+    use super::*;
+
+    fn around(at: Point) -> Vec<Anchor> {
+        [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]]
+            .into_iter()
+            .map(|out| Anchor {
+                at,
+                out,
+                gap: 2.0,
+                cost: 0.0,
+            })
+            .collect()
+    }
+
+    #[test]
+    fn names_of_one_point_stand_apart_and_inside() {
+        let area = Bounds {
+            low: [0.0, 0.0],
+            high: [60.0, 40.0],
+        };
+        let label = Label {
+            half: [10.0, 6.0],
+            anchors: around([5.0, 20.0]),
+            owner: None,
+        };
+        let found = placed(&vec![label; 4], &Obstacles::default(), &area);
+        let boxes: Vec<Bounds> = found.iter().flatten().map(|it| it.area).collect();
+        assert_eq!(boxes.len(), 4);
+        for (at, one) in boxes.iter().enumerate() {
+            assert!(area.holds(one));
+            assert!(boxes[at + 1..].iter().all(|other| !other.meets(one)));
+        }
+    }
+
+    #[test]
+    fn a_name_that_finds_no_room_is_left_out() {
+        let area = Bounds {
+            low: [0.0, 0.0],
+            high: [30.0, 14.0],
+        };
+        let label = Label {
+            half: [10.0, 6.0],
+            anchors: around([5.0, 7.0]),
+            owner: None,
+        };
+        let found = placed(&vec![label; 3], &Obstacles::default(), &area);
+        assert_eq!(found.iter().flatten().count(), 1);
+    }
+
+    #[test]
+    fn a_line_is_not_covered() {
+        let area = Bounds {
+            low: [-50.0, -50.0],
+            high: [50.0, 50.0],
+        };
+        let mut obstacles = Obstacles::default();
+        for y in [-8.0, 8.0] {
+            obstacles.add(
+                &Trace {
+                    look: Look::Edge,
+                    points: vec![[0.0, y], [40.0, y]],
+                    is_closed: false,
+                },
+                None,
+            );
+        }
+        let label = Label {
+            half: [10.0, 9.0],
+            anchors: around([0.0, 0.0]),
+            owner: None,
+        };
+        let found = placed(&[label], &obstacles, &area);
+        assert_eq!(found[0].map(|it| it.area.center()), Some([-12.0, 0.0]));
+    }
+}

@@ -1,0 +1,45 @@
+//! System and poses → a picture of the mechanism as an SVG.
+//!
+//! A mechanism is drawn as a mechanical engineer draws it: supports and guides of the ground are hatched, links are rounded shapes
+//! around the points of their bodies, cylinders have a barrel and a rod, gears are their pitch circles. Which sign a joint has is its
+//! kind's ([`Feature`](crate::joint::Feature)). Lines and signs are measured in pixels, whatever the size of the mechanism.
+//!
+//! The text is the same on every run. It begins with `<svg`, refers to nothing outside, and follows the reader's choice of light or
+//! dark. Every moving body is one element `<g id="body-NAME" transform="…">` drawn in its own frame, and every joint
+//! one `<g id="joint-…">`; whoever moves them reads where to from `data-` attributes:
+//! - on the drawing, `data-scale`: pixels per metre;
+//! - `data-body="K"`: the frame of body K;
+//! - `data-at="K x y" data-turned="L"`: at a point of body K, in pixels of its frame with y downwards, turned as body L is;
+//! - `data-from="K x y" data-to="L x y"`: at the one point, turned towards the other.
+//!
+//! Deliberately unknown here: how a pose is found, files, and what is not drawn in the plane.
+
+mod arrow;
+mod contact;
+mod cylinder;
+mod draft;
+mod extras;
+mod figure;
+mod guide;
+mod label;
+mod letters;
+mod link;
+mod naming;
+mod numbers;
+mod obstacles;
+mod picture;
+mod pin;
+mod plane;
+mod pose;
+mod scale_bar;
+mod sheet;
+mod style;
+mod svg;
+mod wheel;
+
+pub use extras::Traced;
+pub use letters::width;
+pub use picture::{Options, draw};
+pub use plane::Point;
+pub use pose::Pose;
+pub use sheet::{Panel, sheet};

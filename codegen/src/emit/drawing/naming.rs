@@ -1,0 +1,242 @@
+//! *A scene and its figure* → *its names, and where each may stand*.
+
+use super::figure::{Figure, Frame, Look, Outline, offset_edges};
+use super::label::{Anchor, Label};
+use super::letters::width;
+use super::obstacles::Obstacles;
+use super::plane::{Point, difference, distance, heading, hull, left_of, scaled};
+use super::pose::{At, Scene};
+
+/// The size of letters in pixels.
+pub(super) const SIZE: f64 = 13.0;
+
+/// What a name is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Named {
+    /// A point, by its number among the points with names.
+    Point(usize),
+    /// A body.
+    Body(usize),
+}
+
+/// A name with its label.
+#[derive(Clone, Debug)]
+pub(super) struct Name {
+    pub of: Named,
+    pub text: String,
+    pub label: Label,
+}
+
+/// How many directions a name may stand in.
+const DIRECTIONS: usize = 16;
+
+/// More names than this are left out: nobody could read them.
+const NAMED: usize = 250;
+
+/// The names of all points and of all moving bodies.
+pub(super) fn names(scene: &Scene, figure: &Figure, unit: f64) -> Vec<Name> {
+    let mut names: Vec<Name> = Vec::new();
+    if scene.points.len() + scene.bodies.len() > NAMED {
+        return names;
+    }
+    let mut seen: Vec<(&str, Point)> = Vec::new();
+    let place = |at: At| scaled(scene.global(at), figure.scale);
+    for (number, point) in scene.points.iter().enumerate() {
+        let there = place(point.at);
+        // What bodies carry under one name at one place is one point to whoever looks at it.
+        let mut namesakes = scene.points.iter().filter(|it| it.written == point.written);
+        let text = match namesakes.all(|it| distance(place(it.at), there) < 1.0) {
+            true => &point.written,
+            false => &point.name,
+        };
+        if seen
+            .iter()
+            .any(|(name, it)| name == text && distance(*it, there) < 1.0)
+        {
+            continue;
+        }
+        seen.push((text, there));
+        names.push(Name {
+            of: Named::Point(number),
+            text: text.clone(),
+            label: Label {
+                half: [0.5 * width(text, SIZE), 0.5 * SIZE],
+                anchors: around(there, 8.5 * unit),
+                owner: None,
+            },
+        });
+    }
+    for (body, carried) in scene.bodies.iter().enumerate().skip(1) {
+        names.push(Name {
+            of: Named::Body(body),
+            text: carried.name.clone(),
+            label: Label {
+                half: [0.5 * width(&carried.name, SIZE) + 5.0, 0.5 * SIZE + 2.0],
+                anchors: beside(figure, body, width(&carried.name, SIZE)),
+                owner: Some(body),
+            },
+        });
+    }
+    names
+}
+
+/// What names avoid.
+pub(super) fn obstacles(figure: &Figure) -> Obstacles {
+    let mut obstacles = Obstacles::default();
+    for (place, group) in figure.bodies.iter().enumerate() {
+        for trace in figure.traces(group) {
+            obstacles.add(&trace, Some(place + 1));
+        }
+    }
+    for group in figure.joints.iter().chain(&figure.extras) {
+        for trace in figure.traces(group) {
+            obstacles.add(&trace, None);
+        }
+    }
+    obstacles
+}
+
+/// Around a point; to the upper right rather than elsewhere.
+fn around(at: Point, gap: f64) -> Vec<Anchor> {
+    let anchor = |direction: usize| {
+        let angle = std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64;
+        let out = heading(angle);
+        let dislike = (angle - std::f64::consts::FRAC_PI_4).cos();
+        // The corner of a box comes nearer to a point than its side.
+        let gap = gap - 4.5 * (2.0 * angle).sin().abs();
+        Anchor {
+            at,
+            out,
+            gap,
+            cost: 1.0 - dislike,
+        }
+    };
+    (0..DIRECTIONS).map(anchor).collect()
+}
+
+/// Beside the shape of a body, or upon it where it is large.
+fn beside(figure: &Figure, body: usize, width: f64) -> Vec<Anchor> {
+    let place = figure.places[body];
+    let mut anchors = Vec::new();
+    let upon = |at: Point, cost: f64| Anchor {
+        at: place.globally(at),
+        out: [0.0; 2],
+        gap: 0.0,
+        cost,
+    };
+    let group = &figure.bodies[body - 1];
+    let own = group.parts().flat_map(|part| &part.elements);
+    let own: Vec<&Outline> = own
+        .filter(|it| matches!(it.look, Look::Body | Look::Disc))
+        .map(|it| &it.outline)
+        .collect();
+    for outline in &own {
+        match outline {
+            Outline::Circle(center, radius) => {
+                anchors.extend(around(place.globally(*center), radius + 3.0));
+                if *radius < width.max(40.0) {
+                    continue;
+                }
+                let inner = around(*center, 0.6 * radius);
+                anchors.extend(inner.into_iter().map(|it| {
+                    let at = [0, 1].map(|axis| center[axis] + it.gap * it.out[axis]);
+                    upon(at, 1.0)
+                }));
+            }
+            Outline::Ring(center, inner, outer) => {
+                let center = place.globally(*center);
+                anchors.extend(around(center, outer + 3.0));
+                let inward = around(center, 0.0).into_iter().map(|it| Anchor {
+                    at: [center[0] + inner * it.out[0], center[1] + inner * it.out[1]],
+                    out: scaled(it.out, -1.0),
+                    gap: 3.0,
+                    cost: 1.5,
+                });
+                anchors.extend(inward);
+            }
+            Outline::Rounded(corners, radius) if corners.len() > 1 => {
+                for [a, b] in offset_edges(corners, *radius) {
+                    edge(&mut anchors, place.globally(a), place.globally(b));
+                }
+                if corners.len() > 2 {
+                    let count = corners.len() as f64;
+                    let sum = corners.iter().fold([0.0; 2], |sum, it| {
+                        [sum[0] + it[0] / count, sum[1] + it[1] / count]
+                    });
+                    anchors.push(upon(sum, -1.0));
+                    for corner in corners {
+                        let at = [
+                            0.7 * sum[0] + 0.3 * corner[0],
+                            0.7 * sum[1] + 0.3 * corner[1],
+                        ];
+                        anchors.push(upon(at, 0.0));
+                    }
+                }
+            }
+            Outline::Rounded(corners, radius) if corners.len() == 1 => {
+                anchors.extend(around(place.globally(corners[0]), radius + 3.0));
+            }
+            Outline::Rounded(..) | Outline::Closed(_) | Outline::Open(_) => {
+                let points = hull(&outline.points());
+                if points.len() > 1 {
+                    for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {
+                        edge(&mut anchors, place.globally(*a), place.globally(*b));
+                    }
+                }
+                let bounds = super::plane::Bounds::of(points.iter().copied());
+                // A name does not hide what is no larger.
+                if bounds.size()[0] > 1.5 * width && bounds.size()[1] > 4.0 * SIZE {
+                    anchors.push(upon(bounds.center(), 0.0));
+                }
+            }
+        }
+    }
+    if anchors.is_empty() {
+        ridden(&mut anchors, figure, body);
+    }
+    if anchors.is_empty() {
+        anchors.extend(around(place.origin, 12.0));
+    }
+    anchors
+}
+
+/// Beside the blocks that stand for a body.
+fn ridden(anchors: &mut Vec<Anchor>, figure: &Figure, body: usize) {
+    let parts = figure.joints.iter().flat_map(|it| it.parts());
+    for part in parts {
+        let is_own = match part.frame {
+            Frame::Riding(at, _) => at.body == body,
+            frame => frame == Frame::Body(body),
+        };
+        if !is_own {
+            continue;
+        }
+        let place = figure.place(part.frame);
+        let blocks = part.elements.iter().map(|it| &it.outline);
+        for block in blocks.filter(|it| !matches!(it, Outline::Open(_))) {
+            let points = hull(&block.points());
+            for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {
+                edge(anchors, place.globally(*a), place.globally(*b));
+            }
+        }
+    }
+}
+
+/// Along an edge of a shape that lies to its left.
+fn edge(anchors: &mut Vec<Anchor>, a: Point, b: Point) {
+    let length = distance(a, b);
+    if length < 3.0 {
+        return;
+    }
+    let along = scaled(difference(b, a), 1.0 / length);
+    let out = scaled(left_of(along), -1.0);
+    for (share, cost) in [(0.5, 0.0), (0.36, 0.6), (0.64, 0.6), (0.2, 2.0), (0.8, 2.0)] {
+        anchors.push(Anchor {
+            at: [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])],
+            out,
+            gap: 3.0,
+            // Short edges are the ends of something.
+            cost: cost + if length < 20.0 { 3.0 } else { 0.0 },
+        });
+    }
+}

@@ -1,0 +1,281 @@
+//! *A scene* → *one picture with names, a scale bar and a caption*.
+
+use std::fmt::Write as _;
+
+use super::draft::drafted;
+use super::extras::{AXIS, Traced};
+use super::figure::{Figure, Frame};
+use super::label::placed;
+use super::letters::width;
+use super::naming::{Named, SIZE, names, obstacles};
+use super::plane::{Bounds, Point, distance, onward, scaled};
+use super::pose::{Pose, Scene};
+use super::scale_bar::scale_bar;
+use super::style::{TINTS, sheet};
+use super::svg::{escaped, layers, number};
+use crate::system::System;
+
+/// What can be chosen about a drawing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Options {
+    /// Width and height in pixels; where none is given, as much as the drawing needs.
+    pub size: Option<[u32; 2]>,
+    /// The bodies whose frames are drawn: indices into those of the mechanism, 0 for the ground.
+    pub frames: Vec<usize>,
+    /// What stands in the lower right corner.
+    pub caption: String,
+}
+
+/// The largest picture where no size is given.
+const LARGEST: Point = [760.0, 620.0];
+/// The smallest.
+const SMALLEST: Point = [420.0, 220.0];
+
+/// Room for names around the figure.
+const MARGIN: f64 = 30.0;
+
+/// The height of a line of the legend.
+const ROW: f64 = 20.0;
+
+/// The mechanism in a pose, with paths of points. Guides are as long as what slides on them needs in the other poses.
+pub fn draw(
+    system: &System,
+    shown: &Pose,
+    others: &[Pose],
+    paths: &[Traced],
+    options: &Options,
+) -> String {
+    let scene = Scene::new(system, shown, others);
+    let title = system.mechanism.title();
+    let notes = noted(&scene);
+    let legend = 12.0 + ROW * (1.0 + notes as f64);
+    let room = options.size.map_or(LARGEST, |size| size.map(f64::from));
+    let inner = [
+        (room[0] - 2.0 * MARGIN).max(40.0),
+        (room[1] - 2.0 * MARGIN - legend).max(40.0),
+    ];
+    let complete = |scale: f64| {
+        let (mut figure, unit) = drafted(&scene, scale);
+        paths.iter().for_each(|path| figure.trace(path));
+        for &body in &options.frames {
+            figure.axes(body, &scene.bodies[body].name, unit);
+        }
+        (figure, unit)
+    };
+    let scale = fitted(&scene, inner, |scale| complete(scale).0.bounds());
+    let (figure, unit) = complete(scale);
+    let bounds = figure.bounds();
+    let size = match options.size {
+        Some(size) => size.map(f64::from),
+        None => {
+            let needed = bounds.size();
+            [
+                (needed[0] + 2.0 * MARGIN)
+                    .clamp(SMALLEST[0], LARGEST[0])
+                    .ceil(),
+                (needed[1] + 2.0 * MARGIN + legend)
+                    .clamp(SMALLEST[1], LARGEST[1])
+                    .ceil(),
+            ]
+        }
+    };
+    // Where the origin is in the picture, with y upwards from its lower edge.
+    let middle = [0.5 * size[0], 0.5 * (size[1] + legend)];
+    let origin = [0, 1].map(|axis| (middle[axis] - bounds.center()[axis]).round());
+    let area = Bounds {
+        low: [4.0 - origin[0], legend - origin[1]],
+        high: [size[0] - 4.0 - origin[0], size[1] - 4.0 - origin[1]],
+    };
+    let mut text = opening(size, &title);
+    let _ = writeln!(text, "<style>\n{}</style>", sheet());
+    let _ = writeln!(
+        text,
+        "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>",
+        number(size[0]),
+        number(size[1])
+    );
+    let _ = writeln!(
+        text,
+        "<g id=\"mechanism\" data-scale=\"{scale}\" transform=\"translate({} {})\">",
+        number(origin[0]),
+        number(size[1] - origin[1])
+    );
+    text += &layers(&figure, "");
+    text += &labels(&scene, &figure, unit, &area, &options.frames);
+    text.push_str("</g>\n");
+    text += &legend_text(&figure, size, &options.caption);
+    text.push_str("</svg>\n");
+    text
+}
+
+/// The first tag, and what the picture is called.
+pub(super) fn opening(size: Point, title: &str) -> String {
+    let [width, height] = size.map(number);
+    let title = escaped(title);
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"linkwright\" role=\"img\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\">\n<title>{title}</title>\n"
+    )
+}
+
+/// How many notes the legend has.
+fn noted(scene: &Scene) -> usize {
+    let signs = scene.signs.iter();
+    signs
+        .filter(|it| it.feature == crate::joint::Feature::Written)
+        .count()
+}
+
+/// The pixels per metre with which a figure fills a room. Signs do not grow with the scale, so it is approached in steps.
+pub(super) fn fitted(scene: &Scene, room: Point, bounds: impl Fn(f64) -> Bounds) -> f64 {
+    let places = scene.bodies.iter().flat_map(|body| {
+        let origin = std::iter::once(body.place.origin);
+        origin.chain(body.points.iter().map(|it| body.place.globally(*it)))
+    });
+    let extent = Bounds::of(places.skip(1)).size();
+    let extent = extent[0].max(extent[1]);
+    let least = room[0].min(room[1]);
+    let most = match extent > 1e-9 * scene.size {
+        true => 4.0 * room[0].max(room[1]) / extent,
+        false => 0.4 * least / scene.size,
+    };
+    let mut scale = 0.5 * least / extent.max(scene.size * 1e-9).max(f64::MIN_POSITIVE);
+    scale = scale.min(most);
+    for _ in 0..12 {
+        let size = bounds(scale).size();
+        let factor = [0, 1]
+            .map(|axis| room[axis] / size[axis].max(1.0))
+            .into_iter()
+            .fold(f64::INFINITY, f64::min);
+        scale = (scale * factor).min(most);
+    }
+    scale
+}
+
+/// The names where they stand.
+pub(super) fn labels(
+    scene: &Scene,
+    figure: &Figure,
+    unit: f64,
+    area: &Bounds,
+    frames: &[usize],
+) -> String {
+    let names = names(scene, figure, unit);
+    let mut obstacles = obstacles(figure);
+    let mut text = String::from("<g id=\"names\">\n");
+    for &body in frames {
+        let place = figure.place(Frame::Body(body));
+        for (along, letter) in [([1.0, 0.0], "x"), ([0.0, 1.0], "y")] {
+            let at = place.globally(onward([0.0; 2], AXIS * unit + 9.0, along));
+            obstacles.taken.push(Bounds::around(at, [6.0, 7.0]));
+            let _ = writeln!(
+                text,
+                "<text class=\"axis-name\" x=\"{}\" y=\"{}\">{letter}</text>",
+                number(at[0]),
+                number(0.35 * SIZE - at[1])
+            );
+        }
+    }
+    let boxes: Vec<_> = names.iter().map(|name| name.label.clone()).collect();
+    let placed = placed(&boxes, &obstacles, area);
+    for (name, placed) in names.iter().zip(&placed) {
+        let Some(placed) = placed else { continue };
+        let center = placed.area.center();
+        let half = name.label.half;
+        let tint = match name.of {
+            Named::Body(body) => format!(" class=\"tint-{}\"", (body - 1) % TINTS),
+            Named::Point(_) => String::new(),
+        };
+        let _ = write!(text, "<g{tint}>");
+        if let Some(to) = placed.leader {
+            let from = nearest(&placed.area, to);
+            let length = distance(from, to);
+            let to = onward(
+                from,
+                (length - 6.0).max(0.0) / length.max(1.0),
+                [to[0] - from[0], to[1] - from[1]],
+            );
+            let _ = write!(
+                text,
+                "<path class=\"leader\" d=\"M{} {}L{} {}\"/>",
+                number(from[0]),
+                number(-from[1]),
+                number(to[0]),
+                number(-to[1])
+            );
+        }
+        let class = match name.of {
+            Named::Body(_) => {
+                let [width, height] = scaled(half, 2.0);
+                let _ = write!(
+                    text,
+                    "<rect class=\"tag\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\"/>",
+                    number(center[0] - half[0]),
+                    number(-center[1] - half[1]),
+                    number(width),
+                    number(height),
+                    number(half[1])
+                );
+                "name"
+            }
+            Named::Point(_) => "point",
+        };
+        let _ = writeln!(
+            text,
+            "<text class=\"{class}\" x=\"{}\" y=\"{}\">{}</text></g>",
+            number(center[0]),
+            number(0.35 * SIZE - center[1]),
+            escaped(&name.text)
+        );
+    }
+    text.push_str("</g>\n");
+    text
+}
+
+/// The point of a box that is nearest to another.
+fn nearest(area: &Bounds, to: Point) -> Point {
+    [0, 1].map(|axis| to[axis].clamp(area.low[axis], area.high[axis]))
+}
+
+/// The scale bar, the caption, and what has no sign.
+fn legend_text(figure: &Figure, size: Point, caption: &str) -> String {
+    let mut text = String::from("<g id=\"legend\">\n");
+    let base = size[1] - 14.0;
+    let mut used = 12.0;
+    if let Some(bar) = scale_bar(figure.scale, (0.24 * size[0]).min(150.0)) {
+        let end = 12.0 + bar.length;
+        let _ = writeln!(
+            text,
+            "<path d=\"M12 {0}V{1}H{2}V{0}\"/><text class=\"note\" x=\"{3}\" y=\"{4}\">{5}</text>",
+            number(base - 4.0),
+            number(base + 1.0),
+            number(end),
+            number(end + 7.0),
+            number(base + 3.0),
+            escaped(&bar.text)
+        );
+        used = end + 7.0 + width(&bar.text, SIZE);
+    }
+    if !caption.is_empty() && used + 12.0 + width(caption, SIZE) < size[0] - 12.0 {
+        let _ = writeln!(
+            text,
+            "<text class=\"caption\" x=\"{}\" y=\"{}\">{}</text>",
+            number(size[0] - 12.0),
+            number(base + 3.0),
+            escaped(caption)
+        );
+    }
+    for (row, note) in figure.notes.iter().rev().enumerate() {
+        let mut note = note.clone();
+        while width(&note, SIZE) > size[0] - 24.0 && note.pop().is_some() {}
+        let y = base + 3.0 - ROW * (row as f64 + 1.0);
+        let _ = writeln!(
+            text,
+            "<text class=\"note\" x=\"12\" y=\"{}\">{}</text>",
+            number(y),
+            escaped(&note)
+        );
+    }
+    text.push_str("</g>\n");
+    text
+}

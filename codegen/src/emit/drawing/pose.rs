@@ -1,0 +1,317 @@
+//! *A system and the values of its symbols* → *what a drawing is made from, in m and rad*.
+//!
+//! Afterwards nothing is an expression: every body has its place, every joint its sign with marks, line and numbers. Deliberately
+//! unknown here: pixels, and how a sign looks.
+
+use super::numbers::{Numbers, sampled};
+use super::plane::{Place, Point, left_of};
+use crate::expr::SymbolId;
+use crate::joint::geometry::Mark;
+use crate::joint::{Feature, Follower};
+use crate::model::Role;
+use crate::system::System;
+
+/// The values of all symbols at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    values: Vec<f64>,
+}
+
+impl Pose {
+    /// The pose in which these symbols have these values; all others have that of their declaration, or zero.
+    pub fn new(system: &System, given: impl IntoIterator<Item = (SymbolId, f64)>) -> Pose {
+        let graph = &system.mechanism.graph;
+        let mut values = vec![0.0; graph.symbol_count()];
+        graph.fill_nominal(&mut values);
+        for (symbol, value) in given {
+            values[symbol.index()] = value;
+        }
+        Pose { values }
+    }
+
+    /// The pose in which the description draws the mechanism.
+    pub fn drawn(system: &System) -> Pose {
+        let graph = &system.mechanism.graph;
+        let estimates = system.coordinates.iter().filter_map(|coordinate| {
+            let value = graph.constant_value(coordinate.estimate)?;
+            Some((coordinate.position, value))
+        });
+        Pose::new(system, estimates)
+    }
+}
+
+/// A point of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct At {
+    pub body: usize,
+    pub local: Point,
+}
+
+/// The line of a joint.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    /// The mark that it is fixed with and the other one: indices.
+    pub owner: usize,
+    pub other: usize,
+    /// The unit vector along it in the frame of the owner's body.
+    pub along: Point,
+}
+
+/// A curve in the frame of its body.
+#[derive(Clone, Debug)]
+pub(super) struct Drawn {
+    pub body: usize,
+    pub points: Vec<Point>,
+    pub is_closed: bool,
+}
+
+/// A joint in numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Sign {
+    /// Its unique name.
+    pub slug: String,
+    /// How messages name it.
+    pub label: String,
+    pub feature: Feature,
+    pub is_driver: bool,
+    /// Whether a driven quantity decreases.
+    pub is_falling: bool,
+    pub marks: Vec<At>,
+    pub line: Option<Line>,
+    pub curve: Option<Drawn>,
+    /// The number in its feature, or zero.
+    pub number: f64,
+}
+
+/// A body in numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Carried {
+    pub name: String,
+    pub place: Place,
+    /// The points it carries, in its frame.
+    pub points: Vec<Point>,
+}
+
+/// A point with its name.
+#[derive(Clone, Debug)]
+pub(super) struct Entitled {
+    /// Its name among all points.
+    pub name: String,
+    /// As bodies carry it, where several points may have it.
+    pub written: String,
+    pub at: At,
+}
+
+/// A mechanism in one pose, in numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Scene {
+    pub bodies: Vec<Carried>,
+    pub signs: Vec<Sign>,
+    /// The points with a name, each once.
+    pub points: Vec<Entitled>,
+    /// What lengths are measured against.
+    pub size: f64,
+    /// Where the bodies are in each pose that the drawing is made for.
+    pub motion: Vec<Vec<Place>>,
+}
+
+impl Scene {
+    /// The mechanism in a pose; lengths of guides follow from the other poses as well.
+    pub fn new(system: &System, shown: &Pose, others: &[Pose]) -> Scene {
+        let mechanism = &system.mechanism;
+        let mut graph = mechanism.graph.clone();
+        let mut numbers = Numbers::default();
+        let places = numbers.places(system);
+        let bodies: Vec<Vec<[usize; 2]>> = mechanism
+            .bodies
+            .iter()
+            .map(|body| {
+                body.marks
+                    .iter()
+                    .map(|it| numbers.pair(it.mark.local))
+                    .collect()
+            })
+            .collect();
+        let points: Vec<(usize, [usize; 2])> = mechanism
+            .points
+            .iter()
+            .map(|it| (it.mark.frame.body.0, numbers.pair(it.mark.local)))
+            .collect();
+        let mut signs = Vec::new();
+        for joint in &mechanism.joints {
+            let operands = &joint.operands;
+            let Some(feature) = joint.kind.feature(operands, &mut graph) else {
+                continue;
+            };
+            let zero = graph.zero();
+            let number = numbers.one(match feature {
+                Feature::Slot(number)
+                | Feature::Wheels(_, number)
+                | Feature::Pinion(number)
+                | Feature::Contact(Follower::Roller(number)) => number,
+                _ => zero,
+            });
+            let rate = match (joint.role, operands.value) {
+                (Role::Driver, Some(value)) => graph.derivative(value, mechanism.time),
+                _ => zero,
+            };
+            let marks: Vec<(usize, [usize; 2])> = operands
+                .marks
+                .iter()
+                .map(|mark: &Mark| (mark.frame.body.0, numbers.pair(mark.local)))
+                .collect();
+            let line = operands
+                .axis
+                .map(|axis| (axis.owner, numbers.pair(axis.direction)));
+            signs.push((joint, feature, number, numbers.one(rate), marks, line));
+        }
+        let value = numbers.evaluate(&graph, &shown.values);
+        let both = |[x, y]: [usize; 2]| [value[x], value[y]];
+        let place_in = |value: &[f64], [x, y, angle]: [usize; 3]| Place {
+            origin: [value[x], value[y]],
+            angle: value[angle],
+        };
+        let at = |(body, local): &(usize, [usize; 2])| At {
+            body: *body,
+            local: both(*local),
+        };
+        let signs = signs
+            .iter()
+            .map(|(joint, feature, number, rate, marks, line)| Sign {
+                slug: joint.slug.clone(),
+                label: joint.label.clone(),
+                feature: *feature,
+                is_driver: joint.role == Role::Driver,
+                is_falling: value[*rate] < 0.0,
+                marks: marks.iter().map(at).collect(),
+                line: line.map(|(owner, along)| Line {
+                    owner,
+                    other: usize::from(owner == 0),
+                    along: both(along),
+                }),
+                curve: joint.operands.curve.map(|curve| {
+                    let [from, to] = curve.range;
+                    Drawn {
+                        body: curve.frame.body.0,
+                        points: sampled(
+                            &graph,
+                            curve.point,
+                            curve.parameter,
+                            [from, to],
+                            &shown.values,
+                        ),
+                        is_closed: false,
+                    }
+                    .closed_if_it_returns()
+                }),
+                number: value[*number],
+            });
+        let signs = signs.collect();
+        let motion = std::iter::once(shown).chain(others).map(|pose| {
+            let value = numbers.evaluate(&graph, &pose.values);
+            places
+                .iter()
+                .map(|&place| place_in(&value, place))
+                .collect()
+        });
+        Scene {
+            signs,
+            motion: motion.collect(),
+            bodies: mechanism
+                .bodies
+                .iter()
+                .zip(&bodies)
+                .zip(&places)
+                .map(|((body, points), place)| Carried {
+                    name: body.name.clone(),
+                    place: place_in(&value, *place),
+                    points: points.iter().map(|&point| both(point)).collect(),
+                })
+                .collect(),
+            points: mechanism
+                .points
+                .iter()
+                .zip(&points)
+                .map(|(point, place)| {
+                    let marks = &mechanism.bodies[point.mark.frame.body.0].marks;
+                    let own = marks.iter().find(|it| {
+                        it.mark.local == point.mark.local && point.name.starts_with(&it.name)
+                    });
+                    Entitled {
+                        name: point.name.clone(),
+                        written: own.map_or(&point.name, |own| &own.name).clone(),
+                        at: at(place),
+                    }
+                })
+                .collect(),
+            size: mechanism.characteristic_length,
+        }
+    }
+
+    /// Where a point of a body is.
+    pub fn global(&self, at: At) -> Point {
+        self.bodies[at.body].place.globally(at.local)
+    }
+
+    /// The same point of the drawing as another body carries it.
+    pub fn carried_by(&self, body: usize, global: Point) -> At {
+        At {
+            body,
+            local: self.bodies[body].place.locally(global),
+        }
+    }
+
+    /// The line of a sign in global components: a unit vector.
+    pub fn along(&self, sign: &Sign, line: Line) -> Point {
+        let body = sign.marks[line.owner].body;
+        self.bodies[body].place.rotate(line.along)
+    }
+
+    /// How far along its line the other mark of a sign comes, and how far to its left it is now.
+    pub fn travel(&self, sign: &Sign, line: Line) -> Travel {
+        let [owner, other] = [line.owner, line.other].map(|mark| sign.marks[mark]);
+        let reached = |places: &[Place]| {
+            let global = places[other.body].globally(other.local);
+            let local = places[owner.body].locally(global);
+            let gap = [local[0] - owner.local[0], local[1] - owner.local[1]];
+            [
+                gap[0] * line.along[0] + gap[1] * line.along[1],
+                gap[0] * left_of(line.along)[0] + gap[1] * left_of(line.along)[1],
+            ]
+        };
+        let all: Vec<f64> = self
+            .motion
+            .iter()
+            .map(|places| reached(places)[0])
+            .collect();
+        let [now, aside] = reached(&self.motion[0]);
+        Travel {
+            now,
+            aside,
+            least: all.iter().copied().fold(now, f64::min),
+            most: all.iter().copied().fold(now, f64::max),
+        }
+    }
+}
+
+/// A displacement over all poses, in m.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Travel {
+    pub now: f64,
+    pub aside: f64,
+    pub least: f64,
+    pub most: f64,
+}
+
+impl Drawn {
+    fn closed_if_it_returns(mut self) -> Drawn {
+        if let [first, .., last] = self.points[..] {
+            let size = super::plane::Bounds::of(self.points.iter().copied()).size();
+            if super::plane::distance(first, last) <= 1e-6 * (size[0] + size[1]) {
+                self.points.pop();
+                self.is_closed = true;
+            }
+        }
+        self
+    }
+}

@@ -1,0 +1,85 @@
+//! How looks look: lines in pixels, light and dark.
+
+use super::figure::Look;
+
+/// The class of a look in the file.
+pub(super) fn class(look: Look) -> &'static str {
+    match look {
+        Look::Body => "body",
+        Look::Disc => "body disc",
+        Look::Part => "part",
+        Look::Edge => "edge",
+        Look::Face => "face",
+        Look::Thought => "thought",
+        Look::Massless => "massless",
+        Look::Hatch => "hatch",
+        Look::Drive => "drive",
+        Look::DriveHead => "drive-head",
+        Look::Axis => "axis",
+        Look::AxisHead => "axis-head",
+        Look::Path => "path",
+        Look::Tick => "tick",
+        Look::Ink => "ink",
+    }
+}
+
+/// How many tints bodies have: those of Okabe and Ito, which remain distinct for the color-blind.
+pub(super) const TINTS: usize = 7;
+
+const TINT: [&str; TINTS] = [
+    "#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#b3a500",
+];
+
+/// The style sheet.
+pub(super) fn sheet() -> String {
+    let mut text = String::from(
+        "\
+.linkwright { color: #1c2024; font: 13px Helvetica, Arial, \"Liberation Sans\", \"DejaVu Sans\", sans-serif; }
+.linkwright .paper { fill: #ffffff; }
+.linkwright path, .linkwright circle { fill: none; stroke: #1c2024; stroke-width: 1.4; stroke-linecap: round; stroke-linejoin: round; }
+.linkwright .body { fill-opacity: 0.28; fill-rule: evenodd; }
+.linkwright .disc { stroke: none; }
+.linkwright .part { fill: #ffffff; }
+.linkwright .face { stroke-width: 2.6; }
+.linkwright .thought { stroke-width: 1; stroke-dasharray: 9 3 2 3; }
+.linkwright .massless { stroke-width: 1.6; stroke-dasharray: 6 4; }
+.linkwright .hatch { stroke-width: 0.9; }
+.linkwright .ink { fill: #1c2024; stroke: none; }
+.linkwright .drive { stroke: #c2410c; stroke-width: 2; }
+.linkwright .drive-head { fill: #c2410c; stroke: none; }
+.linkwright .axis { stroke: #6d28d9; stroke-width: 1.4; }
+.linkwright .axis-head { fill: #6d28d9; stroke: none; }
+.linkwright .path { stroke: #1d4ed8; stroke-width: 1.4; }
+.linkwright .tick { fill: #1d4ed8; stroke: none; }
+.linkwright .leader { stroke-width: 0.7; }
+.linkwright .tag { fill-opacity: 0.2; stroke-width: 0.8; stroke-opacity: 0.9; }
+.linkwright text { fill: #1c2024; text-anchor: middle; }
+.linkwright .name { font-style: italic; }
+.linkwright .point { font-weight: 600; }
+.linkwright .note { fill: #57606a; text-anchor: start; }
+.linkwright .caption { fill: #57606a; text-anchor: end; }
+.linkwright .axis-name { fill: #6d28d9; font-style: italic; }
+",
+    );
+    for (tint, color) in TINT.iter().enumerate() {
+        text += &format!(".linkwright .tint-{tint} .body {{ fill: {color}; }}\n");
+        text += &format!(".linkwright .tint-{tint} .tag {{ fill: {color}; stroke: {color}; }}\n");
+    }
+    text += "\
+@media (prefers-color-scheme: dark) {
+.linkwright { color: #e6e8eb; }
+.linkwright .paper, .linkwright .part { fill: #16191d; }
+.linkwright path, .linkwright circle { stroke: #e6e8eb; }
+.linkwright text, .linkwright .ink { fill: #e6e8eb; }
+.linkwright .body { fill-opacity: 0.42; }
+.linkwright .drive { stroke: #fb923c; }
+.linkwright .drive-head { fill: #fb923c; }
+.linkwright .axis { stroke: #c4b5fd; }
+.linkwright .axis-head, .linkwright .axis-name { fill: #c4b5fd; }
+.linkwright .path { stroke: #7fb0ff; }
+.linkwright .tick { fill: #7fb0ff; }
+.linkwright .note, .linkwright .caption { fill: #9aa4af; }
+}
+";
+    text
+}

@@ -1,0 +1,255 @@
+//! *Groups of outlines* → *their text in an SVG*. Here y turns downwards.
+
+use std::fmt::Write as _;
+
+use super::figure::{Figure, Frame, Group, Layer, Look, Outline, Part, offset_edges};
+use super::plane::{Place, Point};
+use super::style::{TINTS, class};
+
+/// A number in hundredths.
+pub(super) fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    match text {
+        "-0" => "0".to_string(),
+        text => text.to_string(),
+    }
+}
+
+/// A text between tags or quotes.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            // No other control character may stand in XML.
+            letter if letter.is_control() => out.push(' '),
+            letter => out.push(letter),
+        }
+    }
+    out
+}
+
+fn pair(point: Point) -> String {
+    format!("{} {}", number(point[0]), number(-point[1]))
+}
+
+/// Where a frame stands.
+fn transform(place: Place) -> String {
+    let mut text = String::new();
+    if place.origin != [0.0; 2] {
+        let [x, y] = place.origin;
+        let _ = write!(text, "translate({} {})", number(x), number(-y));
+    }
+    let degrees = number(-place.angle.to_degrees().rem_euclid(360.0));
+    if degrees != "0" && degrees != "-360" {
+        let _ = write!(text, "rotate({degrees})");
+    }
+    text
+}
+
+/// The figure in three layers: what is below the bodies, the bodies, and what is upon them. Names of elements begin with `prefix`.
+pub(super) fn layers(figure: &Figure, prefix: &str) -> String {
+    let mut text = String::new();
+    let joints = figure.joints.iter().chain(&figure.extras);
+    let others: Vec<&Group> = joints.collect();
+    for group in &others {
+        layer(&mut text, figure, group, &[Layer::Below], prefix, "-below");
+    }
+    for group in &figure.bodies {
+        layer(
+            &mut text,
+            figure,
+            group,
+            &[Layer::Below, Layer::Upon, Layer::Above],
+            prefix,
+            "",
+        );
+    }
+    for group in &others {
+        layer(&mut text, figure, group, &[Layer::Upon], prefix, "-upon");
+    }
+    for group in &others {
+        // The last layer has the group's own name, and is there where nothing lies in it.
+        layer(&mut text, figure, group, &[Layer::Above], prefix, "");
+    }
+    text
+}
+
+fn layer(
+    text: &mut String,
+    figure: &Figure,
+    group: &Group,
+    layers: &[Layer],
+    prefix: &str,
+    suffix: &str,
+) {
+    let parts = layers.iter().flat_map(|it| &group.layers[*it as usize]);
+    let parts: Vec<&Part> = parts.collect();
+    if parts.is_empty() && !suffix.is_empty() {
+        return;
+    }
+    let id = escaped(&format!("{prefix}{}{suffix}", group.id));
+    let title = escaped(&group.title);
+    // A body is one element, with its own transformation.
+    if let [part] = parts[..] {
+        let attributes = framed(figure, part.frame);
+        let _ = writeln!(text, "<g id=\"{id}\"{attributes}><title>{title}</title>");
+        elements(text, part);
+    } else {
+        let _ = writeln!(text, "<g id=\"{id}\"><title>{title}</title>");
+        for part in parts {
+            let _ = writeln!(text, "<g{}>", framed(figure, part.frame));
+            elements(text, part);
+            text.push_str("</g>\n");
+        }
+    }
+    text.push_str("</g>\n");
+}
+
+/// The attributes of what moves with a frame: its class, how it moves, and where it is now.
+fn framed(figure: &Figure, frame: Frame) -> String {
+    let mut text = match frame {
+        Frame::Body(body) | Frame::Riding(_, body) if body > 0 => {
+            format!(" class=\"tint-{}\"", (body - 1) % TINTS)
+        }
+        Frame::Toward(from, to) => {
+            let body = from.body.max(to.body).max(1);
+            format!(" class=\"tint-{}\"", (body - 1) % TINTS)
+        }
+        _ => String::new(),
+    };
+    let _ = match frame {
+        Frame::Body(0) | Frame::Still => Ok(()),
+        Frame::Body(body) => write!(text, " data-body=\"{body}\""),
+        Frame::Riding(at, body) => write!(
+            text,
+            " data-at=\"{} {}\" data-turned=\"{body}\"",
+            at.body,
+            pair(at.local)
+        ),
+        Frame::Toward(from, to) => write!(
+            text,
+            " data-from=\"{} {}\" data-to=\"{} {}\"",
+            from.body,
+            pair(from.local),
+            to.body,
+            pair(to.local)
+        ),
+    };
+    let placed = transform(figure.place(frame));
+    if !placed.is_empty() {
+        let _ = write!(text, " transform=\"{placed}\"");
+    }
+    text
+}
+
+/// One element for each outline, but one for all of those neighbours that look alike and are open.
+fn elements(text: &mut String, part: &Part) {
+    let mut lines = String::new();
+    let mut last: Option<Look> = None;
+    let flush = |text: &mut String, lines: &mut String, look: Option<Look>| {
+        if let (Some(look), false) = (look, lines.is_empty()) {
+            let _ = writeln!(text, "<path class=\"{}\" d=\"{lines}\"/>", class(look));
+            lines.clear();
+        }
+    };
+    for element in &part.elements {
+        let look = element.look;
+        if last != Some(look) || !matches!(element.outline, Outline::Open(_)) {
+            flush(text, &mut lines, last);
+        }
+        last = Some(look);
+        match &element.outline {
+            Outline::Circle(center, radius) => {
+                let _ = writeln!(
+                    text,
+                    "<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
+                    class(look),
+                    number(center[0]),
+                    number(-center[1]),
+                    number(*radius)
+                );
+            }
+            Outline::Open(points) => {
+                lines.push_str(&path(points, false));
+            }
+            outline => {
+                let _ = writeln!(
+                    text,
+                    "<path class=\"{}\" d=\"{}\"/>",
+                    class(look),
+                    closed(outline)
+                );
+            }
+        }
+    }
+    flush(text, &mut lines, last);
+}
+
+fn path(points: &[Point], is_closed: bool) -> String {
+    let mut text = String::new();
+    for (place, point) in points.iter().enumerate() {
+        text.push(if place == 0 { 'M' } else { 'L' });
+        text.push_str(&pair(*point));
+    }
+    if is_closed {
+        text.push('Z');
+    }
+    text
+}
+
+fn closed(outline: &Outline) -> String {
+    match outline {
+        Outline::Closed(points) => path(points, true),
+        Outline::Ring(center, inner, outer) => {
+            format!("{}{}", ring(*center, *outer), ring(*center, *inner))
+        }
+        Outline::Rounded(corners, radius) => match corners[..] {
+            [] => String::new(),
+            [only] => ring(only, *radius),
+            _ if *radius == 0.0 => path(corners, true),
+            _ => {
+                let mut text = String::new();
+                let radius_text = number(*radius);
+                for (place, [from, to]) in offset_edges(corners, *radius).iter().enumerate() {
+                    match place {
+                        0 => text.push('M'),
+                        // Counterclockwise while y points upwards.
+                        _ => text += &format!("A{radius_text} {radius_text} 0 0 0 "),
+                    }
+                    text += &format!("{}L{}", pair(*from), pair(*to));
+                }
+                let first = offset_edges(corners, *radius)[0][0];
+                text + &format!("A{radius_text} {radius_text} 0 0 0 {}Z", pair(first))
+            }
+        },
+        Outline::Circle(center, radius) => ring(*center, *radius),
+        Outline::Open(points) => path(points, false),
+    }
+}
+
+fn ring(center: Point, radius: f64) -> String {
+    let [left, right] = [-radius, radius].map(|it| pair([center[0] + it, center[1]]));
+    let radius = number(radius);
+    format!("M{left}A{radius} {radius} 0 1 0 {right}A{radius} {radius} 0 1 0 {left}Z")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_have_no_negative_zero() {
+        let text = [1.0, -0.001, 2.25, -3.1, 100.0].map(number);
+        assert_eq!(text, ["1", "0", "2.25", "-3.1", "100"]);
+    }
+
+    #[test]
+    fn texts_are_escaped() {
+        assert_eq!(escaped("a<b & \"c\""), "a&lt;b &amp; &quot;c&quot;");
+    }
+}
