@@ -297,20 +297,21 @@ where
         inverse_rows[(k, k)] = T::ONE;
     }
     for column in 0..order {
-        let mut pivot = column;
+        let (mut pivot, mut size) = (column, rows[(column, column)]);
         for row in column + 1..order {
-            if rows[(column, row)].abs() > rows[(column, pivot)].abs() {
-                pivot = row;
+            let other = rows[(column, row)];
+            if other.abs() > size.abs() {
+                (pivot, size) = (row, other);
             }
         }
-        // There always is such an entry, which the compiler does not see.
-        let size = rows.get((column, pivot)).copied().unwrap_or(T::ZERO);
         // Written so that NaN is refused.
         let is_pivot = size.abs() > T::ZERO;
         if !is_pivot {
             return Err(column);
         }
         if pivot != column {
+            // It is a row, which not every compiler sees: it would keep a panic.
+            let pivot = pivot.min(order - 1);
             rows.swap_columns(column, pivot);
             inverse_rows.swap_columns(column, pivot);
         }
