@@ -361,6 +361,7 @@ impl Resolver<'_> {
     /// The symbols that stand for the arm of a mark; the arm itself where it does not turn.
     fn live_arm(&mut self, mark: Mark) -> Vector {
         if mark.frame.body == BodyId::GROUND {
+            self.named_on_ground.push(mark.local);
             return mark.arm;
         }
         let at = self.mention_mark(mark);

@@ -41,6 +41,8 @@ pub(super) struct Resolver<'a> {
     pub table_fields: HashMap<String, syntax::Name>,
     /// Every symbol that some expression mentions by the name of a constant, a parameter or an input; only looked up.
     pub mentioned: HashSet<SymbolId>,
+    /// Where the points of the ground are that equations name.
+    pub named_on_ground: Vec<Vector>,
     /// Tables: places in the list below; nothing where the statement has an error.
     pub table_names: Namespace<Option<usize>>,
     pub tables: Vec<Table>,
@@ -218,6 +220,7 @@ impl<'a> Resolver<'a> {
             fields: Fields::new(),
             table_fields: HashMap::new(),
             mentioned: HashSet::new(),
+            named_on_ground: Vec::new(),
             table_names: Namespace::new("table"),
             tables: Vec::new(),
             drawn: Namespace::new("point"),
@@ -519,7 +522,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// The largest coordinate of what joints hold, which lengths are measured against.
+    /// The largest coordinate of what joints hold and equations name, which lengths are measured against.
     fn characteristic_length(&self) -> f64 {
         let marks = self
             .joints
@@ -527,7 +530,8 @@ impl Resolver<'_> {
             .flat_map(|(joint, _)| &joint.operands.marks);
         let marks = marks.map(|mark| mark.local);
         let origins = self.bodies.iter().map(|body| body.drawn.origin);
-        let components = marks.chain(origins).flatten();
+        let named = self.named_on_ground.iter().copied();
+        let components = marks.chain(origins).chain(named).flatten();
         let largest = components
             .filter_map(|component| self.graph.constant_value(component))
             .fold(0.0_f64, |largest, value| largest.max(value.abs()));

@@ -10,6 +10,9 @@ use super::picture::signed;
 /// How many ticks a path has at most.
 const TICKS: f64 = 24.0;
 
+/// By which part an interval may fall short of the least: powers of ten are rounded.
+const ROUND_TO: f64 = 1e-9;
+
 /// How many assemblies are drawn.
 const DRAWN: usize = 64;
 
@@ -18,7 +21,7 @@ pub fn tick_steps(length: f64, step: f64) -> usize {
     let least = length / TICKS;
     let power = 10.0_f64.powf(least.log10().floor());
     let round = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
-    let interval = round.into_iter().find(|it| *it >= least * (1.0 - 1e-9));
+    let interval = round.into_iter().find(|it| *it >= least * (1.0 - ROUND_TO));
     ((interval.unwrap_or(least) / step).round() as usize).max(1)
 }
 
