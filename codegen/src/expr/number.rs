@@ -104,7 +104,7 @@ impl Number {
         }
     }
 
-    /// The value of decimal text: exact where a [`Rational`] holds it, otherwise the nearest float, which is zero below and
+    /// The value of decimal text: exact where a `Rational` holds it, otherwise the nearest float, which is zero below and
     /// infinite above the range of floats. `None` for text that is not a decimal number.
     pub fn parse(text: &str) -> Option<Number> {
         let decimal = Decimal::read(text)?;

@@ -2,7 +2,7 @@
 //!
 //! A mechanism is drawn as a mechanical engineer draws it: supports and guides of the ground are hatched, links are rounded shapes
 //! around the points of their bodies, cylinders have a barrel and a rod, gears are their pitch circles. Which sign a joint has is its
-//! kind's ([`Feature`](crate::joint::Feature)). Lines and signs are measured in pixels, whatever the size of the mechanism.
+//! kind's (`Feature`). Lines and signs are measured in pixels, whatever the size of the mechanism.
 //!
 //! The text is the same on every run. It begins with `<svg`, refers to nothing outside, and follows the reader's choice of light or
 //! dark. Every moving body is one element `<g id="body-NAME" transform="…">` drawn in its own frame, and every joint
