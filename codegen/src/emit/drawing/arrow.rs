@@ -2,7 +2,7 @@
 
 use super::draft::{BLOCK, Draft};
 use super::figure::{Frame, Group, Layer, Look, Outline};
-use super::plane::{distance, heading, left_of, onward, scaled};
+use super::plane::{NEGLIGIBLE, distance, heading, left_of, onward, scaled};
 use super::pose::{At, Sign};
 use crate::joint::Feature;
 
@@ -126,7 +126,7 @@ impl Draft<'_> {
         let along = scaled(line.along, way);
         // Hatching lies below rather than above.
         let left = left_of(line.along);
-        let is_up = self.figure.places[owner.body].rotate(left)[1] > -1e-9;
+        let is_up = self.figure.places[owner.body].rotate(left)[1] > -NEGLIGIBLE;
         let out = scaled(left, if is_up { 1.0 } else { -1.0 });
         let middle = scaled(out, (BLOCK[1] + 9.0) * self.unit);
         let half = 17.0 * self.unit;

@@ -2,7 +2,7 @@
 
 use super::draft::{BLOCK, Draft, LINK, PIN};
 use super::figure::{Frame, Group, Layer, Look, Outline};
-use super::plane::{Bounds, Point, difference, dot, left_of, onward, scaled};
+use super::plane::{Bounds, NEGLIGIBLE, Point, difference, dot, left_of, onward, scaled};
 use super::pose::{At, Line, Sign};
 use crate::joint::Feature;
 
@@ -191,7 +191,7 @@ impl Draft<'_> {
                 let length = 0.5 * (range[1] - range[0]) + 2.0 * BLOCK[0] * self.unit;
                 (along[axis] * length).abs() + (out[axis] * 5.0 * self.unit).abs()
             });
-            let upward = if out[1] > 1e-9 || (out[1].abs() <= 1e-9 && out[0] < 0.0) {
+            let upward = if out[1] > NEGLIGIBLE || (out[1].abs() <= NEGLIGIBLE && out[0] < 0.0) {
                 14.0
             } else {
                 0.0

@@ -8,7 +8,7 @@ use super::figure::{Figure, Frame};
 use super::label::placed;
 use super::letters::width;
 use super::naming::{Named, SIZE, names, obstacles};
-use super::plane::{Bounds, Point, distance, onward, scaled};
+use super::plane::{Bounds, NEGLIGIBLE, Point, distance, onward, scaled};
 use super::pose::{Pose, Scene};
 use super::scale_bar::scale_bar;
 use super::style::{TINTS, sheet};
@@ -135,11 +135,11 @@ pub(super) fn fitted(scene: &Scene, room: Point, bounds: impl Fn(f64) -> Bounds)
     let extent = Bounds::of(places.skip(1)).size();
     let extent = extent[0].max(extent[1]);
     let least = room[0].min(room[1]);
-    let most = match extent > 1e-9 * scene.size {
+    let most = match extent > NEGLIGIBLE * scene.size {
         true => 4.0 * room[0].max(room[1]) / extent,
         false => 0.4 * least / scene.size,
     };
-    let mut scale = 0.5 * least / extent.max(scene.size * 1e-9).max(f64::MIN_POSITIVE);
+    let mut scale = 0.5 * least / extent.max(scene.size * NEGLIGIBLE).max(f64::MIN_POSITIVE);
     scale = scale.min(most);
     for _ in 0..12 {
         let size = bounds(scale).size();

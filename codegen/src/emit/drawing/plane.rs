@@ -1,5 +1,8 @@
 //! Points, places of frames and outlines in the plane.
 
+/// What is rounding, as a part of the size of what is drawn.
+pub(super) const NEGLIGIBLE: f64 = 1e-9;
+
 /// Components along x and y.
 pub type Point = [f64; 2];
 
@@ -171,8 +174,8 @@ pub(super) fn hull(points: &[Point]) -> Vec<Point> {
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     let size = Bounds::of(points.iter().copied()).size();
     // What is nearer to a line than this lies on it.
-    let slack = 1e-9 * (size[0] + size[1]).powi(2);
-    sorted.dedup_by(|a, b| distance(*a, *b) <= 1e-9 * (size[0] + size[1]));
+    let slack = NEGLIGIBLE * (size[0] + size[1]).powi(2);
+    sorted.dedup_by(|a, b| distance(*a, *b) <= NEGLIGIBLE * (size[0] + size[1]));
     if sorted.len() < 3 {
         return sorted;
     }

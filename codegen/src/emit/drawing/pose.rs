@@ -11,6 +11,9 @@ use crate::joint::{Feature, Follower};
 use crate::model::Role;
 use crate::system::System;
 
+/// The gap of a closed curve at most, as a part of its size: descriptions have six digits.
+const CLOSED: f64 = 1e-6;
+
 /// The values of all symbols at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
@@ -307,7 +310,7 @@ impl Drawn {
     fn closed_if_it_returns(mut self) -> Drawn {
         if let [first, .., last] = self.points[..] {
             let size = super::plane::Bounds::of(self.points.iter().copied()).size();
-            if super::plane::distance(first, last) <= 1e-6 * (size[0] + size[1]) {
+            if super::plane::distance(first, last) <= CLOSED * (size[0] + size[1]) {
                 self.points.pop();
                 self.is_closed = true;
             }

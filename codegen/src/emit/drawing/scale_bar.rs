@@ -1,5 +1,10 @@
 //! *Pixels per metre and the room that there is* → *a round length and how it is written*.
 
+use super::plane::NEGLIGIBLE;
+
+/// Longer bars are written with a power of ten, in m.
+const LONGEST: f64 = 1e6;
+
 /// A length that is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ScaleBar {
@@ -30,11 +35,13 @@ pub(super) fn scale_bar(scale: f64, room: f64) -> Option<ScaleBar> {
     let metres = digits
         .into_iter()
         .map(round)
-        .find(|it| *it <= most * (1.0 + 1e-9))?;
-    let unit = UNITS.iter().find(|(_, size)| metres >= size * (1.0 - 1e-9));
+        .find(|it| *it <= most * (1.0 + NEGLIGIBLE))?;
+    let unit = UNITS
+        .iter()
+        .find(|(_, size)| metres >= size * (1.0 - NEGLIGIBLE));
     let text = match unit {
         // What is so long or so short is written with its power of ten.
-        Some((name, size)) if metres < 1e6 => format!("{} {name}", (metres / size).round()),
+        Some((name, size)) if metres < LONGEST => format!("{} {name}", (metres / size).round()),
         _ => format!("{metres:e} m"),
     };
     Some(ScaleBar {

@@ -2,7 +2,9 @@
 
 use super::draft::{Draft, LINK};
 use super::figure::{Frame, Group, Layer, Look, Outline};
-use super::plane::{Point, angle_of, difference, distance, dot, heading, left_of, onward, scaled};
+use super::plane::{
+    NEGLIGIBLE, Point, angle_of, difference, distance, dot, heading, left_of, onward, scaled,
+};
 use super::pose::{At, Sign};
 use crate::joint::{Feature, Mesh};
 
@@ -40,7 +42,7 @@ impl Draft<'_> {
         // r_i = ratio r_j, and the radii make the distance of the centres.
         let second = match mesh {
             Mesh::External => apart / (1.0 + ratio),
-            Mesh::Internal if (1.0 - ratio).abs() > 1e-9 => apart / (1.0 - ratio).abs(),
+            Mesh::Internal if (1.0 - ratio).abs() > NEGLIGIBLE => apart / (1.0 - ratio).abs(),
             _ => 0.62 * apart / (1.0 + ratio),
         };
         let radii = [ratio * second, second];
