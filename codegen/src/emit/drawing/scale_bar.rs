@@ -15,12 +15,12 @@ pub(super) struct ScaleBar {
 
 /// Units with their size in m; the first in which the length is at least one is taken.
 const UNITS: [(&str, f64); 6] = [
-    ("km", 1e3),
+    ("km", 1000.0),
     ("m", 1.0),
-    ("mm", 1e-3),
-    ("µm", 1e-6),
-    ("nm", 1e-9),
-    ("pm", 1e-12),
+    ("mm", 0.001),
+    ("µm", 0.000_001),
+    ("nm", 0.000_000_001),
+    ("pm", 0.000_000_000_001),
 ];
 
 /// The largest length of one, two or five times a power of ten that is not longer than `room` pixels.
