@@ -184,11 +184,12 @@ impl Truth<'_> {
             };
             let t = step.t;
             let exact = trace.at(t);
-            let beyond = match trace.end {
-                End::Open => None,
-                End::Singular(end) | End::Unknown(end) => Some(end),
+            let (beyond, late) = match trace.end {
+                End::Open => (None, 0.0),
+                End::Singular(end, latest) => (Some(end), (latest - end).abs()),
+                End::Unknown(end) => (Some(end), 0.0),
             };
-            let near = NEAR_END * whole.abs().min(self.course.period);
+            let near = NEAR_END * whole.abs().min(self.course.period) + late;
             let is_near_end = beyond.is_some_and(|end| (t - end).abs() <= near);
             // Where rounding decides how it goes on, it is not known either.
             let is_decided = !self.course.is_blurred || trace.is_before_crossings(t);

@@ -174,7 +174,7 @@ impl Hunted {
         let courses = tally.courses.entry(self.key.0).or_default();
         courses[0] += 1;
         courses[1] += 1;
-        courses[2] += usize::from(matches!(path.end, End::Singular(_)));
+        courses[2] += usize::from(matches!(path.end, End::Singular(..)));
         courses[3] += usize::from(!path.crossings.is_empty());
         if self.course.is_drawn && !self.is_as_drawn(&blocks, &path) {
             let why = "another assembly than the drawn one".to_string();

@@ -3,7 +3,8 @@
 //! A tracker with tiny steps on the dense textbook equations, which shares nothing with the runtime: complete pivoting, steps so short
 //! that the Taylor polynomial misses by less than `MISS` and the rates do not jump. Where the Jacobian becomes singular at
 //! finite rates it goes on by extrapolation from a distance at which everything is well known: a smooth curve has one
-//! continuation. Where the rates grow without bound, the path ends.
+//! continuation. Where the rates grow without bound, the path ends, and the smallest pivot says how
+//! soon.
 
 use linkwright::Equations;
 use linkwright_solver::textbook::TextbookEquations;
@@ -48,14 +49,21 @@ const LEAPS: [f64; 5] = [0.3, 0.1, 0.03, 0.01, 0.003];
 /// The part of the way across a singular pose by which extrapolation may miss.
 const MISSED_LEAP: f64 = 1e-5;
 
+/// By how much a smallest pivot has fallen where its rate is taken: far above its rounding.
+const FALLEN: f64 = 1.3;
+
+/// What is left of a path, in the times that the tangent of the smallest pivot gives: half of one at a fold, two where a slide goes to
+/// infinity.
+const TANGENTS: f64 = 4.0;
+
 /// How a path goes on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum End {
     /// Beyond the last time asked for.
     #[default]
     Open,
-    /// It ends at a singular pose, at this time (s).
-    Singular(f64),
+    /// It ends at a singular pose, after the first time and before the second (s).
+    Singular(f64, f64),
     /// Nobody knows after this time (s).
     Unknown(f64),
 }
@@ -113,6 +121,17 @@ impl Trace {
         let first = self.crossings.first();
         first.is_none_or(|crossing| {
             (t - start).abs() < (crossing - start).abs() - CLEAR * (crossing - start).abs()
+        })
+    }
+
+    /// How long it takes at most until the smallest pivot is zero (s).
+    fn remaining(&self) -> f64 {
+        let last = self.last();
+        let fallen = |state: &&State| state.pivot > FALLEN * last.pivot;
+        let before = self.states.iter().rev().find(fallen);
+        before.map_or(f64::INFINITY, |before| {
+            let way = (last.t - before.t).abs();
+            TANGENTS * last.pivot * way / (before.pivot - last.pivot)
         })
     }
 
@@ -184,7 +203,7 @@ impl Tracer<'_> {
                 let Some(next) = self.leap(&trace, sense, to) else {
                     let grown = self.has_grown(&trace);
                     trace.end = if is_singular && grown {
-                        End::Singular(stuck)
+                        End::Singular(stuck, stuck + sense * trace.remaining())
                     } else {
                         End::Unknown(stuck)
                     };
