@@ -9,6 +9,7 @@ use linkwright_solver::reader::Reader;
 use linkwright_solver::view::View;
 use linkwright_tests::description;
 use linkwright_tests::random::Random;
+use nalgebra::{DMatrix, Matrix3};
 
 /// Where the points of a mechanism are at one pose.
 struct Points<'a> {
@@ -46,6 +47,23 @@ impl Points<'_> {
             .collect()
     }
 
+    /// The determinant of the coordinates of three lines `A-P, B-Q and C-R`: zero where they belong to one pencil.
+    fn lines_in_one_point(&self, lines: &str) -> Option<Vec<f64>> {
+        let names: Vec<&str> = lines
+            .split([',', ' '])
+            .filter(|it| it.contains('-'))
+            .collect();
+        let coordinates = names.iter().map(|line| {
+            let (from, to) = line.split_once('-')?;
+            let ([x, y], [x1, y1]) = (*self.places(from).first()?, *self.places(to).first()?);
+            let [u, v] = [x1 - x, y1 - y];
+            Some([u, v, x * v - y * u])
+        });
+        let coordinates: Vec<[f64; 3]> = coordinates.collect::<Option<_>>()?;
+        let [a, b, c] = coordinates.try_into().ok()?;
+        Some(vec![Matrix3::from([a, b, c]).determinant()])
+    }
+
     /// What a sentence says is zero, in every reading of its names; `None` where it names no points.
     fn measures(&self, sentence: &str) -> Option<Vec<f64>> {
         let vectors = |text: &str| -> Option<Vec<[f64; 2]>> {
@@ -73,6 +91,9 @@ impl Points<'_> {
             let found = vectors(text)?;
             Some(found.into_iter().map(|it| it[axis]).collect())
         };
+        if let Some(lines) = sentence.strip_suffix(" meet in one point or are parallel") {
+            return self.lines_in_one_point(lines.strip_prefix("the lines ")?);
+        }
         if let Some(links) = sentence.strip_suffix(" are in line") {
             let (one, other) = links.split_once(" and ")?;
             return pairs(one, other, |a, b| a[0] * b[1] - a[1] * b[0]);
@@ -117,8 +138,12 @@ fn what_is_said_to_vanish_is_the_determinant() {
             let part = &solved.program().forms[pose.block][pose.part];
             let mut graph = solved.system().mechanism.graph.clone();
             let found = part.determinant(&solved.system().vector_form, &mut graph);
-            let Some(value) = found.value else { continue };
-            let determinant = Reader::new(&graph, solved.layout(), &[value]);
+            let order = found.jacobian.len();
+            let entries = match found.value {
+                Some(value) => vec![value],
+                None => found.jacobian.concat(),
+            };
+            let determinant = Reader::new(&graph, solved.layout(), &entries);
             let mut random = Random::new(11);
             let mut seen = 0;
             for _ in 0..20 {
@@ -141,7 +166,13 @@ fn what_is_said_to_vanish_is_the_determinant() {
                 let Some(said) = points.measures(sentence) else {
                     continue;
                 };
-                let wanted = determinant.values(shell.frame())[0].abs();
+                let entries = determinant.values(shell.frame());
+                let wanted = match found.value {
+                    Some(_) => entries[0].abs(),
+                    None => DMatrix::from_row_slice(order, order, &entries)
+                        .determinant()
+                        .abs(),
+                };
                 let is_said = said
                     .iter()
                     .any(|it| (it.abs() - wanted).abs() < 1e-9 * (1.0 + wanted));

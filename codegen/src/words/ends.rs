@@ -10,7 +10,7 @@ use crate::joint::Auxiliary;
 use crate::joint::geometry::{BodyId, Mark, Vector};
 use crate::model::Joint;
 use crate::structure::SolvedBlock;
-use crate::system::System;
+use crate::system::{Described, System};
 
 /// A point at which what turns with an angle is connected to something else.
 #[derive(Clone, Debug)]
@@ -21,6 +21,13 @@ pub(super) struct End {
     here: Option<BodyId>,
     /// The body on the other side.
     pub beyond: BodyId,
+}
+
+impl End {
+    /// Whether what is on the other side turns with an angle.
+    pub fn is_beyond_on(&self, angle: usize, block: &SolvedBlock, system: &mut System) -> bool {
+        turns_with(self.beyond, angle, block, system)
+    }
 }
 
 /// Where a link starts that is known, and where it meets the other one.
@@ -34,7 +41,7 @@ pub(super) struct Span {
 
 impl Known {
     /// The ends of what turns with an angle.
-    fn ends(&self, angle: usize, block: &SolvedBlock, system: &mut System) -> Vec<End> {
+    pub(super) fn ends(&self, angle: usize, block: &SolvedBlock, system: &mut System) -> Vec<End> {
         if let Some(marks) = bare_link(angle, system) {
             let named = marks.into_iter().filter_map(|mark| {
                 let name = mark_name(&mark, system)?;
@@ -283,4 +290,27 @@ pub(super) fn body_words(body: BodyId, system: &System) -> Phrase {
 
 fn body_name(body: BodyId, system: &System) -> Piece {
     Piece::Name(system.mechanism.bodies[body.0].name.clone())
+}
+
+/// What can move where an unknown is free: a body, a link, a slide, a point of contact.
+pub(super) fn movable(unknown: usize, system: &System) -> Phrase {
+    match system.vector_form.unknowns[unknown].describes {
+        Described::Contact { joint } => {
+            let label = &system.mechanism.joints[joint].label;
+            // `roller (2.P, rim)`: the curve is the last operand.
+            let operands = label
+                .rsplit_once('(')
+                .and_then(|(_, it)| it.split_once(')'));
+            let curve = operands.and_then(|(operands, _)| operands.rsplit_once(", "));
+            let curve = curve.map_or(label.as_str(), |(_, curve)| curve);
+            phrase!["the point of contact on ", Piece::Name(curve.to_string())]
+        }
+        Described::Pose { .. } => turning_words(unknown, system),
+        Described::Auxiliary => match line_name(unknown, system) {
+            Some(line) if measured_points(unknown, system).is_some() => {
+                phrase!["the slide along the line ", line]
+            }
+            _ => turning_words(unknown, system),
+        },
+    }
 }

@@ -5,6 +5,7 @@
 //! [`Phrase`]: names and formulas keep their places until somebody prints it. Deliberately unknown here: how formulas look, and
 //! any output language.
 
+mod coupled;
 mod ends;
 mod known;
 mod link;

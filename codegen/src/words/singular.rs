@@ -4,14 +4,15 @@
 //! is perpendicular to the vector that its slide closes. Points are said where the description names them, since a link is a line
 //! between two of its points whatever the shape of its body. Which of these poses a motion comes to is not known here.
 
-use super::ends::{line_name, line_words, mark_name, measured_points, span_words, turning_words};
+use super::ends::{
+    line_name, line_words, mark_name, measured_points, movable, span_words, turning_words,
+};
 use super::known::Known;
-use super::lists::enumerated;
 use super::phrase::{Phrase, Piece, phrase};
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 use crate::structure::SolvedBlock;
-use crate::system::{Arm, Described, System};
+use crate::system::{Arm, System};
 
 /// What vanishes where a form is singular. Angles and displacements are unknowns of the vector form; vectors are constant in the
 /// orientation of their angle.
@@ -72,7 +73,7 @@ pub struct SingularWords {
 }
 
 impl SingularWords {
-    fn both(sentence: Phrase) -> SingularWords {
+    pub(super) fn both(sentence: Phrase) -> SingularWords {
         SingularWords {
             points: sentence.clone(),
             bodies: sentence,
@@ -123,24 +124,7 @@ impl Known {
                     " are parallel"
                 ])
             }
-            Singular::Jacobian(unknowns) => {
-                let names = unknowns.iter().map(|&it| Piece::Unknown(it).into());
-                let names: Vec<Phrase> = names.collect();
-                let mut movable: Vec<Phrase> =
-                    unknowns.iter().map(|&it| movable(it, system)).collect();
-                movable.dedup();
-                let stands = match names.len() {
-                    1 => " can move although everything before it stands still",
-                    _ => " can move although everything before them stands still",
-                };
-                SingularWords {
-                    points: phrase![enumerated(&names), stands],
-                    bodies: phrase![
-                        enumerated(&movable),
-                        " can move although the drivers stand still"
-                    ],
-                }
-            }
+            Singular::Jacobian(unknowns) => self.of_coupled(unknowns, block, system),
         }
     }
 
@@ -293,28 +277,5 @@ impl Known {
             }
         };
         [words.clone(), words]
-    }
-}
-
-/// What can move where an unknown is free: a body, a link, a slide, a point of contact.
-fn movable(unknown: usize, system: &System) -> Phrase {
-    match system.vector_form.unknowns[unknown].describes {
-        Described::Contact { joint } => {
-            let label = &system.mechanism.joints[joint].label;
-            // `roller (2.P, rim)`: the curve is the last operand.
-            let operands = label
-                .rsplit_once('(')
-                .and_then(|(_, it)| it.split_once(')'));
-            let curve = operands.and_then(|(operands, _)| operands.rsplit_once(", "));
-            let curve = curve.map_or(label.as_str(), |(_, curve)| curve);
-            phrase!["the point of contact on ", Piece::Name(curve.to_string())]
-        }
-        Described::Pose { .. } => turning_words(unknown, system),
-        Described::Auxiliary => match line_name(unknown, system) {
-            Some(line) if measured_points(unknown, system).is_some() => {
-                phrase!["the slide along the line ", line]
-            }
-            _ => turning_words(unknown, system),
-        },
     }
 }

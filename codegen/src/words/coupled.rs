@@ -1,0 +1,118 @@
+//! The unknowns of a block without a closed form → what it is like where its determinant is zero.
+//!
+//! A platform on three links that transmit forces along their lines alone is singular where these lines meet in one point or are
+//! parallel: there it can turn about that point, or shift across the lines (Gosselin and Angeles 1990). Of anything else the
+//! bodies and pins are named, since no shorter condition is known.
+
+use super::ends::{End, movable};
+use super::known::Known;
+use super::lists::enumerated;
+use super::phrase::{Phrase, Piece, phrase};
+use super::singular::SingularWords;
+use crate::structure::SolvedBlock;
+use crate::system::System;
+
+/// How many bodies, and how many pins, a sentence lists.
+const LISTED: usize = 8;
+
+/// How many links hold a platform.
+const LEGS: usize = 3;
+
+impl Known {
+    pub(super) fn of_coupled(
+        &self,
+        unknowns: &[usize],
+        block: &SolvedBlock,
+        system: &mut System,
+    ) -> SingularWords {
+        let ends: Vec<Vec<End>> = unknowns
+            .iter()
+            .map(|&unknown| self.coupled_ends(unknown, unknowns, block, system))
+            .collect();
+        if let Some(legs) = self.legs(unknowns, &ends, block, system) {
+            let lines = legs.map(|[from, to]| phrase![Piece::Name(from), "-", Piece::Name(to)]);
+            return SingularWords::both(phrase![
+                "the lines ",
+                enumerated(&lines),
+                " meet in one point or are parallel"
+            ]);
+        }
+        let mut moved: Vec<Phrase> = unknowns.iter().map(|&it| movable(it, system)).collect();
+        moved.dedup();
+        let mut pins: Vec<String> = Vec::new();
+        for end in ends.into_iter().flatten() {
+            if !pins.contains(&end.name) {
+                pins.push(end.name);
+            }
+        }
+        let pins: Vec<Phrase> = pins.into_iter().map(|it| Piece::Name(it).into()).collect();
+        let joined = match pins.is_empty() {
+            true => Phrase::default(),
+            false => phrase![", joined at ", shortened(pins), ","],
+        };
+        let bodies = phrase![shortened(moved), joined, " can move although "];
+        let points = match unknowns {
+            &[only] => phrase![
+                Piece::Unknown(only),
+                " can move although everything before it "
+            ],
+            _ => phrase![&bodies, "everything before them "],
+        };
+        SingularWords {
+            points: phrase![points, "stands still"],
+            bodies: phrase![bodies, "the drivers stand still"],
+        }
+    }
+
+    /// The ends of what turns with one unknown that are known or turn with another one.
+    fn coupled_ends(
+        &self,
+        unknown: usize,
+        unknowns: &[usize],
+        block: &SolvedBlock,
+        system: &mut System,
+    ) -> Vec<End> {
+        let mut ends = self.ends(unknown, block, system);
+        ends.retain(|end| {
+            let mut others = unknowns.iter().filter(|it| **it != unknown);
+            self.is_known(end.beyond) || others.any(|&other| end.is_beyond_on(other, block, system))
+        });
+        ends
+    }
+
+    /// The names of the two ends of each leg, where one body stands on three of them and nothing else moves.
+    fn legs(
+        &self,
+        unknowns: &[usize],
+        ends: &[Vec<End>],
+        block: &SolvedBlock,
+        system: &mut System,
+    ) -> Option<[[String; 2]; LEGS]> {
+        if unknowns.len() != LEGS + 1 {
+            return None;
+        }
+        unknowns.iter().enumerate().find_map(|(place, &platform)| {
+            let legs = ends.iter().enumerate().filter(|(leg, _)| *leg != place);
+            let named = legs.map(|(_, ends)| {
+                let [one, other] = &ends[..] else { return None };
+                let mut leads = |from: &End, to: &End| {
+                    let is_leg =
+                        self.is_known(from.beyond) && to.is_beyond_on(platform, block, system);
+                    is_leg.then(|| [from.name.clone(), to.name.clone()])
+                };
+                leads(one, other).or_else(|| leads(other, one))
+            });
+            let named: Option<Vec<[String; 2]>> = named.collect();
+            named?.try_into().ok()
+        })
+    }
+}
+
+/// A list, cut where it becomes too long to be read.
+fn shortened(mut parts: Vec<Phrase>) -> Phrase {
+    if let Some(more) = parts.len().checked_sub(LISTED).filter(|it| *it > 1) {
+        parts.truncate(LISTED);
+        parts.push(format!("{more} more").into());
+    }
+    enumerated(&parts)
+}
