@@ -68,12 +68,14 @@ pub fn four_bar(random: &mut Random, _: u64) -> Course {
 pub fn slider_crank(random: &mut Random, _: u64) -> Course {
     let size = size(random);
     let crank = size * random.between(0.2, 0.8);
-    let rod = size * random.between(0.9, 2.0);
+    let longest = size * random.between(0.9, 2.0);
     let offset = size * random.between(-0.3, 0.3);
     let angle = random.between(0.4, 2.7) * sign(random);
     let pin = [crank * angle.cos(), crank * angle.sin()];
     let rise = offset - pin[1];
-    let x = pin[0] + (rod * rod - rise * rise).max(0.0).sqrt();
+    // The drawing has to fit.
+    let rod = longest.max(1.05 * rise.abs());
+    let x = pin[0] + (rod * rod - rise * rise).sqrt();
     let turned = rise.atan2(x - pin[0]);
     let reach = crank * random.between(0.2, 3.0);
     let (law, period) = swinging(random, x, reach, false);
