@@ -31,11 +31,12 @@ impl Resolver<'_> {
         if LAWS.contains(&name) {
             return self.law(function, arguments, span);
         }
-        if self.table_names.get(name).is_some() {
+        if self.declared.table_names.get(name).is_some() {
             return self.look_up(function, arguments, span);
         }
         if !FUNCTIONS.contains(&name) {
             let tables = self
+                .declared
                 .table_names
                 .iter()
                 .map(|(table, _)| table.text.as_str());

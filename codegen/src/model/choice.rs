@@ -64,11 +64,12 @@ impl Resolver<'_> {
         is_below: bool,
         read: impl FnOnce(&mut Self) -> Option<Value>,
     ) -> Option<Value> {
-        let depth = self.choices.len();
-        self.choices
+        let depth = self.formulas.choices.len();
+        self.formulas
+            .choices
             .extend(condition.map(|condition| (condition, is_below)));
         let value = read(self);
-        self.choices.truncate(depth);
+        self.formulas.choices.truncate(depth);
         value
     }
 
@@ -104,7 +105,7 @@ impl Resolver<'_> {
         let start = self.graph.substitute(condition, &[(variable, zero)]);
         let quotient = self.graph.divide(start, slope);
         let boundary = self.graph.negate(quotient);
-        let choices = self.choices.clone();
+        let choices = self.formulas.choices.clone();
         for (outer, is_below) in choices {
             let there = self.graph.substitute(outer, &[(variable, boundary)]);
             let value = self.graph.constant_value(there);

@@ -23,7 +23,10 @@ const ESTIMATED_TO: f64 = 1e8;
 impl Resolver<'_> {
     /// The curve of this name; `None` also where its own statement has an error.
     pub(super) fn named_curve(&mut self, reference: &Reference) -> Option<DrawnCurve> {
-        if let (None, Some(&curve)) = (&reference.body, self.curves.get(&reference.name.text)) {
+        if let (None, Some(&curve)) = (
+            &reference.body,
+            self.declared.curves.get(&reference.name.text),
+        ) {
             return curve;
         }
         let name = &reference.name;
@@ -34,7 +37,7 @@ impl Resolver<'_> {
                 "a curve is wanted here, not a point",
             )
             .help("declare `curve NAME(s) on BODY = (X, Y);` and write its name alone"),
-            None => self.curves.unknown(&name.text, name.span),
+            None => self.declared.curves.unknown(&name.text, name.span),
         };
         self.diagnostics.push(diagnostic);
         None
@@ -48,7 +51,7 @@ impl Resolver<'_> {
             .chain(numbered)
             .find(|name| self.graph.find_symbol(name).is_none());
         let parameter = self.graph.symbol(&free.unwrap_or(base));
-        let frame = self.bodies[drawn.body.0].frame;
+        let frame = self.linkage.bodies[drawn.body.0].frame;
         let own = self.graph.variable(parameter);
         let (zero, one) = (self.graph.zero(), self.graph.one());
         let point = drawn
@@ -219,8 +222,8 @@ impl Resolver<'_> {
 
     /// The value of a symbol in the drawing, at t = 0.
     pub(super) fn drawn_value(&self, symbol: SymbolId) -> f64 {
-        let coordinate = self.coordinate_places.get(&symbol);
-        let estimate = coordinate.map(|&(body, axis)| self.bodies[body.0].estimate()[axis]);
+        let coordinate = self.linkage.coordinate_places.get(&symbol);
+        let estimate = coordinate.map(|&(body, axis)| self.linkage.bodies[body.0].estimate()[axis]);
         let value = estimate.and_then(|drawn| self.graph.constant_value(drawn));
         value.or(self.graph.nominal(symbol)).unwrap_or(0.0)
     }

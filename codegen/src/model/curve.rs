@@ -38,7 +38,7 @@ impl Resolver<'_> {
     /// Declares a curve, also where something is wrong with it, so that its uses are not reported too.
     pub(super) fn add_curve(&mut self, curve: &syntax::Curve) {
         let drawn = self.drawn_curve(curve);
-        let duplicate = self.curves.declare(&curve.name, drawn);
+        let duplicate = self.declared.curves.declare(&curve.name, drawn);
         self.diagnostics.extend(duplicate);
         if let Some(drawn) = drawn {
             self.warn_of_cusps(curve, &drawn);
@@ -48,8 +48,8 @@ impl Resolver<'_> {
     fn drawn_curve(&mut self, curve: &syntax::Curve) -> Option<DrawnCurve> {
         let body = self.body(&curve.body);
         let name = &curve.parameter;
-        let taken =
-            BUILT_IN.contains(&name.text.as_str()) || self.constants.get(&name.text).is_some();
+        let taken = BUILT_IN.contains(&name.text.as_str())
+            || self.declared.constants.get(&name.text).is_some();
         if taken {
             self.diagnostics.push(
                 Diagnostic::error(
@@ -75,7 +75,7 @@ impl Resolver<'_> {
         // No coordinate can have this name: it begins with a digit.
         let count = self.graph.symbol_count();
         let parameter = self.graph.symbol(&format!("{count} parameter"));
-        self.parameter = Some(Parameter {
+        self.formulas.parameter = Some(Parameter {
             name: name.text.clone(),
             value: self.graph.variable(parameter),
             dimension,
@@ -93,7 +93,7 @@ impl Resolver<'_> {
                 radius.map(|radius| direction.map(|part| graph.multiply(radius, part)))
             }
         };
-        self.parameter = None;
+        self.formulas.parameter = None;
         let (body, point) = (body?, point?);
         if point
             .iter()

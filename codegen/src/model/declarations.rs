@@ -21,7 +21,7 @@ impl Resolver<'_> {
     ) -> Diagnostic {
         let mut shown: Vec<Span> = Vec::new();
         for name in expressions.iter().flat_map(|written| names(written)) {
-            let declared = self.constants.declaration(&name.text);
+            let declared = self.declared.constants.declaration(&name.text);
             let Some((place, (_, dimension))) = declared.filter(|(_, it)| it.1.is_marked()) else {
                 continue;
             };

@@ -15,12 +15,12 @@ use crate::syntax::Equation;
 impl Resolver<'_> {
     pub(super) fn add_equation(&mut self, equation: &Equation) {
         let name = equation.name.as_ref();
-        let duplicate = name.and_then(|name| self.equations.declare(name, ()));
+        let duplicate = name.and_then(|name| self.declared.equations.declare(name, ()));
         self.diagnostics.extend(duplicate);
-        self.kinematic = Some(KinematicTerms::default());
+        self.formulas.kinematic = Some(KinematicTerms::default());
         // Both sides are looked at even after an error, so that all errors are reported at once.
         let (left, right) = (self.value(&equation.left), self.value(&equation.right));
-        let kinematic = self.kinematic.take().unwrap_or_default();
+        let kinematic = self.formulas.kinematic.take().unwrap_or_default();
         let (Some((left, of_left)), Some((right, of_right))) = (left, right) else {
             return;
         };
@@ -45,7 +45,7 @@ impl Resolver<'_> {
         let drawn = marks
             .iter()
             .map(|mark| Drawn {
-                frame: self.bodies[mark.frame.body.0].drawn,
+                frame: self.linkage.bodies[mark.frame.body.0].drawn,
                 position: self.drawn_mark(mark),
             })
             .collect();
@@ -62,8 +62,8 @@ impl Resolver<'_> {
                 quantity: of_left.joined(of_right).quantity(),
             }),
         };
-        self.equation_count += 1;
-        let number = self.equation_count;
+        self.linkage.equation_count += 1;
+        let number = self.linkage.equation_count;
         let (label, slug) = match name {
             Some(name) => (format!("equation {}", name.text), name.text.clone()),
             None => (format!("equation {number}"), format!("equation_{number}")),
@@ -78,12 +78,12 @@ impl Resolver<'_> {
             role,
             redundant: equation.redundant,
             label,
-            slug: self.unique(&slug),
+            slug: self.linkage.unique_slug(&slug),
             docs: equation.docs.clone(),
             operands,
             span: equation.span,
         };
-        self.push_joint(joint, None);
+        self.linkage.push_joint(joint, None);
     }
 
     /// The marks of bodies that a residual still mentions, after what cancels, with their arms.
@@ -95,7 +95,7 @@ impl Resolver<'_> {
         let marks = kinematic.marks.into_iter().zip(kinematic.arms);
         marks
             .filter(|(mark, arm)| {
-                let own = self.bodies[mark.frame.body.0].coordinates;
+                let own = self.linkage.bodies[mark.frame.body.0].coordinates;
                 let mut own = own.iter().flatten().chain(arm.iter().flatten());
                 own.any(|&symbol| self.graph.depends_on(residual, symbol))
             })

@@ -21,7 +21,7 @@ impl Resolver<'_> {
     pub(super) fn constant(&mut self, written: &Expression, expected: Dimension) -> Option<ExprId> {
         let value = self.quantity(written, expected)?;
         if let Some(cause) = self.moving(value) {
-            let help = if self.graph.depends_on(value, self.time) {
+            let help = if self.graph.depends_on(value, self.formulas.time) {
                 "only the right-hand side of a `drive` statement may depend on `t`"
             } else {
                 "an input may stand where `t` may; a value that does not move is a `param`"
@@ -140,27 +140,28 @@ impl Resolver<'_> {
     fn named_value(&mut self, reference: &Reference) -> Option<Value> {
         let name = &reference.name.text;
         if reference.body.is_none() {
-            if let Some(parameter) = &self.parameter
+            if let Some(parameter) = &self.formulas.parameter
                 && parameter.name == *name
             {
                 return Some((parameter.value, parameter.dimension));
             }
             match name.as_str() {
-                "t" => return Some((self.graph.variable(self.time), Dimension::OfTime)),
+                "t" => return Some((self.graph.variable(self.formulas.time), Dimension::OfTime)),
                 "pi" => return Some((self.graph.pi(), Dimension::Number)),
                 _ => {}
             }
-            if let Some(&value) = self.constants.get(name) {
+            if let Some(&value) = self.declared.constants.get(name) {
                 self.mention(value.0);
                 return Some(value);
             }
         }
-        if self.kinematic.is_some() {
+        if self.formulas.kinematic.is_some() {
             return self.live_name(reference);
         }
-        let carrier = self.carriers.first_carrier(name);
-        let is_point =
-            reference.body.is_some() || self.drawn.get(name).is_some() || carrier.is_some();
+        let carrier = self.linkage.carriers.first_carrier(name);
+        let is_point = reference.body.is_some()
+            || self.declared.drawn.get(name).is_some()
+            || carrier.is_some();
         let no_number = |what: &str| {
             Diagnostic::error(
                 Code::OutsideGrammar,
@@ -173,12 +174,12 @@ impl Resolver<'_> {
             no_number("point").help(
                 "points can be measured: `distance(A, B)` is the length between them in the drawing",
             )
-        } else if self.table_names.get(name).is_some() {
+        } else if self.declared.table_names.get(name).is_some() {
             no_number("table").help(format!("write `{name}(x)` for its value at x"))
-        } else if self.body_ids.get(name).is_some() {
+        } else if self.declared.body_ids.get(name).is_some() {
             no_number("body").help("name a constant, or measure points of the drawing: `distance(A, B)`")
         } else {
-            self.constants.unknown(name, reference.span)
+            self.declared.constants.unknown(name, reference.span)
         });
         None
     }

@@ -13,7 +13,7 @@ impl Resolver<'_> {
     pub(super) fn add_joint(&mut self, joint: &syntax::Joint) {
         let keyword = joint.kind.text.as_str();
         let Some(kind) = kind_named(keyword, CONSTRAINTS) else {
-            self.broken_lines.extend(joint.along.clone());
+            self.linkage.broken_lines.extend(joint.along.clone());
             let keywords: Vec<&str> = CONSTRAINTS.iter().map(|kind| kind.keyword()).collect();
             let diagnostic = Diagnostic::error(
                 Code::UnknownStatement,
@@ -53,7 +53,7 @@ impl Resolver<'_> {
         let duplicate = drive
             .name
             .as_ref()
-            .and_then(|name| self.drivers.declare(name, ()));
+            .and_then(|name| self.declared.drivers.declare(name, ()));
         self.diagnostics.extend(duplicate);
         let quantity = drive.quantity.text.as_str();
         let Some(kind) = kind_named(quantity, DRIVERS) else {
@@ -99,9 +99,10 @@ impl Resolver<'_> {
     /// The point K of `drive K.x` on the first body that carries it; a body, or a point of a body, as it is written.
     fn on_its_carrier(&mut self, operand: &syntax::Reference) -> Option<syntax::Reference> {
         let name = &operand.name;
-        let carrier = self.carriers.first_carrier(&name.text);
-        let carrier = carrier.map(|(body, _)| &self.bodies[body.0]);
-        if operand.body.is_some() || (carrier.is_none() && self.body_ids.get(&name.text).is_some())
+        let carrier = self.linkage.carriers.first_carrier(&name.text);
+        let carrier = carrier.map(|(body, _)| &self.linkage.bodies[body.0]);
+        if operand.body.is_some()
+            || (carrier.is_none() && self.declared.body_ids.get(&name.text).is_some())
         {
             return Some(operand.clone());
         }
@@ -114,7 +115,7 @@ impl Resolver<'_> {
                 ..operand.clone()
             });
         }
-        let diagnostic = match self.drawn.get(&name.text) {
+        let diagnostic = match self.declared.drawn.get(&name.text) {
             Some(_) => Diagnostic::error(
                 Code::PointNotOnBody,
                 name.span,
@@ -122,7 +123,7 @@ impl Resolver<'_> {
             )
             .label("fixed to the ground")
             .help("list it in the braces of the body that it moves with"),
-            None => self.drawn.unknown(&name.text, name.span),
+            None => self.declared.drawn.unknown(&name.text, name.span),
         };
         self.diagnostics.push(diagnostic);
         None
@@ -130,7 +131,7 @@ impl Resolver<'_> {
 
     fn add_rows_of(&mut self, given: &WrittenJoint<'_>, redundant: Option<Span>, docs: &[String]) {
         let Some(operands) = self.operands(given) else {
-            self.broken_lines.extend(given.along.cloned());
+            self.linkage.broken_lines.extend(given.along.cloned());
             return;
         };
         let label = label(given);
@@ -145,18 +146,7 @@ impl Resolver<'_> {
             operands,
             span: given.span,
         };
-        self.push_joint(joint, given.along.cloned());
-    }
-}
-
-impl Resolver<'_> {
-    /// Takes in a joint, with the direction it was written along.
-    pub(super) fn push_joint(&mut self, joint: Joint, along: Option<syntax::Direction>) {
-        if let (true, [one, other]) = (joint.kind.joins_points(), &joint.operands.marks[..]) {
-            self.carriers.join(one, other);
-        }
-        self.slugs.take(&joint.slug);
-        self.joints.push((joint, along));
+        self.linkage.push_joint(joint, given.along.cloned());
     }
 }
 

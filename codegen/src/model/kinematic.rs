@@ -57,7 +57,7 @@ impl Resolver<'_> {
         arguments: &[Expression],
         span: Span,
     ) -> Option<Option<Value>> {
-        self.kinematic.as_ref()?;
+        self.formulas.kinematic.as_ref()?;
         let name = function.text.as_str();
         if RATES.contains(&name) {
             self.report_rate(function);
@@ -97,9 +97,10 @@ impl Resolver<'_> {
         let reference = self.written_place(axis, of)?;
         if axis.text == "phi" {
             let body = self.turning_body(&reference)?;
-            return Some((self.bodies[body.0].frame.angle, Dimension::Angle));
+            return Some((self.linkage.bodies[body.0].frame.angle, Dimension::Angle));
         }
-        let is_body = reference.body.is_none() && self.body_ids.get(&reference.name.text).is_some();
+        let is_body =
+            reference.body.is_none() && self.declared.body_ids.get(&reference.name.text).is_some();
         let mark = if is_body {
             self.moving_body(&reference.name)?;
             self.origin_mark(&reference)?
@@ -128,7 +129,7 @@ impl Resolver<'_> {
         let reference = self.written_place(phi, of)?;
         let body = self.turning_body(&reference)?;
         let along = [self.graph.one(), self.graph.zero()];
-        let mark = Mark::new(self.bodies[body.0].frame, along, &mut self.graph);
+        let mark = Mark::new(self.linkage.bodies[body.0].frame, along, &mut self.graph);
         let [cosine, sine] = self.live_arm(mark);
         let value = if function == "cos" { cosine } else { sine };
         Some((value, Dimension::Number))
@@ -224,7 +225,7 @@ impl Resolver<'_> {
             finding("point").help(format!(
                 "write one of its components: `{written}.x` or `{written}.y`"
             ))
-        } else if self.body_ids.get(text).is_some() {
+        } else if self.declared.body_ids.get(text).is_some() {
             finding("body").help(format!(
                 "write one of its coordinates: `x({text})`, `y({text})` or `phi({text})`"
             ))
@@ -239,13 +240,21 @@ impl Resolver<'_> {
         let message = format!("nothing is named `{}`", name.text);
         let diagnostic =
             Diagnostic::error(Code::UnknownName, name.span, message).label("not declared above");
-        let constants = self.constants.iter().map(|(name, _)| name.text.as_str());
-        let drawn = self.drawn.iter().map(|(name, _)| name.text.as_str());
-        let marks = self.bodies.iter().flat_map(|body| &body.marks);
+        let constants = self
+            .declared
+            .constants
+            .iter()
+            .map(|(name, _)| name.text.as_str());
+        let drawn = self
+            .declared
+            .drawn
+            .iter()
+            .map(|(name, _)| name.text.as_str());
+        let marks = self.linkage.bodies.iter().flat_map(|body| &body.marks);
         let known = constants
             .chain(drawn)
             .chain(marks.map(|mark| mark.name.as_str()));
-        match self.nearest_known(&name.text, known) {
+        match self.declared.nearest_known(&name.text, known) {
             Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
             None => diagnostic.help("declare a constant or a point of this name above this line"),
         }
@@ -258,7 +267,7 @@ impl Resolver<'_> {
         axis: &Name,
         span: Span,
     ) -> Option<Value> {
-        if self.kinematic.is_none() {
+        if self.formulas.kinematic.is_none() {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::OutsideGrammar,
@@ -312,13 +321,14 @@ impl Resolver<'_> {
     }
 
     fn is_point(&self, name: &str) -> bool {
-        self.drawn.get(name).is_some() || self.carriers.first_carrier(name).is_some()
+        self.declared.drawn.get(name).is_some()
+            || self.linkage.carriers.first_carrier(name).is_some()
     }
 
     /// Whether there is a body of this name that carries a point of that name.
     fn is_on_body(&self, body: &Name, point: &Name) -> bool {
-        let body = self.body_ids.get(&body.text);
-        body.is_some_and(|&body| self.carriers.on_body(body, &point.text).is_some())
+        let body = self.declared.body_ids.get(&body.text);
+        body.is_some_and(|&body| self.linkage.carriers.on_body(body, &point.text).is_some())
     }
 
     /// The mark of a point in an equation. One that is named without a body is, where it is drawn, a point of the first body
@@ -328,20 +338,20 @@ impl Resolver<'_> {
         if reference.body.is_some() {
             return self.point_mark(reference);
         }
-        if self.drawn.get(&name.text).is_some() {
-            return match self.carriers.first_carrier(&name.text) {
+        if self.declared.drawn.get(&name.text).is_some() {
+            return match self.linkage.carriers.first_carrier(&name.text) {
                 Some(carried) => Some(self.carried(carried).mark),
                 None => self.mark_on_ground(name),
             };
         }
-        match self.carriers.carriers_of(&name.text)[..] {
+        match self.linkage.carriers.carriers_of(&name.text)[..] {
             [only] => Some(self.carried(only).mark),
-            [] if self.body_ids.get(&name.text).is_some() => {
+            [] if self.declared.body_ids.get(&name.text).is_some() => {
                 self.moving_body(name)?;
                 self.origin_mark(reference)
             }
             [] => {
-                let unknown = self.drawn.unknown(&name.text, name.span);
+                let unknown = self.declared.drawn.unknown(&name.text, name.span);
                 self.diagnostics.push(unknown);
                 None
             }
@@ -361,7 +371,7 @@ impl Resolver<'_> {
     /// The symbols that stand for the arm of a mark; the arm itself where it does not turn.
     fn live_arm(&mut self, mark: Mark) -> Vector {
         if mark.frame.body == BodyId::GROUND {
-            self.named_on_ground.push(mark.local);
+            self.linkage.named_on_ground.push(mark.local);
             return mark.arm;
         }
         let at = self.mention_mark(mark);
@@ -369,9 +379,9 @@ impl Resolver<'_> {
             return mark.arm;
         }
         // No coordinate can have such a name: it begins with a digit.
-        let name = format!("{} arm {at}", self.joints.len());
+        let name = format!("{} arm {at}", self.linkage.joints.len());
         let symbols = ["x", "y"].map(|axis| self.graph.symbol(&format!("{name} {axis}")));
-        if let Some(kinematic) = &mut self.kinematic {
+        if let Some(kinematic) = &mut self.formulas.kinematic {
             kinematic.arms[at] = Some(symbols);
         }
         symbols.map(|symbol| self.graph.variable(symbol))
@@ -379,7 +389,7 @@ impl Resolver<'_> {
 
     /// Notes that the equation mentions a mark: its index.
     fn mention_mark(&mut self, mark: Mark) -> usize {
-        let Some(kinematic) = &mut self.kinematic else {
+        let Some(kinematic) = &mut self.formulas.kinematic else {
             return 0;
         };
         let place = (mark.frame.body, mark.local);

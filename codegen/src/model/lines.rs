@@ -55,7 +55,7 @@ impl Resolver<'_> {
             "draw body `{sliding}` further along the line, on the side to which it slides: where it is drawn is an estimate, and a driver may start at length zero all the same"
         );
         let direction = self.unit_direction(drawn[0], drawn[1], along.span, &help)?;
-        let frames = [0, 1].map(|side| self.bodies[marks[side].frame.body.0].drawn);
+        let frames = [0, 1].map(|side| self.linkage.bodies[marks[side].frame.body.0].drawn);
         let direction = frames[0].unrotate(direction, &mut self.graph);
         let relative_angle = self.graph.subtract(frames[0].angle, frames[1].angle);
         let turned = marks[0].frame.rotate(direction, &mut self.graph);
@@ -86,7 +86,7 @@ impl Resolver<'_> {
             if mark.frame.body == frame.body {
                 return Some(mark);
             }
-            let name = &self.bodies[frame.body.0].name;
+            let name = &self.linkage.bodies[frame.body.0].name;
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::PointNotOnBody,
@@ -104,7 +104,8 @@ impl Resolver<'_> {
         let [start, end] = [ends[0]?, ends[1]?];
         let direction = self.unit_direction(start.local, end.local, along.span, APART)?;
         let turned = frame.rotate(direction, &mut self.graph);
-        let drawn = [owner, 1 - owner].map(|side| self.bodies[marks[side].frame.body.0].drawn);
+        let drawn =
+            [owner, 1 - owner].map(|side| self.linkage.bodies[marks[side].frame.body.0].drawn);
         let relative_angle = self.graph.subtract(drawn[0].angle, drawn[1].angle);
         marks[owner] = start;
         let axis = Axis {
@@ -180,9 +181,9 @@ impl Resolver<'_> {
                 .filter(|&at| joints[at].1.as_ref().is_some_and(fits))
                 .collect()
         };
-        let found = matching(wanted[0], wanted[1], &self.joints);
+        let found = matching(wanted[0], wanted[1], &self.linkage.joints);
         if let [only] = found[..] {
-            let operands = &self.joints[only].0.operands;
+            let operands = &self.linkage.joints[only].0.operands;
             return Some((
                 operands.marks.clone(),
                 operands.axis,
@@ -194,7 +195,7 @@ impl Resolver<'_> {
             let fits = |from, to| same(from, &along.from) && same(to, &along.to);
             fits(wanted[0], wanted[1]) || fits(wanted[1], wanted[0])
         };
-        if self.broken_lines.iter().any(is_broken) {
+        if self.linkage.broken_lines.iter().any(is_broken) {
             return None;
         }
         let span = wanted[0].span.to(wanted[1].span);
@@ -205,16 +206,17 @@ impl Resolver<'_> {
                 span,
                 format!("several joints slide along {p} -> {q}"),
             )
-            .also(self.joints[first].0.span, "one of them")
+            .also(self.linkage.joints[first].0.span, "one of them")
             .help("name the points with their bodies: `length(1.P, 2.Q)`")
-        } else if let Some(&reverse) = matching(wanted[1], wanted[0], &self.joints).first() {
+        } else if let Some(&reverse) = matching(wanted[1], wanted[0], &self.linkage.joints).first()
+        {
             Diagnostic::error(
                 Code::WrongForm,
                 span,
                 format!("no joint slides along {p} -> {q}"),
             )
             .also(
-                self.joints[reverse].0.span,
+                self.linkage.joints[reverse].0.span,
                 format!("this one slides along {q} -> {p}"),
             )
             .help(format!("write `{}({q}, {p})`", given.kind.keyword()))

@@ -1,7 +1,8 @@
 //! References to bodies and points → marks: where on which body, and where in the drawing.
 
+use super::declared::DrawnPoint;
 use super::operands::WrittenJoint;
-use super::resolve::{DrawnPoint, Resolver};
+use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, nearest};
 use crate::joint::geometry::{BodyId, Mark, Vector};
 use crate::syntax::{Name, Reference};
@@ -9,16 +10,16 @@ use crate::syntax::{Name, Reference};
 impl Resolver<'_> {
     /// The body of this name.
     pub(super) fn body(&mut self, name: &Name) -> Option<BodyId> {
-        if let Some(&body) = self.body_ids.get(&name.text) {
+        if let Some(&body) = self.declared.body_ids.get(&name.text) {
             return Some(body);
         }
         let carriers = self.names_of_carriers(&name.text);
-        let diagnostic = self.body_ids.unknown(&name.text, name.span);
+        let diagnostic = self.declared.body_ids.unknown(&name.text, name.span);
         self.diagnostics.push(match carriers.first() {
             Some(body) => diagnostic
                 .label("this is a point, and a body is wanted here")
                 .instead(format!("name a body, such as `{body}`, which carries it")),
-            None if self.drawn.get(&name.text).is_some() => diagnostic
+            None if self.declared.drawn.get(&name.text).is_some() => diagnostic
                 .label("this is a point, and a body is wanted here")
                 .instead("a point that no body carries is fixed to the `ground`"),
             None => diagnostic,
@@ -28,9 +29,9 @@ impl Resolver<'_> {
 
     /// The names of the bodies that carry a point of this name.
     pub(super) fn names_of_carriers(&self, point: &str) -> Vec<&str> {
-        let carriers = self.carriers.all_of(point);
+        let carriers = self.linkage.carriers.all_of(point);
         carriers
-            .map(|(body, _)| self.bodies[body.0].name.as_str())
+            .map(|(body, _)| self.linkage.bodies[body.0].name.as_str())
             .collect()
     }
 
@@ -47,11 +48,11 @@ impl Resolver<'_> {
         };
         let mut diagnostic = Diagnostic::error(Code::PointNotOnBody, name.span, message)
             .label("named without a body");
-        for carried in self.carriers.all_of(&name.text).take(2) {
+        for carried in self.linkage.carriers.all_of(&name.text).take(2) {
             diagnostic = diagnostic.also(self.carried(carried).span, "carried here");
         }
         diagnostic = diagnostic.help(format!("write {}", alternatives(&written)));
-        if self.drawn.get(&name.text).is_some() {
+        if self.declared.drawn.get(&name.text).is_some() {
             diagnostic = diagnostic.help(format!(
                 "the place where it is drawn, fixed to the ground, is `ground.{}`",
                 name.text
@@ -77,7 +78,7 @@ impl Resolver<'_> {
             return None;
         }
         let body = self.body(&reference.name)?;
-        let frame = self.bodies[body.0].frame;
+        let frame = self.linkage.bodies[body.0].frame;
         let zero = self.graph.zero();
         Some(Mark::new(frame, [zero, zero], &mut self.graph))
     }
@@ -89,19 +90,27 @@ impl Resolver<'_> {
             return self.mark_on(body, &reference.name);
         }
         let name = &reference.name;
-        if self.body_ids.get(&name.text).is_some() {
+        if self.declared.body_ids.get(&name.text).is_some() {
             return self.origin_mark(reference);
         }
         if !self.names_of_carriers(&name.text).is_empty() {
             self.report_without_body(name);
             return None;
         }
-        if self.drawn.get(&name.text).is_some() {
+        if self.declared.drawn.get(&name.text).is_some() {
             return self.mark_on_ground(name);
         }
-        let bodies = self.body_ids.iter().map(|(name, _)| name.text.as_str());
-        let points = self.drawn.iter().map(|(name, _)| name.text.as_str());
-        let diagnostic = self.body_ids.unknown(&name.text, name.span);
+        let bodies = self
+            .declared
+            .body_ids
+            .iter()
+            .map(|(name, _)| name.text.as_str());
+        let points = self
+            .declared
+            .drawn
+            .iter()
+            .map(|(name, _)| name.text.as_str());
+        let diagnostic = self.declared.body_ids.unknown(&name.text, name.span);
         self.diagnostics
             .push(match nearest(&name.text, bodies.chain(points)) {
                 Some(meant) => diagnostic.instead(format!("did you mean `{meant}`?")),
@@ -114,16 +123,16 @@ impl Resolver<'_> {
 
     /// The point of this name on a body. The ground carries every drawn point.
     pub(super) fn mark_on(&mut self, body: BodyId, name: &Name) -> Option<Mark> {
-        let carrier = &self.bodies[body.0];
-        if let Some(at) = self.carriers.on_body(body, &name.text) {
+        let carrier = &self.linkage.bodies[body.0];
+        if let Some(at) = self.linkage.carriers.on_body(body, &name.text) {
             return Some(carrier.marks[at].mark);
         }
-        let drawn = self.drawn.get(&name.text);
+        let drawn = self.declared.drawn.get(&name.text);
         if let (BodyId::GROUND, Some(point)) = (body, drawn) {
             let (frame, local) = (carrier.frame, point.position);
             return Some(Mark::new(frame, local, &mut self.graph));
         }
-        let carried_elsewhere = self.carriers.first_carrier(&name.text).is_some();
+        let carried_elsewhere = self.linkage.carriers.first_carrier(&name.text).is_some();
         let diagnostic = if body == BodyId::GROUND {
             Diagnostic::error(
                 Code::PointNotOnBody,
@@ -152,7 +161,7 @@ impl Resolver<'_> {
             )
             .help(format!("if the body carries it, add `{add}` to its braces"))
         } else {
-            self.drawn.unknown(&name.text, name.span)
+            self.declared.drawn.unknown(&name.text, name.span)
         };
         self.diagnostics.push(diagnostic);
         None
@@ -160,7 +169,7 @@ impl Resolver<'_> {
 
     /// A drawn point that no body carries, also none below.
     pub(super) fn mark_on_ground(&mut self, name: &Name) -> Option<Mark> {
-        let Some(&(body, place)) = self.carried.get(name.text.as_str()) else {
+        let Some(&(body, place)) = self.declared.carried.get(name.text.as_str()) else {
             return self.mark_on(BodyId::GROUND, name);
         };
         let text = &name.text;
@@ -213,7 +222,7 @@ impl Resolver<'_> {
                 let body = self.body(&operand.name)?;
                 self.mark_on(body, point)
             }
-            (None, None) if self.body_ids.get(&operand.name.text).is_none() => {
+            (None, None) if self.declared.body_ids.get(&operand.name.text).is_none() => {
                 self.point_mark(operand)
             }
             (None, None) => {
@@ -233,8 +242,8 @@ impl Resolver<'_> {
     /// Where a mark is in the drawing. Turning the local vector of a point given there back again would give the same place in
     /// longer terms.
     pub(super) fn drawn_mark(&mut self, mark: &Mark) -> Vector {
-        let body = &self.bodies[mark.frame.body.0];
-        if let Some(at) = self.carriers.at_place(mark.frame.body, mark.local) {
+        let body = &self.linkage.bodies[mark.frame.body.0];
+        if let Some(at) = self.linkage.carriers.at_place(mark.frame.body, mark.local) {
             return body.marks[at].drawn;
         }
         let frame = body.drawn;
@@ -251,7 +260,7 @@ impl Resolver<'_> {
             let mark = self.point_mark(reference)?;
             return Some(self.drawn_mark(&mark));
         }
-        match self.drawn.get(&reference.name.text) {
+        match self.declared.drawn.get(&reference.name.text) {
             Some(DrawnPoint { position, .. }) => Some(*position),
             None => {
                 let name = &reference.name.text;
@@ -260,7 +269,7 @@ impl Resolver<'_> {
                     .iter()
                     .map(|body| format!("`{body}.{name}`"))
                     .collect();
-                let diagnostic = self.drawn.unknown(name, reference.span);
+                let diagnostic = self.declared.drawn.unknown(name, reference.span);
                 self.diagnostics.push(match carriers.as_slice() {
                     [] => diagnostic,
                     [body] => diagnostic.instead(format!(

@@ -4,6 +4,7 @@
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
 //! determine the motion.
 
+mod bodies;
 mod bounds;
 mod call;
 mod carriers;
@@ -11,13 +12,16 @@ mod choice;
 mod contact;
 mod curve;
 mod declarations;
+mod declared;
 mod dimension;
 mod equation;
 mod expression;
+mod formulas;
 mod joints;
 mod kinematic;
 mod law;
 mod lines;
+mod linkage;
 mod marks;
 mod motions;
 mod namespace;

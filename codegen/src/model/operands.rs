@@ -73,7 +73,7 @@ impl Resolver<'_> {
         let drawn: Vec<Drawn> = marks
             .iter()
             .map(|mark| Drawn {
-                frame: self.bodies[mark.frame.body.0].drawn,
+                frame: self.linkage.bodies[mark.frame.body.0].drawn,
                 position: self.drawn_mark(mark),
             })
             .collect();
@@ -138,7 +138,7 @@ impl Resolver<'_> {
     /// Symbols for the unknowns that the vector form of this joint has beyond the coordinates.
     fn auxiliaries(&mut self, kind: &dyn Kind) -> Vec<AuxiliaryUnknown> {
         // No coordinate can have such a name: it begins with a digit, the joint's number.
-        let joint = self.joints.len();
+        let joint = self.linkage.joints.len();
         let unknown = |(number, &kind): (usize, &Auxiliary)| {
             let name = match number {
                 0 => format!("{joint} displacement"),
@@ -178,21 +178,21 @@ impl Resolver<'_> {
                 Slot::GroundPoint => self.ground_mark(operand),
                 Slot::Curve => {
                     let body = self.named_curve(operand)?.body;
-                    let frame = self.bodies[body.0].frame;
+                    let frame = self.linkage.bodies[body.0].frame;
                     Some(Mark::new(frame, [self.graph.zero(); 2], &mut self.graph))
                 }
             })
             .collect();
         let mut marks: Vec<Mark> = marks.into_iter().collect::<Option<_>>()?;
         for _ in &slots[marks.len()..] {
-            let ground = self.bodies[BodyId::GROUND.0].frame;
+            let ground = self.linkage.bodies[BodyId::GROUND.0].frame;
             marks.push(Mark::new(ground, [self.graph.zero(); 2], &mut self.graph));
         }
         self.different_bodies(&marks, given)?;
         let counterpart = slots.iter().position(|slot| *slot == Slot::Counterpart);
         if let Some(at) = counterpart {
             let place = self.drawn_mark(&marks[1 - at]);
-            let drawn = self.bodies[marks[at].frame.body.0].drawn;
+            let drawn = self.linkage.bodies[marks[at].frame.body.0].drawn;
             let gap = subtract(place, drawn.origin, &mut self.graph);
             let local = drawn.unrotate(gap, &mut self.graph);
             marks[at] = Mark::new(marks[at].frame, local, &mut self.graph);
@@ -271,7 +271,7 @@ impl Resolver<'_> {
         let Some(at) = twice else {
             return self.moves(&bodies, given);
         };
-        let name = &self.bodies[bodies[at].0].name;
+        let name = &self.linkage.bodies[bodies[at].0].name;
         let carrier = given.kind.operands().slots.get(at) == Some(&Slot::Carrier);
         let (problem, help) = if carrier {
             (

@@ -44,11 +44,11 @@ impl Resolver<'_> {
         let value = self.graph.constant_value(nominal).unwrap_or(f64::NAN);
         self.graph.set_nominal(symbol, value);
         let variable = self.graph.variable(symbol);
-        if let Some(duplicate) = self.constants.declare(name, (variable, dimension)) {
+        if let Some(duplicate) = self.declared.constants.declare(name, (variable, dimension)) {
             self.diagnostics.push(duplicate);
             return;
         }
-        self.parameters.push(Parameter {
+        self.declared.parameters.push(Parameter {
             name: name.text.clone(),
             docs: written.docs.clone(),
             symbol,
@@ -67,12 +67,14 @@ impl Resolver<'_> {
         let [value, rate, acceleration] =
             ["", "'", "''"].map(|dots| self.graph.symbol(&format!("{}{dots} input", name.text)));
         let variable = self.graph.variable(value);
-        if let Some(duplicate) = self.constants.declare(name, (variable, dimension)) {
+        if let Some(duplicate) = self.declared.constants.declare(name, (variable, dimension)) {
             self.diagnostics.push(duplicate);
             return;
         }
-        self.input_places.insert(value, self.inputs.len());
-        self.inputs.push(Input {
+        self.declared
+            .input_places
+            .insert(value, self.declared.inputs.len());
+        self.declared.inputs.push(Input {
             name: name.text.clone(),
             docs: written.docs.clone(),
             symbols: [value, rate, acceleration],
@@ -145,7 +147,11 @@ impl Resolver<'_> {
             return;
         }
         let field = (sort, field_name(&name.text));
-        let earlier = self.fields.entry(field).or_insert_with(|| name.clone());
+        let earlier = self
+            .declared
+            .fields
+            .entry(field)
+            .or_insert_with(|| name.clone());
         if earlier.text == name.text {
             return;
         }
@@ -169,12 +175,12 @@ impl Resolver<'_> {
 
     /// What in an expression changes with time, as messages name it: `t`, or an input.
     pub(super) fn moving(&self, value: ExprId) -> Option<String> {
-        if self.graph.depends_on(value, self.time) {
+        if self.graph.depends_on(value, self.formulas.time) {
             return Some("`t`".to_string());
         }
         let symbols = self.graph.symbols(value).iter();
-        let places = symbols.filter_map(|symbol| self.input_places.get(symbol));
-        let input = &self.inputs[*places.min()?];
+        let places = symbols.filter_map(|symbol| self.declared.input_places.get(symbol));
+        let input = &self.declared.inputs[*places.min()?];
         Some(format!("the input `{}`", input.name))
     }
 
@@ -182,17 +188,17 @@ impl Resolver<'_> {
     pub(super) fn mention(&mut self, value: ExprId) {
         let symbols = self.graph.symbols(value);
         let count = symbols.len();
-        self.mentioned.extend(symbols.iter().copied());
+        self.formulas.mentioned.extend(symbols.iter().copied());
         self.graph.spend(count / 4);
     }
 
     /// Notes which parameters and inputs are used, once all statements have been read.
     pub(super) fn note_used(&mut self) {
-        for parameter in &mut self.parameters {
-            parameter.used = self.mentioned.contains(&parameter.symbol);
+        for parameter in &mut self.declared.parameters {
+            parameter.used = self.formulas.mentioned.contains(&parameter.symbol);
         }
-        for input in &mut self.inputs {
-            input.used = self.mentioned.contains(&input.symbols[0]);
+        for input in &mut self.declared.inputs {
+            input.used = self.formulas.mentioned.contains(&input.symbols[0]);
         }
     }
 }

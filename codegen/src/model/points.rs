@@ -6,7 +6,8 @@
 use std::collections::{HashMap, HashSet};
 
 use super::carriers::Carried;
-use super::resolve::{DrawnPoint, Resolver};
+use super::declared::DrawnPoint;
+use super::resolve::Resolver;
 use super::{NamedMark, Point};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::joint::geometry::Mark;
@@ -16,22 +17,23 @@ impl Resolver<'_> {
     /// Every point once: the drawn ones first, then those that only bodies declare, each sort in written order.
     pub(super) fn output_points(&mut self) -> Vec<Point> {
         let drawn: Vec<(String, DrawnPoint, Span)> = self
+            .declared
             .drawn
             .iter()
             .map(|(name, point)| (name.text.clone(), point.clone(), name.span))
             .collect();
-        let carried = self.bodies.iter().flat_map(|body| &body.marks);
-        let local = carried.filter(|mark| self.drawn.get(&mark.name).is_none());
+        let carried = self.linkage.bodies.iter().flat_map(|body| &body.marks);
+        let local = carried.filter(|mark| self.declared.drawn.get(&mark.name).is_none());
         let mut seen = HashSet::new();
         let local = local.filter(|mark| seen.insert(mark.name.as_str()));
         let mut names: Vec<String> = drawn.iter().map(|(name, ..)| name.clone()).collect();
         names.extend(local.map(|mark| mark.name.clone()));
         let mut points = Vec::new();
         for (position, name) in names.iter().enumerate() {
-            let groups = self.carriers.carriers_of(name);
+            let groups = self.linkage.carriers.carriers_of(name);
             let several = groups.len() > 1;
             if let (true, Some((_, point, span))) = (groups.is_empty(), drawn.get(position)) {
-                let ground = self.bodies[0].frame;
+                let ground = self.linkage.bodies[0].frame;
                 let mark = Mark::new(ground, point.position, &mut self.graph);
                 points.push(Point {
                     name: name.clone(),
@@ -42,7 +44,7 @@ impl Resolver<'_> {
             }
             for carried in groups {
                 let full = if several {
-                    format!("{name}_{}", self.bodies[carried.0.0].name)
+                    format!("{name}_{}", self.linkage.bodies[carried.0.0].name)
                 } else {
                     name.clone()
                 };
@@ -65,7 +67,7 @@ impl Resolver<'_> {
 
     /// A point of a body.
     pub(super) fn carried(&self, (body, place): Carried) -> &NamedMark {
-        &self.bodies[body.0].marks[place]
+        &self.linkage.bodies[body.0].marks[place]
     }
 
     /// Generated functions are named in lower case, so two points must not differ by case alone.
@@ -96,7 +98,7 @@ impl Resolver<'_> {
 
     /// Adds a drawn point.
     pub(super) fn declare_drawn(&mut self, name: &Name, point: DrawnPoint) {
-        if let Some(duplicate) = self.drawn.declare(name, point) {
+        if let Some(duplicate) = self.declared.drawn.declare(name, point) {
             self.diagnostics.push(duplicate);
         }
     }

@@ -120,7 +120,7 @@ impl Resolver<'_> {
             let diagnostic = Diagnostic::error(Code::UnknownName, reference.span, message)
                 .label("not a point of this mechanism");
             let known = points.points.iter().map(|point| point.name.as_str());
-            let meant = self.nearest_known(&reference.name.text, known);
+            let meant = self.declared.nearest_known(&reference.name.text, known);
             self.diagnostics.push(match meant {
                 Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
                 None => diagnostic.help("add it to the braces of the body that carries it"),

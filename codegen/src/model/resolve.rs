@@ -1,86 +1,28 @@
 //! The statements of a document, in written order → a mechanism.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
+use super::bodies::coordinate_names;
 use super::bounds::beyond_bounds;
-use super::carriers::Carriers;
-use super::curve::{self, DrawnCurve};
-use super::expression::{BUILT_IN, Value, listed};
-use super::kinematic::KinematicTerms;
-use super::lines::APART;
-use super::namespace::Namespace;
+use super::declared::Declared;
+use super::expression::{BUILT_IN, listed};
+use super::formulas::Formulas;
+use super::linkage::Linkage;
 use super::naming::Naming;
-use super::parameters::Fields;
 use super::request::Named;
-use super::slug::Slugs;
-use super::{Body, Dimension, Input, Joint, Mechanism, Motion, NamedMark, Parameter, Table};
-use crate::diagnostic::{Attachment, Code, Diagnostic, Diagnostics, Span, Suggestions};
-use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector, subtract};
+use super::{Dimension, Mechanism, Motion};
+use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
+use crate::expr::{Graph, SymbolId};
 use crate::syntax::{self, WishKind};
 
-/// A point of the drawing.
-#[derive(Clone, Debug)]
-pub(super) struct DrawnPoint {
-    pub position: Vector,
-    pub docs: Vec<String>,
-}
-
-/// What has been declared so far.
+/// A description that is being read.
 pub(super) struct Resolver<'a> {
     pub graph: Graph,
-    pub time: SymbolId,
-    /// Constants, parameters and inputs.
-    pub constants: Namespace<Value>,
-    pub parameters: Vec<Parameter>,
-    pub inputs: Vec<Input>,
-    /// The place of the input that a symbol is the value of; only looked up.
-    pub input_places: HashMap<SymbolId, usize>,
-    pub fields: Fields,
-    /// The name that first became this constant of a table; only looked up.
-    pub table_fields: HashMap<String, syntax::Name>,
-    /// Every symbol that some expression mentions by the name of a constant, a parameter or an input; only looked up.
-    pub mentioned: HashSet<SymbolId>,
-    /// Where the points of the ground are that equations name.
-    pub named_on_ground: Vec<Vector>,
-    /// Tables: places in the list below; nothing where the statement has an error.
-    pub table_names: Namespace<Option<usize>>,
-    pub tables: Vec<Table>,
-    pub drawn: Namespace<DrawnPoint>,
-    /// Curves; nothing where the statement has an error.
-    pub curves: Namespace<Option<DrawnCurve>>,
-    /// The choices around the formula that is read: each condition, and whether the formula stands where it is negative.
-    pub choices: Vec<(ExprId, bool)>,
-    /// The parameter of the curve whose formula is read.
-    pub parameter: Option<curve::Parameter>,
-    /// The first body in the whole description that carries a point of each name, and where it lists it; only looked up.
-    pub carried: HashMap<&'a str, (&'a str, Span)>,
-    pub body_ids: Namespace<BodyId>,
-    /// The names that drivers were given.
-    pub drivers: Namespace<()>,
-    /// The names that equations were given.
-    pub equations: Namespace<()>,
-    /// What the equation that is being read mentions; `None` elsewhere, where nothing moves but by t.
-    pub kinematic: Option<KinematicTerms>,
-    pub bodies: Vec<Body>,
-    /// The body and the axis of each coordinate; only looked up.
-    pub coordinate_places: HashMap<SymbolId, (BodyId, usize)>,
-    /// The points that they carry.
-    pub carriers: Carriers,
-    /// Each with the direction it was written along, by which drivers find it.
-    pub joints: Vec<(Joint, Option<syntax::Direction>)>,
-    /// What their rows are named after.
-    pub slugs: Slugs,
-    pub naming: &'static Naming,
-    /// How many equations the description has written out.
-    pub equation_count: usize,
-    /// The directions of joints that have an error.
-    pub broken_lines: Vec<syntax::Direction>,
-    /// The files that the description names.
-    pub attachments: &'a [Attachment],
-    pub suggestions: Suggestions,
+    pub declared: Declared<'a>,
+    pub formulas: Formulas,
+    pub linkage: Linkage,
     /// Whether a bound of the graph has been passed and reported.
-    pub exceeded: bool,
+    exceeded: bool,
     pub diagnostics: &'a mut Diagnostics,
 }
 
@@ -116,8 +58,8 @@ pub(super) fn resolve_statements<'a>(
     }
     let time = graph.symbol("t");
     let mut resolver = Resolver::new(graph, time, naming, diagnostics);
-    resolver.attachments = &document.attachments;
-    resolver.carried = carried;
+    resolver.declared.attachments = &document.attachments;
+    resolver.declared.carried = carried;
     resolver.diagnostics.extend((naming.mechanism)(&item.name));
     for statement in statements {
         let before = resolver.diagnostics.mark();
@@ -127,7 +69,7 @@ pub(super) fn resolve_statements<'a>(
             break;
         }
     }
-    if resolver.bodies.len() == 1 && !resolver.diagnostics.has_errors() {
+    if resolver.linkage.bodies.len() == 1 && !resolver.diagnostics.has_errors() {
         resolver.diagnostics.push(
             Diagnostic::error(
                 Code::NoBodies,
@@ -153,7 +95,7 @@ pub(super) fn resolve_statements<'a>(
     let end = resolver.diagnostics.mark();
     resolver.note_excess(end, item.name.span);
     resolver.note_used();
-    let characteristic_length = resolver.characteristic_length();
+    let characteristic_length = resolver.linkage.characteristic_length(&resolver.graph);
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
     Mechanism {
         name: item.name.text.clone(),
@@ -167,11 +109,12 @@ pub(super) fn resolve_statements<'a>(
         naming,
         graph: resolver.graph,
         time,
-        parameters: resolver.parameters,
-        inputs: resolver.inputs,
-        tables: resolver.tables,
-        bodies: resolver.bodies,
+        parameters: resolver.declared.parameters,
+        inputs: resolver.declared.inputs,
+        tables: resolver.declared.tables,
+        bodies: resolver.linkage.bodies,
         joints: resolver
+            .linkage
             .joints
             .into_iter()
             .map(|(joint, _)| joint)
@@ -186,16 +129,6 @@ pub(super) fn resolve_statements<'a>(
     }
 }
 
-/// `x1, y1, phi1` of body `1`; `x_c1, y_c1, phi_c1` of body `c1`.
-fn coordinate_names(body: &str) -> [String; 3] {
-    let separator = if body.starts_with(|first: char| first.is_ascii_digit()) {
-        ""
-    } else {
-        "_"
-    };
-    ["x", "y", "phi"].map(|coordinate| format!("{coordinate}{separator}{body}"))
-}
-
 impl<'a> Resolver<'a> {
     /// Nothing has been declared but the ground.
     pub(super) fn new(
@@ -204,62 +137,14 @@ impl<'a> Resolver<'a> {
         naming: &'static Naming,
         diagnostics: &'a mut Diagnostics,
     ) -> Resolver<'a> {
-        let zero = graph.zero();
-        let ground_frame = BodyFrame {
-            body: BodyId::GROUND,
-            origin: [zero, zero],
-            angle: zero,
-        };
-        let mut resolver = Resolver {
+        Resolver {
+            declared: Declared::new(),
+            formulas: Formulas::new(time),
+            linkage: Linkage::new(&graph, naming),
             graph,
-            time,
-            constants: Namespace::new("constant"),
-            parameters: Vec::new(),
-            inputs: Vec::new(),
-            input_places: HashMap::new(),
-            fields: Fields::new(),
-            table_fields: HashMap::new(),
-            mentioned: HashSet::new(),
-            named_on_ground: Vec::new(),
-            table_names: Namespace::new("table"),
-            tables: Vec::new(),
-            drawn: Namespace::new("point"),
-            curves: Namespace::new("curve"),
-            choices: Vec::new(),
-            parameter: None,
-            carried: HashMap::new(),
-            body_ids: Namespace::new("body"),
-            drivers: Namespace::new("driver"),
-            equations: Namespace::new("equation"),
-            kinematic: None,
-            bodies: vec![Body {
-                name: "ground".to_string(),
-                docs: Vec::new(),
-                span: Span::default(),
-                frame: ground_frame,
-                coordinates: None,
-                drawn: ground_frame,
-                marks: Vec::new(),
-            }],
-            coordinate_places: HashMap::new(),
-            carriers: Carriers::default(),
-            joints: Vec::new(),
-            slugs: Slugs::default(),
-            naming,
-            equation_count: 0,
-            broken_lines: Vec::new(),
-            attachments: &[],
-            suggestions: Suggestions::default(),
             exceeded: false,
             diagnostics,
-        };
-        let ground = syntax::Name {
-            text: "ground".to_string(),
-            span: Span::default(),
-        };
-        // The first declaration of a fresh table cannot be a duplicate.
-        let _ = resolver.body_ids.declare(&ground, BodyId::GROUND);
-        resolver
+        }
     }
 }
 
@@ -316,18 +201,9 @@ impl Resolver<'_> {
             );
         }
         let value = value.unwrap_or((self.graph.one(), Dimension::Number));
-        if let Some(duplicate) = self.constants.declare(name, value) {
+        if let Some(duplicate) = self.declared.constants.declare(name, value) {
             self.diagnostics.push(duplicate);
         }
-    }
-
-    /// The known name that was probably meant.
-    pub(super) fn nearest_known<'n>(
-        &self,
-        word: &str,
-        known: impl IntoIterator<Item = &'n str>,
-    ) -> Option<&'n str> {
-        self.suggestions.nearest(word, known)
     }
 
     /// Reports a name that has a fixed meaning.
@@ -347,198 +223,5 @@ impl Resolver<'_> {
             )),
         );
         false
-    }
-
-    fn add_points(&mut self, points: &syntax::Points) {
-        for point in &points.points {
-            let position = self.pair(&point.position);
-            self.declare_drawn(
-                &point.name,
-                DrawnPoint {
-                    position,
-                    docs: points.docs.clone(),
-                },
-            );
-        }
-    }
-
-    /// A pair of lengths; an erroneous component counts as zero, so that the name it belongs to is still declared.
-    fn pair(&mut self, pair: &syntax::Pair) -> Vector {
-        let zero = self.graph.zero();
-        let mut component = |written: &syntax::Expression| {
-            let value = self.constant(written, Dimension::LENGTH);
-            let value = value.filter(|&value| self.is_measurable(value, written.span));
-            value.unwrap_or(zero)
-        };
-        [component(&pair.x), component(&pair.y)]
-    }
-
-    fn add_body(&mut self, body: &syntax::Body) {
-        let name = &body.name;
-        if name.text == "ground" {
-            self.diagnostics.push(
-                Diagnostic::error(
-                    Code::NameNotAllowed,
-                    name.span,
-                    "`ground` is the fixed frame and is always there",
-                )
-                .help("joints may name it: `revolute A(ground, 1);`"),
-            );
-            return;
-        }
-        let id = BodyId(self.bodies.len());
-        if let Some(duplicate) = self.body_ids.declare(name, id) {
-            self.diagnostics.push(duplicate);
-            return;
-        }
-        let symbols = coordinate_names(&name.text).map(|name| self.graph.symbol(&name));
-        let [x, y, phi] = symbols.map(|symbol| self.graph.variable(symbol));
-        let drawn = self.drawn_pose(body, id);
-        let frame = BodyFrame {
-            body: id,
-            origin: [x, y],
-            angle: phi,
-        };
-        let mut marks: Vec<NamedMark> = Vec::new();
-        let mut places: HashMap<&str, usize> = HashMap::new();
-        for member in &body.members {
-            let Some(mark) = self.member(member, frame, drawn) else {
-                continue;
-            };
-            let (syntax::Member::Local { name: own, .. }
-            | syntax::Member::Carried { name: own, .. }) = member;
-            match places.get(own.text.as_str()).map(|&at| &marks[at]) {
-                Some(earlier) => self.diagnostics.push(
-                    Diagnostic::error(
-                        Code::DuplicateName,
-                        mark.span,
-                        format!("body `{}` carries `{}` twice", name.text, mark.name),
-                    )
-                    .label("listed again here")
-                    .also(earlier.span, "first listed here")
-                    .help("remove one of them"),
-                ),
-                None => {
-                    places.insert(&own.text, marks.len());
-                    marks.push(mark);
-                }
-            }
-        }
-        let places = symbols.into_iter().enumerate();
-        self.coordinate_places
-            .extend(places.map(|(axis, symbol)| (symbol, (id, axis))));
-        for (place, mark) in marks.iter().enumerate() {
-            self.carriers.add((id, place), &mark.name, mark.mark.local);
-        }
-        self.bodies.push(Body {
-            name: name.text.clone(),
-            docs: body.docs.clone(),
-            span: name.span,
-            frame,
-            coordinates: Some(symbols),
-            drawn,
-            marks,
-        });
-    }
-
-    /// The pose in which a body is drawn.
-    fn drawn_pose(&mut self, body: &syntax::Body, id: BodyId) -> BodyFrame {
-        let zero = self.graph.zero();
-        let origin = match &body.origin {
-            syntax::Origin::Coordinates(pair) => self.pair(pair),
-            syntax::Origin::Point(reference) => self.drawn_point(reference).unwrap_or([zero, zero]),
-        };
-        let angle = match &body.orientation {
-            syntax::Orientation::Aligned => zero,
-            syntax::Orientation::Angle(angle) => {
-                self.constant(angle, Dimension::Angle).unwrap_or(zero)
-            }
-            syntax::Orientation::Facing(direction) => self.facing(direction).unwrap_or(zero),
-        };
-        BodyFrame {
-            body: id,
-            origin,
-            angle,
-        }
-    }
-
-    /// The angle of the direction from one drawn point to another.
-    fn facing(&mut self, direction: &syntax::Direction) -> Option<ExprId> {
-        let (from, to) = (
-            self.drawn_point(&direction.from),
-            self.drawn_point(&direction.to),
-        );
-        let (from, to) = (from?, to?);
-        let mut along = self.unit_direction(from, to, direction.span, APART)?;
-        if !along.iter().all(|&part| self.graph.is_constant(part)) {
-            // Of parameters the gap itself is the shorter expression, and has the same angle.
-            along = subtract(to, from, &mut self.graph);
-        }
-        Some(self.graph.atan2(along[1], along[0]))
-    }
-
-    fn member(
-        &mut self,
-        member: &syntax::Member,
-        frame: BodyFrame,
-        drawn: BodyFrame,
-    ) -> Option<NamedMark> {
-        match member {
-            syntax::Member::Local {
-                docs,
-                name,
-                position,
-            } => {
-                let local = self.pair(position);
-                let in_drawing = Mark::new(drawn, local, &mut self.graph);
-                Some(NamedMark {
-                    name: name.text.clone(),
-                    docs: docs.clone(),
-                    mark: Mark::new(frame, local, &mut self.graph),
-                    drawn: in_drawing.position(&mut self.graph),
-                    span: name.span,
-                })
-            }
-            syntax::Member::Carried { docs, name } => {
-                let Some(DrawnPoint { position, .. }) = self.drawn.get(&name.text) else {
-                    let unknown = self.drawn.unknown(&name.text, name.span);
-                    self.diagnostics.push(unknown.help(format!(
-                        "give it where it is drawn, `point {0} = (x, y);`, or in the body's frame, `{0}: (x, y)`",
-                        name.text
-                    )));
-                    return None;
-                };
-                let position = *position;
-                let gap = crate::joint::geometry::subtract(position, drawn.origin, &mut self.graph);
-                let local = drawn.unrotate(gap, &mut self.graph);
-                Some(NamedMark {
-                    name: name.text.clone(),
-                    docs: docs.clone(),
-                    mark: Mark::new(frame, local, &mut self.graph),
-                    drawn: position,
-                    span: name.span,
-                })
-            }
-        }
-    }
-
-    /// The largest coordinate of what joints hold and equations name, which lengths are measured against.
-    fn characteristic_length(&self) -> f64 {
-        let marks = self
-            .joints
-            .iter()
-            .flat_map(|(joint, _)| &joint.operands.marks);
-        let marks = marks.map(|mark| mark.local);
-        let origins = self.bodies.iter().map(|body| body.drawn.origin);
-        let named = self.named_on_ground.iter().copied();
-        let components = marks.chain(origins).chain(named).flatten();
-        let largest = components
-            .filter_map(|component| self.graph.constant_value(component))
-            .fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        if largest > 0.0 && largest.is_finite() {
-            largest
-        } else {
-            1.0
-        }
     }
 }

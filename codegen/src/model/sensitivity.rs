@@ -26,7 +26,7 @@ impl Resolver<'_> {
         let mut found: Vec<usize> = Vec::new();
         let mut spans: HashMap<usize, Span> = HashMap::new();
         let mut taken: Option<Taken> = None;
-        let parameters = self.parameters.iter().enumerate();
+        let parameters = self.declared.parameters.iter().enumerate();
         let places: HashMap<String, usize> = parameters
             .map(|(place, own)| (own.name.clone(), place))
             .collect();
@@ -67,13 +67,13 @@ impl Resolver<'_> {
             return Some(place);
         }
         let text = &name.text;
-        let is_input = self.inputs.iter().any(|input| input.name == *text);
+        let is_input = self.declared.inputs.iter().any(|input| input.name == *text);
         let finding = if is_input {
             let message = format!("`{text}` is an input, no parameter");
             Diagnostic::error(Code::WrongForm, name.span, message)
                 .label("changes with time")
                 .help("an input drives: how the motion depends on it is a `transmission`")
-        } else if self.constants.get(text).is_some() {
+        } else if self.declared.constants.get(text).is_some() {
             let message = format!("`{text}` is a constant, no parameter");
             Diagnostic::error(Code::WrongForm, name.span, message)
                 .label("cannot be changed at run time")
@@ -82,8 +82,8 @@ impl Resolver<'_> {
             let message = format!("no parameter is named `{text}`");
             let finding = Diagnostic::error(Code::UnknownName, name.span, message)
                 .label("not a parameter of this mechanism");
-            let known = self.parameters.iter().map(|it| it.name.as_str());
-            match self.nearest_known(text, known) {
+            let known = self.declared.parameters.iter().map(|it| it.name.as_str());
+            match self.declared.nearest_known(text, known) {
                 Some(meant) => finding.help(format!("did you mean `{meant}`?")),
                 None => finding.help(format!("declare it: `param {text} = …;`")),
             }
@@ -94,7 +94,7 @@ impl Resolver<'_> {
 
     /// What points and coordinates are called that looks like the sensitivity of another one.
     fn taken_names(&self, points: &[Point]) -> Taken {
-        let coordinates = (1..self.bodies.len())
+        let coordinates = (1..self.linkage.bodies.len())
             .flat_map(|body| (0..3).map(move |axis| Requested::Coordinate { body, axis }));
         let all: Vec<(String, Option<Span>)> = (0..points.len())
             .map(|place| (Requested::Point(place), Some(points[place].span)))

@@ -24,7 +24,7 @@ impl Slugs {
     }
 
     /// The base, or with the first number from 2 on that makes it free.
-    fn free(&mut self, base: String) -> String {
+    pub(super) fn free(&mut self, base: String) -> String {
         if !self.taken.contains(&base) {
             return base;
         }
@@ -56,12 +56,6 @@ impl Resolver<'_> {
                 }
             }
         }
-        self.unique(&words.join("_"))
-    }
-
-    /// The words as a lower-case identifier that no other joint's rows are named after.
-    pub(super) fn unique(&mut self, words: &str) -> String {
-        self.slugs
-            .free((self.naming.apart)(&words.to_lowercase(), "row"))
+        self.linkage.unique_slug(&words.join("_"))
     }
 }

@@ -70,7 +70,7 @@ impl Resolver<'_> {
     pub(super) fn generated_name(&self, quantity: Requested, points: &[Point]) -> String {
         match quantity {
             Requested::Point(place) => points[place].name.to_lowercase(),
-            Requested::Coordinate { body, axis } => self.bodies[body]
+            Requested::Coordinate { body, axis } => self.linkage.bodies[body]
                 .coordinates
                 .map(|symbols| self.graph.symbol_name(symbols[axis]).to_string())
                 .unwrap_or_default(),
@@ -80,6 +80,7 @@ impl Resolver<'_> {
     /// A transmission has a column for each driver, so there must be one.
     fn require_driver(&mut self, transmission: &Transmission) {
         let mut drivers = self
+            .linkage
             .joints
             .iter()
             .map(|(joint, _)| joint)

@@ -22,7 +22,7 @@ impl Resolver<'_> {
             }
             None => [one, one],
         };
-        let attachments = self.attachments;
+        let attachments = self.declared.attachments;
         let text = match file_of(attachments, path) {
             Ok(text) => text,
             Err((message, help)) => {

@@ -44,10 +44,10 @@ impl Resolver<'_> {
             return;
         }
         let table = self.table(written);
-        let place = table.is_some().then_some(self.tables.len());
-        match self.table_names.declare(name, place) {
+        let place = table.is_some().then_some(self.declared.tables.len());
+        match self.declared.table_names.declare(name, place) {
             Some(duplicate) => self.diagnostics.push(duplicate),
-            None => self.tables.extend(table),
+            None => self.declared.tables.extend(table),
         }
     }
 
@@ -63,7 +63,7 @@ impl Resolver<'_> {
             );
             return false;
         }
-        let fields = &mut self.table_fields;
+        let fields = &mut self.declared.table_fields;
         let earlier = fields
             .entry(field_name(text))
             .or_insert_with(|| name.clone());
@@ -250,8 +250,8 @@ impl Resolver<'_> {
         span: Span,
     ) -> Option<Value> {
         let name = &table.text;
-        let known = self.table_names.get(name).copied().flatten();
-        if let Some(table) = known.and_then(|place| self.tables.get_mut(place)) {
+        let known = self.declared.table_names.get(name).copied().flatten();
+        if let Some(table) = known.and_then(|place| self.declared.tables.get_mut(place)) {
             table.used = true;
         }
         let [written] = arguments else {
@@ -269,7 +269,7 @@ impl Resolver<'_> {
         };
         let argument = self.value(written);
         // A table with an error has been reported.
-        let table = self.tables.get(known?)?;
+        let table = self.declared.tables.get(known?)?;
         let (spline, place, value) = (table.spline, table.argument, table.value);
         let (argument, found) = argument?;
         if !found.fits(place) {
