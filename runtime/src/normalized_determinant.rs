@@ -28,7 +28,7 @@ pub struct NormalizedDeterminant<T = f64> {
     pub name: BlockName<'static>,
 }
 
-/// What the closeness of a mechanism is named after that nothing can bring to a singular pose.
+/// What the normalized determinant of a mechanism is named after that nothing can bring to a singular pose.
 const EVERYTHING: BlockName<'static> = BlockName {
     name: "the mechanism",
     singular: "",

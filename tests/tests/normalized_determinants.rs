@@ -270,9 +270,9 @@ fn single_precision_measures_the_same() {
 #[test]
 fn what_cannot_be_singular_says_so() {
     let mechanism = all::planetary_gear::MonitoringPlanetaryGear::assemble(0.0).expect("as drawn");
-    let closeness = mechanism.frame().smallest_determinant();
-    assert_eq!(closeness.reciprocal_condition, 1.0);
-    assert_eq!(closeness.to_string(), "the mechanism: never singular");
+    let smallest = mechanism.frame().smallest_determinant();
+    assert_eq!(smallest.reciprocal_condition, 1.0);
+    assert_eq!(smallest.to_string(), "the mechanism: never singular");
 }
 
 /// Nothing is generated for it, and the module without the statement is the same but for it.

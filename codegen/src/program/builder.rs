@@ -461,7 +461,7 @@ impl<'a> Builder<'a> {
     pub(super) fn measure(&mut self, form: &dyn Form, found: &dyn Solved) {
         let names = form.unknowns().into_iter();
         let names: Vec<&str> = names.map(|it| self.system.unknown_name(it)).collect();
-        let name = format!("closeness_{}", names.join("_"));
+        let name = format!("normalized_determinant_{}", names.join("_"));
         let Some(value) = found.determinant() else {
             let both = ["", "_condition"]
                 .map(|suffix| self.system.intermediate(&format!("{name}{suffix}")));

@@ -139,7 +139,8 @@ impl<V: View> Followed<V> {
         let measured = measures
             .as_ref()
             .map_or(Vec::new(), |it| it.parts().to_vec());
-        let name = |part: &MeasuredPart| format!("closeness_{}", part.unknowns.join("_"));
+        let name =
+            |part: &MeasuredPart| format!("normalized_determinant_{}", part.unknowns.join("_"));
         let monitored = measured.iter().filter(|_| wanted.monitor);
         let (shell, error) = match assembled {
             Ok(shell) => (Some(shell), None),

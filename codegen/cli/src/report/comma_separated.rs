@@ -3,7 +3,7 @@
 //! The columns are `t`; the coordinates by name (`x1`), their rates (`x1_d`) and accelerations (`x1_dd`); for each point `K`
 //! its position, velocity and acceleration `K_x, K_y, K_vx, K_vy, K_ax, K_ay`. Units are m, rad and s. What `transmission` and
 //! `sensitivity` statements ask for follows, `K_x per phi(1)`, empty where Φ_q is singular. Where it is asked for,
-//! `closeness_phi2` and the like follow, dimensionless.
+//! `normalized_determinant_phi2` and the like follow, dimensionless.
 
 use std::io::{self, Write};
 
@@ -123,7 +123,7 @@ fn is_header(line: &str) -> bool {
     let others = &names[OF_POINT.len() * points.count()..];
     others
         .iter()
-        .all(|name| name.contains(" per ") || name.starts_with("closeness_"))
+        .all(|name| name.contains(" per ") || name.starts_with("normalized_determinant_"))
 }
 
 /// The error of the output itself, whose kind the conversion of the standard library would hide.
@@ -150,7 +150,7 @@ mod tests {
             "",
             point,
             &point.repeat(2),
-            &format!("{point},\"P_x per distance(A, B)\",closeness_phi1"),
+            &format!("{point},\"P_x per distance(A, B)\",normalized_determinant_phi1"),
         ] {
             assert!(is_header(&format!("{crank}{rest}")), "{rest}");
         }

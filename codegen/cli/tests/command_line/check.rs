@@ -344,7 +344,10 @@ fn solve_monitors_how_close_each_block_is() {
     let mut count = 0;
     for line in lines {
         let read = |name: &str| line[place(name)].parse::<f64>().expect("a number");
-        let (found, wanted) = (read("closeness_phi2"), read("phi2").sin().abs());
+        let (found, wanted) = (
+            read("normalized_determinant_phi2"),
+            read("phi2").sin().abs(),
+        );
         assert!(
             (found - wanted).abs() < 1e-14,
             "{found} instead of {wanted}"
@@ -353,13 +356,14 @@ fn solve_monitors_how_close_each_block_is() {
     }
     assert_eq!(count, 11);
     assert!(
-        ran.stderr.contains("closeness_phi2 = 0.2") && ran.stderr.contains("at t = 0.8 s"),
+        ran.stderr.contains("normalized_determinant_phi2 = 0.2")
+            && ran.stderr.contains("at t = 0.8 s"),
         "{}",
         ran.stderr
     );
     let plain = folder
         .run("solve a.mech --csv - --to 1 --step 0.1")
         .exits_with(0);
-    assert!(!plain.stdout.contains("closeness"));
+    assert!(!plain.stdout.contains("determinant"));
     folder.run("solve a.mech --monitor --json").exits_with(2);
 }
