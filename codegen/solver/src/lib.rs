@@ -14,6 +14,7 @@ pub mod dense;
 pub mod derivatives;
 pub mod diagnosis;
 pub mod drawn;
+pub mod first_step;
 pub mod instant;
 pub mod interpreted;
 pub mod measures;

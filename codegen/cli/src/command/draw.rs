@@ -15,7 +15,7 @@ use linkwright_solver::schedule::Schedule;
 use super::description::{chosen, determined, interpreted, motions, outputs, several, source};
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Draw;
-use crate::motion::{Followed, Shown, Sink, Wanted, select};
+use crate::motion::{self, Followed, Shown, Sink, Wanted};
 use crate::progress::Progress;
 use crate::report::drawing::{tick_steps, traced};
 use crate::report::{picture, raster};
@@ -122,7 +122,7 @@ fn solved(arguments: &Draw, system: &System) -> Result<Solved, Problem> {
     let refused = |text: String| Problem(format!("error: {text}"));
     let points = match arguments.paths.is_empty() {
         true => Vec::new(),
-        false => select(system, &arguments.paths).map_err(refused)?,
+        false => motion::points(system, &arguments.paths).map_err(refused)?,
     };
     let at = arguments.at.unwrap_or(arguments.from);
     let (from, to, step) = (arguments.from, arguments.to, arguments.step);
@@ -175,6 +175,7 @@ fn follow(
     let start = chosen(&arguments.branch, view, schedule.start.t)?;
     let wanted = Wanted {
         points,
+        coordinates: Vec::new(),
         monitor: false,
         curves: false,
     };

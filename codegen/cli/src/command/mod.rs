@@ -10,6 +10,7 @@ pub mod generate;
 pub mod inspect;
 pub mod plan;
 pub mod solve;
+mod solve_files;
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

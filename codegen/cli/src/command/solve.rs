@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::model::set;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::dense::Dense;
@@ -12,15 +12,19 @@ use linkwright_solver::schedule::Schedule;
 use linkwright_solver::supplied::Modes;
 use linkwright_solver::view::View;
 
-use super::description::{chosen, determined, interpreted, outputs, source};
-use super::{Outcome, Problem, in_folder, print, say};
+use super::description::{chosen, determined, interpreted, source};
+use super::solve_files::Files;
+use super::{Outcome, Problem, print, say};
 use crate::arguments::{Equations, Solve};
-use crate::motion::{Followed, Shown, Sink, Wanted, select};
+use crate::motion::{self, Followed, Shown, Sink, Wanted};
 use crate::output::{Output, Refused};
 use crate::progress::{PATIENCE, Progress};
 use crate::report::comma_separated::{self, Table};
 use crate::report::json::Object;
-use crate::report::{picture, plot, summary};
+use crate::report::summary::{self, How};
+
+/// A table of more bytes than these is announced.
+const LARGE: u64 = 1_000_000_000;
 
 /// Solves the motion and reports it.
 ///
@@ -38,14 +42,14 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     for assignment in &arguments.set {
         set(&mut system.mechanism, assignment).map_err(Problem)?;
     }
-    let points =
-        select(&system, &arguments.points).map_err(|text| Problem(format!("error: {text}")))?;
     let schedule = schedule(arguments)?;
-    let files = files(arguments, &source, &system, &points, &schedule)?;
+    let [points, coordinates] = shown(arguments, &system)?;
+    let files = Files::new(arguments, &source, &system, &points, &schedule)?;
     let wanted = Wanted {
         points,
+        coordinates,
         monitor: arguments.monitor,
-        curves: !files.pictures.is_empty(),
+        curves: files.has_pictures(),
     };
     match arguments.view {
         Equations::Textbook => {
@@ -68,10 +72,20 @@ fn report<V: View>(
     chosen: Option<(Instant, Modes)>,
     mut files: Files,
 ) -> Result<Outcome, Problem> {
-    let mut progress = Progress::new(schedule.visits());
     let mut motion = Followed::new(view, wanted, schedule.start.t, chosen);
     // Nothing is written of a motion without a frame.
     let table = files.frames.take().filter(|_| motion.start.is_some());
+    let size = comma_separated::size(&motion, schedule.wanted());
+    if table.is_some() && size > LARGE {
+        say(&format!(
+            "warning: `{}` will take about {:.1} GB\n  = help: `--no-files` writes none, and `--step` makes fewer frames",
+            table
+                .as_ref()
+                .map_or(String::new(), |it| it.path().display().to_string()),
+            size as f64 / 1e9
+        ));
+    }
+    let mut progress = Progress::new(schedule.visits());
     let mut written: Vec<String> = table
         .iter()
         .map(|it| it.path().display().to_string())
@@ -87,29 +101,36 @@ fn report<V: View>(
                     &mut motion,
                     schedule,
                     Some(&mut object),
-                    table,
+                    (table, arguments.units),
                     &mut reached,
                 )?;
                 object.finish(&motion)
             }
             false => {
-                let mut rows = Table::new(&motion, output)?;
+                let mut rows = Table::new(&motion, arguments.units, output)?;
+                let table = (table, arguments.units);
                 refused = follow(&mut motion, schedule, Some(&mut rows), table, &mut reached)?;
                 rows.finish()
             }
         })?;
         refused?;
     } else {
+        let table = (table, arguments.units);
         follow(&mut motion, schedule, None, table, &mut reached).map_err(Problem::of)??;
     }
     let elapsed = progress.finish();
-    let is_chosen = !arguments.points.is_empty();
+    let how = How {
+        points_chosen: !arguments.points.is_empty(),
+        coordinates_chosen: !arguments.show.is_empty(),
+        angles: arguments.angles,
+        first_step: arguments.first_step,
+    };
     if to_stdout {
         // If stderr is closed there is nobody to tell.
-        let _ = summary::write(&motion, is_chosen, &mut io::stderr());
+        let _ = summary::write(&motion, &how, &mut io::stderr());
     } else if !arguments.json {
         print(|output| {
-            summary::write(&motion, is_chosen, output)?;
+            summary::write(&motion, &how, output)?;
             match elapsed > PATIENCE {
                 true => writeln!(output, "solved in {:.1} s", elapsed.as_secs_f64()),
                 false => Ok(()),
@@ -124,7 +145,7 @@ fn report<V: View>(
     if let Some(error) = &motion.error {
         say(&format!("error: `{}` {error}", motion.title()));
     }
-    written.extend(files.draw(&motion)?);
+    written.extend(files.draw(&motion, arguments.angles)?);
     if !arguments.json && !to_stdout {
         print(|output| {
             written
@@ -143,7 +164,7 @@ fn follow<V: View>(
     motion: &mut Followed<V>,
     schedule: &Schedule,
     sink: Option<&mut dyn Sink>,
-    table: Option<Output>,
+    (table, has_units): (Option<Output>, bool),
     reached: &mut dyn FnMut(usize),
 ) -> io::Result<Result<(), Refused>> {
     let Some(table) = table else {
@@ -151,7 +172,7 @@ fn follow<V: View>(
         return motion.follow(schedule, &mut sinks, reached).map(Ok);
     };
     let written = table.write(|output| {
-        let mut table = Table::new(motion, output)?;
+        let mut table = Table::new(motion, has_units, output)?;
         // The file is completed although a reader of stdout has gone away.
         let mut patient = sink.map(Patient);
         let mut sinks: Vec<&mut dyn Sink> = Vec::new();
@@ -190,124 +211,20 @@ fn schedule(arguments: &Solve) -> Result<Schedule, Problem> {
     .map_err(|text| Problem(format!("error: {text}")))
 }
 
-/// The files that are wanted.
-struct Files {
-    frames: Option<Output>,
-    /// The name of each and, in the order of the points that are shown, where it goes.
-    pictures: Vec<(String, Output)>,
-    folder: PathBuf,
-}
-
-fn files(
-    arguments: &Solve,
-    source: &Source,
-    system: &System,
-    points: &[usize],
-    schedule: &Schedule,
-) -> Result<Files, Problem> {
-    let unasked = !arguments.json && !arguments.no_files && arguments.at.is_empty();
-    let wanted = |asked: &Option<PathBuf>, default: PathBuf| match asked {
-        None if unasked => Some(default),
-        asked => asked.clone(),
+/// The points and the coordinates that are shown: what is chosen, otherwise all points and all angles.
+fn shown(arguments: &Solve, system: &System) -> Result<[Vec<usize>; 2], Problem> {
+    let refused = |text| Problem(format!("error: {text}"));
+    let points = match (&arguments.points[..], &arguments.show[..]) {
+        ([], [_, ..]) => Vec::new(),
+        (names, _) => motion::points(system, names).map_err(refused)?,
     };
-    // What nobody asked for, and cannot be written, can be asked for elsewhere.
-    let placed = |asked: &Option<PathBuf>, output: Result<Output, Refused>| {
-        output.map_err(|refused| match asked {
-            None => refused.or_help("`--csv FILE` and `--plot DIR` write to other places"),
-            Some(_) => refused,
-        })
+    let coordinates = match (&arguments.points[..], &arguments.show[..]) {
+        ([], []) => {
+            let all = system.coordinates.iter().enumerate();
+            let angles = all.filter(|(_, it)| it.quantity == Quantity::Angle);
+            angles.map(|(place, _)| place).collect()
+        }
+        (_, names) => motion::coordinates(system, names).map_err(refused)?,
     };
-    let folder = folder(system);
-    let mut outputs = outputs(&arguments.file, source, arguments.force);
-    let frames = wanted(&arguments.csv, folder.join("motion.csv"));
-    let frames = frames.filter(|path| path != Path::new("-"));
-    let frames = frames.map(|path| {
-        let output = outputs.file(&path, comma_separated::SIGNATURE);
-        placed(&arguments.csv, output)
-    });
-    let frames = frames.transpose()?;
-    let mut pictures = Vec::new();
-    let folder = wanted(&arguments.plot, folder);
-    // A curve needs two frames.
-    if let (Some(folder), 2..) = (&folder, schedule.wanted()) {
-        let names = points
-            .iter()
-            .map(|&point| system.outputs[point].name.as_str());
-        for name in distinct(names) {
-            let path = in_folder(folder, &format!("{name}.svg"))?;
-            let output = outputs.file(&path, picture::SIGNATURE);
-            pictures.push((name, placed(&arguments.plot, output)?));
-        }
-    }
-    Ok(Files {
-        frames,
-        pictures,
-        folder: folder.unwrap_or_default(),
-    })
-}
-
-/// The folder for what is written unasked: `target/linkwright/excavator`, `target/linkwright/excavator/reach`.
-fn folder(system: &System) -> PathBuf {
-    let mechanism = &system.mechanism;
-    let motion = mechanism.motion.as_ref().map(|motion| motion.name.as_str());
-    let names = [mechanism.name.as_str()].into_iter().chain(motion);
-    Path::new("target/linkwright").join(names.collect::<PathBuf>())
-}
-
-impl Files {
-    /// Draws the points, if there are frames; a line about each folder.
-    fn draw<V: View>(self, motion: &Followed<V>) -> Result<Vec<String>, Problem> {
-        let mut written = Vec::new();
-        if self.pictures.is_empty() {
-            return Ok(written);
-        }
-        let drawn = plot::draw(motion).map_err(|text| Problem(format!("error: {text}")))?;
-        let mut names = Vec::new();
-        for ((name, output), (_, picture)) in self.pictures.into_iter().zip(&drawn) {
-            output.write(|output| output.write_all(picture.as_bytes()))?;
-            names.push(name);
-        }
-        match names.as_slice() {
-            [] => {}
-            [name] => written.push(
-                self.folder
-                    .join(format!("{name}.svg"))
-                    .display()
-                    .to_string(),
-            ),
-            names => written.push(format!(
-                "{} ({})",
-                self.folder.join("*.svg").display(),
-                names.join(", ")
-            )),
-        }
-        Ok(written)
-    }
-}
-
-/// File names for points: where two differ in case only, the later one gets a number, since some file systems cannot
-/// tell them apart.
-fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
-    let mut taken: Vec<String> = Vec::new();
-    names
-        .map(|name| {
-            let mut file = name.to_string();
-            let mut number = 2;
-            while taken.contains(&file.to_lowercase()) {
-                file = format!("{name}-{number}");
-                number += 1;
-            }
-            taken.push(file.to_lowercase());
-            file
-        })
-        .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn file_names_differ_in_more_than_case() {
-        let names = super::distinct(["a", "A", "b", "A2"].into_iter());
-        assert_eq!(names, ["a", "A-2", "b", "A2"]);
-    }
+    Ok([points, coordinates])
 }

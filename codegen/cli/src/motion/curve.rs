@@ -1,7 +1,5 @@
-//! *The motion of a point, instant by instant* → *its extremes in a bounded number of stretches*, so that no peak of a long motion is
+//! *Several values, instant by instant* → *its extremes in a bounded number of stretches*, so that no peak of a long motion is
 //! lost.
-
-use linkwright::PointMotion;
 
 /// How many stretches there are at most.
 const STRETCHES: usize = 2000;
@@ -9,24 +7,21 @@ const STRETCHES: usize = 2000;
 /// A value and when it was taken (s).
 pub type Extreme = (f64, f64);
 
-/// The components of a motion: position, velocity and acceleration, x and y each.
-const COMPONENTS: usize = 6;
-
-/// The course of a point.
+/// The course of some values.
 #[derive(Clone, Debug)]
-pub struct Curve {
-    stretches: Vec<Stretch>,
+pub struct Curve<const N: usize> {
+    stretches: Vec<Stretch<N>>,
     /// How many instants a full stretch has, and how many the last one has.
     length: usize,
     filled: usize,
-    ends: Option<[Stretch; 2]>,
+    ends: Option<[Stretch<N>; 2]>,
 }
 
 /// The smallest and the largest value of each component, with their times.
 #[derive(Clone, Copy, Debug)]
-struct Stretch([[Extreme; 2]; COMPONENTS]);
+struct Stretch<const N: usize>([[Extreme; 2]; N]);
 
-impl Default for Curve {
+impl<const N: usize> Default for Curve<N> {
     fn default() -> Self {
         Curve {
             stretches: Vec::new(),
@@ -37,15 +32,10 @@ impl Default for Curve {
     }
 }
 
-impl Curve {
+impl<const N: usize> Curve<N> {
     /// Takes the next instant.
-    pub fn push(&mut self, t: f64, motion: &PointMotion) {
-        let PointMotion {
-            position: [x, y],
-            velocity: [vx, vy],
-            acceleration: [ax, ay],
-        } = *motion;
-        let own = Stretch([x, y, vx, vy, ax, ay].map(|value| [(t, value); 2]));
+    pub fn push(&mut self, t: f64, values: [f64; N]) {
+        let own = Stretch(values.map(|value| [(t, value); 2]));
         self.ends = Some([self.ends.map_or(own, |[first, _]| first), own]);
         match self.stretches.last_mut() {
             Some(last) if self.filled < self.length => {
@@ -73,9 +63,8 @@ impl Curve {
         self.ends.map(|ends| ends.map(|end| end.0[0][0].0))
     }
 
-    /// The extremes of a component, by level and axis, in the order of time, with the ends of the motion.
-    pub fn component(&self, level: usize, axis: usize) -> Vec<Extreme> {
-        let component = 2 * level + axis;
+    /// The extremes of a value in the order of time, with the ends of the motion.
+    pub fn component(&self, component: usize) -> Vec<Extreme> {
         let mut points = Vec::with_capacity(2 * self.stretches.len() + 2);
         points.extend(self.ends.map(|[first, _]| first.0[component][0]));
         for stretch in &self.stretches {
@@ -92,8 +81,8 @@ impl Curve {
     }
 }
 
-impl Stretch {
-    fn extend(&mut self, other: &Stretch) {
+impl<const N: usize> Stretch<N> {
+    fn extend(&mut self, other: &Stretch<N>) {
         for ([low, high], [lower, higher]) in self.0.iter_mut().zip(other.0) {
             if lower.1 < low.1 {
                 *low = lower;
@@ -109,22 +98,14 @@ impl Stretch {
 mod tests {
     use super::*;
 
-    fn moving(x: f64) -> PointMotion {
-        PointMotion {
-            position: [x, 0.0],
-            velocity: [0.0; 2],
-            acceleration: [0.0; 2],
-        }
-    }
-
     #[test]
     fn a_long_curve_keeps_its_peaks_and_its_ends() {
         let mut curve = Curve::default();
         for k in 0..100_001 {
             let value = if k == 54_321 { 7.0 } else { 0.0 };
-            curve.push(f64::from(k), &moving(value));
+            curve.push(f64::from(k), [value]);
         }
-        let points = curve.component(0, 0);
+        let points = curve.component(0);
         assert!(points.len() <= 2 * STRETCHES + 2, "{}", points.len());
         assert!(points.contains(&(54_321.0, 7.0)));
         assert!(points.is_sorted_by(|a, b| a.0 < b.0));
@@ -136,11 +117,11 @@ mod tests {
     fn a_short_curve_is_what_it_was() {
         let mut curve = Curve::default();
         for k in 0..STRETCHES {
-            curve.push(k as f64, &moving((k as f64).sin()));
+            curve.push(k as f64, [(k as f64).sin()]);
         }
         let expected: Vec<Extreme> = (0..STRETCHES)
             .map(|k| (k as f64, (k as f64).sin()))
             .collect();
-        assert_eq!(curve.component(0, 0), expected);
+        assert_eq!(curve.component(0), expected);
     }
 }

@@ -3,16 +3,21 @@
 //! Instants are handed on as they are found and not kept, so that a motion of any length takes the same memory. The module does not
 //! know how anything is printed.
 
+mod course;
 mod curve;
+mod path;
 mod rows;
+mod selection;
 
+pub use course::Course;
 pub use curve::{Curve, Extreme};
+pub use path::Path;
 pub use rows::{Row, Rows};
+pub use selection::{coordinates, points};
 
 use std::io;
 
 use linkwright::{PointMotion, Shell};
-use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::approach::Watch;
 use linkwright_solver::condition::{Condition, dimensionless, jacobian};
@@ -36,9 +41,11 @@ const CLOSE: f64 = 1e-3;
 pub struct Wanted {
     /// Which points are shown: indices into the system's outputs.
     pub points: Vec<usize>,
+    /// Which coordinates are shown: indices into the system's coordinates.
+    pub coordinates: Vec<usize>,
     /// Whether to say how close each part is to a singular pose.
     pub monitor: bool,
-    /// Whether to keep what a picture of each point is drawn from.
+    /// Whether to keep what pictures are drawn from.
     pub curves: bool,
 }
 
@@ -73,7 +80,9 @@ pub struct Followed<V: View> {
     pub condition: Condition,
     /// The same with all lengths in characteristic lengths of the mechanism.
     pub dimensionless_condition: Condition,
-    /// When the motion starts (s); `None` where the mechanism cannot be assembled.
+    /// When the motion starts (s).
+    pub start_time: f64,
+    /// The same; `None` where the mechanism cannot be assembled.
     pub start: Option<f64>,
     /// How many wanted instants were found.
     pub count: usize,
@@ -81,8 +90,8 @@ pub struct Followed<V: View> {
     pub visits: usize,
     /// A readable number of instants.
     pub rows: Rows,
-    /// One for each shown point, where they are wanted.
-    pub curves: Vec<Curve>,
+    /// What pictures are drawn from, where they are wanted.
+    pub course: Option<Course>,
     /// The largest residuals.
     pub residuals: ResidualCheck,
     /// The largest pressure angles.
@@ -134,7 +143,7 @@ impl<V: View> Followed<V> {
         };
         let textbook = TextbookEquations::new(system);
         let matrix = jacobian(&textbook, &q, start);
-        let curves = wanted.points.iter().filter(|_| wanted.curves);
+        let course = wanted.curves.then(|| Course::of(&wanted));
         let measures = view.measures();
         let measured = measures
             .as_ref()
@@ -149,11 +158,12 @@ impl<V: View> Followed<V> {
         Followed {
             condition: Condition::of(&matrix),
             dimensionless_condition: Condition::of(&dimensionless(&textbook, matrix)),
+            start_time: start,
             start: shell.is_some().then_some(start),
             count: 0,
             visits: usize::from(shell.is_some()),
             rows: Rows::default(),
-            curves: curves.map(|_| Curve::default()).collect(),
+            course,
             residuals: ResidualCheck::new(system, view.layout()),
             pressure: PressureCheck::new(system, view.layout()),
             derivative_names: linkwright_solver::derivatives::names(system),
@@ -229,12 +239,8 @@ impl<V: View> Followed<V> {
         self.warnings = warnings(&approaches, self.view.singular_poses(), CLOSE);
         self.error = end.map(|end| self.view.ended(&end.failure, &end.last));
         if let (Some(last), Some(number)) = (&self.last, self.count.checked_sub(1)) {
-            let motions = self.motions(last);
-            self.rows.end(Row {
-                number,
-                t: last.t(),
-                motions,
-            });
+            let row = self.row(number, last, self.motions(last));
+            self.rows.end(row);
         }
         self.view = shell.blocks().clone();
         Ok(())
@@ -265,10 +271,10 @@ impl<V: View> Followed<V> {
                 self.smallest_measure = Some((place, instant.t(), *measure));
             }
         }
-        if is_row || !self.curves.is_empty() || !sinks.is_empty() {
+        if is_row || self.course.is_some() || !sinks.is_empty() {
             let motions = self.motions(instant);
-            for (curve, motion) in self.curves.iter_mut().zip(&motions) {
-                curve.push(instant.t(), motion);
+            if let Some(course) = &mut self.course {
+                course.push(instant, &motions, &self.wanted.coordinates);
             }
             if !sinks.is_empty() {
                 let asked = !self.derivative_names.is_empty();
@@ -288,8 +294,8 @@ impl<V: View> Followed<V> {
                 }
             }
             if is_row {
-                let (number, t) = (self.count, instant.t());
-                self.rows.push(Row { number, t, motions });
+                let row = self.row(self.count, instant, motions);
+                self.rows.push(row);
             }
         }
         self.last = Some(match self.last.take() {
@@ -306,6 +312,16 @@ impl<V: View> Followed<V> {
     fn motions(&self, instant: &Instant) -> Vec<PointMotion> {
         let all = self.view.points(instant);
         self.wanted.points.iter().map(|&point| all[point]).collect()
+    }
+
+    fn row(&self, number: usize, instant: &Instant, motions: Vec<PointMotion>) -> Row {
+        let coordinates = self.wanted.coordinates.iter();
+        Row {
+            number,
+            t: instant.t(),
+            motions,
+            coordinates: coordinates.map(|it| of_coordinate(instant, *it)).collect(),
+        }
     }
 
     /// The equations.
@@ -334,35 +350,15 @@ impl<V: View> Followed<V> {
         let points = self.wanted.points.iter();
         points.map(|&point| self.system().outputs[point].name.as_str())
     }
+
+    /// The names of the shown coordinates.
+    pub fn coordinate_names(&self) -> impl Iterator<Item = &str> {
+        let coordinates = self.wanted.coordinates.iter();
+        coordinates.map(|&it| self.system().coordinates[it].name.as_str())
+    }
 }
 
-/// The indices of the named outputs, in the order of the names; all outputs if none is named.
-///
-/// # Errors
-/// A sentence that names the first unknown point and the known ones.
-pub fn select(system: &System, names: &[String]) -> Result<Vec<usize>, String> {
-    if names.is_empty() {
-        return Ok((0..system.outputs.len()).collect());
-    }
-    let known = || system.outputs.iter().map(|output| output.name.as_str());
-    let mut selected = Vec::with_capacity(names.len());
-    for name in names {
-        match known().position(|known| known == name) {
-            Some(point) if selected.contains(&point) => {}
-            Some(point) => selected.push(point),
-            None => {
-                let guess = match nearest(name, known()) {
-                    Some(guess) => format!("; did you mean `{guess}`?"),
-                    None => String::new(),
-                };
-                let list: Vec<&str> = known().collect();
-                return Err(format!(
-                    "no point `{name}` in `{}`{guess}\n  its points are: {}",
-                    system.mechanism.name,
-                    list.join(", ")
-                ));
-            }
-        }
-    }
-    Ok(selected)
+/// A coordinate, its rate and its acceleration.
+fn of_coordinate(instant: &Instant, coordinate: usize) -> [f64; 3] {
+    [instant.q(), instant.qd(), instant.qdd()].map(|level| level[coordinate])
 }

@@ -14,6 +14,8 @@ pub struct Row {
     pub t: f64,
     /// The motion of each shown point.
     pub motions: Vec<PointMotion>,
+    /// Each shown coordinate with its rate and its acceleration.
+    pub coordinates: Vec<[f64; 3]>,
 }
 
 /// Every instant of a short motion; of a long one every tenth, every hundredth, …

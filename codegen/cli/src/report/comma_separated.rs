@@ -1,14 +1,17 @@
-//! *A motion* → *CSV*: a line per frame, every number with the 17 significant digits that restore it exactly.
+//! *A motion* → *CSV*: a line per frame, every number with as few digits as restore it exactly.
 //!
 //! The columns are `t`; the coordinates by name (`x1`), their rates (`x1_d`) and accelerations (`x1_dd`); for each point `K`
 //! its position, velocity and acceleration `K_x, K_y, K_vx, K_vy, K_ax, K_ay`. Units are m, rad and s. What `transmission` and
 //! `sensitivity` statements ask for follows, `K_x per phi(1)`, empty where Φ_q is singular. Where it is asked for,
-//! `normalized_determinant_phi2` and the like follow, dimensionless.
+//! `normalized_determinant_phi2` and the like follow, dimensionless. On request each name is followed by its unit, `phi1_d (rad/s)`;
+//! what is dimensionless, or measured in units of two quantities, has none.
 
 use std::io::{self, Write};
 
 use linkwright_solver::view::View;
 
+use super::units::Units;
+use crate::arguments::TurnUnit;
 use crate::motion::{Followed, Shown, Sink};
 use crate::output::{Beginning, Signature};
 
@@ -17,6 +20,14 @@ const RATES: [&str; 3] = ["", "_d", "_dd"];
 
 /// What follows the name of a point.
 const OF_POINT: [&str; 6] = ["_x", "_y", "_vx", "_vy", "_ax", "_ay"];
+
+/// What columns are measured in.
+const UNITS: [&str; 9] = [
+    "s", "m", "m/s", "m/s²", "rad", "rad/s", "rad/s²", "1/s", "1/s²",
+];
+
+/// How many bytes a number takes, about, with what separates it from the next one.
+const BYTES: u64 = 20;
 
 /// How such a table is known again, also that of another mechanism.
 pub const SIGNATURE: Signature = Signature {
@@ -36,9 +47,18 @@ impl<'a> Table<'a> {
     ///
     /// # Errors
     /// Those of `output`.
-    pub fn new<V: View>(motion: &Followed<V>, output: &'a mut dyn Write) -> io::Result<Table<'a>> {
+    pub fn new<V: View>(
+        motion: &Followed<V>,
+        has_units: bool,
+        output: &'a mut dyn Write,
+    ) -> io::Result<Table<'a>> {
         let mut writer = csv::Writer::from_writer(output);
-        writer.write_record(header(motion)).map_err(cause)?;
+        let header = header(motion).into_iter().map(|(name, unit)| match unit {
+            "" => name,
+            unit if has_units => format!("{name} ({unit})"),
+            _ => name,
+        });
+        writer.write_record(header).map_err(cause)?;
         Ok(Table {
             writer,
             fields: Vec::new(),
@@ -76,17 +96,30 @@ impl Sink for Table<'_> {
     }
 }
 
-fn header<V: View>(motion: &Followed<V>) -> Vec<String> {
-    let mut names = vec!["t".to_string()];
-    for suffix in RATES {
-        let coordinates = &motion.system().coordinates;
-        names.extend(coordinates.iter().map(|it| format!("{}{suffix}", it.name)));
+/// How many bytes a table of so many frames takes, about.
+pub fn size<V: View>(motion: &Followed<V>, frames: usize) -> u64 {
+    (header(motion).len() * frames) as u64 * BYTES
+}
+
+/// The columns, each with its unit.
+fn header<V: View>(motion: &Followed<V>) -> Vec<(String, &'static str)> {
+    let mut names = vec![("t".to_string(), "s")];
+    let system = motion.system();
+    for (level, suffix) in RATES.iter().enumerate() {
+        let columns = system.coordinates.iter().enumerate().map(|(place, it)| {
+            let units = Units::of(system, place, TurnUnit::Rad);
+            (format!("{}{suffix}", it.name), units.levels[level])
+        });
+        names.extend(columns);
     }
     for name in motion.point_names() {
-        names.extend(OF_POINT.map(|suffix| format!("{name}{suffix}")));
+        let columns = OF_POINT
+            .iter()
+            .zip(["m", "m", "m/s", "m/s", "m/s²", "m/s²"]);
+        names.extend(columns.map(|(suffix, unit)| (format!("{name}{suffix}"), unit)));
     }
-    names.extend(motion.derivative_names.iter().cloned());
-    names.extend(motion.measure_names.iter().cloned());
+    let others = motion.derivative_names.iter().chain(&motion.measure_names);
+    names.extend(others.map(|name| (name.clone(), "")));
     names
 }
 
@@ -98,7 +131,7 @@ fn is_header(line: &str) -> bool {
     let Some(Ok(names)) = table.records().next() else {
         return false;
     };
-    let names: Vec<&str> = names.iter().collect();
+    let names: Vec<&str> = names.iter().map(without_unit).collect();
     let Some((&"t", names)) = names.split_first() else {
         return false;
     };
@@ -126,6 +159,15 @@ fn is_header(line: &str) -> bool {
         .all(|name| name.contains(" per ") || name.starts_with("normalized_determinant_"))
 }
 
+/// `phi1_d` of `phi1_d (rad/s)`.
+fn without_unit(column: &str) -> &str {
+    let name = column.strip_suffix(')').and_then(|it| it.rsplit_once(" ("));
+    match name {
+        Some((name, unit)) if UNITS.contains(&unit) => name,
+        _ => column,
+    }
+}
+
 /// The error of the output itself, whose kind the conversion of the standard library would hide.
 fn cause(error: csv::Error) -> io::Error {
     match error.into_kind() {
@@ -134,8 +176,9 @@ fn cause(error: csv::Error) -> io::Error {
     }
 }
 
+/// The shortest text that restores a number exactly.
 fn number(value: f64) -> String {
-    format!("{value:.16e}")
+    format!("{value:?}")
 }
 
 #[cfg(test)]
@@ -150,13 +193,16 @@ mod tests {
             "",
             point,
             &point.repeat(2),
+            ",P_x (m),P_y (m),P_vx (m/s),P_vy (m/s),P_ax (m/s²),P_ay (m/s²)",
             &format!("{point},\"P_x per distance(A, B)\",normalized_determinant_phi1"),
         ] {
             assert!(is_header(&format!("{crank}{rest}")), "{rest}");
         }
+        assert!(is_header("t (s),x1 (m),x1_d (m/s),x1_dd (m/s²)"));
         for other in [
             "",
             "t",
+            "t (min),x1,x1_d,x1_dd",
             "t,x,y",
             "0,0,0,0",
             "time,x1,x1_d,x1_dd",

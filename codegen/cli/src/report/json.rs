@@ -5,6 +5,7 @@
 //! | `mechanism` | its name |
 //! | `motion` | the name of the motion, where the mechanism has several |
 //! | `coordinates` | their names, in the order of `q`, `qd`, `qdd` |
+//! | `units` | those of `t`, of each coordinate in `q`, `qd` and `qdd`, and of `position`, `velocity` and `acceleration` |
 //! | `degrees_of_freedom` | before drivers |
 //! | `det`, `rcond` | determinant and reciprocal condition (1-norm) of Φ_q at the start, in SI units |
 //! | `rcond_dimensionless` | the latter with lengths divided by the characteristic length |
@@ -20,6 +21,7 @@ use std::io::{self, Write};
 
 use linkwright::PointMotion;
 use linkwright_codegen::stages::model::Role;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::check::equation_count;
 use linkwright_solver::pressure::LargestPressureAngle;
 use linkwright_solver::residuals::Residuals;
@@ -27,6 +29,8 @@ use linkwright_solver::view::View;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use super::units::Units;
+use crate::arguments::TurnUnit;
 use crate::motion::{Followed, Shown, Sink};
 
 /// What is known before the motion is followed.
@@ -36,12 +40,43 @@ struct Head<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     motion: Option<&'a str>,
     coordinates: Vec<&'a str>,
+    units: UnitNames,
     degrees_of_freedom: usize,
     det: f64,
     rcond: f64,
     rcond_dimensionless: f64,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     derivatives: &'a [String],
+}
+
+#[derive(Serialize)]
+struct UnitNames {
+    t: &'static str,
+    q: Vec<&'static str>,
+    qd: Vec<&'static str>,
+    qdd: Vec<&'static str>,
+    position: &'static str,
+    velocity: &'static str,
+    acceleration: &'static str,
+}
+
+impl UnitNames {
+    fn of(system: &System) -> UnitNames {
+        let level = |level: usize| {
+            let coordinates = 0..system.coordinates.len();
+            let units = coordinates.map(|it| Units::of(system, it, TurnUnit::Rad).levels[level]);
+            units.collect()
+        };
+        UnitNames {
+            t: "s",
+            q: level(0),
+            qd: level(1),
+            qdd: level(2),
+            position: "m",
+            velocity: "m/s",
+            acceleration: "m/s²",
+        }
+    }
 }
 
 /// What is known afterwards.
@@ -144,6 +179,7 @@ impl<'a> Object<'a> {
             mechanism: motion.name(),
             motion: motion.motion(),
             coordinates: coordinates.iter().map(|it| it.name.as_str()).collect(),
+            units: UnitNames::of(motion.system()),
             degrees_of_freedom: coordinates.len().saturating_sub(constrained),
             det: motion.condition.determinant,
             rcond: motion.condition.reciprocal,

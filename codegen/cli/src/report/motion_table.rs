@@ -1,4 +1,4 @@
-//! *The motion of a point* → *a table of a readable number of times*.
+//! *The motion of points and coordinates* → *tables of a readable number of times*.
 //!
 //! Columns are aligned at the decimal point; a column is in exponents only where six decimals would not show it. Numbers
 //! below 1e-12 of the mechanism's size count as zero. The module does not know what is to be said beside the table.
@@ -52,38 +52,85 @@ pub fn rests(motions: &[PointMotion<f64>], size: f64) -> bool {
     })
 }
 
-/// The table of one point. `size` is the characteristic length of the mechanism.
-pub fn table(times: &[f64], motions: &[PointMotion<f64>], size: f64) -> String {
-    let component = |pick: &dyn Fn(&PointMotion<f64>) -> f64| motions.iter().map(pick).collect();
-    let columns: [(&str, Vec<f64>); 7] = [
-        ("t", times.to_vec()),
-        ("x", component(&|it| it.position[0])),
-        ("y", component(&|it| it.position[1])),
-        ("vx", component(&|it| it.velocity[0])),
-        ("vy", component(&|it| it.velocity[1])),
-        ("ax", component(&|it| it.acceleration[0])),
-        ("ay", component(&|it| it.acceleration[1])),
-    ];
-    let columns: Vec<Vec<String>> = columns
-        .into_iter()
-        .map(|(name, values)| {
-            let mut cells = match name {
-                "t" => exact(&values),
-                _ => formatted(&values, size),
-            };
-            cells.insert(0, name.to_string());
-            let width = cells.iter().map(String::len).max().unwrap_or(0);
-            cells.iter().map(|cell| format!("{cell:>width$}")).collect()
-        })
-        .collect();
+/// Whether a coordinate does not move at all, but for rounding; `size` is a characteristic value of it.
+pub fn stands(values: &[[f64; 3]], size: f64) -> bool {
+    let noise = |value: f64| value.abs() <= NOISE * size;
+    let Some(first) = values.first() else {
+        return true;
+    };
+    values
+        .iter()
+        .all(|it| noise(it[0] - first[0]) && noise(it[1]) && noise(it[2]))
+}
+
+/// A column with its name. `size` is a characteristic value of what it holds.
+pub struct Column {
+    name: String,
+    cells: Vec<String>,
+}
+
+impl Column {
+    /// Times, as exact as they are.
+    pub fn of_times(values: &[f64]) -> Column {
+        Column {
+            name: "t".to_string(),
+            cells: exact(values),
+        }
+    }
+
+    /// Values with six decimals, or in exponents; `size` is a characteristic one.
+    pub fn new(name: impl Into<String>, values: &[f64], size: f64) -> Column {
+        Column {
+            name: name.into(),
+            cells: formatted(values, size),
+        }
+    }
+
+    /// How many characters it takes.
+    pub fn width(&self) -> usize {
+        let cells = self.cells.iter().map(String::len);
+        cells.max().unwrap_or(0).max(shown_width(&self.name))
+    }
+}
+
+/// The columns of one point: position, velocity and acceleration.
+pub fn of_point(motions: &[PointMotion<f64>], size: f64) -> Vec<Column> {
+    let column = |name: &str, pick: &dyn Fn(&PointMotion<f64>) -> f64| {
+        let values: Vec<f64> = motions.iter().map(pick).collect();
+        Column::new(name, &values, size)
+    };
+    vec![
+        column("x", &|it| it.position[0]),
+        column("y", &|it| it.position[1]),
+        column("vx", &|it| it.velocity[0]),
+        column("vy", &|it| it.velocity[1]),
+        column("ax", &|it| it.acceleration[0]),
+        column("ay", &|it| it.acceleration[1]),
+    ]
+}
+
+/// Columns beside one another, of the same length, each aligned to the right.
+pub fn table<'a>(columns: impl IntoIterator<Item = &'a Column>) -> String {
+    let columns: Vec<&Column> = columns.into_iter().collect();
+    let rows = columns.first().map_or(0, |it| it.cells.len());
     let mut text = String::new();
-    for row in 0..=times.len() {
-        let cells: Vec<&str> = columns.iter().map(|column| column[row].as_str()).collect();
-        text.push_str("  ");
-        text.push_str(&cells.join("  "));
+    for row in 0..=rows {
+        for column in &columns {
+            let cell = match row {
+                0 => &column.name,
+                _ => &column.cells[row - 1],
+            };
+            let gap = 2 + column.width() - shown_width(cell);
+            text.push_str(&" ".repeat(gap));
+            text.push_str(cell);
+        }
         text.push('\n');
     }
     text
+}
+
+fn shown_width(text: &str) -> usize {
+    text.chars().count()
 }
 
 /// All with as many decimals as the longest needs.

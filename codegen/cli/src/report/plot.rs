@@ -1,6 +1,8 @@
-//! *A motion* → *one SVG per point*: position, velocity and acceleration over time, x and y in each panel.
+//! *A motion* → *one SVG per point and per coordinate*: value, rate and acceleration over time.
 //!
 //! What varies by less than rounding is drawn as a level line. The module does not know files.
+
+use std::ops::Range;
 
 use linkwright_solver::view::View;
 use plotters::coord::Shift;
@@ -8,20 +10,25 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::picture::signed;
-use crate::motion::{Curve, Followed};
+use super::units::Units;
+use crate::arguments::TurnUnit;
+use crate::motion::{Course, Curve, Extreme, Followed};
 
 /// Width and height of a picture in pixels.
 const SIZE: (u32, u32) = (960, 900);
 
 /// The drawing library rounds coordinates to whole units, which would make curves ragged: it draws in quarters of a
 /// pixel, and every length below is multiplied by this.
-const UNITS: u32 = 4;
+pub(super) const UNITS: u32 = 4;
 
 /// Blue and vermillion of the palette of Okabe and Ito, which remain distinct for the color-blind.
 const COLORS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
 
 /// A range below this fraction of the values' magnitude is rounding.
 const FLAT: f64 = 1e-9;
+
+/// What moves by less than this part of its scale stands still.
+const STILL: f64 = 1e-12;
 
 /// Labels have no exponents where magnitudes are below the first and the range is above the second.
 const LARGEST_PLAIN: f64 = 1e6;
@@ -31,94 +38,169 @@ const SMALLEST_PLAIN: f64 = 1e-4;
 const ZERO: f64 = 1e-9;
 
 /// What one panel shows.
-struct Panel {
-    title: &'static str,
-    unit: &'static str,
-    symbols: [&'static str; 2],
+struct Panel<'a> {
+    title: String,
+    unit: &'a str,
+    /// Each curve with its symbol.
+    curves: Vec<(&'static str, Vec<Extreme>)>,
     /// The magnitude that variations are compared with.
     reference: f64,
-    /// 0 for position, 1 for velocity, 2 for acceleration.
-    level: usize,
 }
 
-/// The picture of each shown point with its name, in their order; nothing for fewer than two frames.
+/// The largest magnitude of a value among all.
+fn largest<'a, const N: usize>(
+    curves: impl Iterator<Item = &'a Curve<N>>,
+    components: Range<usize>,
+) -> f64 {
+    let values = curves.flat_map(|curve| components.clone().flat_map(|it| curve.component(it)));
+    values.fold(0.0, |most, (_, it)| most.max(it.abs()))
+}
+
+/// The first if it is positive, otherwise the second.
+fn or(value: f64, otherwise: f64) -> f64 {
+    if value > 0.0 { value } else { otherwise }
+}
+
+/// The picture of each shown point; `None` where it stands still.
 ///
 /// # Errors
 /// What the drawing library refuses.
-pub fn draw<V: View>(motion: &Followed<V>) -> Result<Vec<(String, String)>, String> {
-    let curves = &motion.curves;
-    if motion.count < 2 {
-        return Ok(Vec::new());
-    }
+pub fn points<V: View>(
+    motion: &Followed<V>,
+    course: &Course,
+) -> Result<Vec<Option<String>>, String> {
     let size = motion.system().mechanism.characteristic_length;
-    let largest = |level: usize| {
-        let components = curves
-            .iter()
-            .flat_map(|curve| [0, 1].map(|axis| curve.component(level, axis)));
-        let largest = components
-            .flatten()
-            .fold(0.0_f64, |most, (_, it)| most.max(it.abs()));
-        if largest > 0.0 { largest } else { size }
-    };
-    let panels = [
-        Panel {
-            title: "position",
-            unit: "m",
-            symbols: ["x", "y"],
-            reference: size,
-            level: 0,
-        },
-        Panel {
-            title: "velocity",
-            unit: "m/s",
-            symbols: ["vx", "vy"],
-            reference: largest(1),
-            level: 1,
-        },
-        Panel {
-            title: "acceleration",
-            unit: "m/s²",
-            symbols: ["ax", "ay"],
-            reference: largest(2),
-            level: 2,
-        },
+    let levels = [
+        ("position", "m"),
+        ("velocity", "m/s"),
+        ("acceleration", "m/s²"),
     ];
-    let mut pictures = Vec::with_capacity(curves.len());
-    for (curve, name) in curves.iter().zip(motion.point_names()) {
+    let symbols = [["x", "y"], ["vx", "vy"], ["ax", "ay"]];
+    let references = [
+        size,
+        or(largest(course.points.iter(), 2..4), size),
+        or(largest(course.points.iter(), 4..6), size),
+    ];
+    let pictures = course.points.iter().zip(motion.point_names());
+    let pictures = pictures.map(|(curve, name)| {
+        let panels: Vec<Panel<'_>> = (0..3)
+            .map(|level| Panel {
+                title: levels[level].0.to_string(),
+                unit: levels[level].1,
+                curves: [0, 1]
+                    .map(|axis| (symbols[level][axis], curve.component(2 * level + axis)))
+                    .into(),
+                reference: references[level],
+            })
+            .collect();
+        if rests(&panels[0]) {
+            return Ok(None);
+        }
         let title = format!("Point {name} of {}", motion.title());
-        let picture = picture(&title, curve, &panels)
-            .map_err(|error| format!("cannot draw point `{name}`: {error}"))?;
-        pictures.push((name.to_string(), picture));
-    }
-    Ok(pictures)
+        let drawn = picture(&title, &panels);
+        drawn
+            .map(Some)
+            .map_err(|error| format!("cannot draw point `{name}`: {error}"))
+    });
+    pictures.collect()
 }
 
-type Drawing<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Refused = Box<dyn std::error::Error>;
+/// The picture of each shown coordinate; `None` where it stands still.
+///
+/// # Errors
+/// What the drawing library refuses.
+pub fn coordinates<V: View>(
+    motion: &Followed<V>,
+    course: &Course,
+    angles: TurnUnit,
+) -> Result<Vec<Option<String>>, String> {
+    let shown = motion.wanted.coordinates.iter();
+    let pictures = course.coordinates.iter().zip(shown);
+    let pictures = pictures.map(|(curve, &coordinate)| {
+        let units = Units::of(motion.system(), coordinate, angles);
+        let size = match units.is_turn {
+            true => units.factor,
+            false => motion.system().mechanism.characteristic_length,
+        };
+        let name = &motion.system().coordinates[coordinate].name;
+        let panels: Vec<Panel<'_>> = (0..3)
+            .map(|level| {
+                let scaled = curve.component(level).into_iter();
+                let values: Vec<Extreme> =
+                    scaled.map(|(t, value)| (t, value * units.factor)).collect();
+                let most = values.iter().fold(0.0_f64, |most, it| most.max(it.1.abs()));
+                Panel {
+                    title: format!("{name}{}", &"''"[..level]),
+                    unit: units.levels[level],
+                    curves: vec![("", values)],
+                    reference: if level == 0 { size } else { or(most, size) },
+                }
+            })
+            .collect();
+        if rests(&panels[0]) {
+            return Ok(None);
+        }
+        let title = format!("{name} of {}", motion.title());
+        let drawn = picture(&title, &panels);
+        drawn
+            .map(Some)
+            .map_err(|error| format!("cannot draw coordinate `{name}`: {error}"))
+    });
+    pictures.collect()
+}
 
-fn picture(title: &str, curve: &Curve, panels: &[Panel]) -> Result<String, Refused> {
-    let units = (SIZE.0 * UNITS, SIZE.1 * UNITS);
+/// Whether what a panel shows varies by rounding alone.
+fn rests(panel: &Panel<'_>) -> bool {
+    panel.curves.iter().all(|(_, curve)| {
+        let values = curve.iter().map(|it| it.1);
+        let (low, high) = extent(values);
+        high - low <= STILL * panel.reference
+    })
+}
+
+fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), it| {
+        (low.min(it), high.max(it))
+    })
+}
+
+pub(super) type Drawing<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(super) type Refused = Box<dyn std::error::Error>;
+
+fn picture(title: &str, panels: &[Panel<'_>]) -> Result<String, Refused> {
+    drawn(title, SIZE, |body| {
+        for (area, panel) in body.split_evenly((panels.len(), 1)).iter().zip(panels) {
+            draw_panel(area, panel)?;
+        }
+        Ok(())
+    })
+}
+
+/// A picture of this size in pixels with a title; the drawing library works in finer units.
+pub(super) fn drawn(
+    title: &str,
+    size: (u32, u32),
+    contents: impl FnOnce(&Drawing<'_>) -> Result<(), Refused>,
+) -> Result<String, Refused> {
+    let units = (size.0 * UNITS, size.1 * UNITS);
     let mut text = String::new();
     {
         let area = SVGBackend::with_string(&mut text, units).into_drawing_area();
         area.fill(&WHITE)?;
         let area = area.margin(8 * UNITS, 0, 0, 0);
         let body = area.titled(title, ("sans-serif", 22 * UNITS))?;
-        for (area, panel) in body.split_evenly((panels.len(), 1)).iter().zip(panels) {
-            draw_panel(area, panel, curve)?;
-        }
+        contents(&body)?;
         area.present()?;
     }
     // The view box keeps the units; only the size at which it is shown changes.
-    let size = |(width, height): (u32, u32)| format!("width=\"{width}\" height=\"{height}\"");
-    Ok(signed(&text.replacen(&size(units), &size(SIZE), 1)))
+    let shown = |(width, height): (u32, u32)| format!("width=\"{width}\" height=\"{height}\"");
+    Ok(signed(&text.replacen(&shown(units), &shown(size), 1)))
 }
 
-fn draw_panel(area: &Drawing, panel: &Panel, curve: &Curve) -> Result<(), Refused> {
-    let components = [0, 1].map(|axis| curve.component(panel.level, axis));
-    let values = components.iter().flatten().map(|(_, value)| *value);
-    let (low, high) = range(values, panel.reference);
-    let [begin, end] = curve.range().unwrap_or_default();
+fn draw_panel(area: &Drawing<'_>, panel: &Panel<'_>) -> Result<(), Refused> {
+    let all = || panel.curves.iter().flat_map(|(_, curve)| curve);
+    let (low, high) = range(all().map(|it| it.1), panel.reference);
+    let (begin, end) = extent(all().map(|it| it.0));
     let mut chart = ChartBuilder::on(area)
         .margin(8 * UNITS)
         .margin_right(72 * UNITS)
@@ -142,28 +224,42 @@ fn draw_panel(area: &Drawing, panel: &Panel, curve: &Curve) -> Result<(), Refuse
         .y_desc(format!("{} ({})", panel.title, panel.unit))
         .draw()?;
     let (width, _) = area.dim_in_pixel();
-    let units = UNITS as i32;
-    let left = width as i32 - 62 * units;
-    let curves = components.iter().zip(COLORS).zip(panel.symbols);
-    for (row, ((points, color), symbol)) in (0..).zip(curves) {
+    let left = (width - 62 * UNITS) as i32;
+    for (row, ((symbol, points), color)) in panel.curves.iter().zip(COLORS).enumerate() {
         let stroke = color.stroke_width(2 * UNITS);
         chart.draw_series(LineSeries::new(points.iter().copied(), stroke))?;
-        // The legend stands beside the curves, where it hides nothing.
-        let y = (24 + 22 * row) * units;
-        let sample = vec![(left, y), (left + 20 * units, y)];
-        area.draw(&PathElement::new(sample, stroke))?;
-        let style = TextStyle::from(("sans-serif", 15 * UNITS).into_font())
-            .pos(Pos::new(HPos::Left, VPos::Center));
-        area.draw(&Text::new(symbol, (left + 26 * units, y), style))?;
+        if !symbol.is_empty() {
+            legend(area, left, row, symbol, color)?;
+        }
     }
+    Ok(())
+}
+
+/// A line of a legend, which stands beside the curves, where it hides nothing.
+fn legend(
+    area: &Drawing<'_>,
+    left: i32,
+    row: usize,
+    symbol: &str,
+    color: RGBColor,
+) -> Result<(), Refused> {
+    let units = UNITS as i32;
+    let y = (24 + 22 * row as i32) * units;
+    let sample = vec![(left, y), (left + 20 * units, y)];
+    area.draw(&PathElement::new(sample, color.stroke_width(2 * UNITS)))?;
+    let style = TextStyle::from(("sans-serif", 15 * UNITS).into_font())
+        .pos(Pos::new(HPos::Left, VPos::Center));
+    area.draw(&Text::new(
+        symbol.to_string(),
+        (left + 26 * units, y),
+        style,
+    ))?;
     Ok(())
 }
 
 /// What the vertical axis shows: all values with a margin, or the surroundings of a level line.
 fn range(values: impl Iterator<Item = f64>, reference: f64) -> (f64, f64) {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), it| {
-        (low.min(it), high.max(it))
-    });
+    let (low, high) = extent(values);
     let center = 0.5 * (low + high);
     let magnitude = low.abs().max(high.abs()).max(reference);
     if high - low > FLAT * magnitude {
@@ -181,7 +277,7 @@ fn range(values: impl Iterator<Item = f64>, reference: f64) -> (f64, f64) {
 }
 
 /// Labels with as many decimals as about ten steps across the range need.
-fn label_format(low: f64, high: f64) -> impl Fn(&f64) -> String {
+pub(super) fn label_format(low: f64, high: f64) -> impl Fn(&f64) -> String {
     let (span, magnitude) = (high - low, low.abs().max(high.abs()));
     let decimals = (1.0 - span.log10()).ceil().clamp(0.0, 12.0) as usize;
     let plain = magnitude < LARGEST_PLAIN && span > SMALLEST_PLAIN;

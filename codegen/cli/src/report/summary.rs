@@ -11,8 +11,11 @@ use linkwright_solver::diagnosis::unit;
 use linkwright_solver::number::{counted, fixed, scientific, time};
 use linkwright_solver::view::View;
 
-use super::motion_table;
-use crate::motion::Followed;
+use super::motion_table::Column;
+use super::units::Units;
+use super::{first_step, motion_table};
+use crate::arguments::TurnUnit;
+use crate::motion::{Followed, Row};
 
 /// The width that lists are wrapped to, in characters.
 const WIDTH: usize = 110;
@@ -26,23 +29,34 @@ const TABLES: usize = 6;
 /// Where the second column begins.
 const INDENT: usize = 24;
 
-/// Writes the summary; without frames only what is known of the mechanism itself. A table of every point is printed where the user
-/// has `chosen` the points, and otherwise of the first few that move.
+/// How a summary is written.
+#[derive(Clone, Copy, Debug)]
+pub struct How {
+    /// A table of every shown point, and not of the first few that move.
+    pub points_chosen: bool,
+    /// A table of every shown coordinate, and not all beside one another.
+    pub coordinates_chosen: bool,
+    /// The unit of angles.
+    pub angles: TurnUnit,
+    /// The first Newton-Raphson step, too.
+    pub first_step: bool,
+}
+
+/// Writes the summary; without frames only what is known of the mechanism itself.
 ///
 /// # Errors
 /// Those of `output`.
-pub fn write<V: View>(
-    motion: &Followed<V>,
-    chosen: bool,
-    output: &mut dyn Write,
-) -> io::Result<()> {
+pub fn write<V: View>(motion: &Followed<V>, how: &How, output: &mut dyn Write) -> io::Result<()> {
     writeln!(output, "{}", motion.title())?;
     start(motion, output)?;
     mechanism(motion, output)?;
+    if how.first_step {
+        first_step::write(&motion.view, motion.start_time, output)?;
+    }
     if motion.count == 0 {
         return Ok(());
     }
-    motions(motion, chosen, output)?;
+    motions(motion, how, output)?;
     writeln!(output)?;
     pressure_angles(motion, output)?;
     closest(motion, output)?;
@@ -156,17 +170,23 @@ fn start<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()
     line(output, &when, &text)
 }
 
-fn motions<V: View>(motion: &Followed<V>, chosen: bool, output: &mut dyn Write) -> io::Result<()> {
+fn motions<V: View>(motion: &Followed<V>, how: &How, output: &mut dyn Write) -> io::Result<()> {
     let size = motion.system().mechanism.characteristic_length;
     let rows = motion.rows.numbered(&motion_table::shown(motion.count));
     let times: Vec<f64> = rows.iter().map(|row| row.t).collect();
+    let times = Column::of_times(&times);
+    if how.coordinates_chosen {
+        chosen_coordinates(motion, &rows, &times, how, output)?;
+    } else {
+        angles(motion, &rows, &times, how, output)?;
+    }
     let (mut tables, mut unprinted, mut resting) = (0, Vec::new(), Vec::new());
     for (position, name) in motion.point_names().enumerate() {
         let motions: Vec<_> = rows.iter().map(|row| row.motions[position]).collect();
         if motion_table::rests(&motions, size) {
             let [x, y] = motions[0].position.map(|it| fixed(it, 6));
             resting.push(format!("{name} stays at ({x}, {y}) m"));
-        } else if tables == TABLES && !chosen {
+        } else if tables == TABLES && !how.points_chosen {
             unprinted.push(name);
         } else {
             tables += 1;
@@ -174,7 +194,9 @@ fn motions<V: View>(motion: &Followed<V>, chosen: bool, output: &mut dyn Write) 
                 output,
                 "\n{name}: position, velocity, acceleration in m, m/s, m/s²"
             )?;
-            write!(output, "{}", motion_table::table(&times, &motions, size))?;
+            let columns = motion_table::of_point(&motions, size);
+            let table = motion_table::table([&times].into_iter().chain(&columns));
+            write!(output, "{table}")?;
         }
     }
     if !unprinted.is_empty() {
@@ -183,6 +205,84 @@ fn motions<V: View>(motion: &Followed<V>, chosen: bool, output: &mut dyn Write) 
     }
     if !resting.is_empty() {
         writeln!(output, "\n{}", resting.join("\n"))?;
+    }
+    Ok(())
+}
+
+/// All angles beside one another, as many as fit on a line.
+fn angles<V: View>(
+    motion: &Followed<V>,
+    rows: &[&Row],
+    times: &Column,
+    how: &How,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    let (mut columns, mut unprinted, mut resting) = (vec![], vec![], vec![]);
+    let mut width = 2 + times.width();
+    let mut unit = "";
+    for (place, &coordinate) in motion.wanted.coordinates.iter().enumerate() {
+        let units = Units::of(motion.system(), coordinate, how.angles);
+        let name = motion.system().coordinates[coordinate].name.as_str();
+        let values: Vec<[f64; 3]> = rows.iter().map(|row| row.coordinates[place]).collect();
+        let angles: Vec<f64> = values.iter().map(|it| it[0] * units.factor).collect();
+        unit = units.levels[0];
+        if motion_table::stands(&values, 1.0) {
+            let value = fixed(angles.first().copied().unwrap_or(0.0), 6);
+            resting.push(format!("{name} stays at {value} {unit}"));
+            continue;
+        }
+        let column = Column::new(name, &angles, units.factor);
+        match width + 2 + column.width() <= WIDTH {
+            true => {
+                width += 2 + column.width();
+                columns.push(column);
+            }
+            false => unprinted.push(name),
+        }
+    }
+    if !columns.is_empty() {
+        writeln!(output, "\nangles in {unit}")?;
+        let table = motion_table::table([times].into_iter().chain(&columns));
+        write!(output, "{table}")?;
+    }
+    if !unprinted.is_empty() {
+        writeln!(output, "more with `--show {}`", unprinted.join(","))?;
+    }
+    if !resting.is_empty() {
+        writeln!(output, "\n{}", resting.join("\n"))?;
+    }
+    Ok(())
+}
+
+/// A table of each coordinate that the user has chosen.
+fn chosen_coordinates<V: View>(
+    motion: &Followed<V>,
+    rows: &[&Row],
+    times: &Column,
+    how: &How,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    for (place, &coordinate) in motion.wanted.coordinates.iter().enumerate() {
+        let units = Units::of(motion.system(), coordinate, how.angles);
+        let name = motion.system().coordinates[coordinate].name.as_str();
+        let size = match units.is_turn {
+            true => units.factor,
+            false => motion.system().mechanism.characteristic_length,
+        };
+        let [value, rate, acceleration] = units.levels;
+        writeln!(
+            output,
+            "\n{name}: value, rate, acceleration in {value}, {rate}, {acceleration}"
+        )?;
+        let columns = [0, 1, 2].map(|level| {
+            let values = rows
+                .iter()
+                .map(|row| row.coordinates[place][level] * units.factor);
+            let values: Vec<f64> = values.collect();
+            Column::new(format!("{name}{}", &"''"[..level]), &values, size)
+        });
+        let table = motion_table::table([times].into_iter().chain(&columns));
+        write!(output, "{table}")?;
     }
     Ok(())
 }

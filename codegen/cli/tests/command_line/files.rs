@@ -126,15 +126,24 @@ fn solving_again_needs_nothing() {
         "solve a.mech",
         "solve a.mech --points Q --monitor",
         "solve a.mech --set x=1",
-        "check a.mech --plot target/linkwright/two_body",
-        "check a.mech --plot target/linkwright/two_body",
+        "check a.mech --plot two_body",
+        "check a.mech --plot two_body",
     ] {
         let ran = folder.run(arguments);
         let code = if arguments.contains("--set") { 2 } else { 0 };
         ran.exits_with(code);
     }
-    let names = folder.list("target/linkwright/two_body");
-    assert_eq!(names, ["P.svg", "Q.svg", "assemblies.svg", "motion.csv"]);
+    let names = folder.list("two_body");
+    assert_eq!(
+        names,
+        [
+            "P.svg",
+            "Q.svg",
+            "assemblies.svg",
+            "motion.csv",
+            "paths.svg"
+        ]
+    );
 }
 
 #[test]
@@ -161,7 +170,7 @@ fn what_cannot_be_written_is_noticed_before_the_work() {
     ] {
         refused(&folder, &format!("generate a.mech -o {path}"), reason);
         refused(&folder, &format!("solve a.mech --csv {path}"), reason);
-        assert!(!folder.file("target").exists());
+        assert!(!folder.file("two_body").exists());
     }
     refused(
         &folder,
@@ -181,13 +190,11 @@ fn what_cannot_be_written_is_noticed_before_the_work() {
         both,
         "cannot write `out/P.svg`: something else is to be written",
     );
-    for crossing in ["target", "target/linkwright", "target/linkwright/two_body"] {
-        refused(
-            &folder,
-            &format!("solve a.mech --csv {crossing}"),
-            "is to be a file, and this to lie in it",
-        );
-    }
+    refused(
+        &folder,
+        "solve a.mech --csv two_body",
+        "is to be a file, and this to lie in it",
+    );
     refused(
         &folder,
         "solve a.mech --csv new --plot new/plots",
@@ -196,12 +203,9 @@ fn what_cannot_be_written_is_noticed_before_the_work() {
     assert_eq!(folder.read("notes.md"), NOTES);
     assert!(folder.list("out").is_empty());
     // What is written unasked can be written elsewhere.
-    fs::write(folder.file("target"), NOTES).expect("it can be written");
-    let said = refused(&folder, "solve a.mech", "`target` is no folder");
-    assert!(
-        said.contains("help: `--csv FILE` and `--plot DIR`"),
-        "{said}"
-    );
+    fs::write(folder.file("two_body"), NOTES).expect("it can be written");
+    let said = refused(&folder, "solve a.mech", "`two_body` is no folder");
+    assert!(said.contains("help: `--out DIR` writes"), "{said}");
     folder.run("solve a.mech --csv - --plot out").exits_with(0);
 }
 

@@ -165,6 +165,8 @@ fn commands_print_what_the_guide_says() {
         let name = path.file_stem().and_then(|it| it.to_str()).expect("a name");
         let mut rewritten = page.clone();
         let folder = Folder::new(&format!("guide_{name}"), "");
+        // Readers are in the repository.
+        std::fs::write(folder.file("Cargo.toml"), "").expect("it can be written");
         std::fs::create_dir(folder.file("mechanisms")).expect("a folder");
         for description in of_kind(&repository().join("mechanisms"), "mech") {
             let name = description.file_name().expect("a name");

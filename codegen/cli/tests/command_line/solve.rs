@@ -60,9 +60,9 @@ fn a_good_motion_is_printed_and_written() {
     ] {
         assert!(ran.stdout.contains(text), "{text:?} in {}", ran.stdout);
     }
-    let names = folder.list("target/linkwright/two_body");
-    assert_eq!(names, ["P.svg", "Q.svg", "motion.csv"]);
-    let table = folder.read("target/linkwright/two_body/motion.csv");
+    let names = folder.list("two_body");
+    assert_eq!(names, ["P.svg", "Q.svg", "motion.csv", "paths.svg"]);
+    let table = folder.read("two_body/motion.csv");
     assert_eq!(table.lines().count(), 502);
     assert!(
         table.starts_with("t,x1,y1,phi1,x2,y2,phi2,x1_d,"),
@@ -74,7 +74,7 @@ fn a_good_motion_is_printed_and_written() {
             .next()
             .is_some_and(|it| it.ends_with(",Q_x,Q_y,Q_vx,Q_vy,Q_ax,Q_ay"))
     );
-    let picture = folder.read("target/linkwright/two_body/Q.svg");
+    let picture = folder.read("two_body/Q.svg");
     for text in [
         "position (m)",
         "velocity (m/s)",
@@ -220,15 +220,19 @@ fn files_go_where_they_are_wanted_and_are_never_half_written() {
         "{}",
         ran.stdout
     );
-    assert!(ran.stdout.contains("wrote plots/Q.svg\n"), "{}", ran.stdout);
+    assert!(
+        ran.stdout.contains("wrote plots/*.svg (Q, paths)\n"),
+        "{}",
+        ran.stdout
+    );
     assert!(!ran.stdout.contains("\nP:"), "{}", ran.stdout);
     assert_eq!(
         folder.list("new/folder"),
         ["q.csv"],
         "no partial file is left"
     );
-    assert_eq!(folder.list("plots"), ["Q.svg"]);
-    assert!(!folder.file("target").exists());
+    assert_eq!(folder.list("plots"), ["Q.svg", "paths.svg"]);
+    assert!(!folder.file("two_body").exists());
     // Numbers in the file are exact.
     let table = folder.read("new/folder/q.csv");
     let ran = folder.run("solve a.mech --json --to 1").exits_with(0);
@@ -250,7 +254,7 @@ fn files_go_where_they_are_wanted_and_are_never_half_written() {
         "{}",
         ran.stderr
     );
-    assert_eq!(folder.list("plots"), ["Q.svg"]);
+    assert_eq!(folder.list("plots"), ["Q.svg", "paths.svg"]);
     let ran = folder.run("solve a.mech --csv a.mech/x.csv").exits_with(2);
     assert!(
         ran.stderr.contains("cannot write `a.mech/x.csv`"),
@@ -310,7 +314,7 @@ fn a_reader_that_leaves_early_is_no_error() {
         );
         assert_eq!(
             folder.list("plots"),
-            ["P.svg", "Q.svg"],
+            ["P.svg", "Q.svg", "paths.svg"],
             "files are written all the same"
         );
     }
@@ -321,8 +325,134 @@ fn the_same_twice() {
     let folder = Folder::new("twice", EXAM);
     let run = || {
         let ran = folder.run("solve a.mech").exits_with(0);
-        let read = |name: &str| folder.read(&format!("target/linkwright/two_body/{name}"));
+        let read = |name: &str| folder.read(&format!("two_body/{name}"));
         (ran.stdout, read("motion.csv"), read("P.svg"))
     };
     assert!(run() == run());
+}
+
+/// φ1 = π/6 + sin 2t, and x1 is always 0.
+#[test]
+fn coordinates_are_shown_with_their_rates_in_the_wanted_unit() {
+    let folder = Folder::new("shown", EXAM);
+    let ran = folder
+        .run("solve a.mech --show phi1,x1 --angles deg --to 500ms --step 250ms --out shown")
+        .exits_with(0);
+    assert!(!ran.stdout.contains("P: position"), "{}", ran.stdout);
+    let row = |t: f64| {
+        let angle = std::f64::consts::FRAC_PI_6 + (2.0 * t).sin();
+        let motion = [angle, 2.0 * (2.0 * t).cos(), -4.0 * (2.0 * t).sin()];
+        motion.map(|it| format!("{:.6}", it.to_degrees()))
+    };
+    for text in [
+        "phi1: value, rate, acceleration in deg, deg/s, deg/s²",
+        "x1: value, rate, acceleration in m, m/s, m/s²",
+    ] {
+        assert!(ran.stdout.contains(text), "{text} in {}", ran.stdout);
+    }
+    for value in [row(0.25), row(0.5)].concat() {
+        assert!(ran.stdout.contains(&value), "{value} in {}", ran.stdout);
+    }
+    // What stands still has no picture.
+    assert_eq!(folder.list("shown"), ["motion.csv", "phi1.svg"]);
+    assert!(folder.read("shown/phi1.svg").contains("phi1&apos; (deg/s)"));
+    let ran = folder.run("solve a.mech --show phi3").exits_with(2);
+    assert!(
+        ran.stderr.contains("no coordinate `phi3`") && ran.stderr.contains("are: x1, y1, phi1,"),
+        "{}",
+        ran.stderr
+    );
+}
+
+#[test]
+fn a_point_can_be_named_by_any_body_that_carries_it() {
+    let folder = Folder::new("carried", EXAM);
+    let printed = |points: &str| {
+        let ran = folder.run(&format!("solve a.mech --points {points} --no-files"));
+        ran.exits_with(0).stdout
+    };
+    assert_eq!(printed("2.P"), printed("P"));
+    assert_eq!(printed("1.P,2.Q"), printed("P,Q"));
+    for wrong in ["1.Q", "3.P", "1.", ".P"] {
+        let ran = folder.run(&format!("solve a.mech --points {wrong}"));
+        assert!(ran.exits_with(2).stderr.contains("no point"), "{wrong}");
+    }
+}
+
+/// By hand: x2 is 1.7 instead of √3, and the rest follows from the rows of the pin.
+#[test]
+fn the_first_step_is_that_of_the_exam() {
+    let folder = Folder::new("first_step", EXAM);
+    let ran = folder
+        .run("solve a.mech --first-step --no-files")
+        .exits_with(0);
+    let root = 3.0_f64.sqrt();
+    let residuals = [
+        30.0_f64.to_radians().cos() - 1.7 + root * 1.0_f64.cos(),
+        0.5 - 2.0 + root * 1.0_f64.sin(),
+    ];
+    let turned = (-residuals[0] + root - 1.7) / (-root * 1.0_f64.sin());
+    for number in [
+        -residuals[0],
+        -residuals[1],
+        root - 1.7,
+        turned,
+        1.0 + turned,
+    ] {
+        let text = format!("{number:.6}");
+        assert!(ran.stdout.contains(&text), "{text} in {}", ran.stdout);
+    }
+}
+
+#[test]
+fn tables_have_units_on_request_and_are_known_again() {
+    let folder = Folder::new("units", EXAM);
+    for _ in 0..2 {
+        folder.run("solve a.mech --units --out o").exits_with(0);
+    }
+    let table = folder.read("o/motion.csv");
+    assert!(
+        table.starts_with("t (s),x1 (m),y1 (m),phi1 (rad),"),
+        "{table:.80}"
+    );
+    assert!(table.contains("\n0.01,"), "numbers in their shortest form");
+    let ran = folder.run("solve a.mech --json --at 0").exits_with(0);
+    let units = &json(&ran.stdout)["units"];
+    assert_eq!(units["qd"][2], "rad/s");
+    assert_eq!(units["acceleration"], "m/s²");
+}
+
+#[test]
+fn files_go_below_target_only_beside_a_manifest() {
+    let folder = Folder::new("manifest", EXAM);
+    std::fs::write(folder.file("Cargo.toml"), "").expect("it can be written");
+    folder.run("solve a.mech --to 0.1").exits_with(0);
+    assert!(
+        folder
+            .file("target/linkwright/two_body/motion.csv")
+            .exists()
+    );
+    assert!(!folder.file("two_body").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_large_table_is_announced_before_the_work() {
+    use std::io::{BufRead, BufReader};
+    use std::process::Stdio;
+    let folder = Folder::new("large", EXAM);
+    let mut child = folder
+        .command()
+        .args(["solve", "a.mech", "--to", "5", "--step", "1e-6"])
+        .args(["--points", "Q", "--csv", "/dev/null"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    let mut lines = BufReader::new(child.stderr.take().expect("stderr is piped")).lines();
+    let said = lines.next().expect("a line").expect("a text");
+    child.kill().expect("it is still at work");
+    child.wait().expect("it ends");
+    // Five million frames of 25 columns.
+    assert_eq!(said, "warning: `/dev/null` will take about 2.5 GB");
 }

@@ -1,8 +1,15 @@
 //! *The command line → typed arguments.* Numbers are finite and steps positive afterwards; files are not opened here.
 
+mod solve;
+mod values;
+
+pub use solve::{Equations, Solve, TurnUnit};
+
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use values::{size, step, time};
 
 /// Reads descriptions of planar mechanisms: solves them, draws them, shows their equations, derives
 /// their solution, writes them as Rust.
@@ -44,87 +51,6 @@ pub enum Command {
     Check(Check),
 }
 
-/// Solves the motion of a mechanism without a compile step.
-///
-/// The mechanism is assembled at the start in the mode in which each of its loops is drawn, and advanced step by step, so that
-/// it stays in this mode. All quantities are in m, rad and s.
-///
-/// It runs the same blocks as a generated module, so that it takes the same path and fails with the same words.
-#[derive(Args, Debug)]
-#[command(after_help = SOLVE_EXAMPLES)]
-pub struct Solve {
-    /// The description, a `.mech` file
-    pub file: PathBuf,
-    /// Which motion, where the mechanism has several
-    #[arg(long, value_name = "NAME")]
-    pub motion: Option<String>,
-    /// When the motion starts, in s; the mechanism is assembled there
-    #[arg(long, value_name = "T0", default_value = "0", value_parser = finite, allow_hyphen_values = true)]
-    pub from: f64,
-    /// When the motion ends, in s
-    #[arg(long, value_name = "T1", default_value = "5", value_parser = finite, allow_hyphen_values = true)]
-    pub to: f64,
-    /// The time between frames, in s; the last frame is the last whole step up to T1
-    #[arg(long, value_name = "H", default_value = "0.01", value_parser = positive, allow_hyphen_values = true)]
-    pub step: f64,
-    /// Only this instant, in s, followed from T0 by steps of H; may be repeated. Files are then written only on request
-    #[arg(long, value_name = "T", value_delimiter = ',', value_parser = finite, allow_hyphen_values = true, conflicts_with_all = ["to", "plot"])]
-    pub at: Vec<f64>,
-    /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
-    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
-    pub set: Vec<String>,
-    /// The assembly mode of a loop: `positive` or `negative`, or `other` than drawn; may be repeated. A wrong name lists the loops
-    #[arg(long, value_name = "LOOP=MODE")]
-    pub branch: Vec<String>,
-    /// Only these points, separated by commas [default: all, with tables of six]
-    #[arg(long, value_name = "A,K", value_delimiter = ',')]
-    pub points: Vec<String>,
-    /// Where to write the frames; `-` is stdout, and the summary then goes to stderr [default: target/linkwright/NAME/motion.csv]
-    #[arg(long, value_name = "FILE")]
-    pub csv: Option<PathBuf>,
-    /// The folder for one SVG per point [default: target/linkwright/NAME]
-    #[arg(long, value_name = "DIR")]
-    pub plot: Option<PathBuf>,
-    /// Replace files that are not what this command has written
-    #[arg(long)]
-    pub force: bool,
-    /// Write no files but those that are asked for
-    #[arg(long)]
-    pub no_files: bool,
-    /// Print one JSON object instead of the summary; files are then written only on request
-    #[arg(long)]
-    pub json: bool,
-    /// Which equations are solved
-    #[arg(long, value_enum, default_value_t = Equations::Blocks, conflicts_with_all = ["branch", "monitor"])]
-    pub view: Equations,
-    /// Add columns to the frames that say how close each block is to a singular pose, from 0, singular, to 1, and the smallest
-    /// value to the summary; `linkwright check` locates it between frames
-    #[arg(long, conflicts_with = "json")]
-    pub monitor: bool,
-}
-
-/// Which equations are solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Equations {
-    /// Block by block, as a generated module does
-    Blocks,
-    /// All together as one dense system, by Newton-Raphson, from the drawing as it is
-    Textbook,
-}
-
-const SOLVE_EXAMPLES: &str = "\
-Examples:
-  linkwright solve mechanisms/excavator.mech                        summary, CSV and plots of five seconds
-  linkwright solve mechanisms/excavator.mech --at 2.5 --points K    one instant of one point
-  linkwright solve mechanisms/two_body.mech --csv - > motion.csv
-  linkwright solve lift.mech --set L2=360mm --set 'lift=0.5 + 0.1*sin(2*t)'
-  linkwright solve mechanisms/two_body.mech --branch phi2=other     the mirror image of what is drawn
-  linkwright solve mechanisms/two_body.mech --json | jq '.frames[-1].points.Q'
-  linkwright solve mechanisms/excavator.mech --step 5e-6 --no-files a million frames, checked and not kept
-
-Exit codes: 0 solved, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.
-Frames before the end of a motion that ends early are printed and written all the same.";
-
 /// Draws the mechanism in one pose as a mechanical engineer does: bodies by the points they carry, supports and guides hatched,
 /// driven joints with an arrow.
 ///
@@ -145,7 +71,7 @@ pub struct Draw {
     #[arg(long)]
     pub png: bool,
     /// The instant that is drawn, in s, followed from T0 by steps of H [default: T0]
-    #[arg(long, value_name = "T", value_parser = finite, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = time, allow_hyphen_values = true)]
     pub at: Option<f64>,
     /// The poses that the description estimates, instead of a solved one
     #[arg(long, conflicts_with_all = ["at", "branch", "paths", "set"])]
@@ -153,14 +79,14 @@ pub struct Draw {
     /// Draw the paths of these points from T0 to T1, with ticks at equal times
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub paths: Vec<String>,
-    /// When the motion starts, in s; the mechanism is assembled there
-    #[arg(long, value_name = "T0", default_value = "0", value_parser = finite, allow_hyphen_values = true)]
+    /// When the motion starts, in s or with a unit, `500ms`; the mechanism is assembled there
+    #[arg(long, value_name = "T0", default_value = "0", value_parser = time, allow_hyphen_values = true)]
     pub from: f64,
     /// When the paths end, in s
-    #[arg(long, value_name = "T1", default_value = "5", value_parser = finite, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T1", default_value = "5", value_parser = time, allow_hyphen_values = true)]
     pub to: f64,
     /// The time between frames, in s
-    #[arg(long, value_name = "H", default_value = "0.01", value_parser = positive, allow_hyphen_values = true)]
+    #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
     /// Draw the frames of these bodies, `ground` among them
     #[arg(long, value_name = "BODY", value_delimiter = ',')]
@@ -210,13 +136,13 @@ pub struct Check {
     #[arg(long, value_name = "NAME")]
     pub motion: Option<String>,
     /// When the motion starts, in s; the assemblies are those of this time
-    #[arg(long, value_name = "T0", default_value = "0", value_parser = finite, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T0", default_value = "0", value_parser = time, allow_hyphen_values = true)]
     pub from: f64,
     /// When the motion ends, in s
-    #[arg(long, value_name = "T1", default_value = "5", value_parser = finite, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T1", default_value = "5", value_parser = time, allow_hyphen_values = true)]
     pub to: f64,
     /// The time between frames, in s; what lies between them is located, as long as it does not come and go within one step
-    #[arg(long, value_name = "H", default_value = "0.01", value_parser = positive, allow_hyphen_values = true)]
+    #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
     /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
@@ -340,32 +266,6 @@ pub enum Script {
     Unicode,
     /// A LaTeX document
     Latex,
-}
-
-fn finite(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err("not a finite number".to_string()),
-        Err(_) => Err("not a number".to_string()),
-    }
-}
-
-/// `800x600`, from a thumbnail to what a printer wants.
-fn size(text: &str) -> Result<[u32; 2], String> {
-    let sides = text.split_once('x').map(|(width, height)| [width, height]);
-    let sides = sides.and_then(|it| Some([it[0].parse().ok()?, it[1].parse().ok()?]));
-    match sides {
-        Some(size) if size.iter().all(|it| (100..=10_000).contains(it)) => Ok(size),
-        Some(_) => Err("width and height are between 100 and 10000".to_string()),
-        None => Err("write width and height as in `800x600`".to_string()),
-    }
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    match finite(text)? {
-        value if value > 0.0 => Ok(value),
-        _ => Err("a step must be positive".to_string()),
-    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,63 @@
+//! *A pose that is not yet a solution* → *the first Newton-Raphson step from it*, of the textbook's equations as a person writes it.
+
+use linkwright::{Equations, Factorization, Scales};
+use linkwright_codegen::System;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use crate::condition::jacobian;
+use crate::textbook::TextbookEquations;
+
+/// Φ_q Δq = −Φ at a pose of n coordinates.
+#[derive(Clone, Debug)]
+pub struct FirstStep {
+    /// The pose (n).
+    pub q: DVector<f64>,
+    /// Φ_q (n × n).
+    pub jacobian: DMatrix<f64>,
+    /// Φ (n).
+    pub residual: DVector<f64>,
+    /// Δq (n); `None` where Φ_q is singular.
+    pub correction: Option<DVector<f64>>,
+}
+
+/// The step from the pose `q` at the time `t` (Haug 1989, section 4.5).
+pub fn first_step(system: &System, q: &[f64], t: f64) -> FirstStep {
+    let equations = TextbookEquations::new(system);
+    let q = DVector::from_column_slice(q);
+    let order = q.len();
+    let mut residual = DVector::zeros(order);
+    equations.residual(&q, t, &mut residual);
+    let jacobian = jacobian(&equations, &q, t);
+    let factorization = Factorization::new(&jacobian, &Scales::unit(Dyn(order)), 0.0);
+    let correction = factorization.ok().map(|factorization| {
+        let mut correction = -&residual;
+        factorization.solve(&mut correction);
+        correction
+    });
+    FirstStep {
+        q,
+        jacobian,
+        residual,
+        correction: correction.filter(|it| it.iter().all(|value| value.is_finite())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::first_step;
+    use linkwright_codegen::diagnostic::Source;
+
+    /// The crank of length 1 at 0 instead of at t: φ₁ becomes t, and the rest follows from the tangent.
+    #[test]
+    fn a_crank_steps_along_its_tangent() {
+        let text = "mechanism crank { body 1 at (0, 0) { O: (0, 0) } revolute O(ground, 1); drive phi(1) = t; }";
+        let text = text
+            .replacen("{", "{ point O = (0, 0);", 1)
+            .replace("{ O: (0, 0) }", "{ O }");
+        let read = linkwright_codegen::read(&Source::new("crank.mech", &text));
+        let system = read.expect("a description").only().expect("one motion");
+        let step = first_step(&system, &[0.25, -0.5, 0.125], 2.0);
+        let correction = step.correction.expect("a regular pose");
+        assert_eq!(correction.as_slice(), [-0.25, 0.5, 1.875]);
+    }
+}
