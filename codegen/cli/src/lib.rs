@@ -9,3 +9,4 @@ pub mod motion;
 pub mod output;
 pub mod progress;
 pub mod report;
+pub mod terminal;

@@ -11,6 +11,7 @@ use linkwright_solver::number::counted;
 use super::description::{motions, rendered, source, warn};
 use super::{Outcome, Problem, print};
 use crate::arguments::{Format, Inspect};
+use crate::terminal;
 
 /// Prints Φ, Φ_q, Φ_t and γ in the chosen format, as text also what generated code solves.
 ///
@@ -39,6 +40,10 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
             let pages: Vec<String> = motions.iter().map(print_one).collect();
             pages.join("\n")
         }
+    };
+    let text = match (arguments.format, terminal::columns()) {
+        (Format::Text | Format::Unicode, Some(columns)) => terminal::folded(&text, columns),
+        _ => text,
     };
     print(|output| {
         output.write_all(text.as_bytes())?;

@@ -6,6 +6,7 @@ use linkwright_codegen::stages::structure;
 use super::description::{determined, no_order, source};
 use super::{Outcome, Problem, print};
 use crate::arguments::{Plan, Script};
+use crate::terminal;
 
 /// Prints the derivation in the chosen format.
 ///
@@ -19,6 +20,10 @@ pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
         Script::Text => derivation::text(&system, &plan, Notation::Ascii),
         Script::Unicode => derivation::text(&system, &plan, Notation::Unicode),
         Script::Latex => derivation::latex(&system, &plan),
+    };
+    let text = match (arguments.format, terminal::columns()) {
+        (Script::Text | Script::Unicode, Some(columns)) => terminal::folded(&text, columns),
+        _ => text,
     };
     print(|output| output.write_all(text.as_bytes()))?;
     Ok(Outcome::Done)

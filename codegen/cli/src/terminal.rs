@@ -1,0 +1,110 @@
+//! *A text, and the width of the terminal* → *lines that fit on it*.
+//!
+//! Formulas are broken before an operator or after a comma, and go on below where they began. What goes to a file or to another
+//! program is never broken.
+
+use std::io::IsTerminal as _;
+
+/// A terminal that is narrower is treated as if it had these columns.
+const NARROWEST: usize = 40;
+
+/// How far a line that goes on is indented beyond the beginning of its formula.
+const HANGING: usize = 2;
+
+/// A formula begins after the last gap of two spaces that lies in this part of the line.
+const LEFT_HALF: f64 = 0.5;
+
+/// The columns of the terminal that stdout goes to; `None` where it goes elsewhere.
+pub fn columns() -> Option<usize> {
+    if !std::io::stdout().is_terminal() {
+        return None;
+    }
+    let (terminal_size::Width(columns), _) = terminal_size::terminal_size()?;
+    Some(usize::from(columns).max(NARROWEST))
+}
+
+/// The text with no line longer than so many columns, as far as it has places to be broken at.
+pub fn folded(text: &str, columns: usize) -> String {
+    let mut folded = String::with_capacity(text.len());
+    for line in text.split_inclusive('\n') {
+        fold(line, columns, &mut folded);
+    }
+    folded
+}
+
+fn fold(line: &str, columns: usize, folded: &mut String) {
+    let indent = start_of_formula(line, columns) + HANGING;
+    let (mut rest, mut room) = (line, columns);
+    while width(rest.trim_end()) > room {
+        let Some(place) = last_break(rest, room) else {
+            break;
+        };
+        let (now, later) = rest.split_at(place);
+        folded.push_str(now.trim_end());
+        folded.push('\n');
+        folded.push_str(&" ".repeat(indent));
+        (rest, room) = (later.trim_start_matches(' '), columns - indent);
+    }
+    folded.push_str(rest);
+}
+
+/// The column after the last gap of two spaces on the left.
+fn start_of_formula(line: &str, columns: usize) -> usize {
+    let left = (LEFT_HALF * columns as f64) as usize;
+    let end = line.char_indices().nth(left).map_or(line.len(), |it| it.0);
+    let gap = line[..end].rfind("  ").map_or(0, |place| place + 2);
+    width(&line[..gap])
+}
+
+/// The last place at which a line can be broken so that so many columns suffice; the first one where none is early enough.
+fn last_break(line: &str, room: usize) -> Option<usize> {
+    let breaks = line.char_indices().filter(|&(place, character)| {
+        let before = line[..place].chars().next_back();
+        let after = line[place + character.len_utf8()..].chars().next();
+        let is_operator = matches!(character, '+' | '-' | '−' | '=') && after == Some(' ');
+        let follows_comma = before == Some(' ') && line[..place].trim_end().ends_with([',', ':']);
+        before == Some(' ') && (is_operator || follows_comma && character != ' ')
+    });
+    let breaks: Vec<usize> = breaks
+        .map(|it| it.0)
+        .filter(|place| !line[..*place].trim().is_empty())
+        .collect();
+    let fits = |place: &&usize| width(line[..**place].trim_end()) <= room;
+    breaks.iter().rev().find(fits).or(breaks.first()).copied()
+}
+
+/// Combining dots take no room on the screen.
+fn width(text: &str) -> usize {
+    let combining = |it: &char| ('\u{300}'..'\u{370}').contains(it);
+    text.chars().filter(|it| !combining(it)).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_are_broken_before_operators_and_hang() {
+        let text = "  1  revolute P  x_c1 + cos(phi_c1) - x_c2 + sqrt(3)*cos(phi_c2) - 0.25\nend\n";
+        let expected = "  1  revolute P  x_c1 + cos(phi_c1) - x_c2\n                   + sqrt(3)*cos(phi_c2) - 0.25\nend\n";
+        assert_eq!(folded(text, 50), expected);
+        assert_eq!(folded(text, 200), text);
+    }
+
+    #[test]
+    fn no_line_is_longer_than_the_terminal_and_nothing_is_lost() {
+        let entries = "  1  revolute P  x1: 1,  phi1: -sin(phi1),  x2: -1,  phi2: -sqrt(3)*sin(phi2),  y2: 0.5*cos(phi2) - x2";
+        for columns in 40..120 {
+            let folded = folded(entries, columns);
+            assert!(folded.lines().all(|it| width(it) <= columns), "{folded}");
+            let words = |text: &str| text.split_whitespace().collect::<String>();
+            assert_eq!(words(&folded), words(entries));
+        }
+    }
+
+    #[test]
+    fn what_has_no_place_to_break_stays_whole() {
+        let name = "x".repeat(90);
+        assert_eq!(folded(&name, 40), name);
+    }
+}
