@@ -60,6 +60,15 @@ pub fn singular_poses(
     )
 }
 
+/// The same with formulas in LaTeX.
+pub fn singular_poses_in_latex(
+    system: &System,
+    plan: &SolvedPlan,
+    forms: &[Vec<Arc<dyn Form>>],
+) -> Vec<SingularPose> {
+    singular::singular_poses(&mut Spelling::new(system, Script::Latex), plan, forms)
+}
+
 /// Writes words as plain text.
 pub struct PlainWords {
     /// Formulas in words are made in its graph.

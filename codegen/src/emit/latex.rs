@@ -1,6 +1,7 @@
 //! Formulas and whole systems in LaTeX, for amsmath.
 
 mod inspect;
+pub(super) mod lines;
 mod spelling;
 
 pub use inspect::inspect;

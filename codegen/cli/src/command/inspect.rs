@@ -2,7 +2,8 @@
 
 use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::emit::{self, Notation, derivation};
+use linkwright_codegen::stages::emit::derivation::{self, SingularPose};
+use linkwright_codegen::stages::emit::{self, Notation};
 use linkwright_codegen::stages::program::forms_of;
 use linkwright_codegen::stages::structure::{self, Freedom};
 use linkwright_codegen::stages::system::System;
@@ -23,7 +24,7 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
     let print_one: fn(&System) -> String = match arguments.format {
         Format::Text => |system| equations(system, Notation::Ascii),
         Format::Unicode => |system| equations(system, Notation::Unicode),
-        Format::Latex => emit::latex::inspect,
+        Format::Latex => |system| emit::latex::inspect(system, &poses_in_latex(system)),
         Format::Rust => |_| String::new(),
     };
     let text = match (arguments.format, wanted) {
@@ -96,6 +97,16 @@ fn determinants(system: &System, notation: Notation) -> String {
         ));
     }
     text
+}
+
+/// Where each block is singular, with formulas in LaTeX; nothing where the equations do not determine the motion.
+fn poses_in_latex(system: &System) -> Vec<SingularPose> {
+    let mut system = system.clone();
+    let Some(plan) = structure::plan_of_motion(&mut system) else {
+        return Vec::new();
+    };
+    let forms = forms_of(&mut system, &plan);
+    derivation::singular_poses_in_latex(&system, &plan, &forms)
 }
 
 /// The degrees of freedom by the rank of the equations.

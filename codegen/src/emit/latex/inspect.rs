@@ -1,56 +1,120 @@
-//! A system → a fragment for amsmath with its equations.
+//! A system → a LaTeX document with its equations.
 
 use super::super::formula::Printer;
+use super::lines::{CLOSING, Line, displayed, fit_in_a_row, opening, width};
 use super::spelling::{Latex, escaped};
+use crate::emit::derivation::SingularPose;
 use crate::emit::named_parts::NamedParts;
 use crate::expr::ExprId;
 use crate::system::{Cause, Row, SymbolRole, System};
 
-/// More coordinates than these make a matrix that fits no page; its entries are then listed.
-const LARGEST_MATRIX: usize = 9;
+/// A Jacobian of more columns than these is listed by its entries that are not zero.
+const LARGEST_MATRIX: usize = 12;
 
-/// Φ, Φ_q, Φ_t and γ of a system as display equations.
-pub fn inspect(system: &System) -> String {
+/// An equation: its left side, its right side, and where it comes from.
+type Equation = [String; 3];
+
+/// The coordinates, Φ, Φ_q, Φ_t and γ of a system, its points, and the singular poses of its blocks, with formulas in LaTeX.
+pub fn inspect(system: &System, poses: &[SingularPose]) -> String {
     let mut system = system.clone();
     let parts = &NamedParts::of_rows(&mut system);
     let names = Printer::new(&system, &[], Latex);
     let coordinates: Vec<String> = (0..system.coordinates.len())
         .map(|index| names.symbol(SymbolRole::Position(index)))
         .collect();
-    let mut text = format!("% mechanism {}\n", escaped(&system.mechanism.title()));
+    let mut text = opening(&escaped(&system.mechanism.title()));
+    let listed: Vec<String> = coordinates.iter().map(|it| format!("${it}$")).collect();
     text.push_str(&format!(
-        "\\[ \\mathbf{{q}} = ({})^T \\]\n",
-        coordinates.join(", ")
+        "The coordinates $\\mathbf{{q}}$ are {}.\n",
+        listed.join(", ")
     ));
-    text.push_str(&rows(&system, parts, "\\Phi", |row| row.residual, " = 0"));
-    text.push_str(&jacobian(&system, parts, &coordinates));
-    text.push_str(&rows(
-        &system,
-        parts,
-        "\\Phi_{t}",
-        |row| row.time_derivative,
-        "",
+    text.push_str(&section(
+        "Constraint equations $\\Phi(\\mathbf{q}, t) = 0$",
+        &rows(&system, parts, "\\Phi", |row| row.residual, " = 0"),
     ));
-    text.push_str(&rows(&system, parts, "\\gamma", |row| row.gamma, ""));
+    text.push_str(&section(
+        "Jacobian $\\Phi_{\\mathbf{q}}$",
+        &jacobian(&system, parts, &coordinates),
+    ));
+    text.push_str(&section(
+        "Partial derivative $\\Phi_{t}$",
+        &rows(&system, parts, "\\Phi_{t}", |row| row.time_derivative, ""),
+    ));
+    text.push_str(&section(
+        "Right-hand side $\\gamma$ of the accelerations",
+        &rows(&system, parts, "\\gamma", |row| row.gamma, ""),
+    ));
     text.push_str(&driven(&system, parts));
     text.push_str(&parameters(&system, parts));
+    text.push_str(&section("Points", &points(&system, parts)));
     let definitions = parts.definitions(&mut system);
-    if !definitions.is_empty() {
-        let printer = Printer::new(&system, &[], Latex);
-        let lines: Vec<String> = definitions
-            .iter()
-            .map(|definition| {
-                let [name, value] =
-                    [definition.name, definition.value].map(|it| printer.expression(it));
-                format!("  {name} &= {value}")
-            })
-            .collect();
-        text.push_str(&format!(
-            "where\n\\begin{{align*}}\n{}\n\\end{{align*}}\n",
-            lines.join(" \\\\\n")
-        ));
-    }
+    let printer = Printer::new(&system, &[], Latex);
+    let definitions: Vec<Equation> = definitions
+        .iter()
+        .map(|definition| {
+            let [name, value] = [definition.name, definition.value];
+            [
+                printer.expression(name),
+                printer.expression(value),
+                String::new(),
+            ]
+        })
+        .collect();
+    text.push_str(&section("What the names stand for", &aligned(&definitions)));
+    let poses: Vec<String> = poses
+        .iter()
+        .map(|pose| {
+            let (block, unknowns) = (pose.block + 1, &pose.unknowns);
+            format!("Block {block}, {unknowns}: {}\n", pose.sentence())
+        })
+        .collect();
+    text.push_str(&section(
+        "Singular poses, by the determinant of each block up to its sign",
+        &poses.join("\n"),
+    ));
+    text.push_str(CLOSING);
     text
+}
+
+/// A heading with what stands below it, if there is anything.
+fn section(heading: &str, contents: &str) -> String {
+    match contents {
+        "" => String::new(),
+        contents => format!("\n\\subsection*{{{heading}}}\n{contents}"),
+    }
+}
+
+fn aligned(equations: &[Equation]) -> String {
+    match equations {
+        [] => String::new(),
+        equations => {
+            displayed(
+                equations
+                    .iter()
+                    .map(|[left, right, note]| Line { left, right, note }),
+            )
+        }
+    }
+}
+
+/// Where each declared point is.
+fn points(system: &System, parts: &NamedParts) -> String {
+    let equations = system.outputs.iter().flat_map(|output| {
+        let lines = [("x", 0), ("y", 1)].map(|(axis, place)| {
+            let expr = output.position[place];
+            let is_long = parts.meet(&system.mechanism.graph, expr);
+            let printer = Printer::new(system, &[], Latex).naming(parts, is_long);
+            let name = format!("{axis}_{{\\mathrm{{{}}}}}", escaped(&output.name));
+            [name, printer.expression(expr), String::new()]
+        });
+        lines.into_iter()
+    });
+    aligned(&equations.collect::<Vec<_>>())
+}
+
+/// The joint that a row comes from, as a remark.
+fn joint(system: &System, row: &Row) -> String {
+    escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$")
 }
 
 /// A formula that mentions the bodies in the order of its row.
@@ -63,16 +127,17 @@ fn formula(system: &System, parts: &NamedParts, row: &Row, expr: ExprId) -> Stri
 
 /// ∂Φ/∂s for the value s of each driver, where something is transmitted: the rows that are not zero.
 fn driven(system: &System, parts: &NamedParts) -> String {
-    let lines: Vec<String> = system
+    let lines: Vec<Equation> = system
         .driven()
         .flat_map(|(place, ..)| column(&system.directions[place].column, "s", system, parts))
         .collect();
     if lines.is_empty() {
         return String::new();
     }
-    format!(
-        "The value of each driver is $s$; all other rows of $\\Phi_{{s}}$ are zero.\n\\begin{{align*}}\n{}\n\\end{{align*}}\n",
-        lines.join(" \\\\\n")
+    let words = "The value of each driver is $s$; all other rows are zero.\n";
+    section(
+        "Partial derivatives $\\Phi_{s}$",
+        &format!("{words}{}", aligned(&lines)),
     )
 }
 
@@ -85,36 +150,38 @@ fn parameters(system: &System, parts: &NamedParts) -> String {
         };
         let name = escaped(&system.mechanism.parameters[place].name);
         let lines = column(&direction.column, "p", system, parts);
-        text.push_str(&match lines.is_empty() {
-            true => format!("For the parameter {name}, $\\Phi_{{p}}$ is zero.\n"),
-            false => format!(
-                "For the parameter $p$ = {name}; all other rows of $\\Phi_{{p}}$ are zero.\n\\begin{{align*}}\n{}\n\\end{{align*}}\n",
-                lines.join(" \\\\\n")
-            ),
-        });
+        let contents = match lines.is_empty() {
+            true => "It is zero.\n".to_string(),
+            false => format!("All other rows are zero.\n{}", aligned(&lines)),
+        };
+        let heading = format!("Partial derivative $\\Phi_{{p}}$ for the parameter $p$ = {name}");
+        text.push_str(&section(&heading, &contents));
     }
     text
 }
 
-/// The rows of a column that are not zero, as aligned equations.
-fn column(column: &[ExprId], index_name: &str, system: &System, parts: &NamedParts) -> Vec<String> {
+/// The rows of a column that are not zero.
+fn column(
+    column: &[ExprId],
+    index_name: &str,
+    system: &System,
+    parts: &NamedParts,
+) -> Vec<Equation> {
     let zero = system.mechanism.graph.zero();
     let entries = system.rows.iter().zip(column).enumerate();
     entries
         .filter(|(_, (_, entry))| **entry != zero)
         .map(|(index, (row, &entry))| {
-            let formula = formula(system, parts, row, entry);
-            let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
-            format!(
-                "  (\\Phi_{{{index_name}}})_{{{}}} &= {formula} && \\text{{{joint}}}",
-                index + 1
-            )
+            [
+                format!("(\\Phi_{{{index_name}}})_{{{}}}", index + 1),
+                formula(system, parts, row, entry),
+                joint(system, row),
+            ]
         })
         .collect()
 }
 
-/// One aligned equation a row, with the joint as its tag. Where the equations do not end in ` = 0`, a remark stands for the rows
-/// that are zero.
+/// One equation a row. Where the equations do not end in ` = 0`, a remark stands for the rows that are zero.
 fn rows(
     system: &System,
     parts: &NamedParts,
@@ -131,66 +198,69 @@ fn rows(
     } else {
         ""
     };
-    let lines: Vec<String> = system
+    let lines: Vec<Equation> = system
         .rows
         .iter()
         .enumerate()
         .filter(|(_, row)| !left_out(row))
         .map(|(index, row)| {
-            let formula = formula(system, parts, row, of(row));
-            let joint = escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$");
-            format!(
-                "  ({symbol})_{{{}}} &= {formula}{end} && \\text{{{joint}}}",
-                index + 1
-            )
+            [
+                format!("({symbol})_{{{}}}", index + 1),
+                format!("{}{end}", formula(system, parts, row, of(row))),
+                joint(system, row),
+            ]
         })
         .collect();
-    format!(
-        "\\begin{{align*}}\n{}\n\\end{{align*}}\n{rest}",
-        lines.join(" \\\\\n")
-    )
+    format!("{}{rest}", aligned(&lines))
 }
 
+/// As a matrix where that fits on a page, otherwise by the entries that are not zero.
 fn jacobian(system: &System, parts: &NamedParts, coordinates: &[String]) -> String {
-    let entries = |row: &Row| -> Vec<(usize, String)> {
-        row.jacobian
-            .iter()
-            .map(|entry| (entry.coordinate, formula(system, parts, row, entry.value)))
-            .collect()
-    };
-    if coordinates.len() <= LARGEST_MATRIX {
-        let lines: Vec<String> = system
-            .rows
+    let rows: Vec<Vec<(usize, String)>> = system
+        .rows
+        .iter()
+        .map(|row| {
+            let entries = row.jacobian.iter();
+            entries
+                .map(|entry| (entry.coordinate, formula(system, parts, row, entry.value)))
+                .collect()
+        })
+        .collect();
+    // The widest entry of each column beside one another.
+    let widest: Vec<&str> = (0..coordinates.len())
+        .map(|column| {
+            let entries = rows.iter().flatten().filter(|(own, _)| *own == column);
+            let entries = entries.map(|(_, entry)| entry.as_str());
+            entries.max_by_key(|entry| width(entry)).unwrap_or("0")
+        })
+        .collect();
+    if coordinates.len() <= LARGEST_MATRIX && fit_in_a_row(widest.into_iter()) {
+        let lines: Vec<String> = rows
             .iter()
             .map(|row| {
-                let mut line = vec!["0".to_string(); coordinates.len()];
-                for (coordinate, entry) in entries(row) {
-                    line[coordinate] = entry;
+                let mut line = vec!["0"; coordinates.len()];
+                for (coordinate, entry) in row {
+                    line[*coordinate] = entry;
                 }
                 format!("  {}", line.join(" & "))
             })
             .collect();
         let body = lines.join(" \\\\\n");
-        return format!(
-            "\\[ \\Phi_{{\\mathbf{{q}}}} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}} \\]\n"
-        );
+        return format!("\\[ \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}} \\]\n");
     }
-    let lines: Vec<String> = system
-        .rows
-        .iter()
+    let lines: Vec<Equation> = rows
+        .into_iter()
         .enumerate()
         .flat_map(|(index, row)| {
-            entries(row).into_iter().map(move |(coordinate, entry)| {
-                format!(
-                    "  \\frac{{\\partial \\Phi_{{{}}}}}{{\\partial {}}} &= {entry}",
-                    index + 1,
-                    coordinates[coordinate]
-                )
+            row.into_iter().map(move |(coordinate, entry)| {
+                let name = &coordinates[coordinate];
+                let left = format!(
+                    "\\frac{{\\partial \\Phi_{{{}}}}}{{\\partial {name}}}",
+                    index + 1
+                );
+                [left, entry, String::new()]
             })
         })
         .collect();
-    format!(
-        "\\begin{{align*}}\n{}\n\\end{{align*}}\n",
-        lines.join(" \\\\\n")
-    )
+    format!("{}All other entries are zero.\n", aligned(&lines))
 }

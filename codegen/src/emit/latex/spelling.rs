@@ -2,6 +2,7 @@
 
 use super::super::formula::{Printer, Spelling};
 use super::super::parts::{Fraction, Part};
+use super::lines::chosen;
 use crate::expr::{ExprId, Node};
 use crate::system::{Described, System};
 
@@ -68,8 +69,9 @@ impl Spelling for Latex {
     fn choice(self, choices: &[[String; 2]], otherwise: &str, _inside: bool) -> String {
         let choices = choices.iter();
         let choices: String = choices
-            .map(|[value, condition]| format!("{value} & {condition} \\\\ "))
+            .map(|[value, condition]| format!("{} & {condition} \\\\ ", chosen(value)))
             .collect();
+        let otherwise = chosen(otherwise);
         format!("\\begin{{cases}} {choices}{otherwise} & \\text{{otherwise}} \\end{{cases}}")
     }
 
