@@ -135,10 +135,16 @@ const ROUNDING: f64 = 65536.0;
 /// The multiple of ε by which a solved equation may be off zero: a few roundings of angles of some turns.
 const LEFT_BY_ROUNDING: f64 = 64.0;
 
+/// The multiple of the least sags that is tried first.
+const FIRST: f64 = 2.0;
+
 /// By how much sags are widened that the operator does not map into themselves (ε-inflation; Rump, Acta Numerica 2010, section 10.5),
 /// and how often.
 const INFLATION: f64 = 1.25;
 const WIDENED: u8 = 8;
+
+/// The round from which on sags must come nearer to being mapped into themselves.
+const SETTLED: u8 = 2;
 
 /// [`isolate_all`] for a number of unknowns that generated code knows. `blocks` (N) says to which block an equation belongs.
 ///
@@ -191,9 +197,10 @@ where
     let mut off = roundings(jacobian, &entries, &sizes);
     add(&mut off, bounds);
     let least = times(&inverse, &off);
-    let mut sags = widened(&least);
-    let mut farthest = 0;
-    for _ in 0..WIDENED {
+    // Where a map least + k R + a R² of one sag takes any R into itself, the largest that it does so with is 2 least or more.
+    let mut sags = scaled(&least, FIRST);
+    let (mut farthest, mut before) = (0, T::ZERO);
+    for round in 0..WIDENED {
         variation(&sags, &mut entries);
         let spread = times(&entries, &sags);
         let mut needed = times(&inverse, &spread);
@@ -213,7 +220,13 @@ where
             // What the operator maps them to holds the solution as well.
             return Ok(needed);
         }
-        sags = widened(&needed);
+        // The first two rounds show what each unknown does to the others; sags that need more and more after that have no end.
+        let is_nearing = largest < before;
+        if round >= SETTLED && !is_nearing {
+            break;
+        }
+        before = largest;
+        sags = scaled(&needed, INFLATION);
     }
     Err(farthest)
 }
@@ -236,21 +249,22 @@ where
         let rounding = T::from_f64(LEFT_BY_ROUNDING) * T::EPSILON * *size;
         let entries = column.iter().zip(change);
         for (largest, (entry, change)) in roundings.as_mut_slice().iter_mut().zip(entries) {
-            *largest = (rounding * (entry.abs() + change.abs())).max(*largest);
+            let part = rounding * (entry.abs() + change.abs());
+            *largest = if part > *largest { part } else { *largest };
         }
     }
     roundings
 }
 
-fn widened<T: Real, D: Dim>(vector: &OVector<T, D>) -> OVector<T, D>
+fn scaled<T: Real, D: Dim>(vector: &OVector<T, D>, factor: f64) -> OVector<T, D>
 where
     DefaultAllocator: Allocator<D>,
 {
-    let mut widened = vector.clone();
-    for entry in widened.as_mut_slice() {
-        *entry *= T::from_f64(INFLATION);
+    let mut scaled = vector.clone();
+    for entry in scaled.as_mut_slice() {
+        *entry *= T::from_f64(factor);
     }
-    widened
+    scaled
 }
 
 fn times<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>, vector: &OVector<T, D>) -> OVector<T, D>
@@ -280,84 +294,100 @@ pub fn required<T: Real>(value: T, block: u16) -> Result<(), u16> {
     }
 }
 
-/// The magnitudes of the entries of the inverse, by elimination with the largest pivot of each column.
+/// The magnitudes of the entries of the inverse, by elimination in place with the largest pivot of each row.
 ///
 /// # Errors
-/// The column in which every pivot vanishes.
+/// The row in which every pivot vanishes.
 fn inverse_sizes<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>) -> Result<OMatrix<T, D, D>, usize>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     let dimension = matrix.shape_generic().0;
     let order = dimension.value();
-    // Transposed, so that what is a row here lies in one piece there.
-    let mut rows = matrix.transpose();
-    let mut inverse_rows: OMatrix<T, D, D> = zero_matrix(dimension);
-    for k in 0..order {
-        inverse_rows[(k, k)] = T::ONE;
-    }
-    for column in 0..order {
-        let (mut pivot, mut size) = (column, rows[(column, column)]);
-        for row in column + 1..order {
-            let other = rows[(column, row)];
-            if other.abs() > size.abs() {
-                (pivot, size) = (row, other);
+    let mut sizes = matrix.clone();
+    let mut swapped: OVector<usize, D> =
+        OVector::from_fn_generic(dimension, Const::<1>, |row, _| row);
+    for row in 0..order {
+        let (mut pivot, mut largest) = (row, sizes[(row, row)].abs());
+        for column in row + 1..order {
+            let other = sizes[(row, column)].abs();
+            if other > largest {
+                (pivot, largest) = (column, other);
             }
         }
         // Written so that NaN is refused.
-        let is_pivot = size.abs() > T::ZERO;
+        let is_pivot = largest > T::ZERO;
         if !is_pivot {
-            return Err(column);
+            return Err(row);
         }
-        if pivot != column {
-            // It is a row, which not every compiler sees: it would keep a panic.
-            let pivot = pivot.min(order - 1);
-            rows.swap_columns(column, pivot);
-            inverse_rows.swap_columns(column, pivot);
+        if pivot != row {
+            // Column by column: not every compiler sees that they are there, and would keep a panic.
+            let mut columns = sizes.as_mut_slice().chunks_exact_mut(order).skip(row);
+            let first = columns.next();
+            let second = columns.nth(pivot.wrapping_sub(row).wrapping_sub(1));
+            for (first, second) in first.into_iter().zip(second) {
+                for (first, second) in first.iter_mut().zip(second) {
+                    core::mem::swap(first, second);
+                }
+            }
+            if let Some(swapped) = swapped.as_mut_slice().get_mut(row) {
+                *swapped = pivot;
+            }
         }
-        eliminate(&mut rows, &mut inverse_rows, column, T::ONE / size);
+        eliminate(&mut sizes, row);
     }
-    let mut sizes = inverse_rows.transpose();
+    // Columns that were exchanged are rows of the inverse.
+    for (row, &pivot) in swapped.as_slice().iter().enumerate().rev() {
+        if pivot == row {
+            continue;
+        }
+        for column in sizes.as_mut_slice().chunks_exact_mut(order) {
+            let entries = (column.get(row).copied(), column.get(pivot).copied());
+            if let (Some(first), Some(second)) = entries {
+                for (place, entry) in [(row, second), (pivot, first)] {
+                    if let Some(there) = column.get_mut(place) {
+                        *there = entry;
+                    }
+                }
+            }
+        }
+    }
     for entry in sizes.as_mut_slice() {
         *entry = entry.abs();
     }
     Ok(sizes)
 }
 
-/// Makes a column that of the identity, by its row; rows lie in columns.
-fn eliminate<T: Real, D: Dim>(
-    rows: &mut OMatrix<T, D, D>,
-    inverse_rows: &mut OMatrix<T, D, D>,
-    column: usize,
-    reciprocal: T,
-) where
+/// Makes a row that of the identity, by its column, and puts the row of the inverse in its place.
+fn eliminate<T: Real, D: Dim>(matrix: &mut OMatrix<T, D, D>, row: usize)
+where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let dimension = rows.shape_generic().0;
+    let dimension = matrix.shape_generic().0;
     let order = dimension.value();
-    let scaled = |matrix: &OMatrix<T, D, D>| -> OVector<T, D> {
-        OVector::from_fn_generic(dimension, Const::<1>, |k, _| {
-            matrix[(k, column)] * reciprocal
-        })
-    };
-    let (own, own_inverse) = (scaled(rows), scaled(inverse_rows));
-    let all = rows.as_mut_slice().chunks_exact_mut(order);
-    let all = all.zip(inverse_rows.as_mut_slice().chunks_exact_mut(order));
-    for (number, (row, inverse_row)) in all.enumerate() {
-        if number == column {
-            row.copy_from_slice(own.as_slice());
-            inverse_row.copy_from_slice(own_inverse.as_slice());
-            continue;
+    let mut own: OVector<T, D> = zero_vector(dimension);
+    let mut columns = matrix.as_mut_slice().chunks_exact_mut(order);
+    if let Some(column) = columns.nth(row) {
+        let Some(pivot) = column.get_mut(row) else {
+            return;
+        };
+        let reciprocal = T::ONE / core::mem::replace(pivot, T::ONE);
+        for (own, entry) in own.as_mut_slice().iter_mut().zip(column) {
+            *entry *= reciprocal;
+            *own = *entry;
         }
-        let factor = row.get(column).copied().unwrap_or(T::ZERO);
+    }
+    let columns = matrix.as_mut_slice().chunks_exact_mut(order);
+    for (number, column) in columns.enumerate() {
+        let Some(entry) = column.get_mut(row).filter(|_| number != row) else {
+            continue;
+        };
+        let factor = core::mem::replace(entry, T::ZERO);
         // A block reads nothing of those after it.
         if factor == T::ZERO {
             continue;
         }
-        for (entry, own) in row.iter_mut().zip(own.as_slice()) {
-            *entry -= factor * *own;
-        }
-        for (entry, own) in inverse_row.iter_mut().zip(own_inverse.as_slice()) {
+        for (entry, own) in column.iter_mut().zip(own.as_slice()) {
             *entry -= factor * *own;
         }
     }

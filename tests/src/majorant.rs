@@ -70,7 +70,7 @@ pub fn majorants<const N: usize>(
                 };
                 // A rounding of the coefficient, one of the product and one per addition.
                 let roundings = (terms.len() + 2) as f64 * ULP;
-                for term in terms {
+                for term in terms.iter() {
                     let (coefficient, operand) =
                         (term.coefficient.to_f64().abs(), all[term.expr.index()]);
                     for (total, bound) in sum.coefficients.iter_mut().zip(operand.coefficients) {
@@ -86,7 +86,7 @@ pub fn majorants<const N: usize>(
                     coefficients: constant::<N>(1.0).coefficients,
                     error: 0.0,
                 };
-                for factor in factors {
+                for factor in factors.iter() {
                     product = power(graph, factor, &all, &value, line.reach)
                         .into_iter()
                         .fold(product, multiply);

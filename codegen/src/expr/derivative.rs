@@ -157,7 +157,7 @@ impl Graph {
             return dependent;
         }
         let mut index = TermIndex::default();
-        for (place, term) in (0u32..).zip(terms) {
+        for (place, term) in (0u32..).zip(terms.iter()) {
             for &symbol in self.symbols(term.expr) {
                 index.entry(symbol).or_default().push(place);
             }

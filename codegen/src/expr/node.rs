@@ -3,6 +3,8 @@
 //! The invariants named on each kind are kept by the constructors of [`Graph`](super::Graph), the only code that makes
 //! nodes. This file does not know how they are kept.
 
+use std::sync::Arc;
+
 use super::number::Number;
 use super::rational::Rational;
 use super::spline::SplineId;
@@ -48,7 +50,7 @@ pub struct Factor {
     pub exponent: Rational,
 }
 
-/// What an expression is at its top.
+/// What an expression is at its top. Copies share their terms and factors.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
     /// A number; the only node that may be non-finite.
@@ -59,10 +61,10 @@ pub enum Node {
     Symbol(SymbolId),
     /// At least two terms, or one term whose coefficient is not one. Sorted by expression, then by the radicand of the
     /// coefficient; like terms are merged.
-    Sum(Box<[Term]>),
+    Sum(Arc<[Term]>),
     /// Two factors or more, or one whose exponent is not one. Sorted by base, bases distinct, no numeric factor:
     /// coefficients live in the enclosing sum's term.
-    Product(Box<[Factor]>),
+    Product(Arc<[Factor]>),
     /// The sine of an angle in radians.
     Sin(ExprId),
     /// The cosine of an angle in radians.

@@ -270,7 +270,7 @@ impl Graph {
         match factors[..] {
             [] => self.one(),
             [factor] if factor.exponent == Rational::ONE => factor.base,
-            _ => self.intern(Node::Product(factors.into_boxed_slice())),
+            _ => self.intern(Node::Product(factors.into())),
         }
     }
 }

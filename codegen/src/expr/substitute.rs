@@ -108,7 +108,7 @@ impl Graph {
                     self.not_a_number()
                 } else {
                     let mut monomial = Monomial::new(Number::ONE);
-                    for (base, factor) in bases.into_iter().zip(&factors) {
+                    for (base, factor) in bases.into_iter().zip(factors.iter()) {
                         self.push_power(&mut monomial, base, factor.exponent);
                     }
                     self.finish(monomial)

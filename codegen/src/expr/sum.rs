@@ -110,7 +110,7 @@ impl Graph {
             [] => self.zero(),
             [term] if term.expr == self.one() => self.number(term.coefficient),
             [term] if term.coefficient.is_one() => term.expr,
-            _ => self.intern(Node::Sum(terms.into_boxed_slice())),
+            _ => self.intern(Node::Sum(terms.into())),
         }
     }
 }

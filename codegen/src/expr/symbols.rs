@@ -3,20 +3,22 @@
 //! Every node has its set from the moment it is made; nodes share a set where one operand's set holds all others. This file
 //! does not know what a node computes.
 
+use std::sync::Arc;
+
 use super::graph::Graph;
 use super::node::{ExprId, Node, SymbolId};
 
 /// The sets, and which node has which.
 #[derive(Clone, Debug)]
 pub(super) struct SymbolSets {
-    members: Vec<Box<[SymbolId]>>,
+    members: Vec<Arc<[SymbolId]>>,
     set_of_node: Vec<u32>,
 }
 
 impl SymbolSets {
     pub(super) fn new() -> SymbolSets {
         SymbolSets {
-            members: vec![Box::default()],
+            members: vec![Arc::default()],
             set_of_node: Vec::new(),
         }
     }
@@ -30,7 +32,7 @@ impl SymbolSets {
         let before = self.members.len();
         let set = match node {
             Node::Number(_) | Node::Pi => 0,
-            Node::Symbol(symbol) => self.store(Box::new([*symbol])),
+            Node::Symbol(symbol) => self.store(Arc::new([*symbol])),
             Node::Sin(operand)
             | Node::Cos(operand)
             | Node::Exp(operand)
@@ -75,10 +77,10 @@ impl SymbolSets {
         if union.len() == size(&largest) {
             return largest;
         }
-        self.store(union.into_boxed_slice())
+        self.store(union.into())
     }
 
-    fn store(&mut self, set: Box<[SymbolId]>) -> u32 {
+    fn store(&mut self, set: Arc<[SymbolId]>) -> u32 {
         // There are never more sets than nodes, whose number fits.
         self.members.push(set);
         (self.members.len() - 1) as u32

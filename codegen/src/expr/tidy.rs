@@ -137,7 +137,7 @@ impl Graph {
         }
         let terms = terms.clone();
         let mut whole = [self.one(), self.zero()];
-        for term in &terms {
+        for term in terms.iter() {
             let part = self.scale(term.coefficient, term.expr);
             let (cosine, sine) = (self.cos(part), self.sin(part));
             let [along, across] = [(cosine, sine), (sine, cosine)].map(|(first, second)| {
@@ -158,7 +158,7 @@ impl Graph {
             Node::Sum(terms) => {
                 let terms = terms.clone();
                 let mut fractions = Vec::with_capacity(terms.len());
-                for term in &terms {
+                for term in terms.iter() {
                     let mut fraction = self.fraction(term.expr);
                     for part in &mut fraction.terms {
                         part.0 = part.0.mul(term.coefficient);

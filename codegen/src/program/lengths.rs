@@ -131,7 +131,7 @@ impl Collected {
                 let Node::Sum(terms) = system.mechanism.graph.node(sum) else {
                     return;
                 };
-                for term in terms.clone() {
+                for term in terms.clone().iter() {
                     let factor = system.mechanism.graph.scale(term.coefficient, factor);
                     self.collect(term.expr, factor, swings, system);
                 }
@@ -146,7 +146,7 @@ impl Collected {
             return;
         };
         let (mut factor, mut swings, mut carrier) = (factor, swings, None);
-        for own in factors.clone() {
+        for own in factors.clone().iter() {
             match part(own.base, system) {
                 Part::Fixed(value) => {
                     let graph = &mut system.mechanism.graph;

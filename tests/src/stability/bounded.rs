@@ -121,7 +121,7 @@ pub fn errors(
             Node::Symbol(symbol) => symbols[symbol.index()],
             Node::Sum(terms) => {
                 let (mut sum, mut sizes, mut count) = (Margin::NONE, 0.0, 0.0_f64);
-                for term in terms {
+                for term in terms.iter() {
                     let coefficient = term.coefficient.to_f64();
                     let addend = coefficient * value(&term.expr);
                     sum = sum.plus(error(&term.expr).times(coefficient));
@@ -149,7 +149,7 @@ pub fn errors(
             }
             Node::Product(factors) => {
                 let (mut product, mut margin, mut roundings) = (1.0, Margin::NONE, -1.0);
-                for factor in factors {
+                for factor in factors.iter() {
                     let (power, off, own) = power(value(&factor.base), error(&factor.base), factor);
                     let both = product_of(margin.worst, off.worst);
                     margin = margin.times(power).plus(off.times(product));

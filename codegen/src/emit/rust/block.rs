@@ -1,5 +1,7 @@
 //! One function per block.
 
+use std::collections::{HashMap, HashSet};
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -182,10 +184,11 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
         text.line("#[allow(non_snake_case)]");
     }
     text.open("Branches {");
+    let exchanged_by = exchanged_by(module);
     for branch in &module.program.branches {
         let name = identifier(&branch.name);
-        let of = exchanged_by(branch.symbol, module)
-            .map_or(String::new(), |number| format!(", block {number}"));
+        let of = exchanged_by.get(&branch.symbol);
+        let of = of.map_or(String::new(), |number| format!(", block {number}"));
         text.docs(doc_lines([sentence(&branch.meaning)]));
         text.line(format!(
             "{name}: Branch = {}{of};",
@@ -209,27 +212,24 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
     text.item()
 }
 
-/// The block of which this is the only mode: beyond a pose at which its two modes meet it has the other.
-fn exchanged_by(branch: SymbolId, module: &Module<'_>) -> Option<usize> {
+/// The blocks that have one mode only, by its symbol: beyond a pose at which its two modes meet such a block has the other.
+fn exchanged_by(module: &Module<'_>) -> HashMap<SymbolId, usize> {
     let graph = &module.system.mechanism.graph;
-    let reads = |block: &Block, symbol| {
-        block
-            .function
-            .values()
-            .any(|expr| graph.depends_on(expr, symbol))
-    };
-    let (number, block) = module
-        .program
-        .blocks
-        .iter()
-        .enumerate()
-        .find(|(_, block)| block.newton.is_none() && reads(block, branch))?;
-    let own = module
-        .program
-        .branches
-        .iter()
-        .filter(|it| reads(block, it.symbol));
-    (own.count() == 1).then_some(number)
+    let blocks = module.program.blocks.iter().enumerate();
+    let closed = blocks.filter(|(_, block)| block.newton.is_none());
+    // A mode belongs to the first block that reads it.
+    let mut met: HashSet<SymbolId> = HashSet::new();
+    let mut found = HashMap::new();
+    for (number, block) in closed {
+        let read = block.function.values().flat_map(|it| graph.symbols(it));
+        let read = read.filter(|&&symbol| module.program.branch_of(symbol).is_some());
+        let read: HashSet<SymbolId> = read.copied().collect();
+        let own = read.iter().filter(|&&symbol| met.insert(symbol)).count();
+        if own == 1 && read.len() == 1 {
+            found.extend(read.into_iter().map(|symbol| (symbol, number)));
+        }
+    }
+    found
 }
 
 fn sentence(text: &str) -> String {

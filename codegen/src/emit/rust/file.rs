@@ -1,6 +1,5 @@
 //! The module of a mechanism, or one module for each of its motions, as formatted source.
 
-use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::docs::docs;
@@ -9,6 +8,7 @@ use super::literal::Scalar;
 use super::module::Module;
 use super::names::identifier;
 use super::parameters;
+use super::pieces::{Around, block, formatted};
 use crate::program::Program;
 use crate::structure::SolvedPlan;
 use crate::system::System;
@@ -36,10 +36,10 @@ pub fn file(
         ),
         String::new(),
     ];
-    let parts = match mechanism.motion {
+    let formatted = match mechanism.motion {
         None => {
             lines.extend(first.facts());
-            first.items(true)
+            first.items(true, &[])
         }
         Some(_) => {
             let names = modules
@@ -48,30 +48,21 @@ pub fn file(
             let names: Vec<String> = names.map(|motion| format!("`{}`", motion.name)).collect();
             lines.push(format!("A module for each motion: {}.", names.join(", ")));
             let parameters = parameters::shared_parameters(first);
-            [parameters]
-                .into_iter()
-                .chain(modules.iter().map(motion))
-                .collect()
+            let parameters = formatted(parameters, &[]);
+            modules
+                .iter()
+                .map(motion)
+                .fold(parameters, |text, motion| text + &motion)
         }
     };
-    // Part by part: the syntax of a large module takes far more room than its text.
-    let formatted: String = parts.into_iter().map(formatted).collect();
     format!("{}\n{}", header(&lines), laid_out(&formatted))
 }
 
-/// Items as the formatter leaves them.
-fn formatted(items: TokenStream) -> String {
-    let file: Result<syn::File, _> = syn::parse2(items);
-    // They are made of whole items, so this is a matter of our own code alone.
-    let file = file.unwrap_or_else(|error| panic!("generated code does not parse: {error}"));
-    prettyplease::unparse(&file)
-}
-
 /// The module of one motion. Who drives the mechanism in one way need not use the other ways.
-fn motion(module: &Module<'_>) -> TokenStream {
+fn motion(module: &Module<'_>) -> String {
     let mechanism = &module.system.mechanism;
     let Some(motion) = &mechanism.motion else {
-        return TokenStream::new();
+        return String::new();
     };
     let mut lines = motion.docs.clone();
     if lines.is_empty() {
@@ -83,15 +74,14 @@ fn motion(module: &Module<'_>) -> TokenStream {
     let (text, name) = (docs(lines), identifier(&motion.name));
     let facts = module.facts();
     let comments = facts.iter().map(|line| comment(line));
-    let items = module.items(false);
-    quote! {
+    let around = [Around::Module];
+    let inner = formatted(comments.collect(), &around) + &module.items(false, &around);
+    let head = quote! {
         #text
         #[allow(dead_code)]
-        pub mod #name {
-            #(#comments)*
-            #(#items)*
-        }
-    }
+        pub mod #name
+    };
+    block(head, &[], &inner)
 }
 
 fn header(lines: &[String]) -> String {

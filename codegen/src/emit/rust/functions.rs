@@ -11,7 +11,7 @@ use syn::parse::Parser;
 /// of all names that every module begins with.
 ///
 /// What is no path becomes an error where the code is compiled, as a path does that leads nowhere.
-pub(super) fn functions(path: &str, mentioned: &HashSet<String>) -> TokenStream {
+pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> TokenStream {
     let Ok(module) = Path::parse_mod_style.parse_str(path) else {
         let problem = format!("the option `math` is `{path}`, which is no path of a module");
         return quote!(compile_error!(#problem););
@@ -22,7 +22,7 @@ pub(super) fn functions(path: &str, mentioned: &HashSet<String>) -> TokenStream 
     ];
     let used = names
         .into_iter()
-        .filter(|(name, _)| mentioned.contains(*name));
+        .filter(|(name, _)| mentioned.contains(name));
     let used: Vec<TokenStream> = used.map(|(_, import)| import).collect();
     match used.as_slice() {
         [] => TokenStream::new(),

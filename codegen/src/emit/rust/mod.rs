@@ -21,6 +21,7 @@ mod newton;
 mod normalized_determinant;
 mod parameters;
 mod path;
+mod pieces;
 mod points;
 mod scope;
 mod sensitivity;

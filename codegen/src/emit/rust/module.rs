@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::functions::functions;
@@ -10,6 +10,7 @@ use super::layout::Verbatim;
 use super::literal::Scalar;
 use super::names::identifier;
 use super::names::spelled;
+use super::pieces::{Around, formatted};
 use super::{
     block, coordinates, explained, frame, newton, parameters, path, shell, tables, textbook,
 };
@@ -146,39 +147,41 @@ impl<'a> Module<'a> {
         self.comments.say(words)
     }
 
-    /// The items of the module, in parts that belong together.
-    pub(super) fn items(&self, owns_parameters: bool) -> Vec<TokenStream> {
+    /// The items of the module, which stands in `around`, as the formatter leaves them.
+    pub(super) fn items(&self, owns_parameters: bool, around: &[Around]) -> String {
         let precision = self.scalar.precision();
-        let mut parts = vec![
-            coordinates::coordinates(self),
-            parameters::structures(self, owns_parameters),
-            textbook::functions(self),
-            frame::frame(self),
-            block::branches(self),
-            explained::block_names(self),
-            textbook::characteristic_length(self),
-            newton::equations(self),
-            block::functions(self),
-            path::path(self),
-            shell::mechanism(self),
-            textbook::dense(self),
+        let structures = |module: &Self| parameters::structures(module, owns_parameters);
+        // One at a time becomes text: as tokens all of them together would take far more room.
+        let parts: [&dyn Fn(&Self) -> TokenStream; 12] = [
+            &coordinates::coordinates,
+            &structures,
+            &textbook::functions,
+            &frame::frame,
+            &block::branches,
+            &explained::block_names,
+            &textbook::characteristic_length,
+            &newton::equations,
+            &block::functions,
+            &path::path,
+            &shell::mechanism,
+            &textbook::dense,
         ];
-        let mentioned = identifiers(&parts);
+        let rest = parts.iter().fold(String::new(), |text, part| {
+            text + &formatted(part(self), around)
+        });
+        let mentioned = identifiers(&rest);
         let constants = self.constants(&mentioned);
         let tables = tables::tables(self, &mentioned);
         let functions = self.math.map(|path| functions(path, &mentioned));
-        parts.insert(
-            0,
-            quote!(use ::linkwright::#precision::*; #functions #constants #tables),
-        );
-        parts
+        let first = quote!(use ::linkwright::#precision::*; #functions #constants #tables);
+        formatted(first, around) + &rest
     }
 
     /// The named constants that the code mentions; what of the solved view is left out may have been all that needed one.
-    fn constants(&self, mentioned: &HashSet<String>) -> TokenStream {
+    fn constants(&self, mentioned: &HashSet<&str>) -> TokenStream {
         let list = self.program.constants.list().iter();
         let mut used = list
-            .filter(|constant| mentioned.contains(&constant.name))
+            .filter(|constant| mentioned.contains(constant.name.as_str()))
             .peekable();
         if used.peek().is_none() {
             return TokenStream::new();
@@ -230,22 +233,46 @@ impl<'a> Module<'a> {
     }
 }
 
-/// Every identifier of pieces of code.
-fn identifiers(code: &[TokenStream]) -> HashSet<String> {
+/// Every word of code, but for what stands in its documentation and in strings.
+fn identifiers(code: &str) -> HashSet<&str> {
     let mut found = HashSet::new();
-    let mut open = code.to_vec();
-    while let Some(tokens) = open.pop() {
-        for token in tokens {
-            match token {
-                TokenTree::Group(group) => open.push(group.stream()),
-                TokenTree::Ident(ident) => {
-                    found.insert(ident.to_string());
-                }
-                TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+    let lines = code
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("///"));
+    for line in lines {
+        let mut rest = line;
+        while let Some(start) = rest.find(|it: char| it == '"' || is_of_word(it)) {
+            rest = &rest[start..];
+            if let Some(string) = rest.strip_prefix('"') {
+                rest = after_string(string);
+                continue;
             }
+            let end = rest.find(|it: char| !is_of_word(it));
+            let (word, others) = rest.split_at(end.unwrap_or(rest.len()));
+            found.insert(word);
+            rest = others;
         }
     }
     found
+}
+
+fn is_of_word(letter: char) -> bool {
+    letter == '_' || letter.is_alphanumeric()
+}
+
+/// What follows the quote that ends a string, of which this is what follows the quote that begins it.
+fn after_string(text: &str) -> &str {
+    let mut letters = text.char_indices();
+    while let Some((place, letter)) = letters.next() {
+        match letter {
+            '\\' => {
+                letters.next();
+            }
+            '"' => return &text[place + 1..],
+            _ => {}
+        }
+    }
+    ""
 }
 
 /// `Parameter L = 0.05 m.` of `parameter L = 0.05 m`.

@@ -73,7 +73,7 @@ impl Usage {
                 .iter()
                 .for_each(|term| self.visit(term.expr, 1, graph, known)),
             Node::Product(factors) => {
-                for factor in factors {
+                for factor in factors.iter() {
                     // A power is written as a product, so its base is used as often.
                     let exponent = factor.exponent;
                     let whole = if exponent.denominator() == 1 {
