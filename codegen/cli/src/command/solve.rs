@@ -23,8 +23,11 @@ use crate::report::comma_separated::{self, Table};
 use crate::report::json::Object;
 use crate::report::summary::{self, How};
 
-/// A table of more bytes than these is announced.
-const LARGE: u64 = 1_000_000_000;
+/// A table of more gigabytes than this is announced.
+const LARGE: f64 = 1.0;
+
+/// In bytes.
+const GIGABYTE: f64 = 1e9;
 
 /// Solves the motion and reports it.
 ///
@@ -75,14 +78,14 @@ fn report<V: View>(
     let mut motion = Followed::new(view, wanted, schedule.start.t, chosen);
     // Nothing is written of a motion without a frame.
     let table = files.frames.take().filter(|_| motion.start.is_some());
-    let size = comma_separated::size(&motion, schedule.wanted());
+    let size = comma_separated::size(&motion, schedule.wanted()) as f64 / GIGABYTE;
     if table.is_some() && size > LARGE {
         say(&format!(
             "warning: `{}` will take about {:.1} GB\n  = help: `--no-files` writes none, and `--step` makes fewer frames",
             table
                 .as_ref()
                 .map_or(String::new(), |it| it.path().display().to_string()),
-            size as f64 / 1e9
+            size
         ));
     }
     let mut progress = Progress::new(schedule.visits());
