@@ -9,12 +9,12 @@ use super::docs::doc_lines;
 use super::layout::Verbatim;
 use super::lints;
 use super::literal::count;
-use super::module::{Module, only};
+use super::module::only;
 use super::names::identifier;
-use super::scope::{Place, Scope};
+use crate::emit::module::scope::{Place, Scope};
+use crate::emit::module::{Module, documentation};
 use crate::expr::ExprId;
 use crate::model::{Dimension, field_name};
-use crate::program::Function;
 
 /// What the functions of a mechanism are given beside pose and time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,16 +30,6 @@ impl Module<'_> {
             parameters: !self.system.mechanism.parameters.is_empty(),
             inputs: !self.system.mechanism.inputs.is_empty(),
         }
-    }
-
-    /// Whether a frame keeps the parameters that its points are found with.
-    pub(super) fn frame_keeps_parameters(&self) -> bool {
-        let mut functions = self.program.points.iter().chain(&self.program.pressures);
-        functions.any(|function| {
-            Scope::new(self, function, Place::Coordinates)
-                .reads()
-                .parameters
-        })
     }
 }
 
@@ -133,14 +123,7 @@ fn structure<'a>(
             .graph
             .constant_value(value)
             .unwrap_or(0.0);
-        let mut lines = vec![format!(
-            "`{name}`, in {}: {value:?} {default}.",
-            dimension.unit()
-        )];
-        if !docs.is_empty() {
-            lines.push(String::new());
-            lines.extend(docs.iter().cloned());
-        }
+        let lines = documentation::of_number(name, dimension, value, default, docs);
         text.docs(doc_lines(lines));
         let (field, value) = (identifier(&field_name(name)), module.number(value));
         text.line(format!("{field} = {value},"));
@@ -193,13 +176,4 @@ fn drawn(module: &Module<'_>) -> TokenStream {
         #allow
         #function
     }
-}
-
-/// The estimates of fields that are no coordinates, where parameters change them: each with its place among the unknowns.
-pub(super) fn is_given(function: &Function, place: usize, module: &Module<'_>) -> bool {
-    let graph = &module.system.mechanism.graph;
-    function
-        .results
-        .get(place)
-        .is_some_and(|result| !graph.is_constant(result.expr))
 }

@@ -1,0 +1,255 @@
+//! The functions that move a mechanism.
+
+use super::assembly;
+use super::points::Offered;
+use super::printer::Printer;
+use super::text::Text;
+use crate::emit::module::tubes::tube_count;
+
+/// Where everything of a mechanism is, as the runtime sees it.
+pub(super) fn parts(printer: &Printer<'_>, text: &mut Text) {
+    let (mechanism, declared) = (printer.runtime("mechanism"), printer.declared());
+    text.gap();
+    text.comment(["Where everything of the mechanism is, as the runtime sees it."]);
+    text.line(format!(
+        "static {mechanism} {}({} *mechanism)",
+        printer.own("parts_of"),
+        printer.type_prefix
+    ));
+    text.open("{");
+    text.line(format!("{mechanism} parts;"));
+    let null = |is_there: bool, value: &str| match is_there {
+        true => value.to_string(),
+        false => "NULL".to_string(),
+    };
+    let fields = [
+        ("blocks", format!("&{}", printer.own_constant("BLOCKS"))),
+        ("state", "&mechanism->state".to_string()),
+        ("failure", "&mechanism->failure".to_string()),
+        ("frames[0]", "&mechanism->frames[0]".to_string()),
+        ("frames[1]", "&mechanism->frames[1]".to_string()),
+        ("branches", "&mechanism->branches".to_string()),
+        (
+            "parameters",
+            null(declared.parameters, "&mechanism->parameters"),
+        ),
+        ("inputs", null(declared.inputs, "&mechanism->inputs")),
+        (
+            "window_inputs[0]",
+            null(declared.inputs, "&mechanism->window_inputs[0]"),
+        ),
+        (
+            "window_inputs[1]",
+            null(declared.inputs, "&mechanism->window_inputs[1]"),
+        ),
+        (
+            "tubes",
+            null(tube_count(printer.module) > 0, "mechanism->tubes"),
+        ),
+    ];
+    for (field, value) in fields {
+        text.line(format!("parts.{field} = {value};"));
+    }
+    text.line("return parts;");
+    text.close("}");
+    in_steps(printer, text);
+}
+
+/// What needs the most room, apart from what is called often.
+fn in_steps(printer: &Printer<'_>, text: &mut Text) {
+    let (mechanism, room, real) = (
+        printer.runtime("mechanism"),
+        printer.runtime("room"),
+        printer.real(),
+    );
+    let has_inputs = printer.declared().inputs;
+    text.gap();
+    text.comment(["Goes on in several steps where one has failed."]);
+    text.line(format!(
+        "static LINKWRIGHT_APART linkwright_status {}(const {mechanism} *parts, {real} t, const void *inputs)",
+        printer.own("advance_in_steps")
+    ));
+    text.open("{");
+    text.line(format!(
+        "{} frames[LINKWRIGHT_WAY_FRAMES];",
+        printer.type_of("Frame")
+    ));
+    text.line(format!(
+        "{} branches[LINKWRIGHT_WAY_BRANCHES];",
+        printer.type_of("Branches")
+    ));
+    if has_inputs {
+        text.line(format!(
+            "{} between[LINKWRIGHT_WAY_INPUTS];",
+            printer.type_of("Inputs")
+        ));
+    }
+    let between = if has_inputs { "between" } else { "NULL" };
+    text.line(format!(
+        "const {room} room = {{frames, branches, {between}}};"
+    ));
+    text.line(format!(
+        "return {}(parts, t, inputs, &room);",
+        printer.runtime("advance_in_steps")
+    ));
+    text.close("}");
+}
+
+/// What is passed to a function of the interface beside what it is always given.
+pub(super) struct Given {
+    pub parameters: String,
+    pub inputs: String,
+    pub passed_parameters: &'static str,
+    pub passed_inputs: &'static str,
+    any_inputs: &'static str,
+}
+
+impl Given {
+    pub(super) fn of(printer: &Printer<'_>) -> Given {
+        let declared = printer.declared();
+        let argument = |is_there: bool, kind: &str, name: &str| match is_there {
+            true => format!("const {} *{name}", printer.type_of(kind)),
+            false => String::new(),
+        };
+        Given {
+            parameters: argument(declared.parameters, "Parameters", "parameters"),
+            inputs: argument(declared.inputs, "Inputs", "inputs"),
+            passed_parameters: if declared.parameters {
+                "parameters"
+            } else {
+                ""
+            },
+            passed_inputs: if declared.inputs { "inputs" } else { "" },
+            any_inputs: if declared.inputs { "inputs" } else { "NULL" },
+        }
+    }
+}
+
+/// Arguments without those that do not exist.
+pub(super) fn listed(arguments: &[&str]) -> String {
+    let given = arguments.iter().filter(|it| !it.is_empty()).copied();
+    given.collect::<Vec<_>>().join(", ")
+}
+
+/// The functions that assemble and move the mechanism.
+pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
+    let mut offered = assembly::offered(printer);
+    offered.extend(motion(printer));
+    if printer.declared().parameters {
+        offered.push(set_parameters(printer));
+    }
+    offered
+}
+
+/// A function that can fail, without its body.
+pub(super) fn function(
+    printer: &Printer<'_>,
+    lines: &[&str],
+    name: &str,
+    arguments: &[&str],
+) -> Offered {
+    let name = printer.function(name);
+    Offered {
+        lines: lines.iter().map(|line| line.to_string()).collect(),
+        declaration: format!("linkwright_status {name}({})", listed(arguments)),
+        body: Text::default(),
+    }
+}
+
+fn motion(printer: &Printer<'_>) -> Vec<Offered> {
+    let (given, real, frame) = (Given::of(printer), printer.real(), printer.type_of("Frame"));
+    let mechanism = format!("{} *mechanism", printer.type_prefix);
+    let time = format!("{real} t");
+    let (parts, own) = (printer.runtime("mechanism"), printer.own("parts_of"));
+    let inputs = given.any_inputs;
+    let mut advance = function(
+        printer,
+        &[
+            "Moves the mechanism to time t (s), starting from the last frame, which a failure leaves as it is. Where one step is not",
+            "enough it goes in several; the time of a failure is where the motion ends, or how far it could be followed.",
+        ],
+        "advance",
+        &[&mechanism, &time, &given.inputs],
+    );
+    let body = &mut advance.body;
+    body.line(format!("const {parts} parts = {own}(mechanism);"));
+    body.line(format!(
+        "linkwright_status status = {}(&parts, t, {inputs});",
+        printer.runtime("advance")
+    ));
+    body.open("if (status != LINKWRIGHT_OK) {");
+    body.line(format!(
+        "status = {}(&parts, t, {inputs});",
+        printer.own("advance_in_steps")
+    ));
+    body.close("}");
+    body.line("return status;");
+    let mut at = function(
+        printer,
+        &[
+            "Solves for the frame at time t (s) in the modes of now, whether or not a path leads there: an entry of a table, say. The",
+            "mechanism stays where it is.",
+        ],
+        "frame_at",
+        &[&mechanism, &time, &given.inputs, &format!("{frame} *found")],
+    );
+    at.body
+        .line(format!("const {parts} parts = {own}(mechanism);"));
+    at.body
+        .line(format!("{} branches;", printer.type_of("Branches")));
+    at.body.line(format!(
+        "return {}(&parts, t, {inputs}, found, &branches);",
+        printer.runtime("frame_at")
+    ));
+    let mut last = Offered {
+        lines: vec!["The last solved instant.".to_string()],
+        declaration: format!(
+            "const {frame} *{}(const {} *mechanism)",
+            printer.function("frame"),
+            printer.type_prefix
+        ),
+        body: Text::default(),
+    };
+    last.body
+        .line("return &mechanism->frames[mechanism->state.second_is_last ? 1 : 0];");
+    vec![advance, last, at]
+}
+
+fn set_parameters(printer: &Printer<'_>) -> Offered {
+    let mechanism = format!("{} *mechanism", printer.type_prefix);
+    let mut offered = function(
+        printer,
+        &[
+            "Changes the parameters. The last frame stays as it was solved; the next one is solved with these, in the same modes, with",
+            "angles near those of the last one. Values that the description may not have, such as a negative length, are refused, and the",
+            "parameters then stay as they are.",
+        ],
+        "set_parameters",
+        &[&mechanism, &Given::of(printer).parameters],
+    );
+    let (parts, own) = (printer.runtime("mechanism"), printer.own("parts_of"));
+    let body = &mut offered.body;
+    body.line(format!("const {parts} parts = {own}(mechanism);"));
+    body.line(format!(
+        "const linkwright_status status = {}(&parts, parameters, {}(mechanism)->t);",
+        printer.runtime("allow"),
+        printer.function("frame")
+    ));
+    body.open("if (status == LINKWRIGHT_OK) {");
+    body.line("mechanism->parameters = *parameters;");
+    body.line(format!(
+        "{}(&parts);",
+        printer.runtime("parameters_changed")
+    ));
+    body.close("}");
+    body.line("return status;");
+    offered
+}
+
+impl Printer<'_> {
+    /// The constant with the values that parameters have in the description, one for all motions.
+    pub(super) fn nominal_constant(&self) -> String {
+        let name = &self.module.system.mechanism.name;
+        format!("{}_NOMINAL", name.to_uppercase())
+    }
+}
