@@ -1,12 +1,14 @@
-//! System and Program → Rust, text, LaTeX and drawings.
+//! System and Program → Rust, text, LaTeX, MathML and drawings.
 //!
-//! The first three print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
+//! All but the last print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
 //! functions of time. Deliberately unknown here: files, and where an expression came from.
 
 pub mod derivation;
 pub mod drawing;
 mod formula;
 pub mod latex;
+pub mod markup;
+pub mod mathml;
 mod named_parts;
 mod notation;
 mod parts;

@@ -15,3 +15,4 @@ mod printed;
 mod set;
 mod singular;
 mod solve;
+mod view;
