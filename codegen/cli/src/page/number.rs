@@ -37,7 +37,7 @@ fn plain(value: f64) -> String {
         };
     }
     let before = size.log10().floor() as i32 + 1;
-    let decimals = (6 - before.max(0)).max(0) as usize;
+    let decimals = (6 - before).max(0) as usize;
     shortened(&format!("{value:.decimals$}")).to_string()
 }
 
@@ -55,10 +55,10 @@ mod tests {
 
     #[test]
     fn numbers_have_six_digits() {
-        let texts = [0.0, 1.0, -0.5, 1.0 / 3.0, 1234.56789, 2e7, 1e-5, -1e-15].map(number);
+        let texts = [0.0, 1.0, -0.5, 1.0 / 30.0, 1234.56789, 2e7, 1e-5, -1e-15].map(number);
         assert_eq!(
             texts,
-            ["0", "1", "−0.5", "0.333333", "1234.57", "2e7", "1e−5", "0"]
+            ["0", "1", "−0.5", "0.0333333", "1234.57", "2e7", "1e−5", "0"]
         );
         assert_eq!(mathml(-2.5), "<mrow><mo>−</mo><mn>2.5</mn></mrow>");
         assert!(mathml(1.5e-7).contains("<msup><mn>10</mn><mn>−7</mn></msup>"));
