@@ -73,7 +73,7 @@ impl Columns {
     }
 }
 
-/// Follows a motion and keeps at most so many of its instants; `None` where it cannot even be assembled, which the error says.
+/// Follows a motion and keeps at most so many of its instants.
 ///
 /// # Errors
 /// Why the mechanism cannot be assembled.
@@ -104,8 +104,7 @@ pub fn recorded(
         return Err(motion.error.unwrap_or_default());
     };
     let (count, measured) = (first.q().len(), measures.len());
-    let mut column =
-        |of: &dyn Fn(&(Instant, Vec<f64>)) -> f64| columns.place(kept.instants.iter().map(of));
+    let mut column = |of: &dyn Fn(&KeptInstant) -> f64| columns.place(kept.instants.iter().map(of));
     let coordinates = (0..count).map(|index| {
         [
             column(&|(it, _)| it.q()[index]),
@@ -126,12 +125,15 @@ pub fn recorded(
     })
 }
 
+/// An instant and its measures.
+type KeptInstant = (Instant, Vec<f64>);
+
 /// Every so manieth instant, and the last.
 struct Kept {
     every: usize,
     count: usize,
-    instants: Vec<(Instant, Vec<f64>)>,
-    last: Option<(Instant, Vec<f64>)>,
+    instants: Vec<KeptInstant>,
+    last: Option<KeptInstant>,
 }
 
 impl Sink for Kept {
