@@ -7,7 +7,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
-export const repository = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+export const repository = process.env.REPOSITORY ?? path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 const command = process.env.LINKWRIGHT ?? path.join(repository, "target/release/linkwright");
 const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
 

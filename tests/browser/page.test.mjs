@@ -143,6 +143,10 @@ test("pointing at one thing lights what belongs to it", async () => {
   assert.deepEqual(found.bodies, ["body-1", "body-2"]);
   assert.deepEqual(found.joints, ["joint-p"]);
   for (const curve of ["q2", "q5"]) assert.ok(found.curves.includes(curve), `${curve} in ${found.curves}`);
+  // From a step of the derivation.
+  await page.hover('#block-2 .equation:has([data-q="5"]) >> nth=1');
+  found = await lit();
+  assert.ok(found.bodies.includes("body-2") && found.curves.includes("q5"), JSON.stringify(found));
   // From a curve: φ2 is the sixth coordinate, of body 2, in the rows of the pin and in no driver.
   await page.hover('.chip[data-is="q5"]');
   found = await lit();

@@ -7,7 +7,7 @@ use linkwright_codegen::stages::model::set;
 use linkwright_solver::check::Check;
 use linkwright_solver::schedule::Schedule;
 
-use super::description::{chosen, determined, interpreted, outputs, source};
+use super::description::{chosen, determined, findings, interpreted, outputs, source};
 use super::{Outcome, Problem, print, say, watch};
 use crate::arguments::View;
 use crate::output::{Beginning, Signature};
@@ -70,6 +70,7 @@ pub struct Made {
 /// Those of [`run`] but the last.
 pub fn made(arguments: &View, source: &Source, live: Live) -> Result<Made, Problem> {
     let mut system = determined(source, arguments.motion.as_deref())?;
+    let findings = findings(source, &system);
     for assignment in &arguments.set {
         set(&mut system.mechanism, assignment).map_err(Problem)?;
     }
@@ -85,7 +86,7 @@ pub fn made(arguments: &View, source: &Source, live: Live) -> Result<Made, Probl
             schedule: &schedule,
             step,
             chosen,
-            findings: "",
+            findings: &findings,
         },
         live,
     );

@@ -41,7 +41,8 @@ pub fn derivation(check: &Check) -> String {
 }
 
 /// Where each block is singular, and how close the motion comes to that.
-pub fn singular(check: &Check, determinant: Option<f64>) -> String {
+/// Where another assembly was chosen than was checked, only where.
+pub fn singular(check: &Check, determinant: Option<f64>, is_checked: bool) -> String {
     let program = check.interpreted.program();
     let (system, plan) = (check.interpreted.system(), check.interpreted.plan());
     let poses = singular_poses_in_html(system, plan, &program.forms);
@@ -51,7 +52,7 @@ pub fn singular(check: &Check, determinant: Option<f64>) -> String {
     let mut measured = 0;
     for (pose, part) in poses.iter().zip(&check.parts) {
         let verdict = match &part.approach {
-            _ if pose.meaning.is_none() => String::new(),
+            _ if pose.meaning.is_none() || !is_checked => String::new(),
             None => String::new(),
             Some(approach) => {
                 let at = time(approach.instant.t());

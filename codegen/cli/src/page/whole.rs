@@ -19,7 +19,21 @@ use super::players::Players;
 use super::{constraints, equations, given, solution, start};
 
 const STYLE: &str = include_str!("page.css");
-const SCRIPT: &str = include_str!("page.js");
+
+/// One script in parts, each of which knows those before it.
+const SCRIPT: &str = concat!(
+    "\"use strict\";\n(() => {\n",
+    include_str!("script/data.js"),
+    include_str!("script/motion.js"),
+    include_str!("script/stage.js"),
+    include_str!("script/shown.js"),
+    include_str!("script/plots.js"),
+    include_str!("script/pointing.js"),
+    include_str!("script/time.js"),
+    include_str!("script/assemblies.js"),
+    include_str!("script/first.js"),
+    "})();\n"
+);
 const RELOAD: &str = include_str!("reload.js");
 
 /// How many poses guides are made long enough for.
@@ -60,6 +74,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         "<header><h1>{title}</h1>\n{}</header>\n",
         given::docs(&mechanism.docs)
     );
+    body += include_str!("contents.html");
     body += &warnings(page, &players);
     body += "<main>\n<div id=\"stage\">\n";
     let _ = writeln!(
@@ -103,7 +118,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
     body += &section(
         "singular",
         "Singular poses",
-        &solution::singular(check, determinant(check, &players)),
+        &solution::singular(check, determinant(check, &players), page.chosen.is_none()),
     );
     body += &section("assemblies", "Assemblies", &assemblies(check));
     body += "</article>\n</main>\n";
