@@ -45,7 +45,7 @@ pub mod program {
 
 /// What is written of it.
 pub mod emit {
-    pub use crate::emit::{Notation, derivation, drawing, latex, report, text};
+    pub use crate::emit::{Notation, derivation, drawing, latex, markup, mathml, report, text};
 
     /// Modules of Rust.
     pub mod rust {

@@ -7,6 +7,7 @@ pub mod arguments;
 pub mod command;
 pub mod motion;
 pub mod output;
+pub mod page;
 pub mod progress;
 pub mod report;
 pub mod terminal;

@@ -6,6 +6,7 @@
 
 mod block_words;
 mod document;
+mod html_page;
 mod latex_page;
 mod outline;
 mod page;
@@ -15,6 +16,7 @@ mod spelling;
 mod text_page;
 
 pub use block_words::{BlockWords, block_words};
+pub use html_page::{HtmlDerivation, HtmlSection};
 pub use singular::SingularPose;
 
 use std::cell::RefCell;
@@ -37,6 +39,11 @@ pub fn text(system: &System, plan: &SolvedPlan, notation: Notation) -> String {
 /// The derivation as a LaTeX document, which needs amsmath only.
 pub fn latex(system: &System, plan: &SolvedPlan) -> String {
     latex_page::page(&Writer::new(system, plan, Script::Latex).document())
+}
+
+/// The derivation as parts of a page with MathML.
+pub fn html(system: &System, plan: &SolvedPlan) -> HtmlDerivation {
+    html_page::page(&Writer::new(system, plan, Script::Html).document())
 }
 
 /// The table at the head of the derivation alone: unknowns, method and joints of each block in solve order.
@@ -69,10 +76,37 @@ pub fn singular_poses_in_latex(
     singular::singular_poses(&mut Spelling::new(system, Script::Latex), plan, forms)
 }
 
+/// What each joint and driver asks for, in the order of the mechanism, as sentences with formulas in MathML.
+pub fn constraints_in_html(system: &System) -> Vec<String> {
+    let mut mechanism = system.mechanism.clone();
+    let phrases: Vec<Phrase> = (0..mechanism.joints.len())
+        .map(|joint| crate::words::constraint(&mut mechanism, joint))
+        .collect();
+    // What has been made of expressions is in this graph.
+    let mut spelling = Spelling::new(
+        &System {
+            mechanism,
+            ..system.clone()
+        },
+        Script::Html,
+    );
+    let sentences = phrases.iter().map(|words| spelling.phrase(words));
+    sentences.collect()
+}
+
 /// Writes words as plain text.
 pub struct PlainWords {
     /// Formulas in words are made in its graph.
     spelling: RefCell<Spelling>,
+}
+
+/// Where each part of the plan is singular, in solve order, with formulas in MathML and everything else escaped.
+pub fn singular_poses_in_html(
+    system: &System,
+    plan: &SolvedPlan,
+    forms: &[Vec<Arc<dyn Form>>],
+) -> Vec<SingularPose> {
+    singular::singular_poses(&mut Spelling::new(system, Script::Html), plan, forms)
 }
 
 impl PlainWords {

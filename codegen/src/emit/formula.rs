@@ -14,6 +14,21 @@ pub(crate) trait Spelling: Copy {
     /// The sign before a term that is subtracted.
     fn minus(self) -> &'static str;
 
+    /// The sign before a term that is added.
+    fn plus(self) -> &'static str {
+        "+"
+    }
+
+    /// A number without a sign.
+    fn digits(self, digits: &str) -> String {
+        digits.to_string()
+    }
+
+    /// The time.
+    fn time(self) -> String {
+        "t".to_string()
+    }
+
     /// π.
     fn pi(self) -> &'static str;
 
@@ -40,6 +55,17 @@ pub(crate) trait Spelling: Copy {
 
     /// What stands behind a base.
     fn exponent(self, numerator: i128, denominator: i128) -> String;
+
+    /// A base with its exponent.
+    fn power(self, base: &str, exponent: &str) -> String {
+        format!("{base}{exponent}")
+    }
+
+    /// `left < right`, or `left > right`.
+    fn comparison(self, left: &str, is_less: bool, right: &str) -> String {
+        let sign = if is_less { '<' } else { '>' };
+        format!("{left} {sign} {right}")
+    }
 
     /// Whether the exponent of a sine or a cosine stands behind its name.
     fn raises_names(self) -> bool;
@@ -152,12 +178,11 @@ impl<'a, S: Spelling> Printer<'a, S> {
             is_less,
             right,
         } = self.graph().comparison(condition);
-        let sign = if is_less { '<' } else { '>' };
         let [left, right] = [left, right].map(|terms| match terms.is_empty() {
-            true => "0".to_string(),
+            true => self.spelling.digits("0"),
             false => self.sum(&self.order.terms(&terms)),
         });
-        format!("{left} {sign} {right}")
+        self.spelling.comparison(&left, is_less, &right)
     }
 
     /// A constant part: a sum, or a number times powers.
@@ -185,13 +210,13 @@ impl<'a, S: Spelling> Printer<'a, S> {
                 self.name(expr).is_some()
             }),
         };
-        let minus = self.spelling.minus();
+        let (plus, minus) = (self.spelling.plus(), self.spelling.minus());
         let mut text = String::new();
         for (position, addend) in addends.iter().enumerate() {
             match (position, addend.negative) {
                 (0, false) => {}
                 (0, true) => text.push_str(minus),
-                (_, false) => text.push_str(" + "),
+                (_, false) => text.push_str(&format!(" {plus} ")),
                 (_, true) => text.push_str(&format!(" {minus} ")),
             }
             text.push_str(&self.spelling.fraction(&addend.fraction, self));
@@ -221,7 +246,7 @@ impl<'a, S: Spelling> Printer<'a, S> {
     /// One part of a product; `followed` by something that a reader could take into the argument of a function.
     pub(super) fn part(&self, part: &Part, followed: bool) -> String {
         let (base, exponent) = match part {
-            Part::Digits(digits) => return digits.clone(),
+            Part::Digits(digits) => return self.spelling.digits(digits),
             Part::Root(radicand) => return self.spelling.root(&radicand.to_string(), true),
             Part::Power(base, exponent) => (*base, exponent),
         };
@@ -241,7 +266,10 @@ impl<'a, S: Spelling> Printer<'a, S> {
         match *self.graph().node(base) {
             Node::Sin(angle) if raises_name => function("sin", angle),
             Node::Cos(angle) if raises_name => function("cos", angle),
-            _ => format!("{}{exponent}", self.operand(base, true)),
+            _ => {
+                let base = self.operand(base, true);
+                self.spelling.power(&base, &exponent)
+            }
         }
     }
 
@@ -298,7 +326,7 @@ impl<'a, S: Spelling> Printer<'a, S> {
             SymbolRole::Input { input, level } => {
                 spelling.local(system.local_name(system.mechanism.inputs[input].symbols[level]))
             }
-            SymbolRole::Intermediate | SymbolRole::Last(_) | SymbolRole::Time => "t".to_string(),
+            SymbolRole::Intermediate | SymbolRole::Last(_) | SymbolRole::Time => spelling.time(),
         }
     }
 }

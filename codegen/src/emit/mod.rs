@@ -1,9 +1,9 @@
-//! System and Program → Rust, text, LaTeX and drawings.
+//! System and Program → Rust, text, LaTeX, MathML and drawings.
 //!
 //! [`Language`] lists the languages in which a mechanism becomes a module: each has a room of its own, and what all of them say and
 //! compute stands in `module/`. Another one is another room and a line in that list.
 //!
-//! Rust, text and LaTeX print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
+//! All but the last print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
 //! functions of time. Deliberately unknown here: files, and where an expression came from.
 
 mod c;
@@ -13,6 +13,8 @@ mod formula;
 mod language;
 pub mod latex;
 mod lines;
+pub mod markup;
+pub mod mathml;
 mod module;
 mod named_parts;
 mod notation;

@@ -5,6 +5,7 @@
 //! [`Phrase`]: names and formulas keep their places until somebody prints it. Deliberately unknown here: how formulas look, and
 //! any output language.
 
+mod constraint;
 mod coupled;
 mod ends;
 mod known;
@@ -15,6 +16,7 @@ mod phrase;
 mod pins;
 mod singular;
 
+pub use constraint::constraint;
 pub use known::Known;
 pub use lists::{counted, enumerated};
 pub use loops::loop_name;

@@ -2,8 +2,10 @@
 
 mod solve;
 mod values;
+mod view;
 
 pub use solve::{Equations, Solve, TurnUnit};
+pub use view::View;
 
 use std::path::PathBuf;
 
@@ -26,6 +28,7 @@ Examples:
   linkwright solve mechanisms/excavator.mech
   linkwright solve mechanisms/two_body.mech --to 1 --step 0.1 --points Q
   linkwright draw mechanisms/excavator.mech
+  linkwright view mechanisms/excavator.mech
   linkwright inspect mechanisms/two_body.mech --format unicode
   linkwright plan mechanisms/excavator.mech
   linkwright check mechanisms/two_body.mech
@@ -41,6 +44,8 @@ pub enum Command {
     Solve(Solve),
     /// Draw the mechanism as an SVG or a PNG
     Draw(Draw),
+    /// Make a page that moves the mechanism and shows its equations
+    View(View),
     /// Write the mechanism as a Rust module, or as C99
     Generate(Generate),
     /// Show Φ, Φ_q, Φ_t and γ, and what the generated code solves

@@ -100,6 +100,14 @@ pub fn determined(source: &Source, wanted: Option<&str>) -> Result<System, Probl
     Ok(system)
 }
 
+/// What stops nothing and has been printed already of a description and one of its motions, as it was printed.
+pub fn findings(source: &Source, system: &System) -> String {
+    let read = linkwright_codegen::read(source).map(|read| read.warnings);
+    let found = [read, linkwright_codegen::check(system)];
+    let found = found.into_iter().flatten().filter(|it| !it.is_empty());
+    found.map(|it| it.render(source)).collect()
+}
+
 /// The blocks of a system.
 ///
 /// # Errors

@@ -55,6 +55,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
         size: arguments.size,
         frames: frames(&system, &arguments.frame)?,
         caption: system.mechanism.title(),
+        is_moving: false,
     };
     let path = path(arguments, &system);
     let is_png = arguments.png

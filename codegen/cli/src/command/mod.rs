@@ -11,6 +11,8 @@ pub mod inspect;
 pub mod plan;
 pub mod solve;
 mod solve_files;
+pub mod view;
+pub mod watch;
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -50,6 +52,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
     let outcome = match arguments.command {
         Command::Solve(solve) => solve::run(&solve),
         Command::Draw(draw) => draw::run(&draw),
+        Command::View(view) => view::run(&view),
         Command::Generate(generate) => generate::run(&generate),
         Command::Inspect(inspect) => inspect::run(&inspect),
         Command::Plan(plan) => plan::run(&plan),

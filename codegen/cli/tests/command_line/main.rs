@@ -16,3 +16,4 @@ mod printed;
 mod set;
 mod singular;
 mod solve;
+mod view;

@@ -130,11 +130,10 @@ impl<'a> Writer<'a> {
                     cosine,
                 } => {
                     let script = self.spelling.script;
-                    let function = script.either("atan2", "atan2", "\\operatorname{atan2}");
                     let [sine, cosine] = [sine, cosine].map(|part| self.spelling.formula(*part));
                     equations.push(DisplayedEquation {
                         left: self.symbol(*target),
-                        right: format!("{function}({sine}, {cosine})"),
+                        right: script.atan2(&sine, &cosine),
                         note: String::new(),
                     });
                 }

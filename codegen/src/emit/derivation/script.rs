@@ -1,9 +1,12 @@
-//! How words and formulas look: as typed text, or as LaTeX.
+//! How words and formulas look: as typed text, as LaTeX, or as HTML with MathML.
 
 use crate::emit::formula::Printer;
+use crate::emit::formula::Spelling as _;
 use crate::emit::latex::Latex;
+use crate::emit::markup::escaped;
+use crate::emit::mathml::MathMl;
 use crate::emit::named_parts::NamedParts;
-use crate::emit::{Notation, latex, text};
+use crate::emit::{Notation, latex, mathml, text};
 use crate::expr::ExprId;
 use crate::system::{SymbolRole, System};
 
@@ -14,12 +17,21 @@ pub(super) enum Script {
     Text(Notation),
     /// Formulas for math mode, words escaped.
     Latex,
+    /// Formulas as rows of MathML, words escaped.
+    Html,
 }
 
 impl Script {
     /// Picks what fits the script.
-    pub(super) fn either<'a>(self, ascii: &'a str, unicode: &'a str, latex: &'a str) -> &'a str {
+    fn either<'a>(
+        self,
+        ascii: &'a str,
+        unicode: &'a str,
+        latex: &'a str,
+        mathml: &'a str,
+    ) -> &'a str {
         match self {
+            Script::Html => mathml,
             Script::Text(Notation::Ascii) => ascii,
             Script::Text(Notation::Unicode) => unicode,
             Script::Latex => latex,
@@ -41,6 +53,9 @@ impl Script {
             Script::Latex => Printer::new(system, &[], Latex)
                 .naming(parts, is_long)
                 .expression(expr),
+            Script::Html => Printer::new(system, &[], MathMl)
+                .naming(parts, is_long)
+                .expression(expr),
         }
     }
 
@@ -49,6 +64,7 @@ impl Script {
         match self {
             Script::Text(notation) => text::formula(system, &[], notation, value),
             Script::Latex => latex::formula(system, &[], value),
+            Script::Html => mathml::formula(system, &[], value),
         }
     }
 
@@ -57,6 +73,7 @@ impl Script {
         match self {
             Script::Text(notation) => text::symbol(system, notation, role),
             Script::Latex => latex::symbol(system, role),
+            Script::Html => mathml::symbol(system, role),
         }
     }
 
@@ -65,6 +82,48 @@ impl Script {
         match self {
             Script::Text(_) => formula.to_string(),
             Script::Latex => format!("${formula}$"),
+            Script::Html => format!("<math>{formula}</math>"),
+        }
+    }
+
+    /// A sentence in which formulas that follow one another are one.
+    pub(super) fn joined(self, sentence: &str) -> String {
+        sentence.replace(self.either("$$", "$$", "$$", "</math><math>"), "")
+    }
+
+    /// Words of a sentence.
+    pub(super) fn words(self, text: &str) -> String {
+        match self {
+            Script::Text(_) | Script::Latex => text.to_string(),
+            Script::Html => escaped(text),
+        }
+    }
+
+    /// A formula that is typed as text.
+    pub(super) fn typed(self, text: &str) -> String {
+        match self {
+            Script::Text(_) | Script::Latex => text.to_string(),
+            Script::Html => mathml::typed(text),
+        }
+    }
+
+    /// How long a formula is, in characters of the text; of MathML those that are seen count.
+    pub(super) fn length_of(self, formula: &str) -> usize {
+        match self {
+            Script::Text(_) | Script::Latex => formula.chars().count(),
+            Script::Html => mathml::shown(formula),
+        }
+    }
+
+    /// The angle of these coordinates.
+    pub(super) fn atan2(self, sine: &str, cosine: &str) -> String {
+        match self {
+            Script::Text(_) => format!("atan2({sine}, {cosine})"),
+            Script::Latex => format!("\\operatorname{{atan2}}({sine}, {cosine})"),
+            Script::Html => {
+                let both = format!("{sine}<mo>,</mo>{cosine}");
+                format!("<mi>atan2</mi>{}", mathml::brackets(&both))
+            }
         }
     }
 
@@ -73,6 +132,7 @@ impl Script {
         match self {
             Script::Text(_) => name.to_string(),
             Script::Latex => latex::escaped(name).replace("->", "$\\to$"),
+            Script::Html => escaped(&name.replace("->", "→")),
         }
     }
 
@@ -81,6 +141,7 @@ impl Script {
         match self {
             Script::Text(_) => name.to_string(),
             Script::Latex => latex::vector_name(name),
+            Script::Html => mathml::vector_name(name),
         }
     }
 
@@ -89,12 +150,16 @@ impl Script {
         match self {
             Script::Text(_) => format!("|{name}|"),
             Script::Latex => format!("|{}|", self.vector(name)),
+            Script::Html => format!("<mrow><mo>|</mo>{}<mo>|</mo></mrow>", self.vector(name)),
         }
     }
 
     /// The square of a single symbol.
     pub(super) fn square(self, symbol: &str) -> String {
-        format!("{symbol}{}", self.either("^2", "²", "^2"))
+        match self {
+            Script::Html => MathMl.power(symbol, &MathMl.digits("2")),
+            _ => format!("{symbol}{}", self.either("^2", "²", "^2", "")),
+        }
     }
 
     /// Two components as a column, or on a line.
@@ -104,6 +169,9 @@ impl Script {
             Script::Latex => {
                 format!("\\begin{{pmatrix}} {x} \\\\ {y} \\end{{pmatrix}}")
             }
+            Script::Html => format!(
+                "<mrow><mo>(</mo><mtable><mtr><mtd>{x}</mtd></mtr><mtr><mtd>{y}</mtd></mtr></mtable><mo>)</mo></mrow>"
+            ),
         }
     }
 
@@ -112,6 +180,7 @@ impl Script {
         match self {
             Script::Text(_) => format!("R({angle})"),
             Script::Latex => format!("\\mathbf{{R}}({angle})"),
+            Script::Html => format!("{}{}", self.vector("R"), mathml::brackets(angle)),
         }
     }
 
@@ -127,6 +196,7 @@ impl Script {
             }
             Script::Text(_) => format!("r_{body}"),
             Script::Latex => format!("\\mathbf{{r}}_{{\\mathrm{{{}}}}}", latex::escaped(body)),
+            Script::Html => format!("<msub>{}{}</msub>", self.vector("r"), mathml::name(body)),
         }
     }
 
@@ -136,6 +206,7 @@ impl Script {
             Script::Text(Notation::Ascii) => format!("perp({name})"),
             Script::Text(Notation::Unicode) => format!("{name}⊥"),
             Script::Latex => format!("{}^{{\\perp}}", self.vector(name)),
+            Script::Html => MathMl.power(&self.vector(name), "<mo>⊥</mo>"),
         }
     }
 
@@ -144,6 +215,7 @@ impl Script {
         match self {
             Script::Text(_) => format!("{name}_{index}"),
             Script::Latex => format!("\\mathbf{{{name}}}_{{\\mathbf{{{index}}}}}"),
+            Script::Html => format!("<msub>{}{}</msub>", self.vector(name), self.vector(index)),
         }
     }
 
@@ -152,18 +224,19 @@ impl Script {
         match self {
             Script::Text(_) => format!("{name}{number}"),
             Script::Latex => format!("{name}_{{{number}}}"),
+            Script::Html => format!("<msub><mi>{name}</mi><mn>{number}</mn></msub>"),
         }
     }
 
     /// The scalar product of two vectors.
     pub(super) fn dot(self, first: &str, second: &str) -> String {
-        let sign = self.either(".", "·", "\\cdot");
+        let sign = self.either(".", "·", "\\cdot", "<mo>·</mo>");
         format!("{} {sign} {}", self.vector(first), self.vector(second))
     }
 
     /// The plane cross product of two vectors, a number.
     pub(super) fn cross(self, first: &str, second: &str) -> String {
-        let sign = self.either("x", "×", "\\times");
+        let sign = self.either("x", "×", "\\times", "<mo>×</mo>");
         format!("{} {sign} {}", self.vector(first), self.vector(second))
     }
 
@@ -173,14 +246,21 @@ impl Script {
             Script::Text(Notation::Ascii) => "*",
             Script::Text(Notation::Unicode) => "·",
             Script::Latex => "\\,",
+            Script::Html => "<mspace width=\"0.15em\"/>",
         }
+    }
+
+    /// The plus sign between two terms.
+    pub(super) fn plus(self) -> &'static str {
+        self.either("+", "+", "+", MathMl.plus())
     }
 
     /// The minus sign between two terms.
     pub(super) fn minus(self) -> &'static str {
         match self {
             Script::Text(Notation::Unicode) => "−",
-            _ => "-",
+            Script::Text(Notation::Ascii) | Script::Latex => "-",
+            Script::Html => MathMl.minus(),
         }
     }
 }

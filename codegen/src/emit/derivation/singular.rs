@@ -114,9 +114,9 @@ fn unsigned(value: ExprId, spelling: &mut Spelling) -> Option<String> {
         return None;
     }
     let mut text = spelling.formula_as_is(value);
-    if text.starts_with(['-', '−']) {
+    if text.starts_with(spelling.script.minus()) {
         let minus = spelling.graph().negate(value);
         text = spelling.formula_as_is(minus);
     }
-    (text.chars().count() <= LONGEST).then(|| spelling.script.inline(&text))
+    (spelling.script.length_of(&text) <= LONGEST).then(|| spelling.script.inline(&text))
 }

@@ -96,21 +96,21 @@ impl Spelling {
     /// A phrase as a sentence: formulas stand between words.
     pub(super) fn phrase(&mut self, phrase: &Phrase) -> String {
         let spelled = phrase.pieces().iter().map(|piece| match piece {
-            Piece::Text(text) => text.clone(),
+            Piece::Text(text) => self.script.words(text),
             Piece::Name(name) => self.script.word(name),
             other => {
                 let formula = self.piece(other);
                 self.script.inline(&formula)
             }
         });
-        // Formulas that follow one another are one.
-        spelled.collect::<String>().replace("$$", "")
+        let spelled: String = spelled.collect();
+        self.script.joined(&spelled)
     }
 
     /// A phrase as a formula of its own.
     pub(super) fn side(&mut self, phrase: &Phrase) -> String {
         let spelled = phrase.pieces().iter().map(|piece| match piece {
-            Piece::Text(text) | Piece::Name(text) => text.clone(),
+            Piece::Text(text) | Piece::Name(text) => self.script.typed(text),
             other => self.piece(other),
         });
         spelled.collect()
@@ -178,7 +178,7 @@ impl Spelling {
             text.push_str(&match (place, negative) {
                 (0, false) => String::new(),
                 (0, true) => minus.to_string(),
-                (_, false) => " + ".to_string(),
+                (_, false) => format!(" {} ", self.script.plus()),
                 (_, true) => format!(" {minus} "),
             });
             text.push_str(term);
@@ -204,7 +204,7 @@ impl Spelling {
         if minus == one {
             return (true, vector);
         }
-        let negative = self.formula(factor).starts_with(['-', '−']);
+        let negative = self.formula(factor).starts_with(self.script.minus());
         let size = self.formula(if negative { minus } else { factor });
         (negative, format!("{size}{}{vector}", self.script.times()))
     }

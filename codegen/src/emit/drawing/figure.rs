@@ -193,6 +193,14 @@ impl Figure {
             .collect()
     }
 
+    /// The same with the frames of the bodies elsewhere.
+    pub fn moved(&self, places: Vec<Place>) -> Figure {
+        Figure {
+            places,
+            ..self.clone()
+        }
+    }
+
     /// Around all outlines.
     pub fn bounds(&self) -> Bounds {
         let traces = self.groups().flat_map(|group| self.traces(group));

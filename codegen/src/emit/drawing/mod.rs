@@ -10,7 +10,9 @@
 //! - on the drawing, `data-scale`: pixels per metre;
 //! - `data-body="K"`: the frame of body K;
 //! - `data-at="K x y" data-turned="L"`: at a point of body K, in pixels of its frame with y downwards, turned as body L is;
-//! - `data-from="K x y" data-to="L x y"`: at the one point, turned towards the other.
+//! - `data-from="K x y" data-to="L x y"`: at the one point, turned towards the other;
+//! - `data-still=""`: right in this pose only;
+//! - `data-follows="K x y"` on a name, where that is asked for: it keeps its place beside the point, and is not turned.
 //!
 //! Deliberately unknown here: how a pose is found, files, and what is not drawn in the plane.
 

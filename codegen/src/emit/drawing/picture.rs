@@ -7,12 +7,13 @@ use super::extras::{AXIS, Traced};
 use super::figure::{Figure, Frame};
 use super::label::placed;
 use super::letters::width;
-use super::naming::{Named, SIZE, names, obstacles};
-use super::plane::{Bounds, NEGLIGIBLE, Point, distance, onward, scaled};
-use super::pose::{Pose, Scene};
+use super::naming::{Name, Named, SIZE, names, obstacles};
+use super::plane::{Bounds, NEGLIGIBLE, Place, Point, distance, onward, scaled};
+use super::pose::{Entitled, Pose, Scene};
 use super::scale_bar::scale_bar;
 use super::style::{TINTS, sheet};
-use super::svg::{escaped, layers, number};
+use super::svg::{layers, number};
+use crate::emit::markup::escaped;
 use crate::system::System;
 
 /// What can be chosen about a drawing.
@@ -24,6 +25,8 @@ pub struct Options {
     pub frames: Vec<usize>,
     /// What stands in the lower right corner.
     pub caption: String,
+    /// Whether there is room for the other poses too, and names say what they follow, for whoever moves the mechanism.
+    pub is_moving: bool,
 }
 
 /// The largest picture where no size is given.
@@ -33,6 +36,9 @@ const SMALLEST: Point = [420.0, 220.0];
 
 /// Room for names around the figure.
 const MARGIN: f64 = 30.0;
+
+/// In how many poses a moving figure is looked at.
+const REACHED: usize = 32;
 
 /// The height of a line of the legend.
 const ROW: f64 = 20.0;
@@ -62,9 +68,13 @@ pub fn draw(
         }
         (figure, unit)
     };
-    let scale = fitted(&scene, inner, |scale| complete(scale).0.bounds());
+    let bounds = |figure: &Figure| match options.is_moving {
+        true => reached(figure, &scene),
+        false => figure.bounds(),
+    };
+    let scale = fitted(&scene, inner, |scale| bounds(&complete(scale).0));
     let (figure, unit) = complete(scale);
-    let bounds = figure.bounds();
+    let bounds = bounds(&figure);
     let size = match options.size {
         Some(size) => size.map(f64::from),
         None => {
@@ -101,7 +111,7 @@ pub fn draw(
         number(size[1] - origin[1])
     );
     text += &layers(&figure, "");
-    text += &labels(&scene, &figure, unit, &area, &options.frames);
+    text += &labels(&scene, &figure, unit, &area, options);
     text.push_str("</g>\n");
     text += &legend_text(&figure, size, &options.caption);
     text.push_str("</svg>\n");
@@ -116,6 +126,20 @@ pub(super) fn opening(size: Point, title: &str) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"linkwright\" role=\"img\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {width} {height}\">\n<title>{title}</title>\n"
     )
+}
+
+/// Around the figure in the poses that the drawing is made for, as many of them as tell how far it comes.
+fn reached(figure: &Figure, scene: &Scene) -> Bounds {
+    let every = scene.motion.len().div_ceil(REACHED).max(1);
+    let corners = scene.motion.iter().step_by(every).flat_map(|places| {
+        let places = places.iter().map(|place| Place {
+            origin: scaled(place.origin, figure.scale),
+            angle: place.angle,
+        });
+        let bounds = figure.moved(places.collect()).bounds();
+        [bounds.low, bounds.high]
+    });
+    Bounds::of(corners)
 }
 
 /// How many notes the legend has.
@@ -158,12 +182,12 @@ pub(super) fn labels(
     figure: &Figure,
     unit: f64,
     area: &Bounds,
-    frames: &[usize],
+    options: &Options,
 ) -> String {
     let names = names(scene, figure, unit);
     let mut obstacles = obstacles(figure);
     let mut text = String::from("<g id=\"names\">\n");
-    for &body in frames {
+    for &body in &options.frames {
         let place = figure.place(Frame::Body(body));
         for (along, letter) in [([1.0, 0.0], "x"), ([0.0, 1.0], "y")] {
             let at = place.globally(onward([0.0; 2], AXIS * unit + 9.0, along));
@@ -186,7 +210,11 @@ pub(super) fn labels(
             Named::Body(body) => format!(" class=\"tint-{}\"", (body - 1) % TINTS),
             Named::Point(_) => String::new(),
         };
-        let _ = write!(text, "<g{tint}>");
+        let follows = match options.is_moving {
+            true => followed(name, center, scene, figure),
+            false => String::new(),
+        };
+        let _ = write!(text, "<g{tint}{follows}>");
         if let Some(to) = placed.leader {
             let from = nearest(&placed.area, to);
             let length = distance(from, to);
@@ -230,6 +258,20 @@ pub(super) fn labels(
     }
     text.push_str("</g>\n");
     text
+}
+
+/// What a name follows: a point of a body, in pixels of its frame with y downwards.
+fn followed(name: &Name, center: Point, scene: &Scene, figure: &Figure) -> String {
+    let (body, [x, y], point) = match name.of {
+        Named::Point(place) => {
+            let Entitled { at, name, .. } = &scene.points[place];
+            let point = format!(" data-point=\"{}\"", escaped(name));
+            (at.body, scaled(at.local, figure.scale), point)
+        }
+        Named::Body(body) => (body, figure.places[body].locally(center), String::new()),
+    };
+    let [x, y] = [x, -y].map(number);
+    format!(" data-follows=\"{body} {x} {y}\"{point}")
 }
 
 /// The point of a box that is nearest to another.

@@ -4,11 +4,12 @@ use std::fmt::Write as _;
 
 use super::draft::drafted;
 use super::naming::SIZE;
-use super::picture::{fitted, labels, opening};
+use super::picture::{Options, fitted, labels, opening};
 use super::plane::{Bounds, Point};
 use super::pose::{Pose, Scene};
 use super::style::sheet as style;
-use super::svg::{escaped, layers, number};
+use super::svg::{layers, number};
+use crate::emit::markup::escaped;
 use crate::system::System;
 
 /// One pose and what is written above it.
@@ -108,7 +109,7 @@ pub fn sheet(system: &System, panels: &[Panel]) -> String {
                 low: [low[0] + 3.0, low[1] + 3.0],
                 high: [low[0] + width - 3.0, low[1] + height - TITLE],
             };
-            text += &labels(scene, &figure, unit, &area, &[]);
+            text += &labels(scene, &figure, unit, &area, &Options::default());
         }
         text.push_str("</g>\n");
     }

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::figure::{Figure, Frame, Group, Layer, Look, Outline, Part, offset_edges};
 use super::plane::{Place, Point};
 use super::style::{TINTS, class};
+use crate::emit::markup::escaped;
 
 /// A number in hundredths.
 pub(super) fn number(value: f64) -> String {
@@ -14,23 +15,6 @@ pub(super) fn number(value: f64) -> String {
         "-0" => "0".to_string(),
         text => text.to_string(),
     }
-}
-
-/// A text between tags or quotes.
-pub(super) fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            // No other control character may stand in XML.
-            letter if letter.is_control() => out.push(' '),
-            letter => out.push(letter),
-        }
-    }
-    out
 }
 
 fn pair(point: Point) -> String {
@@ -123,7 +107,8 @@ fn framed(figure: &Figure, frame: Frame) -> String {
         _ => String::new(),
     };
     let _ = match frame {
-        Frame::Body(0) | Frame::Still => Ok(()),
+        Frame::Body(0) => Ok(()),
+        Frame::Still => write!(text, " data-still=\"\""),
         Frame::Body(body) => write!(text, " data-body=\"{body}\""),
         Frame::Riding(at, body) => write!(
             text,
@@ -246,10 +231,5 @@ mod tests {
     fn numbers_are_short_and_have_no_negative_zero() {
         let text = [1.0, -0.001, 2.25, -3.1, 100.0].map(number);
         assert_eq!(text, ["1", "0", "2.25", "-3.1", "100"]);
-    }
-
-    #[test]
-    fn texts_are_escaped() {
-        assert_eq!(escaped("a<b & \"c\""), "a&lt;b &amp; &quot;c&quot;");
     }
 }

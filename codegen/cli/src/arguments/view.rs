@@ -1,0 +1,59 @@
+//! What `linkwright view` is asked.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::values::{step, time};
+
+/// Makes one HTML file that shows the mechanism in motion, its equations, their solution block by block, its singular poses, its
+/// assemblies and its curves.
+///
+/// The file needs nothing else: no network, no other file. Pointing at an equation, a curve or a body lights what it is about. It
+/// prints as a worked solution.
+#[derive(Args, Debug)]
+#[command(after_help = VIEW_EXAMPLES)]
+pub struct View {
+    /// The description, a `.mech` file
+    pub file: PathBuf,
+    /// Which motion, where the mechanism has several
+    #[arg(long, value_name = "NAME")]
+    pub motion: Option<String>,
+    /// Where to write the page; `-` is stdout [default: NAME.html]
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// When the motion starts, in s or with a unit; the mechanism is assembled there
+    #[arg(long, value_name = "T0", default_value = "0", value_parser = time, allow_hyphen_values = true)]
+    pub from: f64,
+    /// When the motion ends, in s
+    #[arg(long, value_name = "T1", default_value = "5", value_parser = time, allow_hyphen_values = true)]
+    pub to: f64,
+    /// The time between frames, in s, and that of the first Newton-Raphson step
+    #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
+    pub step: f64,
+    /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
+    /// The assembly mode of a loop: `positive` or `negative`, or `other` than drawn; may be repeated. A wrong name lists the loops
+    #[arg(long, value_name = "LOOP=MODE")]
+    pub branch: Vec<String>,
+    /// Replace a file that is not a page of this command
+    #[arg(long)]
+    pub force: bool,
+    /// Write no file but serve the page to this machine only, always as the description is now: it is reloaded when the file is
+    /// saved, and what is wrong with it stands in the page
+    #[arg(long, conflicts_with_all = ["out", "force"])]
+    pub watch: bool,
+    /// The port at which the page is served; 0 takes a free one
+    #[arg(long, value_name = "PORT", default_value = "7341", requires = "watch")]
+    pub port: u16,
+}
+
+const VIEW_EXAMPLES: &str = "\
+Examples:
+  linkwright view mechanisms/two_body.mech                          two_body.html, five seconds
+  linkwright view mechanisms/jansen.mech --to 2.1 --out walk.html
+  linkwright view lift.mech --set L2=360mm --set 'lift=0.5 + 0.1*sin(2*t)'
+  linkwright view mechanisms/four_bar.mech --watch                  edit, save, see
+
+Exit codes: 0 written, 1 the mechanism cannot be assembled or its motion ends early, which the page says, 2 bad input.";

@@ -1,0 +1,100 @@
+//! *A description* → *a page that shows the mechanism and its equations*, as a file, or served while the description is edited.
+
+use std::path::{Path, PathBuf};
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::stages::model::set;
+use linkwright_solver::check::Check;
+use linkwright_solver::schedule::Schedule;
+
+use super::description::{chosen, determined, findings, interpreted, outputs, source};
+use super::{Outcome, Problem, print, say, watch};
+use crate::arguments::View;
+use crate::output::{Beginning, Signature};
+use crate::page::{Live, Page, page};
+
+/// How a page is known again.
+const SIGNATURE: Signature = Signature {
+    noun: "a page that this command has made",
+    beginning: Beginning::Bytes(|start| {
+        let text = String::from_utf8_lossy(start);
+        text.contains("<meta name=\"generator\" content=\"linkwright\">")
+    }),
+};
+
+/// Writes the page, or serves it.
+///
+/// # Errors
+/// The description has errors, its equations do not determine the motion, an option cannot be used, or the page cannot be written.
+/// That the mechanism cannot be assembled, or that its motion ends early, is an outcome, and stands in the page.
+pub fn run(arguments: &View) -> Result<Outcome, Problem> {
+    if arguments.watch {
+        return watch::run(arguments);
+    }
+    let source = source(&arguments.file)?;
+    let made = made(arguments, &source, Live::No)?;
+    let path = match &arguments.out {
+        Some(path) => path.clone(),
+        None => PathBuf::from(format!("{}.html", made.name)),
+    };
+    if let Some(error) = &made.error {
+        say(&format!("error: `{}` {error}", made.name));
+    }
+    if path == Path::new("-") {
+        print(|output| output.write_all(made.html.as_bytes()))?;
+    } else {
+        let mut outputs = outputs(&arguments.file, &source, arguments.force);
+        let output = outputs.file(&path, SIGNATURE)?;
+        output.write(|output| output.write_all(made.html.as_bytes()))?;
+        print(|output| writeln!(output, "wrote {}", path.display()))?;
+    }
+    Ok(match made.error {
+        None => Outcome::Done,
+        Some(_) => Outcome::Failed,
+    })
+}
+
+/// A page and what is to be known of it.
+pub struct Made {
+    /// The file.
+    pub html: String,
+    /// What the file is called without an ending.
+    pub name: String,
+    /// Why the motion ends early, or does not begin.
+    pub error: Option<String>,
+}
+
+/// The page of a description.
+///
+/// # Errors
+/// Those of [`run`] but the last.
+pub fn made(arguments: &View, source: &Source, live: Live) -> Result<Made, Problem> {
+    let mut system = determined(source, arguments.motion.as_deref())?;
+    let findings = findings(source, &system);
+    for assignment in &arguments.set {
+        set(&mut system.mechanism, assignment).map_err(Problem)?;
+    }
+    let (from, to, step) = (arguments.from, arguments.to, arguments.step);
+    let schedule = Schedule::range(from, to, step);
+    let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
+    let view = interpreted(&system, &arguments.file)?;
+    let chosen = chosen(&arguments.branch, &view, schedule.start.t)?;
+    let check = Check::new(view, &schedule, |_| {});
+    let (html, error) = page(
+        &Page {
+            check: &check,
+            schedule: &schedule,
+            step,
+            chosen,
+            findings: &findings,
+        },
+        live,
+    );
+    let motion = system.mechanism.motion.as_ref();
+    let motion = motion.map_or(String::new(), |motion| format!("_{}", motion.name));
+    Ok(Made {
+        html,
+        name: format!("{}{motion}", system.mechanism.name),
+        error,
+    })
+}

@@ -1,0 +1,73 @@
+//! *A system* → *its constraints in words*, and how many degrees of freedom they leave.
+
+use std::fmt::Write as _;
+
+use linkwright_codegen::stages::emit::derivation::constraints_in_html;
+use linkwright_codegen::stages::emit::markup::escaped;
+use linkwright_codegen::stages::model::Role;
+use linkwright_codegen::stages::system::System;
+use linkwright_solver::check::Check;
+
+use super::equations::about;
+
+/// The table of constraints and drivers, and the count.
+pub fn section(system: &System, check: &Check) -> String {
+    let words = constraints_in_html(system);
+    let mut text = String::from("<div class=\"wide\"><table>\n");
+    for (role, title) in [
+        (Role::Constraint, "Joints, Φ<sup>K</sup>"),
+        (Role::Driver, "Drivers, Φ<sup>D</sup>"),
+    ] {
+        let of_role = |joint: usize| system.mechanism.joints[joint].role == role;
+        let joints = (0..system.mechanism.joints.len()).filter(|&joint| of_role(joint));
+        let mut rows = String::new();
+        for joint in joints {
+            let own = &system.mechanism.joints[joint];
+            let count = system.rows.iter().filter(|row| row.joint == joint).count();
+            let docs = match own.docs.is_empty() {
+                true => String::new(),
+                false => format!("<br><small>{}</small>", escaped(&own.docs.join(" "))),
+            };
+            let _ = writeln!(
+                rows,
+                "<tr {}><td><code>{}</code>{docs}</td><td>{}.</td><td class=\"count\">{count}</td></tr>",
+                about(system, joint, None),
+                escaped(&own.label.replace("->", "→")),
+                capitalized(&words[joint]),
+            );
+        }
+        if !rows.is_empty() {
+            let _ = writeln!(
+                text,
+                "<tbody><tr><th>{title}</th><th>In words</th><th>Equations</th></tr>\n{rows}</tbody>"
+            );
+        }
+    }
+    text += "</table></div>\n";
+    let coordinates = system.coordinates.len();
+    let constraints = coordinates as i64 - check.kinematic_freedom;
+    let drivers = check.kinematic_freedom - check.net_freedom;
+    let _ = writeln!(
+        text,
+        "<p class=\"freedom\"><b>KDOF</b> = {coordinates} coordinates − {constraints} equations of joints = <b>{}</b>, \
+         so that many drivers determine the motion. <b>NDOF</b> = {} − {drivers} {} of drivers = <b>{}</b>.</p>",
+        check.kinematic_freedom,
+        check.kinematic_freedom,
+        if drivers == 1 {
+            "equation"
+        } else {
+            "equations"
+        },
+        check.net_freedom
+    );
+    text
+}
+
+/// A sentence from words that may begin with a tag.
+fn capitalized(words: &str) -> String {
+    let mut letters = words.chars();
+    match letters.next() {
+        Some(first) if first != '<' => first.to_uppercase().chain(letters).collect(),
+        _ => words.to_string(),
+    }
+}

@@ -1,0 +1,85 @@
+//! *A system* → *its parameters and inputs with their values*, and what its documentation says.
+
+use std::fmt::Write as _;
+
+use linkwright_codegen::stages::emit::markup::escaped;
+use linkwright_codegen::stages::emit::mathml;
+use linkwright_codegen::stages::system::System;
+
+use super::number::number;
+
+/// Paragraphs of documentation.
+pub fn docs(lines: &[String]) -> String {
+    let text = lines.iter().map(|line| line.trim()).collect::<Vec<_>>();
+    let paragraphs = text.split(|line| line.is_empty());
+    let paragraphs = paragraphs.filter(|lines| !lines.is_empty());
+    paragraphs
+        .map(|lines| format!("<p>{}</p>\n", escaped(&lines.join(" "))))
+        .collect()
+}
+
+/// The bodies with what is said of them.
+pub fn bodies(system: &System) -> String {
+    let bodies = system.mechanism.bodies.iter().enumerate().skip(1);
+    let rows: String = bodies
+        .map(|(place, body)| {
+            let points: Vec<String> = body.marks.iter().map(|it| escaped(&it.name)).collect();
+            format!(
+                "<tr data-is=\"b{place}\" tabindex=\"0\"><td><b>{}</b></td><td>{}</td><td>{}</td></tr>\n",
+                escaped(&body.name),
+                points.join(", "),
+                escaped(&body.docs.join(" "))
+            )
+        })
+        .collect();
+    match rows.is_empty() {
+        true => String::new(),
+        false => format!(
+            "<div class=\"wide\"><table><thead><tr><th>Body</th><th>Points</th><th></th></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
+        ),
+    }
+}
+
+/// A table of what is given; nothing where nothing is.
+pub fn values(system: &System) -> String {
+    let mechanism = &system.mechanism;
+    let mut rows = String::new();
+    for own in &mechanism.parameters {
+        let value = mechanism.graph.nominal(own.symbol).unwrap_or(f64::NAN);
+        let _ = writeln!(
+            rows,
+            "<tr><td>parameter</td><td><b>{}</b></td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escaped(&own.name),
+            number(value),
+            escaped(&own.dimension.unit()),
+            escaped(&own.docs.join(" "))
+        );
+    }
+    for own in &mechanism.inputs {
+        let _ = writeln!(
+            rows,
+            "<tr><td>input</td><td><b>{}</b></td><td><math>{}</math></td><td>{}</td><td>{}</td></tr>",
+            escaped(&own.name),
+            mathml::formula(system, &[], own.signal[0]),
+            escaped(&own.dimension.unit()),
+            escaped(&own.docs.join(" "))
+        );
+    }
+    for own in &mechanism.tables {
+        let spline = mechanism.graph.spline_of(own.spline);
+        let _ = writeln!(
+            rows,
+            "<tr><td>table</td><td><b>{}</b></td><td>{} points</td><td>{}</td><td>{}</td></tr>",
+            escaped(&own.name),
+            spline.starts.len(),
+            escaped(&own.value.unit()),
+            escaped(&own.docs.join(" "))
+        );
+    }
+    match rows.is_empty() {
+        true => String::new(),
+        false => format!(
+            "<h2 id=\"given\">Parameters and inputs</h2>\n<div class=\"wide\"><table><thead><tr><th></th><th>Name</th><th>Value</th><th>Unit</th><th></th></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
+        ),
+    }
+}

@@ -1,0 +1,244 @@
+//! *A mechanism with all its motions* → *what the page plays*: one JSON object.
+
+use linkwright_codegen::stages::emit::mathml::symbol;
+use linkwright_codegen::stages::system::{Described, SymbolRole, System};
+use linkwright_solver::check::Check;
+use linkwright_solver::instant::Instant;
+use linkwright_solver::schedule::Schedule;
+use linkwright_solver::supplied::Modes;
+use linkwright_solver::view::View as _;
+use serde::Serialize;
+
+use super::equations::moved;
+use super::recorded::{Columns, Recorded, recorded};
+use super::start::unit;
+
+/// How many instants of the drawing's motion are kept.
+const KEPT: usize = 1001;
+
+/// How many bytes the motions of all other assemblies may take, as numbers.
+const BYTES: usize = 400_000;
+
+/// No motion is kept in fewer instants, between which the page interpolates with rates and accelerations.
+const FEWEST: usize = 21;
+
+/// How many assemblies are shown.
+const SHOWN: usize = 64;
+
+/// Everything that the page plays.
+#[derive(Debug, Serialize)]
+pub struct Players {
+    title: String,
+    bodies: Vec<Body>,
+    coordinates: Vec<Coordinate>,
+    points: Vec<Point>,
+    joints: Vec<Joint>,
+    measures: Vec<String>,
+    columns: Columns,
+    /// The first is that of the drawing.
+    pub assemblies: Vec<Player>,
+}
+
+/// A body, by its number in the drawing; the ground has no coordinates.
+#[derive(Debug, Serialize)]
+struct Body {
+    name: String,
+    pose: Option<[usize; 3]>,
+}
+
+#[derive(Debug, Serialize)]
+struct Coordinate {
+    name: String,
+    mathml: String,
+    body: Option<usize>,
+    unit: &'static str,
+}
+
+/// A joint, as the drawing names it.
+#[derive(Debug, Serialize)]
+struct Joint {
+    slug: String,
+    bodies: Vec<usize>,
+}
+
+#[derive(Debug, Serialize)]
+struct Point {
+    name: String,
+    body: usize,
+    local: [f64; 2],
+    /// Whether no joint holds it, so that its path is what one wants to see.
+    free: bool,
+}
+
+/// An assembly and its motion.
+#[derive(Debug, Serialize)]
+pub struct Player {
+    /// Its signs and letters.
+    pub label: String,
+    /// Its motion, or why it has none.
+    #[serde(flatten)]
+    pub motion: Motion,
+}
+
+/// The motion of an assembly.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum Motion {
+    /// As far as it goes.
+    Solved(Recorded),
+    /// Why it has none.
+    None {
+        /// A sentence.
+        error: String,
+    },
+}
+
+impl Players {
+    /// Follows the motion of the drawing and of all other assemblies.
+    pub fn new(check: &Check, schedule: &Schedule, chosen: Option<(Instant, Modes)>) -> Players {
+        let view = &check.interpreted;
+        let system = view.system();
+        let mut columns = Columns::default();
+        let is_chosen = chosen.is_some();
+        let drawn = check.assemblies.found.iter().find(|it| it.drawn);
+        let label = match (is_chosen, drawn) {
+            (false, Some(drawn)) => format!("{} as drawn", drawn.label()),
+            (false, None) => "as drawn".to_string(),
+            (true, _) => "as chosen".to_string(),
+        };
+        let first = recorded(view, schedule, chosen, KEPT, &mut columns);
+        let mut assemblies = Vec::new();
+        let mut points = Vec::new();
+        if let Ok(first) = &first {
+            points = self::points(check, &first.instants[0]);
+        }
+        assemblies.push(player(label, first));
+        let others = check
+            .assemblies
+            .found
+            .iter()
+            .filter(|it| !it.drawn || is_chosen);
+        let others: Vec<_> = others.take(SHOWN - 1).collect();
+        let numbers = 3 * system.coordinates.len() * others.len().max(1);
+        let most = (BYTES / size_of::<f32>() / numbers).clamp(FEWEST, KEPT);
+        for assembly in others {
+            let chosen = Some((assembly.instant.clone(), assembly.modes.clone()));
+            let motion = recorded(view, schedule, chosen, most, &mut columns);
+            assemblies.push(player(assembly.label(), motion));
+        }
+        Players {
+            title: system.mechanism.title(),
+            bodies: bodies(system),
+            coordinates: coordinates(system),
+            points,
+            joints: system
+                .mechanism
+                .joints
+                .iter()
+                .map(|joint| Joint {
+                    slug: joint.slug.clone(),
+                    bodies: moved(joint),
+                })
+                .collect(),
+            measures: view.measures().map_or(Vec::new(), |measures| {
+                let parts = measures.parts();
+                let several = |block| parts.iter().filter(|it| it.block == block).count() > 1;
+                let named = parts.iter().map(|part| match several(part.block) {
+                    true => format!("block {}.{}", part.block + 1, part.part + 1),
+                    false => format!("block {}", part.block + 1),
+                });
+                named.collect()
+            }),
+            columns,
+            assemblies,
+        }
+    }
+
+    /// The first motion, where there is one.
+    pub fn drawn(&self) -> Option<&Recorded> {
+        match &self.assemblies.first()?.motion {
+            Motion::Solved(recorded) => Some(recorded),
+            Motion::None { .. } => None,
+        }
+    }
+
+    /// Why the first motion ends early, or does not begin.
+    pub fn error(&self) -> Option<&str> {
+        match &self.assemblies.first()?.motion {
+            Motion::Solved(recorded) => recorded.error.as_deref(),
+            Motion::None { error } => Some(error),
+        }
+    }
+}
+
+fn player(label: String, motion: Result<Recorded, String>) -> Player {
+    Player {
+        label: label.replace('-', "−"),
+        motion: match motion {
+            Ok(recorded) => Motion::Solved(recorded),
+            Err(error) => Motion::None { error },
+        },
+    }
+}
+
+fn bodies(system: &System) -> Vec<Body> {
+    let place = |body: usize, axis: usize| {
+        let own = Described::Pose { body, axis };
+        system.coordinates.iter().position(|it| it.describes == own)
+    };
+    let bodies = system.mechanism.bodies.iter().enumerate();
+    bodies
+        .map(|(body, own)| Body {
+            name: own.name.clone(),
+            pose: match [0, 1, 2].map(|axis| place(body, axis)) {
+                [Some(x), Some(y), Some(angle)] => Some([x, y, angle]),
+                _ => None,
+            },
+        })
+        .collect()
+}
+
+fn coordinates(system: &System) -> Vec<Coordinate> {
+    let coordinates = system.coordinates.iter().enumerate();
+    coordinates
+        .map(|(place, own)| Coordinate {
+            name: own.name.clone(),
+            mathml: symbol(system, SymbolRole::Position(place)),
+            body: own.describes.body(),
+            unit: unit(own.quantity),
+        })
+        .collect()
+}
+
+/// The points by their places in the frames of their bodies.
+fn points(check: &Check, instant: &Instant) -> Vec<Point> {
+    let view = &check.interpreted;
+    let system = view.system();
+    let bodies = bodies(system);
+    let mechanism = &system.mechanism;
+    let motions = view.points(instant);
+    let declared = mechanism.points.iter().zip(motions);
+    declared
+        .map(|(point, motion)| {
+            let body = point.mark.frame.body.0;
+            let [x, y] = motion.position;
+            let local = match bodies[body].pose {
+                None => [x, y],
+                Some([at_x, at_y, angle]) => {
+                    let q = instant.q();
+                    let (sine, cosine) = q[angle].sin_cos();
+                    let [x, y] = [x - q[at_x], y - q[at_y]];
+                    [cosine * x + sine * y, cosine * y - sine * x]
+                }
+            };
+            let held = mechanism.joints.iter().flat_map(|it| &it.operands.marks);
+            let mut held = held.filter(|it| it.frame.body == point.mark.frame.body);
+            Point {
+                name: point.name.clone(),
+                body,
+                local,
+                free: body > 0 && held.all(|it| it.local != point.mark.local),
+            }
+        })
+        .collect()
+}

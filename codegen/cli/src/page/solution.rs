@@ -1,0 +1,92 @@
+//! *A plan and what was checked* → *the derivation block by block, and the singular poses*.
+
+use std::fmt::Write as _;
+
+use linkwright_codegen::stages::emit::derivation::{html, singular_poses_in_html};
+use linkwright_codegen::stages::emit::markup::escaped;
+use linkwright_solver::check::Check;
+use linkwright_solver::number::time;
+use linkwright_solver::view::View as _;
+
+use super::number::number;
+
+/// A determinant that comes closer to zero than this, beside the largest that it could have, vanishes.
+const VANISHED: f64 = 1e-9;
+
+/// The plan as a table and the derivation of each block.
+pub fn derivation(check: &Check) -> String {
+    let (system, plan) = (check.interpreted.system(), check.interpreted.plan());
+    let derived = html(system, plan);
+    let mut text = format!(
+        "<p>{}.</p>\n<div class=\"wide\"><table><thead><tr><th>Block</th><th>Unknowns</th><th>Method</th><th>Joints</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
+        derived.summary, derived.outline
+    );
+    // The last section is about singular poses, which have a place of their own.
+    for (place, section) in derived.sections.iter().enumerate().take(plan.blocks.len()) {
+        let joints: Vec<String> = plan.blocks[place]
+            .joints
+            .iter()
+            .map(|joint| format!("j{joint}"))
+            .collect();
+        let _ = writeln!(
+            text,
+            "<section class=\"block\" id=\"block-{}\" data-joints=\"{}\">\n<h3>{}</h3>\n{}</section>",
+            place + 1,
+            joints.join(" "),
+            section.heading,
+            section.body
+        );
+    }
+    text
+}
+
+/// Where each block is singular, and how close the motion comes to that.
+/// Where another assembly was chosen than was checked, only where.
+pub fn singular(check: &Check, determinant: Option<f64>, is_checked: bool) -> String {
+    let program = check.interpreted.program();
+    let (system, plan) = (check.interpreted.system(), check.interpreted.plan());
+    let poses = singular_poses_in_html(system, plan, &program.forms);
+    let mut text = String::from(
+        "<p>det Φ<sub>q</sub> is, up to its sign, the product of the determinants of the blocks: it vanishes exactly where one of these does.</p>\n",
+    );
+    let mut measured = 0;
+    for (pose, part) in poses.iter().zip(&check.parts) {
+        let verdict = match &part.approach {
+            _ if pose.meaning.is_none() || !is_checked => String::new(),
+            None => String::new(),
+            Some(approach) => {
+                let at = time(approach.instant.t());
+                let own = format!(" data-is=\"m{measured}\"");
+                measured += 1;
+                if approach.crosses || approach.measure < VANISHED {
+                    format!(" <b{own}>The motion comes to such a pose at t = {at} s.</b>")
+                } else {
+                    let range = check.range.unwrap_or([check.start; 2]).map(time);
+                    format!(
+                        " <span{own}>From t = {} s to {} s it does not vanish: divided by the lengths of its columns it is smallest at t = {at} s, {} (0 is singular, 1 as far from it as can be).</span>",
+                        range[0],
+                        range[1],
+                        number(approach.measure)
+                    )
+                }
+            }
+        };
+        let _ = writeln!(
+            text,
+            "<p class=\"pose\" tabindex=\"0\"><b>Block {}</b>, {}, {}: {}{verdict}</p>",
+            pose.block + 1,
+            pose.unknowns,
+            escaped(&pose.method),
+            pose.sentence(),
+        );
+    }
+    if let Some(determinant) = determinant {
+        let _ = writeln!(
+            text,
+            "<p>At t = {} s, det Φ<sub>q</sub> = <b>{}</b> in SI units, with the rows in the order of Φ.</p>",
+            time(check.start),
+            number(determinant)
+        );
+    }
+    text
+}

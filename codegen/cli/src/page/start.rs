@@ -1,0 +1,210 @@
+//! *The first instant* → *its coordinates and points with their rates, and the first Newton-Raphson step from it*.
+
+use std::fmt::Write as _;
+
+use linkwright::{Equations as _, PointMotion};
+use linkwright_codegen::stages::emit::markup::escaped;
+use linkwright_codegen::stages::emit::mathml::symbol;
+use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::system::{SymbolRole, System};
+use linkwright_solver::condition::{Condition, jacobian};
+use linkwright_solver::instant::Instant;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::textbook::TextbookEquations;
+use linkwright_solver::view::View as _;
+use nalgebra::{DMatrix, DVector};
+
+use super::number::{mathml, number};
+
+/// A matrix with more columns than these is listed by its nonzero entries.
+const LARGEST_MATRIX: usize = 12;
+
+/// What is zero in a matrix of numbers: rounding beside its largest entry.
+const ROUNDING: f64 = 1e-12;
+
+/// q, q̇ and q̈ at the start, and the motion of the points.
+pub fn values(view: &Interpreted, instant: &Instant) -> String {
+    let system = view.system();
+    let mut text = String::from(
+        "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th></th><th>position</th><th></th><th>rate</th><th>acceleration</th><th>unit</th></tr></thead><tbody>\n",
+    );
+    for (place, coordinate) in system.coordinates.iter().enumerate() {
+        let [q, qd, qdd] = instant.coordinate(place).unwrap_or_default();
+        let name = symbol(system, SymbolRole::Position(place));
+        let unit = unit(coordinate.quantity);
+        let degrees = match unit {
+            "rad" => format!("{}°", number(q.to_degrees())),
+            _ => String::new(),
+        };
+        let _ = writeln!(
+            text,
+            "<tr data-is=\"q{place}\" tabindex=\"0\"><th><math>{name}</math></th><td>{}</td><td>{degrees}</td><td>{}</td><td>{}</td><td>{unit}</td></tr>",
+            number(q),
+            number(qd),
+            number(qdd)
+        );
+    }
+    text += "</tbody></table></div>\n";
+    let points = view.points(instant);
+    if points.is_empty() {
+        return text;
+    }
+    text += "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th>Point</th><th>position, m</th><th>velocity, m/s</th><th>acceleration, m/s²</th></tr></thead><tbody>\n";
+    for (place, (output, motion)) in system.outputs.iter().zip(&points).enumerate() {
+        let PointMotion {
+            position,
+            velocity,
+            acceleration,
+        } = motion;
+        let pair = |[x, y]: &[f64; 2]| format!("({}, {})", number(*x), number(*y));
+        let _ = writeln!(
+            text,
+            "<tr data-is=\"p{place}\" tabindex=\"0\"><th>{}</th><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escaped(&output.name),
+            pair(position),
+            pair(velocity),
+            pair(acceleration)
+        );
+    }
+    text + "</tbody></table></div>\n"
+}
+
+/// What a quantity is measured in.
+pub fn unit(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Length => "m",
+        Quantity::Angle => "rad",
+        Quantity::Power(_) => "",
+    }
+}
+
+/// The equation of the first Newton-Raphson step at `t`, from the pose of an instant before.
+pub fn first_step(system: &System, instant: &Instant, t: f64) -> String {
+    let textbook = TextbookEquations::new(system);
+    let q = DVector::from_column_slice(instant.q());
+    let matrix = jacobian(&textbook, &q, t);
+    let mut residual = DVector::zeros(q.len());
+    textbook.residual(&q, t, &mut residual);
+    let right = -residual;
+    let scale = right.amax().max(1.0);
+    let right = right.map(|it| if it.abs() < ROUNDING * scale { 0.0 } else { it });
+    let step = matrix.clone().lu().solve(&right);
+    let mut text = format!(
+        "<p>From the pose at t = {} s, for t = {} s: <math><msub><mi mathvariant=\"normal\">Φ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></msub><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo><mspace width=\"0.15em\"/><mi mathvariant=\"normal\">Δ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></math> = <math><mo>−</mo><mi mathvariant=\"normal\">Φ</mi><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo></math>, in numbers</p>\n",
+        number(instant.t()),
+        number(t)
+    );
+    text += &match q.len() <= LARGEST_MATRIX {
+        true => full(&matrix, &right, step.as_ref(), system),
+        false => sparse(&matrix, &right, step.as_ref(), system),
+    };
+    let condition = Condition::of(&matrix);
+    let verdict = match condition.sign {
+        0 => "It vanishes: the step does not exist.",
+        _ => "It does not vanish, so there is one step.",
+    };
+    let _ = writeln!(
+        text,
+        "<p>The determinant of this matrix is <b>{}</b>. {verdict}</p>",
+        number(condition.determinant)
+    );
+    text
+}
+
+/// The matrix as a whole.
+fn full(
+    matrix: &DMatrix<f64>,
+    right: &DVector<f64>,
+    step: Option<&DVector<f64>>,
+    system: &System,
+) -> String {
+    let rows: String = matrix
+        .row_iter()
+        .map(|row| {
+            let cells: String = row
+                .iter()
+                .map(|value| format!("<mtd>{}</mtd>", mathml(*value)))
+                .collect();
+            format!("<mtr>{cells}</mtr>")
+        })
+        .collect();
+    let unknowns: Vec<String> = (0..right.len())
+        .map(|place| {
+            format!(
+                "<mi mathvariant=\"normal\">Δ</mi>{}",
+                symbol(system, SymbolRole::Position(place))
+            )
+        })
+        .collect();
+    let unknowns = column(unknowns.into_iter());
+    let right = column(right.iter().map(|it| mathml(*it)));
+    let solved = step.map_or(String::new(), |step| {
+        format!(
+            "<mo>⇒</mo>{unknowns}<mo>=</mo>{}",
+            column(step.iter().map(|it| mathml(*it)))
+        )
+    });
+    format!(
+        "<div class=\"wide\"><math id=\"first-step\"><mrow><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></mrow>{unknowns}<mo>=</mo>{right}</math> <math>{solved}</math></div>\n"
+    )
+}
+
+fn column(cells: impl Iterator<Item = String>) -> String {
+    let rows: String = cells
+        .map(|it| format!("<mtr><mtd>{it}</mtd></mtr>"))
+        .collect();
+    format!("<mrow><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></mrow>")
+}
+
+/// The rows by what is not zero in them.
+fn sparse(
+    matrix: &DMatrix<f64>,
+    right: &DVector<f64>,
+    step: Option<&DVector<f64>>,
+    system: &System,
+) -> String {
+    let mut text = String::from(
+        "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th></th><th class=\"left\">entries of Φ<sub>q</sub></th><th>−Φ</th></tr></thead><tbody>\n",
+    );
+    for (index, row) in matrix.row_iter().enumerate() {
+        let entries = row.iter().enumerate().filter(|(_, value)| **value != 0.0);
+        let entries: Vec<String> = entries
+            .map(|(place, value)| {
+                format!(
+                    "<span class=\"entry\"><math>{}</math>: {}</span>",
+                    symbol(system, SymbolRole::Position(place)),
+                    number(*value)
+                )
+            })
+            .collect();
+        let _ = writeln!(
+            text,
+            "<tr data-is=\"e{index}\"><th>{}</th><td class=\"left\">{}</td><td>{}</td></tr>",
+            index + 1,
+            entries.join(" "),
+            number(right[index])
+        );
+    }
+    text += "</tbody></table></div>\n";
+    if let Some(step) = step {
+        let moved = step
+            .iter()
+            .enumerate()
+            .filter(|(_, value)| value.abs() > ROUNDING);
+        let moved: Vec<String> = moved
+            .map(|(place, value)| {
+                format!(
+                    "<span class=\"entry\"><math><mi mathvariant=\"normal\">Δ</mi>{}</math> = {}</span>",
+                    symbol(system, SymbolRole::Position(place)),
+                    number(*value)
+                )
+            })
+            .collect();
+        let _ = writeln!(
+            text,
+            "<p>Its solution, where it is not zero: {}</p>",
+            moved.join(" ")
+        );
+    }
+    text
+}

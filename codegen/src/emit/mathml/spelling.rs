@@ -1,0 +1,299 @@
+//! How formulas are written in MathML.
+//!
+//! Every formula is a row of elements, which stands where a row may stand; where one element is needed, it is wrapped.
+
+use super::super::formula::{Printer, Spelling};
+use super::super::parts::{Fraction, Part};
+use crate::emit::markup::escaped;
+use crate::expr::{ExprId, Node};
+use crate::system::{Described, System};
+
+/// The notation of MathML.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MathMl;
+
+/// What separates factors: a name of several letters would run into its neighbour.
+const GAP: &str = "<mspace width=\"0.15em\"/>";
+
+impl Spelling for MathMl {
+    fn minus(self) -> &'static str {
+        "<mo>−</mo>"
+    }
+
+    fn plus(self) -> &'static str {
+        "<mo>+</mo>"
+    }
+
+    fn digits(self, digits: &str) -> String {
+        format!("<mn>{digits}</mn>")
+    }
+
+    fn time(self) -> String {
+        "<mi>t</mi>".to_string()
+    }
+
+    fn pi(self) -> &'static str {
+        "<mi>π</mi>"
+    }
+
+    /// An axis at the end of a name becomes an index, and the square of a length is one.
+    fn local(self, name: &str) -> String {
+        let length = name.strip_prefix('|');
+        if let Some(vector) = length.and_then(|rest| rest.strip_suffix("|^2")) {
+            let length = format!("<mo>|</mo>{}<mo>|</mo>", vector_name(vector));
+            return self.power(&length, "<mn>2</mn>");
+        }
+        let axis = ["x", "y"]
+            .into_iter()
+            .find_map(|axis| Some((name.strip_suffix(axis)?.strip_suffix('_')?, axis)));
+        match axis {
+            Some((vector, axis)) => format!("<msub>{}<mi>{axis}</mi></msub>", identifier(vector)),
+            None => identifier(name),
+        }
+    }
+
+    fn arm(self, name: &str) -> String {
+        identifier(name)
+    }
+
+    /// x₁, φ̈ with the index c1.
+    fn unknown(self, unknown: usize, level: usize, system: &System) -> String {
+        let place = unknown;
+        let unknown = &system.vector_form.unknowns[unknown];
+        let (letter, index) = match unknown.describes {
+            Described::Pose { body, axis } => {
+                let name = &system.mechanism.bodies[body].name;
+                (["x", "y", "φ"][axis], name.clone())
+            }
+            Described::Contact { joint } => ("s", system.mechanism.joints[joint].slug.clone()),
+            Described::Auxiliary => {
+                let symbols = [("psi_", "ψ"), ("offset_", "h"), ("length_", "ℓ")];
+                let found = symbols.iter().find_map(|(prefix, letter)| {
+                    Some((unknown.name.strip_prefix(prefix)?, *letter))
+                });
+                let (ends, letter) = found.unwrap_or((&unknown.name, "ℓ"));
+                (letter, ends.replace('_', "\u{2009}"))
+            }
+        };
+        let letter = match level {
+            0 => format!("<mi>{letter}</mi>"),
+            _ => format!(
+                "<mover accent=\"true\"><mi>{letter}</mi><mo stretchy=\"false\">{}</mo></mover>",
+                ["˙", "¨"][level - 1]
+            ),
+        };
+        format!("<msub data-q=\"{place}\">{letter}{}</msub>", name(&index))
+    }
+
+    fn choice(self, choices: &[[String; 2]], otherwise: &str, _inside: bool) -> String {
+        let choices = choices.iter();
+        let rows: String = choices
+            .map(|[value, condition]| {
+                format!("<mtr><mtd>{value}</mtd><mtd><mtext>if </mtext>{condition}</mtd></mtr>")
+            })
+            .collect();
+        format!(
+            "<mrow><mo>{{</mo><mtable class=\"cases\">{rows}<mtr><mtd>{otherwise}</mtd><mtd><mtext>otherwise</mtext></mtd></mtr></mtable></mrow>"
+        )
+    }
+
+    fn fraction(self, fraction: &Fraction, printer: &Printer<'_, Self>) -> String {
+        let product = |parts: &[Part]| match parts {
+            [] => self.digits("1"),
+            parts => printer.product(parts, false),
+        };
+        if fraction.denominators.is_empty() {
+            return product(&fraction.numerators);
+        }
+        // Only short numerators go over the bar; a long one stands beside its coefficient.
+        let is_symbol = |expr| matches!(printer.graph().node(expr), Node::Symbol(_) | Node::Pi);
+        let is_short = |part: &Part| match part {
+            Part::Power(base, _) => match *printer.graph().node(*base) {
+                Node::Sin(angle) | Node::Cos(angle) => is_symbol(angle),
+                _ => is_symbol(*base),
+            },
+            _ => true,
+        };
+        let numerators = fraction.numerators.iter().cloned();
+        let (above, beside): (Vec<Part>, Vec<Part>) = numerators.partition(is_short);
+        let (above, below) = (product(&above), product(&fraction.denominators));
+        let bar = format!("<mfrac><mrow>{above}</mrow><mrow>{below}</mrow></mfrac>");
+        match beside.is_empty() {
+            true => bar,
+            false => format!("{bar}{GAP}{}", product(&beside)),
+        }
+    }
+
+    fn product(self, factors: &[(bool, String)]) -> String {
+        let mut text = String::new();
+        for (position, (is_digits, factor)) in factors.iter().enumerate() {
+            // Digits after something need a sign between; symbols and functions stand side by side.
+            text.push_str(match (position, is_digits) {
+                (0, _) => "",
+                (_, true) => "<mo>·</mo>",
+                (_, false) => GAP,
+            });
+            text.push_str(factor);
+        }
+        text
+    }
+
+    fn root(self, radicand: &str, is_digits: bool) -> String {
+        match is_digits {
+            true => format!("<msqrt><mn>{radicand}</mn></msqrt>"),
+            false => format!("<msqrt>{radicand}</msqrt>"),
+        }
+    }
+
+    fn exponent(self, numerator: i128, denominator: i128) -> String {
+        let sign = if numerator < 0 { self.minus() } else { "" };
+        let size = numerator.unsigned_abs();
+        match denominator {
+            1 if numerator >= 0 => format!("<mn>{size}</mn>"),
+            1 => format!("<mrow>{sign}<mn>{size}</mn></mrow>"),
+            _ => format!("<mrow>{sign}<mn>{size}</mn><mo>/</mo><mn>{denominator}</mn></mrow>"),
+        }
+    }
+
+    fn power(self, base: &str, exponent: &str) -> String {
+        format!("<msup><mrow>{base}</mrow>{exponent}</msup>")
+    }
+
+    fn comparison(self, left: &str, is_less: bool, right: &str) -> String {
+        let sign = if is_less { "&lt;" } else { "&gt;" };
+        format!("{left}<mo>{sign}</mo>{right}")
+    }
+
+    fn raises_names(self) -> bool {
+        true
+    }
+
+    fn function(
+        self,
+        name: &str,
+        exponent: &str,
+        arguments: &[ExprId],
+        followed: bool,
+        printer: &Printer<'_, Self>,
+    ) -> String {
+        let all = arguments.iter().map(|it| printer.expression(*it));
+        let all = all.collect::<Vec<String>>().join("<mo>,</mo>");
+        let written = match exponent {
+            "" => format!("<mi>{name}</mi>"),
+            _ => format!("<msup><mi>{name}</mi>{exponent}</msup>"),
+        };
+        match (name, arguments) {
+            ("exp", _) => format!("<msup><mi>e</mi><mrow>{all}</mrow></msup>"),
+            ("floor", _) => format!("<mrow><mo>⌊</mo>{all}<mo>⌋</mo></mrow>"),
+            // A symbol stands alone after a function's name at the end of a term; everything else in parentheses.
+            (_, [only]) if !followed && matches!(printer.graph().node(*only), Node::Symbol(_)) => {
+                format!("{written}{GAP}{}", printer.operand(*only, false))
+            }
+            _ => format!("{written}{}", self.parentheses(&all)),
+        }
+    }
+
+    fn table(self, name: &str, order: usize, argument: &str) -> String {
+        let primes = "<mo>′</mo>".repeat(order);
+        format!("{}{primes}{}", identifier(name), self.parentheses(argument))
+    }
+
+    fn parentheses(self, inner: &str) -> String {
+        brackets(inner)
+    }
+}
+
+/// Parentheses that do not grow, which those around symbols would by a little.
+pub(super) const SMALL: [&str; 2] = [
+    "<mo stretchy=\"false\">(</mo>",
+    "<mo stretchy=\"false\">)</mo>",
+];
+
+/// Parentheses that grow with what is in them.
+pub(super) const LARGE: [&str; 2] = ["<mo>(</mo>", "<mo>)</mo>"];
+
+/// A row in parentheses, between which a line may be broken.
+pub(crate) fn brackets(inner: &str) -> String {
+    let tall = ["<mfrac>", "<mtable", "<msqrt>", "→", LARGE[0], SMALL[0]];
+    let [open, close] = match tall.iter().any(|it| inner.contains(it)) {
+        true => LARGE,
+        false => SMALL,
+    };
+    format!("{open}{inner}{close}")
+}
+
+/// A name in upright letters, or a number.
+pub(crate) fn name(name: &str) -> String {
+    match name.chars().all(|letter| letter.is_ascii_digit()) {
+        true => format!("<mn>{name}</mn>"),
+        false => format!("<mi mathvariant=\"normal\">{}</mi>", escaped(name)),
+    }
+}
+
+/// A name as a symbol: a single letter is slanted.
+fn identifier(name: &str) -> String {
+    format!("<mi>{}</mi>", escaped(name))
+}
+
+/// The vector from one point to another, or a vector with a name of its own.
+pub(crate) fn vector_name(name: &str) -> String {
+    match name.chars().count() > 1 {
+        true => format!(
+            "<mover accent=\"true\"><mi mathvariant=\"normal\">{}</mi><mo>→</mo></mover>",
+            escaped(name)
+        ),
+        false => format!(
+            "<mi mathvariant=\"normal\" class=\"bold\">{}</mi>",
+            escaped(name)
+        ),
+    }
+}
+
+/// A formula that is typed as text: numbers, names and signs.
+pub(crate) fn typed(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let is_number = |letter: char| letter.is_ascii_digit() || letter == '.';
+        let length =
+            |holds: &dyn Fn(char) -> bool| rest.find(|letter| !holds(letter)).unwrap_or(rest.len());
+        let taken = if first.is_whitespace() {
+            first.len_utf8()
+        } else if first.is_ascii_digit() {
+            let taken = length(&is_number);
+            out += &format!("<mn>{}</mn>", &rest[..taken]);
+            taken
+        } else if first.is_alphabetic() {
+            let taken = length(&|letter| letter.is_alphanumeric() || letter == '_');
+            out += &identifier(&rest[..taken]);
+            taken
+        } else {
+            out += &match first {
+                '-' => MathMl.minus().to_string(),
+                _ => format!("<mo>{}</mo>", escaped(&first.to_string())),
+            };
+            first.len_utf8()
+        };
+        rest = &rest[taken..];
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{name, typed};
+
+    #[test]
+    fn typed_formulas_have_their_elements() {
+        assert_eq!(
+            typed("k2 - 0.5<a"),
+            "<mi>k2</mi><mo>−</mo><mn>0.5</mn><mo>&lt;</mo><mi>a</mi>"
+        );
+    }
+
+    #[test]
+    fn names_are_escaped() {
+        assert_eq!(name("12"), "<mn>12</mn>");
+        assert_eq!(name("<b>"), "<mi mathvariant=\"normal\">&lt;b&gt;</mi>");
+    }
+}

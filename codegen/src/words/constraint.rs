@@ -1,0 +1,156 @@
+//! A joint or driver → what it asks for, in a sentence without its full stop.
+//!
+//! The words follow from the sign that a drawing has for the joint, so that every kind has its own.
+
+use super::phrase::{Phrase, Piece, phrase};
+use crate::joint::geometry::Mark;
+use crate::joint::{Feature, Follower, Mesh};
+use crate::model::{Mechanism, Role};
+
+/// What a joint asks for, by its index; its statement alone where its operands are not complete.
+pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
+    let own = mechanism.joints[joint].clone();
+    let marks = &own.operands.marks;
+    let feature = own.kind.feature(&own.operands, &mut mechanism.graph);
+    let written = || phrase![Piece::Name(own.label.clone())];
+    let (Some(feature), Some(first)) = (feature, marks.first()) else {
+        return written();
+    };
+    let second = marks.get(1).unwrap_or(first);
+    let mechanism = &*mechanism;
+    let value = match own.operands.value {
+        Some(value) => Phrase::from(Piece::Formula(value)),
+        None => "what the drawing says".into(),
+    };
+    let is = match own.role {
+        Role::Driver => " is driven as ",
+        Role::Constraint => " is always ",
+    };
+    let [a, b] = [first, second].map(|mark| point(mechanism, mark));
+    let [body, other] = [first, second].map(|mark| body(mechanism, mark));
+    let axis_owner = own.operands.axis.map_or(0, |axis| axis.owner);
+    // On whose line, and which point or body is on it.
+    let (guide, rider, rider_body) = match axis_owner {
+        0 => (body.clone(), b.clone(), other.clone()),
+        _ => (other.clone(), a.clone(), body.clone()),
+    };
+    match feature {
+        Feature::Pin => phrase![a, " and ", b, " always coincide"],
+        Feature::Weld => phrase![
+            a,
+            " and ",
+            b,
+            " always coincide, and ",
+            other,
+            " does not turn against ",
+            body
+        ],
+        Feature::Slide if own.role == Role::Driver => {
+            phrase![
+                "the displacement from ",
+                a,
+                " to ",
+                b,
+                " along the line",
+                is,
+                value
+            ]
+        }
+        Feature::Slide => phrase![
+            rider_body,
+            " slides along a line of ",
+            guide,
+            " and does not turn against it"
+        ],
+        Feature::Slot(_) => phrase![rider, " stays on a line of ", guide],
+        Feature::Coordinate(axis) => phrase!["the ", ["x", "y"][axis], " of ", a, is, value],
+        Feature::Orientation => phrase!["the angle of ", body, is, value],
+        Feature::Link => phrase!["the distance of ", a, " and ", b, is, value],
+        Feature::Offset(axis) => phrase![
+            "the difference in ",
+            ["x", "y"][axis],
+            " of ",
+            a,
+            " and ",
+            b,
+            is,
+            value
+        ],
+        Feature::RelativeOrientation => {
+            phrase!["the angle between ", body, " and ", other, is, value]
+        }
+        Feature::Wheels(mesh, ratio) => {
+            let how = match mesh {
+                Mesh::External => " mesh as external gears",
+                Mesh::Internal => " mesh, one inside the other",
+                Mesh::Belt => " are turned by one belt",
+                Mesh::CrossedBelt => " are turned by one crossed belt",
+            };
+            let carrier = marks.get(2).map(|mark| self::body(mechanism, mark));
+            let seen = carrier.map_or(Phrase::default(), |it| phrase![", seen from ", it]);
+            phrase![
+                body,
+                " and ",
+                other,
+                how,
+                " with the ratio of radii ",
+                Piece::Formula(ratio),
+                seen
+            ]
+        }
+        Feature::Pinion(radius) => phrase![
+            "a wheel of radius ",
+            Piece::Formula(radius),
+            " about ",
+            rider,
+            " rolls on a line of ",
+            guide
+        ],
+        Feature::Contact(follower) => {
+            let curve = own.operands.curve.map(|it| it.frame.body.0);
+            let of = curve.map_or(Phrase::default(), |it| {
+                phrase![" of ", named(mechanism, it)]
+            });
+            match follower {
+                Follower::Point => phrase![a, " stays on the curve", of],
+                Follower::Roller(radius) => phrase![
+                    "a roller of radius ",
+                    Piece::Formula(radius),
+                    " about ",
+                    a,
+                    " stays on the curve",
+                    of
+                ],
+                Follower::Face => phrase!["a face of ", body, " touches the curve", of],
+            }
+        }
+        Feature::Written => phrase!["the equation ", written(), " holds"],
+    }
+}
+
+/// A point as its body calls it.
+fn point(mechanism: &Mechanism, mark: &Mark) -> Phrase {
+    let carried = &mechanism.bodies[mark.frame.body.0].marks;
+    let own = carried.iter().find(|it| it.mark.local == mark.local);
+    let of = body(mechanism, mark);
+    let zero = mechanism.graph.zero();
+    match own {
+        Some(own) => phrase![Piece::Name(own.name.clone()), " of ", of],
+        None if mark.local == [zero; 2] => phrase!["the origin of ", of],
+        None => {
+            let [x, y] = mark.local.map(Piece::Formula);
+            phrase!["the point (", x, ", ", y, ") of ", of]
+        }
+    }
+}
+
+fn body(mechanism: &Mechanism, mark: &Mark) -> Phrase {
+    named(mechanism, mark.frame.body.0)
+}
+
+fn named(mechanism: &Mechanism, body: usize) -> Phrase {
+    match body {
+        0 => "the ground".into(),
+        _ => phrase!["body ", Piece::Name(mechanism.bodies[body].name.clone())],
+    }
+}

@@ -1,0 +1,80 @@
+// The command, and a page of it in a browser that reports everything it says and asks for.
+
+import { execFileSync, spawn } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+
+export const repository = process.env.REPOSITORY ?? path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+const command = process.env.LINKWRIGHT ?? path.join(repository, "target/release/linkwright");
+const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+
+export const mechanism = (name) => path.join(repository, "mechanisms", `${name}.mech`);
+
+/// What the command prints.
+export const linkwright = (...args) => execFileSync(command, args, { encoding: "utf8", maxBuffer: 1 << 28 });
+
+/// The solved instant of a mechanism.
+export const solved = (file, t, ...args) => {
+  const whole = JSON.parse(linkwright("solve", file, "--json", "--at", String(t), ...args));
+  return { coordinates: whole.coordinates, ...whole.frames[0] };
+};
+
+/// A folder that is removed in the end.
+export const folder = () => {
+  const made = mkdtempSync(path.join(tmpdir(), "linkwright-browser-"));
+  return { file: (name) => path.join(made, name), remove: () => rmSync(made, { recursive: true }) };
+};
+
+export const open = async () => {
+  const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
+  const said = [];
+  const visit = async (url, options = {}) => {
+    const page = await browser.newPage({ viewport: { width: 1400, height: 900 }, ...options });
+    page.on("console", (message) => said.push(`console: ${message.text()}`));
+    page.on("pageerror", (error) => said.push(`error: ${error.message}`));
+    page.on("dialog", (dialog) => {
+      said.push(`dialog: ${dialog.message()}`);
+      dialog.dismiss();
+    });
+    const own = new URL(url);
+    page.on("request", (request) => {
+      const asked = new URL(request.url());
+      const isOwn = own.protocol === "file:" ? asked.href === own.href : asked.origin === own.origin;
+      if (!isOwn && asked.protocol !== "data:") said.push(`request: ${asked.href}`);
+    });
+    await page.goto(url);
+    await page.waitForSelector("body[data-ready], #problem");
+    return page;
+  };
+  return { visit, said, close: () => browser.close() };
+};
+
+/// Moves the slider of a page.
+export const seek = (page, t) =>
+  page.evaluate((value) => {
+    const slider = document.getElementById("time");
+    slider.value = value;
+    slider.dispatchEvent(new Event("input"));
+  }, t);
+
+/// The text of a page that is served, and how to end it.
+export const serve = async (file) => {
+  const server = spawn(command, ["view", file, "--watch", "--port", "0"]);
+  let printed = "";
+  let complaints = "";
+  server.stderr.on("data", (part) => {
+    complaints += part;
+  });
+  const url = await new Promise((resolve, reject) => {
+    server.on("exit", (code) => reject(new Error(`it ends with ${code}: ${complaints}`)));
+    server.stdout.on("data", (part) => {
+      printed += part;
+      const found = printed.match(/http:\/\/\S+/);
+      if (found) resolve(found[0]);
+    });
+  });
+  return { url, complaints: () => complaints, end: () => server.kill() };
+};

@@ -1,0 +1,240 @@
+// The page in a browser: what it shows is what the solver says, and pointing at something lights what belongs to it.
+
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { folder, linkwright, mechanism, open, seek, solved } from "./harness.mjs";
+
+let browser;
+let made;
+
+before(async () => {
+  browser = await open();
+  made = folder();
+});
+
+after(async () => {
+  await browser.close();
+  made.remove();
+  assert.deepEqual(browser.said, [], "nothing is said on the console, and nothing is asked for");
+});
+
+const visit = async (name, options) => {
+  const file = made.file(`${name}.html`);
+  linkwright("view", mechanism(name), "--out", file, "--force");
+  return browser.visit(`file://${file}`, options);
+};
+
+/// How far from each point of the mechanism, in pixels of the screen, the nearest dot or pin is; and where the points are.
+const distances = (page, points) =>
+  page.evaluate((wanted) => {
+    const mechanism = document.getElementById("mechanism");
+    const scale = Number(mechanism.dataset.scale);
+    const onScreen = (element, x, y) => new DOMPoint(x, y).matrixTransform(element.getScreenCTM());
+    const circles = [...mechanism.querySelectorAll("g[id^='body-'] circle, g[id^='joint-'] circle")].map((circle) =>
+      onScreen(circle, circle.cx.baseVal.value, circle.cy.baseVal.value),
+    );
+    return Object.entries(wanted).map(([name, { position }]) => {
+      const place = onScreen(mechanism, position[0] * scale, -position[1] * scale);
+      const all = circles.map((it) => Math.hypot(it.x - place.x, it.y - place.y));
+      return { name, off: Math.min(...all), x: place.x, y: place.y };
+    });
+  }, points);
+
+/// The place and the angle of every body, against the solver's: the largest distance in pixels of its origin and of a point 100
+/// pixels along its x axis.
+const strayed = (page, { coordinates, q }) =>
+  page.evaluate(
+    ([names, values]) => {
+      const mechanism = document.getElementById("mechanism");
+      const scale = Number(mechanism.dataset.scale);
+      const base = mechanism.getScreenCTM();
+      let most = 0;
+      let count = 0;
+      for (const group of mechanism.querySelectorAll("g[id^='body-'][data-body]")) {
+        const name = group.id.slice("body-".length);
+        const index = names.findIndex((it) => it === `x${name}` || it === `x_${name}`);
+        const [x, y, angle] = values.slice(index, index + 3);
+        const turned = group.getScreenCTM();
+        for (const along of [0, 100]) {
+          const there = new DOMPoint(along, 0).matrixTransform(turned);
+          const wanted = new DOMPoint(x * scale + along * Math.cos(angle), -y * scale - along * Math.sin(angle)).matrixTransform(base);
+          most = Math.max(most, Math.hypot(there.x - wanted.x, there.y - wanted.y));
+        }
+        count += 1;
+      }
+      return { most, count };
+    },
+    [coordinates, q],
+  );
+
+for (const [name, bodies] of [["two_body", 2], ["excavator", 10], ["disc_cam", 2], ["planetary_gear", 3], ["jansen", 7]]) {
+  test(`${name} is drawn where the solver puts it`, async () => {
+    const page = await visit(name);
+    let first;
+    // The last two lie between the instants that the page holds.
+    for (const t of [0, 1.2345, 0.7071]) {
+      await seek(page, t);
+      const frame = solved(mechanism(name), t);
+      const bodiesOff = await strayed(page, frame);
+      assert.ok(bodiesOff.count >= bodies, `${bodiesOff.count} bodies`);
+      assert.ok(bodiesOff.most < 1, `at ${t} a body is ${bodiesOff.most} pixels off`);
+      const found = await distances(page, frame.points);
+      for (const { name: point, off } of found) assert.ok(off < 1, `${point} is ${off} pixels off at ${t}`);
+      first ??= found;
+      if (t > 0) {
+        const moved = found.map((it, index) => Math.hypot(it.x - first[index].x, it.y - first[index].y));
+        assert.ok(Math.max(...moved) > 5, `${name} does not move`);
+      }
+    }
+    await page.close();
+  });
+}
+
+test("the slider, the button and the keys move the mechanism", async () => {
+  const page = await visit("two_body");
+  const state = () =>
+    page.evaluate(() => [document.getElementById("body-1").getAttribute("transform"), Number(document.getElementById("time").value)]);
+  const [still, start] = await state();
+  assert.equal(start, 0);
+  await page.click("#play");
+  await page.waitForFunction(() => Number(document.getElementById("time").value) > 0.2);
+  await page.click("#play");
+  const [moved, paused] = await state();
+  assert.notEqual(moved, still);
+  await page.waitForTimeout(200);
+  assert.deepEqual(await state(), [moved, paused]);
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Home");
+  assert.equal((await state())[1], 0);
+  await page.keyboard.press("ArrowRight");
+  assert.ok(Math.abs((await state())[1] - 0.05) < 1e-9);
+  await page.keyboard.press("End");
+  assert.equal((await state())[1], 5);
+  await page.keyboard.press("Space");
+  await page.waitForFunction(() => Number(document.getElementById("time").value) < 5);
+  await page.keyboard.press("Space");
+  // The cursor of every curve stands at the time of the slider.
+  await seek(page, 2.5);
+  const cursors = await page.$$eval(".cursor", (all) => all.map((it) => it.getAttribute("transform")));
+  assert.ok(cursors.length >= 7 && new Set(cursors).size === 1, String(cursors));
+  const middle = await page.$eval(".chart svg", (svg) => (62 + (svg.viewBox.baseVal.width - 64)) / 2);
+  assert.ok(Math.abs(Number(cursors[0].match(/[\d.]+/)[0]) - middle) < 0.1, `${cursors[0]}, ${middle}`);
+  await page.close();
+});
+
+test("pointing at one thing lights what belongs to it", async () => {
+  const page = await visit("two_body");
+  const lit = () =>
+    page.evaluate(() => {
+      const all = (of) => [...document.querySelectorAll(of)];
+      return {
+        bodies: all("#mechanism g.lit[id^='body-']").map((it) => it.id),
+        joints: all("#mechanism g.lit[id^='joint-']").map((it) => it.id),
+        equations: all("#phi ~ .equation.lit").map((it) => it.dataset.is),
+        curves: [...new Set(all(".curve.lit").map((it) => it.dataset.is))].sort(),
+      };
+    });
+  const rows = "section[aria-labelledby=equations] #phi + .equation";
+  assert.deepEqual((await lit()).bodies, []);
+  // From an equation: the third row is the x of the pin P.
+  await page.hover(`${rows} ~ .equation[data-is="j2 e2"] b`);
+  let found = await lit();
+  assert.deepEqual(found.bodies, ["body-1", "body-2"]);
+  assert.deepEqual(found.joints, ["joint-p"]);
+  for (const curve of ["q2", "q5"]) assert.ok(found.curves.includes(curve), `${curve} in ${found.curves}`);
+  // From a step of the derivation.
+  await page.hover('#block-2 .equation:has([data-q="5"]) >> nth=1');
+  found = await lit();
+  assert.ok(found.bodies.includes("body-2") && found.curves.includes("q5"), JSON.stringify(found));
+  // From a curve: φ2 is the sixth coordinate, of body 2, in the rows of the pin and in no driver.
+  await page.hover('.chip[data-is="q5"]');
+  found = await lit();
+  assert.deepEqual(found.bodies, ["body-2"]);
+  assert.deepEqual(found.curves, ["q5"]);
+  assert.ok(found.equations.includes("j2 e2") && found.equations.includes("j2 e3"), String(found.equations));
+  assert.ok(!found.equations.includes("j4 e5"), String(found.equations));
+  const curve = await page.$('.curve[data-is="q5"] .hit');
+  await curve.dispatchEvent("pointerover", { bubbles: true });
+  assert.deepEqual(await lit(), found);
+  // From a body in the drawing.
+  await page.evaluate(() => scrollTo(0, 0));
+  await page.hover("#body-1 path.body", { force: true });
+  found = await lit();
+  assert.deepEqual(found.bodies, ["body-1"]);
+  assert.ok(found.equations.includes("j0 e0") && found.equations.includes("j4 e5"), String(found.equations));
+  assert.ok(!found.equations.includes("j3 e4"), String(found.equations));
+  assert.ok(found.curves.includes("q2") && !found.curves.includes("q5"), String(found.curves));
+  // From nothing, and by keyboard.
+  await page.hover("h1");
+  assert.deepEqual(await lit(), { bodies: [], joints: [], equations: [], curves: [] });
+  await page.focus(`${rows} ~ .equation[data-is="j2 e2"]`);
+  assert.deepEqual((await lit()).bodies, ["body-1", "body-2"]);
+  await page.close();
+});
+
+test("another assembly has its own motion", async () => {
+  const page = await visit("two_body");
+  await page.click("#thumbnails button:nth-child(2)");
+  for (const t of [0, 0.377, 3.21]) {
+    await seek(page, t);
+    const off = await strayed(page, solved(mechanism("two_body"), t, "--branch", "phi2=other"));
+    assert.ok(off.most < 1, `${off.most} pixels off at ${t}`);
+  }
+  await page.close();
+});
+
+test("an assembly whose motion ends says so", async () => {
+  const page = await visit("excavator");
+  const ending = await page.$("#thumbnails button:has(small)");
+  assert.match(await ending.textContent(), /ends at/);
+  await ending.click();
+  assert.match(await page.textContent("#assembly-error"), /.{20}/);
+  await page.close();
+});
+
+test("the page fits narrow screens, in the dark and on paper", async () => {
+  for (const name of ["two_body", "excavator", "disc_cam"]) {
+    const page = await visit(name, { viewport: { width: 375, height: 700 }, colorScheme: "dark" });
+    const [width, screen] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.ok(width <= screen, `${name} is ${width} wide`);
+    const paper = await page.evaluate(() => getComputedStyle(document.querySelector("#drawing .paper")).fill);
+    assert.equal(paper, "rgb(22, 25, 29)");
+    await page.emulateMedia({ media: "print" });
+    const printed = await page.evaluate(() => [
+      getComputedStyle(document.querySelector("#drawing .paper")).fill,
+      getComputedStyle(document.body).backgroundColor,
+      getComputedStyle(document.getElementById("controls")).display,
+    ]);
+    assert.deepEqual(printed, ["rgb(255, 255, 255)", "rgb(255, 255, 255)", "none"]);
+    await page.close();
+  }
+});
+
+test("names and documentation are text", async () => {
+  const hostile = `</script><script>alert(1)</script><img src=x onerror=alert(2)> "quoted' &amp; <!--`;
+  const file = made.file("hostile.mech");
+  writeFileSync(
+    file,
+    `/// ${hostile}
+mechanism bad {
+    /// ${hostile}
+    body 1 at (0, 0, 30deg) { P: (1, 0) }
+    /// ${hostile}
+    absolute_x(1) = 0;
+    absolute_y(1) = 0;
+    /// ${hostile}
+    param rate = 2;
+    drive phi(1) = rate*t;
+}
+`,
+  );
+  const html = made.file("hostile.html");
+  linkwright("view", file, "--out", html);
+  const page = await browser.visit(`file://${html}`);
+  assert.equal(await page.$$eval("img", (all) => all.length), 0);
+  assert.equal(await page.$$eval("script", (all) => all.length), 2);
+  const text = await page.innerText("header");
+  assert.ok(text.includes("</script><script>alert(1)</script><img src=x onerror=alert(2)>"), text);
+  await page.close();
+});
