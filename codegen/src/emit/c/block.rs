@@ -147,12 +147,12 @@ pub(super) fn modes(printer: &Printer<'_>) -> Vec<Mode> {
         true => "LINKWRIGHT_POSITIVE",
         false => "LINKWRIGHT_NEGATIVE",
     };
-    let exchanged_by = exchanged_by(module);
+    let exchanged = exchanged_by(module);
     let closed = module.program.branches.iter().map(|branch| Mode {
         name: identifier(&branch.name),
         text: documentation::of_branch(&branch.meaning),
         drawn: sign(branch.is_positive()),
-        block: exchanged_by.get(&branch.symbol).copied(),
+        block: exchanged.get(&branch.symbol).copied(),
     });
     let blocks = module.program.blocks.iter().enumerate();
     let iterated = blocks.filter_map(|(number, block)| {

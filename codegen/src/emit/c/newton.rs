@@ -235,7 +235,8 @@ fn solve(
 ) {
     let tears = tears(newton, printer);
     let (real, order, name) = (printer.real(), tears.len(), printer.own(&block.name));
-    let of: [(fn(&Unknown) -> SymbolId, &str); 3] = [
+    type Level = fn(&Unknown) -> SymbolId;
+    let of: [(Level, &str); 3] = [
         (|it| it.position, "q"),
         (|it| it.rate, "qd"),
         (|it| it.acceleration, "qdd"),

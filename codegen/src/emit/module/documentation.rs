@@ -280,11 +280,11 @@ pub(in crate::emit) fn of_rows(system: &System, rows: &[Row]) -> Vec<String> {
 }
 
 /// What a row belongs to, before the first one of its joint that is `shown`.
-pub(in crate::emit) fn before_row<'a>(
-    system: &'a System,
+pub(in crate::emit) fn before_row(
+    system: &System,
     index: usize,
     shown: impl Fn(&Row) -> bool,
-) -> Option<&'a str> {
+) -> Option<&str> {
     let joint = system.rows[index].joint;
     let mut before = system.rows[..index].iter().rev();
     let is_first = before

@@ -239,6 +239,9 @@ typedef struct linkwright$f_isolation {
     $real *rest;
     uint16_t rounds;
     uint16_t farthest;
+    /* By how much the farthest sag is too small, and whether that has become less. */
+    $real largest;
+    bool is_nearing;
 } linkwright$f_isolation;
 
 /* The sine and the cosine of an angle (rad), each within 1 ulp; NaN for infinite angles. */

@@ -7,9 +7,15 @@ static const $real TUBE_ROUNDING$f = 65536.0$f;
 /* The multiple of the rounding by which a solved equation may be off zero. */
 static const $real LEFT_BY_ROUNDING$f = 64.0$f;
 
+/* The multiple of the least sags that is tried first. */
+static const $real FIRST$f = 2.0$f;
+
 /* By how much sags are widened that the operator does not map into themselves, and how often. */
 static const $real INFLATION$f = 1.25$f;
 #define WIDENED$F 8U
+
+/* The round from which on sags must come nearer to being mapped into themselves. */
+#define SETTLED$F 2U
 
 /* How far a signal is from a straight line between two values that are h (s) apart. */
 static $real bend_of_signal$f($real h, const linkwright$f_signal *before, const linkwright$f_signal *now)
@@ -87,56 +93,67 @@ bool linkwright$f_tube_holds(const linkwright$f_tube *tube, $real value, $real s
     return fabs$f((value - tube->value) - (tube->moved * steps)) <= (tube->sag + rounding);
 }
 
-/* The magnitudes of the entries of the inverse of a matrix (n × n), by elimination with the largest pivot of each
-   column. Room for n × n + 2 n numbers. False, and the column, where every pivot vanishes. */
-static bool inverse_sizes$f(const $real matrix[], size_t n, $real inverse[], uint16_t *failed, $real reals[])
+/* Makes a row that of the identity, by its column, and puts the row of the inverse in its place. Room for n numbers.
+   */
+static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
 {
-    $real *const rows = reals;
-    $real *const own = &reals[n * n];
-    $real *const own_inverse = &own[n];
-    (void)memcpy(rows, matrix, (n * n) * sizeof($real));
-    for (size_t k = 0U; k < (n * n); k += 1U) {
-        inverse[k] = ((k % (n + 1U)) == 0U) ? 1.0$f : 0.0$f;
+    const $real reciprocal = 1.0$f / matrix[(row * n) + row];
+    matrix[(row * n) + row] = 1.0$f;
+    for (size_t k = 0U; k < n; k += 1U) {
+        matrix[(k * n) + row] *= reciprocal;
+        own[k] = matrix[(k * n) + row];
     }
-    for (uint16_t column = 0U; column < n; column++) {
-        size_t pivot = column;
-        $real size = rows[(column * n) + column];
-        for (size_t row = (size_t)column + 1U; row < n; row += 1U) {
-            const $real other = rows[(row * n) + column];
-            if (fabs$f(other) > fabs$f(size)) {
-                pivot = row;
-                size = other;
+    for (size_t column = 0U; column < n; column += 1U) {
+        const $real factor = matrix[(row * n) + column];
+        /* A block reads nothing of those after it. */
+        if ((column != row) && (factor != 0.0$f)) {
+            matrix[(row * n) + column] = 0.0$f;
+            for (size_t k = 0U; k < n; k += 1U) {
+                matrix[(k * n) + column] -= factor * own[k];
+            }
+        }
+    }
+}
+
+/* The magnitudes of the entries of the inverse of a matrix (n × n), by elimination in place with the largest pivot
+   of each row. Room for 2 n numbers. False, and the row, where every pivot vanishes. */
+static bool inverse_sizes$f(const $real matrix[], size_t n, $real sizes[], uint16_t *failed, $real reals[])
+{
+    $real *const own = reals;
+    /* Which columns were exchanged, as numbers that are exact. */
+    $real *const exchanged = &reals[n];
+    (void)memcpy(sizes, matrix, (n * n) * sizeof($real));
+    for (uint16_t row = 0U; row < n; row++) {
+        size_t pivot = row;
+        $real largest = fabs$f(sizes[(row * n) + row]);
+        for (size_t column = (size_t)row + 1U; column < n; column += 1U) {
+            const $real other = fabs$f(sizes[(row * n) + column]);
+            if (other > largest) {
+                pivot = column;
+                largest = other;
             }
         }
         /* Written so that NaN is refused. */
-        if (!(fabs$f(size) > 0.0$f)) {
-            *failed = column;
+        if (!(largest > 0.0$f)) {
+            *failed = row;
             return false;
         }
-        const $real reciprocal = 1.0$f / size;
+        exchanged[row] = ($real)pivot;
         for (size_t k = 0U; k < n; k += 1U) {
-            exchange$f(&rows[k], n, column, pivot);
-            exchange$f(&inverse[k], n, column, pivot);
-            own[k] = rows[(column * n) + k] * reciprocal;
-            own_inverse[k] = inverse[(column * n) + k] * reciprocal;
+            exchange$f(&sizes[k * n], 1U, row, pivot);
         }
-        for (size_t row = 0U; row < n; row += 1U) {
-            const $real factor = rows[(row * n) + column];
-            if (row == column) {
-                (void)memcpy(&rows[row * n], own, n * sizeof($real));
-                (void)memcpy(&inverse[row * n], own_inverse, n * sizeof($real));
-            } else if (factor != 0.0$f) {
-                for (size_t k = 0U; k < n; k += 1U) {
-                    rows[(row * n) + k] -= factor * own[k];
-                    inverse[(row * n) + k] -= factor * own_inverse[k];
-                }
-            } else {
-                /* A block reads nothing of those after it. */
-            }
+        eliminate$f(sizes, n, row, own);
+    }
+    /* Columns that were exchanged are rows of the inverse. */
+    for (size_t k = n; k > 0U; k -= 1U) {
+        const size_t row = k - 1U;
+        const size_t pivot = (size_t)exchanged[row];
+        for (size_t column = 0U; column < n; column += 1U) {
+            exchange$f(&sizes[column], n, row, pivot);
         }
     }
     for (size_t k = 0U; k < (n * n); k += 1U) {
-        inverse[k] = fabs$f(inverse[k]);
+        sizes[k] = fabs$f(sizes[k]);
     }
     return true;
 }
@@ -172,6 +189,8 @@ void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, con
     isolation->sags = sizes;
     isolation->found = isolation->needed;
     isolation->rounds = 0U;
+    isolation->largest = 0.0$f;
+    isolation->is_nearing = false;
     isolation->farthest = 0U;
     isolation->is_shown = inverse_sizes$f(jacobian, n, isolation->inverse, &failed, isolation->least);
     isolation->block = blocks[failed];
@@ -196,8 +215,10 @@ static void begin_isolation$f(linkwright$f_isolation *isolation)
         off[row] += isolation->bounds[row];
     }
     times$f(isolation->inverse, off, n, isolation->least);
+    /* Where a map least + k R + a R² of one sag takes any R into itself, the largest that it does so with is 2 least
+       or more. */
     for (size_t k = 0U; k < n; k += 1U) {
-        isolation->sags[k] = isolation->least[k] * INFLATION$f;
+        isolation->sags[k] = isolation->least[k] * FIRST$f;
     }
 }
 
@@ -221,6 +242,8 @@ static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
             largest = needed / sag;
         }
     }
+    isolation->is_nearing = largest < isolation->largest;
+    isolation->largest = largest;
     return is_inside;
 }
 
@@ -238,7 +261,7 @@ bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation)
         asks = true;
     } else if (is_mapped_inside$f(isolation)) {
         /* What the operator maps them to holds the solution as well. */
-    } else if (round <= WIDENED$F) {
+    } else if ((round <= WIDENED$F) && ((round < (SETTLED$F + 2U)) || isolation->is_nearing)) {
         for (size_t k = 0U; k < isolation->order; k += 1U) {
             isolation->sags[k] = isolation->needed[k] * INFLATION$f;
         }
