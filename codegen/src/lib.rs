@@ -39,7 +39,7 @@ mod system;
 mod words;
 
 pub use cargo::{attach_files, build, build_with};
-pub use emit::rust::Scalar;
+pub use emit::Scalar;
 pub use program::{Operations, Report};
 pub use system::System;
 

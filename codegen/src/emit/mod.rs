@@ -7,11 +7,14 @@ pub mod derivation;
 pub mod drawing;
 mod formula;
 pub mod latex;
+mod module;
 mod named_parts;
 mod notation;
 mod parts;
 pub mod report;
 pub mod rust;
+mod scalar;
 pub mod text;
 
 pub use notation::Notation;
+pub use scalar::Scalar;

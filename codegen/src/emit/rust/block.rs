@@ -1,57 +1,24 @@
 //! One function per block.
 
-use std::collections::{HashMap, HashSet};
-
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::docs::{doc_lines, docs};
-use super::explained::determinants;
 use super::layout::Verbatim;
 use super::lints;
 use super::literal::count;
-use super::module::{Module, only};
+use super::module::only;
 use super::names::identifier;
 use super::newton;
-use super::scope::{Place, Scope};
-use crate::expr::SymbolId;
+use crate::emit::module::needs::{Needs, checked_at_once, exchanged_by};
+use crate::emit::module::scope::{Place, Scope};
+use crate::emit::module::{Module, documentation};
 use crate::program::{Block, Statement};
 
 /// Up to so many blocks become one function.
 const MOST_INLINED: usize = 16;
 
-/// What a block's function needs to be given.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Needs {
-    last: bool,
-    branches: bool,
-    /// Whether it finds its own mode.
-    finds_branch: bool,
-    /// Time, parameters, inputs, settings and what the last frame is.
-    conditions: bool,
-    /// Whether a failure says the time.
-    time: bool,
-    fails: bool,
-}
-
 impl Needs {
-    fn of(block: &Block, module: &Module<'_>) -> Needs {
-        let scope = Scope::new(module, &block.function, Place::Frame);
-        let reads = scope.reads();
-        let newton = block.newton.is_some();
-        let has = |wanted: fn(&Statement) -> bool| block.function.statements.iter().any(wanted);
-        let checks = has(|it| matches!(it, Statement::Reach { .. } | Statement::Nonzero { .. }));
-        let fails = newton || checks || module.is_large();
-        Needs {
-            last: newton || has(|it| matches!(it, Statement::Angle { .. })),
-            branches: newton || reads.branches,
-            finds_branch: newton,
-            time: checks || module.is_large() || reads.time,
-            conditions: fails || reads.time || reads.parameters || reads.inputs,
-            fails,
-        }
-    }
-
     /// The arguments as they are declared, and as they are passed.
     fn arguments(self) -> (TokenStream, TokenStream) {
         let exclusive = only(self.finds_branch, quote!(mut));
@@ -104,11 +71,7 @@ pub(super) fn functions(module: &Module<'_>) -> TokenStream {
         let iterated = |statement: &Statement| newton::statement(statement, index, block, &scope);
         let statements = scope.statements(index, &iterated);
         let (name, (arguments, _)) = (identifier(&block.name), needs.arguments());
-        let title = docs(
-            [block.title.clone()]
-                .into_iter()
-                .chain(determinants(block, module)),
-        );
+        let title = docs(documentation::of_block(block, module));
         let check = match module.is_large() {
             true => own_check(index, block, &scope),
             false => TokenStream::new(),
@@ -146,11 +109,8 @@ pub(super) fn functions(module: &Module<'_>) -> TokenStream {
 /// Fails where a coordinate, a rate or an acceleration of the block is not finite. A frame of thousands of coordinates is not
 /// looked through at once: the compiler would turn it into as many local values.
 fn own_check(index: usize, block: &Block, scope: &Scope<'_>) -> TokenStream {
-    let found = block
-        .function
-        .targets()
-        .filter(|&symbol| scope.is_field(symbol));
-    let fields: Vec<TokenStream> = found.map(|symbol| scope.symbol(symbol)).collect();
+    let found = checked_at_once(block, scope);
+    let fields = found.iter().map(|&symbol| scope.symbol(symbol));
     let number = count(index);
     quote! {
         if !all_finite(&[#(#fields),*]) {
@@ -172,10 +132,7 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
         .filter_map(|(number, block)| Some((number, block, block.newton.as_ref()?)));
     let mut text = Verbatim::default();
     text.open("::linkwright::branches! {");
-    text.docs(match iterated.clone().next() {
-        None => ["The assembly mode of every loop that is solved in closed form."],
-        Some(_) => ["The assembly mode of every loop."],
-    });
+    text.docs([documentation::of_branches(module)]);
     let names = module.program.branches.iter().map(|branch| &branch.name);
     if names
         .chain(iterated.clone().map(|(_, block, _)| &block.name))
@@ -189,7 +146,7 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
         let name = identifier(&branch.name);
         let of = exchanged_by.get(&branch.symbol);
         let of = of.map_or(String::new(), |number| format!(", block {number}"));
-        text.docs(doc_lines([sentence(&branch.meaning)]));
+        text.docs(doc_lines([documentation::of_branch(&branch.meaning)]));
         text.line(format!(
             "{name}: Branch = {}{of};",
             drawn(branch.is_positive())
@@ -203,39 +160,11 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
         text.docs(doc_lines([format!(
             "The sign of the determinant of `{}`, which finds {}. `None` lets the estimate decide.",
             block.name,
-            newton::listed(newton, module)
+            documentation::found_by(newton, module.system)
         )]));
         text.line(format!("{name}: Option<Branch> = {drawn}, block {number};"));
     }
     text.close("}");
     text.close("}");
     text.item()
-}
-
-/// The blocks that have one mode only, by its symbol: beyond a pose at which its two modes meet such a block has the other.
-fn exchanged_by(module: &Module<'_>) -> HashMap<SymbolId, usize> {
-    let graph = &module.system.mechanism.graph;
-    let blocks = module.program.blocks.iter().enumerate();
-    let closed = blocks.filter(|(_, block)| block.newton.is_none());
-    // A mode belongs to the first block that reads it.
-    let mut met: HashSet<SymbolId> = HashSet::new();
-    let mut found = HashMap::new();
-    for (number, block) in closed {
-        let read = block.function.values().flat_map(|it| graph.symbols(it));
-        let read = read.filter(|&&symbol| module.program.branch_of(symbol).is_some());
-        let read: HashSet<SymbolId> = read.copied().collect();
-        let own = read.iter().filter(|&&symbol| met.insert(symbol)).count();
-        if own == 1 && read.len() == 1 {
-            found.extend(read.into_iter().map(|symbol| (symbol, number)));
-        }
-    }
-    found
-}
-
-fn sentence(text: &str) -> String {
-    let mut characters = text.chars();
-    let first = characters.next().map(char::to_uppercase);
-    first.map_or(String::new(), |first| {
-        first.chain(characters).chain(['.']).collect()
-    })
 }

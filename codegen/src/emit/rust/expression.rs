@@ -8,15 +8,13 @@ use quote::{format_ident, quote};
 use super::layout::comment;
 use super::literal::count;
 use super::names::identifier;
-use super::scope::Scope;
 use super::tables::table_name;
-use crate::expr::{ExprId, Node, SplineId, SymbolId};
+use crate::emit::module::arithmetic::{Arithmetic, Choice, Elementary};
+use crate::emit::module::documentation;
+use crate::emit::module::scope::Scope;
+use crate::expr::{ExprId, SplineId, SymbolId};
 use crate::model::field_name;
-use crate::program::{
-    Addend, Compared, ConstantPart, Function, LARGEST_PRODUCT, Level, Power, Statement, addends,
-    compared,
-};
-use crate::system::{Cause, WrittenOrder};
+use crate::program::{Function, Statement};
 
 impl Scope<'_> {
     /// The statements of the function; those of Newton-Raphson by `iterated`.
@@ -45,13 +43,15 @@ impl Scope<'_> {
         let number = count(block);
         let write = |expr: &ExprId| self.expression(*expr, &[]);
         match statement {
-            Statement::Section(level) => comment(&self.section(*level)),
-            Statement::Heading(words) => comment(&self.module.said(words)),
-            Statement::Note(_) | Statement::Shown { .. } => TokenStream::new(),
+            Statement::Section(_)
+            | Statement::Heading(_)
+            | Statement::Note(_)
+            | Statement::Shown { .. } => {
+                let said = documentation::of_statement(statement, self.module);
+                said.map_or(TokenStream::new(), |text| comment(&text))
+            }
             Statement::Let { target, value, .. } => {
-                let value = self
-                    .named_function(*target, *value)
-                    .unwrap_or_else(|| self.expression(*value, &[]));
+                let value = self.written(&self.arithmetic_of(*target, *value));
                 self.assignment(*target, value)
             }
             Statement::SineCosine {
@@ -79,7 +79,7 @@ impl Scope<'_> {
                 } else {
                     TokenStream::new()
                 };
-                let lookup = self.lookup(*spline, *argument);
+                let lookup = self.lookup(*spline, &self.arithmetic(*argument, &[]));
                 quote!(let [#(#names),* #rest] = #lookup;)
             }
             Statement::Angle {
@@ -219,35 +219,14 @@ impl Scope<'_> {
     }
 
     fn block_number(&self, place: usize) -> Literal {
-        count(usize::from(self.module.program.number_of(place)))
+        count(usize::from(self.module.block_number(place)))
     }
 
     /// The name of what a statement of a path finds, or else `_` where nobody reads it.
     fn found(&self, symbol: SymbolId) -> TokenStream {
-        match self.module.has_tube(symbol) || self.is_read(symbol) {
+        match self.is_wanted(symbol) {
             true => self.symbol(symbol),
             false => quote!(_),
-        }
-    }
-
-    fn section(&self, level: Level) -> String {
-        let system = self.module.system;
-        match level {
-            Level::Position => "Position.".to_string(),
-            Level::Velocity => "Velocity.".to_string(),
-            Level::Acceleration => "Acceleration.".to_string(),
-            Level::Response(direction) => match system.directions[direction].cause {
-                Cause::Driver { joint, .. } => {
-                    format!("Response to {}.", system.mechanism.joints[joint].label)
-                }
-                Cause::Parameter(place) => {
-                    format!(
-                        "Sensitivity to {}.",
-                        system.mechanism.parameters[place].name
-                    )
-                }
-            },
-            Level::ResponseRate(_) => "Rate of this sensitivity.".to_string(),
         }
     }
 
@@ -260,81 +239,6 @@ impl Scope<'_> {
         }
     }
 
-    /// The value of an expression where it gets its name.
-    fn named_function(&self, target: SymbolId, expr: ExprId) -> Option<TokenStream> {
-        (self.function.name_of(expr) == Some(target)).then(|| {
-            self.function_call(expr)
-                .unwrap_or_else(|| self.sum(expr, &[]))
-        })
-    }
-
-    /// A function's call.
-    fn function_call(&self, expr: ExprId) -> Option<TokenStream> {
-        match *self.module.system.mechanism.graph.node(expr) {
-            Node::Sin(x) => Some(self.call("sin", &[x])),
-            Node::Cos(x) => Some(self.call("cos", &[x])),
-            Node::Exp(x) => Some(self.call("exp", &[x])),
-            Node::Ln(x) => Some(self.call("ln", &[x])),
-            Node::Atan2(y, x) => Some(self.call("atan2", &[y, x])),
-            Node::Floor(x) => Some(self.call("floor", &[x])),
-            Node::Choose {
-                condition,
-                below,
-                otherwise,
-            } => Some(
-                match self.module.system.mechanism.graph.magnitude_of(expr) {
-                    Some(value) => self.call("abs", &[value]),
-                    None => self.choice(condition, below, otherwise),
-                },
-            ),
-            Node::Spline {
-                spline,
-                order,
-                argument,
-            } => {
-                let (lookup, order) = (self.lookup(spline, argument), count(order.into()));
-                Some(quote!(#lookup[#order]))
-            }
-            Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Sum(_) | Node::Product(_) => None,
-        }
-    }
-
-    /// `if x < 2.0 { … } else { … }`; a second arm that is another choice without a name continues with `else if`.
-    fn choice(&self, condition: ExprId, below: ExprId, otherwise: ExprId) -> TokenStream {
-        let graph = &self.module.system.mechanism.graph;
-        let named = |other: ExprId| self.function.name_of(other).is_some();
-        let order = WrittenOrder::new(self.module.system, &[]);
-        let Compared {
-            left,
-            is_less,
-            right,
-        } = compared(condition, graph, &order, &named);
-        let [left, right] = [left, right].map(|side| self.addends(&side));
-        let sign = if is_less { quote!(<) } else { quote!(>) };
-        let continues = matches!(graph.node(otherwise), Node::Choose { .. }) && !named(otherwise);
-        let [below, otherwise] = [below, otherwise].map(|arm| self.expression(arm, &[]));
-        if continues {
-            quote!(if #left #sign #right { #below } else #otherwise)
-        } else {
-            quote!(if #left #sign #right { #below } else { #otherwise })
-        }
-    }
-
-    /// `TABLE_LIFT.at(x)`: the value and three derivatives.
-    fn lookup(&self, spline: SplineId, argument: ExprId) -> TokenStream {
-        let table = table_name(&self.module.system.mechanism.graph.spline_of(spline).name);
-        let argument = self.expression(argument, &[]);
-        quote!(#table.at(#argument))
-    }
-
-    fn call(&self, function: &str, arguments: &[ExprId]) -> TokenStream {
-        let function = format_ident!("{function}");
-        let arguments = arguments
-            .iter()
-            .map(|argument| self.expression(*argument, &[]));
-        quote!(math::#function(#(#arguments),*))
-    }
-
     /// The results in order, each with its terms in the order of its row.
     pub(super) fn results(&self) -> Vec<TokenStream> {
         let results = self.function.results.iter();
@@ -345,131 +249,121 @@ impl Scope<'_> {
 
     /// An expression whose terms mention the bodies in this order.
     pub(super) fn expression(&self, expr: ExprId, bodies: &[usize]) -> TokenStream {
-        self.atom(expr).unwrap_or_else(|| self.sum(expr, bodies))
+        self.written(&self.arithmetic(expr, bodies))
     }
 
-    /// A name, an input or a call.
-    fn atom(&self, expr: ExprId) -> Option<TokenStream> {
-        if let Some(name) = self.value(expr) {
-            return Some(quote!(#name));
-        }
-        let graph = &self.module.system.mechanism.graph;
-        match graph.node(expr) {
-            Node::Symbol(symbol) => Some(self.symbol(*symbol)),
-            _ if graph.is_constant(expr) => None,
-            _ => self.function_call(expr),
-        }
-    }
-
-    fn sum(&self, expr: ExprId, bodies: &[usize]) -> TokenStream {
-        let named = |other: ExprId| self.function.name_of(other).is_some();
-        let order = WrittenOrder::new(self.module.system, bodies);
-        let addends = addends(expr, &self.module.system.mechanism.graph, &order, &named);
-        self.addends(&addends)
-    }
-
-    fn addends(&self, addends: &[Addend]) -> TokenStream {
-        // A sum without terms is the number zero.
-        if addends.is_empty() {
-            return quote!(0.0);
-        }
-        let value = |(position, addend): (usize, &Addend)| {
-            let value = self.addend(addend);
-            match (position, addend.negative) {
-                (0, false) => value,
-                (0, true) => quote!(-#value),
-                (_, false) => quote!(+ #value),
-                (_, true) => quote!(- #value),
-            }
-        };
-        chained(addends.iter().enumerate().map(value).collect())
-    }
-
-    /// An addend without its sign.
-    fn addend(&self, addend: &Addend) -> TokenStream {
-        let constant = addend.constant.iter().map(|part| self.constant(part));
-        let factors: Vec<TokenStream> = constant
-            .chain(addend.factors.iter().flat_map(|power| self.power(power)))
-            .collect();
-        let numerator = if factors.is_empty() {
-            quote!(1.0)
-        } else {
-            product(&factors)
-        };
-        let divisors: Vec<TokenStream> = addend
-            .divisors
-            .iter()
-            .flat_map(|power| self.power(power))
-            .collect();
-        match divisors.as_slice() {
-            [] => numerator,
-            [only] => quote!(#numerator / #only),
-            _ => {
-                let divisor = product(&divisors);
-                quote!(#numerator / (#divisor))
-            }
-        }
-    }
-
-    /// A literal or the name of a constant.
-    fn constant(&self, part: &ConstantPart) -> TokenStream {
-        match self.module.program.constants.name_of(part) {
-            Some(name) => {
-                let name = super::names::identifier(name);
+    /// What computes a number.
+    fn written(&self, arithmetic: &Arithmetic) -> TokenStream {
+        match arithmetic {
+            Arithmetic::Number(value) => self.module.float(*value),
+            Arithmetic::Constant(name) => {
+                let name = identifier(name);
                 quote!(#name)
             }
-            None => self
-                .module
-                .float(part.value(&self.module.system.mechanism.graph)),
+            Arithmetic::Variable(symbol) => self.symbol(*symbol),
+            Arithmetic::Sum(terms) => {
+                let terms = terms.iter().enumerate().map(|(place, (negative, term))| {
+                    let term = match term {
+                        Arithmetic::Choice(_) => self.operand(term),
+                        _ => self.written(term),
+                    };
+                    match (place, negative) {
+                        (0, false) => term,
+                        (0, true) => quote!(-#term),
+                        (_, false) => quote!(+ #term),
+                        (_, true) => quote!(- #term),
+                    }
+                });
+                chained(terms.collect())
+            }
+            Arithmetic::Product { factors, divisors } => {
+                let numerator = self.product(factors);
+                match divisors.as_slice() {
+                    [] => numerator,
+                    [only] => {
+                        let only = self.operand(only);
+                        quote!(#numerator / #only)
+                    }
+                    _ => {
+                        let divisor = self.product(divisors);
+                        quote!(#numerator / (#divisor))
+                    }
+                }
+            }
+            Arithmetic::Call(function, arguments) => {
+                let function = format_ident!("{}", called(*function));
+                let arguments = arguments.iter().map(|argument| self.written(argument));
+                quote!(math::#function(#(#arguments),*))
+            }
+            Arithmetic::Lookup {
+                spline,
+                order,
+                place,
+            } => {
+                let (lookup, order) = (self.lookup(*spline, place), count(*order));
+                quote!(#lookup[#order])
+            }
+            Arithmetic::Choice(choice) => self.choice(choice),
         }
     }
 
-    /// The factors that a power is written as.
-    fn power(&self, power: &Power) -> Vec<TokenStream> {
-        match (power.exponent.numerator(), power.exponent.denominator()) {
-            (whole, 1) if whole <= LARGEST_PRODUCT => {
-                vec![self.operand(power.base); whole.unsigned_abs() as usize]
-            }
-            (1, 2) => {
-                let radicand = self.expression(power.base, &[]);
-                vec![quote!(math::sqrt(#radicand))]
-            }
-            _ => {
-                let (base, exponent) = (
-                    self.expression(power.base, &[]),
-                    self.module.float(power.exponent.to_f64()),
-                );
-                vec![quote!(math::powf(#base, #exponent))]
-            }
+    /// `if x < 2.0 { … } else { … }`; a second arm that is another choice continues with `else if`.
+    fn choice(&self, choice: &Choice) -> TokenStream {
+        let [left, right] = [&choice.left, &choice.right].map(|side| match side {
+            Arithmetic::Choice(_) => self.operand(side),
+            _ => self.written(side),
+        });
+        let sign = if choice.is_less { quote!(<) } else { quote!(>) };
+        let [below, otherwise] = [&choice.below, &choice.otherwise].map(|arm| self.written(arm));
+        match choice.otherwise {
+            Arithmetic::Choice(_) => quote!(if #left #sign #right { #below } else #otherwise),
+            _ => quote!(if #left #sign #right { #below } else { #otherwise }),
         }
+    }
+
+    /// `TABLE_LIFT.at(x)`: the value and three derivatives.
+    fn lookup(&self, spline: SplineId, place: &Arithmetic) -> TokenStream {
+        let table = table_name(&self.module.system.mechanism.graph.spline_of(spline).name);
+        let place = self.written(place);
+        quote!(#table.at(#place))
+    }
+
+    fn product(&self, factors: &[Arithmetic]) -> TokenStream {
+        let factors = factors.iter().enumerate().map(|(place, factor)| {
+            let factor = self.operand(factor);
+            match place {
+                0 => factor,
+                _ => quote!(* #factor),
+            }
+        });
+        chained(factors.collect())
     }
 
     /// What stands beside a multiplication sign.
-    fn operand(&self, expr: ExprId) -> TokenStream {
-        let graph = &self.module.system.mechanism.graph;
-        let is_choice =
-            matches!(graph.node(expr), Node::Choose { .. }) && graph.magnitude_of(expr).is_none();
-        let atom = self.atom(expr);
-        match atom {
-            Some(atom) if !is_choice || self.value(expr).is_some() => atom,
-            Some(choice) => quote!((#choice)),
-            None => {
-                let sum = self.sum(expr, &[]);
-                quote!((#sum))
+    fn operand(&self, arithmetic: &Arithmetic) -> TokenStream {
+        let written = self.written(arithmetic);
+        match arithmetic {
+            Arithmetic::Sum(_) | Arithmetic::Product { .. } | Arithmetic::Choice(_) => {
+                quote!((#written))
             }
+            _ => written,
         }
     }
 }
 
-fn product(factors: &[TokenStream]) -> TokenStream {
-    let parts = factors
-        .iter()
-        .enumerate()
-        .map(|(position, factor)| match position {
-            0 => factor.clone(),
-            _ => quote!(* #factor),
-        });
-    chained(parts.collect())
+/// What the runtime calls an elementary function.
+fn called(function: Elementary) -> &'static str {
+    match function {
+        Elementary::Sin => "sin",
+        Elementary::Cos => "cos",
+        Elementary::Exp => "exp",
+        Elementary::Ln => "ln",
+        Elementary::Atan2 => "atan2",
+        Elementary::Floor => "floor",
+        Elementary::Abs => "abs",
+        Elementary::Sqrt => "sqrt",
+        Elementary::Power => "powf",
+    }
 }
 
 /// So many operations of one chain nest in the syntax of Rust, which compilers and formatters walk by recursion.

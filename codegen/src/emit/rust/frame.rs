@@ -6,13 +6,14 @@ use quote::quote;
 use super::docs::docs;
 use super::layout::Verbatim;
 use super::lints;
-use super::module::{Module, derives, only};
+use super::module::{derives, only};
 use super::names::identifier;
 use super::normalized_determinant::smallest_determinant;
 use super::parameters::is_given;
 use super::points;
 use super::sensitivity::{sensitivities, structures};
 use super::transmission::transmissions;
+use crate::emit::module::{Module, documentation};
 use crate::expr::SymbolId;
 use crate::program::Output;
 use crate::system::SymbolRole;
@@ -123,43 +124,47 @@ fn method(output: &Output, module: &Module<'_>) -> TokenStream {
         let [x, y] = fields.map(own);
         quote!([#x, #y])
     };
+    let prefix = match output {
+        Output::Point { name, .. } => format!("point_{name}"),
+        Output::Coordinate { name, .. } => name.clone(),
+    };
+    let functions = documentation::of_output(output).into_iter();
+    let functions = functions.map(|(suffix, text)| {
+        let function = identifier(&format!("{prefix}{suffix}"));
+        (function, docs([text]))
+    });
     match output {
-        Output::Point { name, fields } => match fields.as_slice() {
+        Output::Point { fields, .. } => match fields.as_slice() {
             [position, velocity, acceleration] => {
-                let function = identifier(&format!("point_{name}"));
-                let text = docs([format!("Motion of the point {name}, in m, m/s and m/s².")]);
                 let [position, velocity, acceleration] =
                     [position, velocity, acceleration].map(pair);
-                quote! {
+                let methods = functions.map(|(function, text)| quote! {
                     #text
                     pub fn #function(&self) -> PointMotion {
                         PointMotion { position: #position, velocity: #velocity, acceleration: #acceleration }
                     }
-                }
-            }
-            fields => {
-                let levels = [("position", "m"), ("velocity", "m/s")];
-                let methods = fields.iter().zip(levels).map(|(field, (level, unit))| {
-                    let function = identifier(&format!("point_{name}_{level}"));
-                    let text = docs([format!("The {level} of the point {name}, in {unit}.")]);
-                    let value = pair(field);
-                    quote!(#text pub fn #function(&self) -> [Scalar; 2] { #value })
                 });
                 methods.collect()
             }
+            fields => {
+                let methods = fields
+                    .iter()
+                    .zip(functions)
+                    .map(|(field, (function, text))| {
+                        let value = pair(field);
+                        quote!(#text pub fn #function(&self) -> [Scalar; 2] { #value })
+                    });
+                methods.collect()
+            }
         },
-        Output::Coordinate { name, fields } => {
-            let levels = [
-                ("", "coordinate"),
-                ("_rate", "rate of the coordinate"),
-                ("_acceleration", "acceleration of the coordinate"),
-            ];
-            let methods = fields.iter().zip(levels).map(|(&field, (suffix, what))| {
-                let function = identifier(&format!("{name}{suffix}"));
-                let text = docs([format!("The {what} {name}, in SI units.")]);
-                let value = own(field);
-                quote!(#text pub fn #function(&self) -> Scalar { #value })
-            });
+        Output::Coordinate { fields, .. } => {
+            let methods = fields
+                .iter()
+                .zip(functions)
+                .map(|(&field, (function, text))| {
+                    let value = own(field);
+                    quote!(#text pub fn #function(&self) -> Scalar { #value })
+                });
             methods.collect()
         }
     }

@@ -31,5 +31,4 @@ mod textbook;
 mod transmission;
 
 pub use file::file;
-pub use literal::Scalar;
 pub use names::{NAMING, type_name};

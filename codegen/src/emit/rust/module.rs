@@ -7,77 +7,17 @@ use quote::{format_ident, quote};
 
 use super::functions::functions;
 use super::layout::Verbatim;
-use super::literal::Scalar;
 use super::names::identifier;
-use super::names::spelled;
 use super::pieces::{Around, formatted};
 use super::{
     block, coordinates, explained, frame, newton, parameters, path, shell, tables, textbook,
 };
-use crate::emit::derivation::{self, BlockWords, PlainWords, SingularPose};
-use crate::emit::{Notation, report, text};
+use crate::emit::module::Module;
+use crate::emit::text;
 use crate::expr::SymbolId;
-use crate::model::Role;
-use crate::program::passes::names::LocalNames;
-use crate::program::{LARGEST_TEXTBOOK, Program};
-use crate::structure::SolvedPlan;
-use crate::system::{SymbolRole, System};
-use crate::words::Phrase;
+use crate::program::LARGEST_TEXTBOOK;
 
-/// The fields that every frame has.
-const FRAME: &[&str] = &["t", "q", "qd", "qdd", "parameters"];
-
-/// A mechanism or one of its motions, as it is written.
-pub(super) struct Module<'a> {
-    pub system: &'a System,
-    pub program: &'a Program,
-    pub scalar: Scalar,
-    /// The path of the module whose elementary functions are taken instead of the runtime's.
-    math: Option<&'a str>,
-    /// Where each part of the plan is singular.
-    pub poses: Vec<SingularPose>,
-    /// What each block of the program is called.
-    pub words: Vec<BlockWords>,
-    /// What the frame calls what it keeps beside the coordinates.
-    fields: LocalNames,
-    comments: PlainWords,
-    /// The sags that tubes are filled with.
-    tubes: HashSet<SymbolId>,
-}
-
-impl<'a> Module<'a> {
-    pub(super) fn new(
-        system: &'a System,
-        plan: &SolvedPlan,
-        program: &'a Program,
-        scalar: Scalar,
-        math: Option<&'a str>,
-    ) -> Module<'a> {
-        let kept = program.fields.iter().copied();
-        let poses = derivation::singular_poses(system, plan, &program.forms, Notation::Unicode);
-        Module {
-            fields: LocalNames::of_symbols(kept, system, FRAME, spelled),
-            words: derivation::block_words(&program.blocks, system, plan, &poses),
-            poses,
-            comments: PlainWords::new(system, Notation::Unicode),
-            tubes: path::sags_of_tubes(program, system),
-            system,
-            program,
-            scalar,
-            math,
-        }
-    }
-
-    /// Whether frames hold all coordinates, and not only what is asked for.
-    pub(super) fn holds_coordinates(&self) -> bool {
-        self.program.outputs.is_none()
-    }
-
-    /// Whether the mechanism is too large for functions that go through all coordinates at once.
-    pub(super) fn is_large(&self) -> bool {
-        self.system.coordinates.len() > LARGEST_TEXTBOOK
-    }
-
+impl Module<'_> {
     /// A number.
     pub(super) fn float(&self, value: f64) -> TokenStream {
         self.scalar.literal(value)
@@ -88,28 +28,16 @@ impl<'a> Module<'a> {
         self.float(value).to_string().replace("- ", "-")
     }
 
-    /// `q`, `qd` or `qdd` and the coordinate's name.
-    pub(super) fn coordinate(&self, symbol: SymbolId) -> Option<(Ident, Ident)> {
-        let (vector, unknown) = match self.system.roles[symbol.index()] {
-            SymbolRole::Position(unknown) => ("q", unknown),
-            SymbolRole::Rate(unknown) => ("qd", unknown),
-            SymbolRole::Acceleration(unknown) => ("qdd", unknown),
-            _ => return None,
-        };
-        let coordinate = self.system.coordinates.get(unknown)?;
-        Some((format_ident!("{vector}"), identifier(&coordinate.name)))
-    }
-
-    /// Whether frames hold a value.
-    pub(super) fn is_field(&self, symbol: SymbolId) -> bool {
-        self.holds_coordinates() && self.system.is_coordinate(symbol)
-            || self.program.is_field(symbol)
-    }
-
     /// A field of a frame.
     pub(super) fn field(&self, symbol: SymbolId, frame: &Ident) -> TokenStream {
-        match self.coordinate(symbol).filter(|_| self.holds_coordinates()) {
-            Some((vector, name)) => quote!(#frame.#vector.#name),
+        match self.component(symbol).filter(|_| self.holds_coordinates()) {
+            Some(component) => {
+                let (vector, name) = (
+                    format_ident!("{}", component.vector),
+                    identifier(component.name),
+                );
+                quote!(#frame.#vector.#name)
+            }
             None => {
                 let name = self.field_name(symbol);
                 quote!(#frame.#name)
@@ -119,36 +47,17 @@ impl<'a> Module<'a> {
 
     /// The name of a field that is none of the coordinates.
     pub(super) fn field_name(&self, symbol: SymbolId) -> Ident {
-        identifier(self.fields.name_of(symbol).unwrap_or_default())
+        identifier(self.own_field(symbol))
     }
 
-    /// What a symbol is called that says what the span is like.
-    pub(super) fn span_part(&self, symbol: SymbolId) -> Option<&'static str> {
-        let span = &self.program.path.as_ref()?.span;
-        let parts = [
-            (span.time, "time"),
-            (span.stretch, "stretch"),
-            (span.bend, "bend"),
-            (span.beyond, "beyond"),
-        ];
-        parts
-            .into_iter()
-            .find(|(own, _)| *own == symbol)
-            .map(|(_, name)| name)
-    }
-
-    /// Whether a sag is that of a tube.
-    pub(super) fn has_tube(&self, sag: SymbolId) -> bool {
-        self.tubes.contains(&sag)
-    }
-
-    /// Words as a comment says them.
-    pub(super) fn said(&self, words: &Phrase) -> String {
-        self.comments.say(words)
-    }
-
-    /// The items of the module, which stands in `around`, as the formatter leaves them.
-    pub(super) fn items(&self, owns_parameters: bool, around: &[Around]) -> String {
+    /// The items of the module, which stands in `around`, as the formatter leaves them. Its elementary functions are the runtime's,
+    /// or those of the module at the path `math`.
+    pub(super) fn items(
+        &self,
+        owns_parameters: bool,
+        math: Option<&str>,
+        around: &[Around],
+    ) -> String {
         let precision = self.scalar.precision();
         let structures = |module: &Self| parameters::structures(module, owns_parameters);
         // One at a time becomes text: as tokens all of them together would take far more room.
@@ -172,7 +81,7 @@ impl<'a> Module<'a> {
         let mentioned = identifiers(&rest);
         let constants = self.constants(&mentioned);
         let tables = tables::tables(self, &mentioned);
-        let functions = self.math.map(|path| functions(path, &mentioned));
+        let functions = math.map(|path| functions(path, &mentioned));
         let first = quote!(use ::linkwright::#precision::*; #functions #constants #tables);
         formatted(first, around) + &rest
     }
@@ -196,40 +105,6 @@ impl<'a> Module<'a> {
         }
         text.close("}");
         text.item()
-    }
-
-    /// Lines of text that say what the module computes and what it costs.
-    pub(super) fn facts(&self) -> Vec<String> {
-        let system = self.system;
-        let mechanism = &system.mechanism;
-        let is_driver = |joint: usize| mechanism.joints[joint].role == Role::Driver;
-        let drivers = system
-            .rows
-            .iter()
-            .filter(|row| is_driver(row.joint))
-            .count();
-        let mut lines = vec![format!(
-            "{} bodies, {} coordinates, {} equations ({} of joints, {drivers} of drivers).",
-            mechanism.moving_bodies().len(),
-            system.coordinates.len(),
-            system.rows.len(),
-            system.rows.len() - drivers,
-        )];
-        if !system.monitored.is_empty() {
-            let names = system.monitored.iter().map(|row| row.name.as_str());
-            let names: Vec<&str> = names.collect();
-            lines.push(format!(
-                "Redundant equations, not solved: {}.",
-                names.join(", ")
-            ));
-        }
-        lines.extend(text::given(system).lines().map(capitalized));
-        lines.extend(report::lines(&self.program.report));
-        if self.program.textbook.is_none() {
-            let why = "Left out: the textbook view, whose dense matrices would not fit a stack.";
-            lines.push(why.to_string());
-        }
-        lines
     }
 }
 
@@ -273,13 +148,6 @@ fn after_string(text: &str) -> &str {
         }
     }
     ""
-}
-
-/// `Parameter L = 0.05 m.` of `parameter L = 0.05 m`.
-fn capitalized(line: &str) -> String {
-    let mut letters = line.chars();
-    let first = letters.next().map(|letter| letter.to_ascii_uppercase());
-    first.into_iter().chain(letters).chain(['.']).collect()
 }
 
 /// The tokens where there is something to say.

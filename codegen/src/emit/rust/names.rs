@@ -6,6 +6,7 @@ use proc_macro2::Ident;
 use quote::format_ident;
 
 use crate::diagnostic::{Code, Diagnostic};
+use crate::emit::module::Words;
 use crate::model::Naming;
 use crate::syntax::Name;
 
@@ -119,7 +120,7 @@ const PREFIXES: &[&str] = &[
 ];
 
 /// What functions are given, and what they call the runtime's answers: no local value has one of these names.
-pub(super) const LOCAL_VALUES: &[&str] = &[
+const LOCAL_VALUES: &[&str] = &[
     "at",
     "last",
     "branches",
@@ -146,6 +147,13 @@ pub(super) const LOCAL_VALUES: &[&str] = &[
     "partial",
     "sags",
 ];
+
+/// What Rust asks of names.
+pub(super) const WORDS: Words = Words {
+    spelled,
+    of_functions: LOCAL_VALUES,
+    of_frames: &["t", "q", "qd", "qdd", "parameters"],
+};
 
 /// The name of the type that a mechanism becomes: `TwoBody` of `two_body`.
 pub fn type_name(mechanism: &str) -> String {
@@ -230,7 +238,7 @@ fn is_identifier(name: &str) -> bool {
 }
 
 /// A wish as a name of Rust: `bd_square` of `|BD|^2`.
-pub(super) fn spelled(wish: &str) -> String {
+fn spelled(wish: &str) -> String {
     let plain = wish.replace('|', "").replace("^2", "_square");
     let spelled = plain.to_lowercase();
     // A coordinate keeps its capitals, as its field does.

@@ -6,10 +6,11 @@ use quote::{format_ident, quote};
 use super::docs::docs;
 use super::lints;
 use super::literal::count;
-use super::module::{Module, only};
+use super::module::only;
 use super::names::identifier;
-use super::scope::{Place, Reads, Scope};
 use super::textbook::{Length, length, scales};
+use crate::emit::module::scope::{Place, Reads, Scope};
+use crate::emit::module::{Module, documentation};
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
 use crate::program::{Block, Function, Lengths, NewtonBlock, Statement};
@@ -137,7 +138,7 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     let row_scales = scaled(&newton.quantities, of_rows);
     let column_scales = scaled(&columns, of_columns);
     let angles = angles(&columns);
-    let found = listed(newton, module);
+    let found = documentation::found_by(newton, module.system);
     let title = docs([format!("The equations of `{}` for {found}.", block.name)]);
     let implementation = quote! {
         impl BlockEquations<Scalar, #size> for #name #lifetime {
@@ -196,13 +197,6 @@ fn local(symbol: SymbolId, module: &Module<'_>) -> Ident {
 fn mentions(code: &str, name: &str) -> bool {
     code.split(|character: char| !(character.is_alphanumeric() || character == '_'))
         .any(|word| word == name)
-}
-
-/// The unknowns that a block finds: `` `phi2`, `l1` ``.
-pub(super) fn listed(newton: &NewtonBlock, module: &Module<'_>) -> String {
-    let names = newton.unknowns.iter();
-    let names = names.map(|&unknown| format!("`{}`", module.system.unknown_name(unknown)));
-    names.collect::<Vec<_>>().join(", ")
 }
 
 /// A statement of a block that concerns its Newton-Raphson.

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::literal::count;
-use super::module::Module;
+use crate::emit::module::Module;
 use crate::program::Measured;
 
 /// The functions that say it; nothing where the description does not ask.

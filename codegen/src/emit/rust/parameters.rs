@@ -9,9 +9,10 @@ use super::docs::doc_lines;
 use super::layout::Verbatim;
 use super::lints;
 use super::literal::count;
-use super::module::{Module, only};
+use super::module::only;
 use super::names::identifier;
-use super::scope::{Place, Scope};
+use crate::emit::module::scope::{Place, Scope};
+use crate::emit::module::{Module, documentation};
 use crate::expr::ExprId;
 use crate::model::{Dimension, field_name};
 use crate::program::Function;
@@ -133,14 +134,7 @@ fn structure<'a>(
             .graph
             .constant_value(value)
             .unwrap_or(0.0);
-        let mut lines = vec![format!(
-            "`{name}`, in {}: {value:?} {default}.",
-            dimension.unit()
-        )];
-        if !docs.is_empty() {
-            lines.push(String::new());
-            lines.extend(docs.iter().cloned());
-        }
+        let lines = documentation::of_number(name, dimension, value, default, docs);
         text.docs(doc_lines(lines));
         let (field, value) = (identifier(&field_name(name)), module.number(value));
         text.line(format!("{field} = {value},"));

@@ -1,18 +1,17 @@
 //! Whether a frame lies on the path of the last one.
 
-use std::collections::HashSet;
-
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::docs::docs;
 use super::lints;
 use super::literal::count;
-use super::module::{Module, only};
+use super::module::only;
 use super::names::identifier;
-use super::scope::{Place, Scope};
-use crate::expr::SymbolId;
-use crate::program::{Path, Program, Statement};
-use crate::system::System;
+use crate::emit::module::scope::{Place, Scope};
+use crate::emit::module::tubes::iterated;
+use crate::emit::module::{Module, documentation};
+use crate::program::{Path, Statement};
 
 /// `keeps_to_path`, and `is_within` where Newton-Raphson finds something.
 pub(super) fn path(module: &Module<'_>) -> TokenStream {
@@ -64,9 +63,9 @@ pub(super) fn path(module: &Module<'_>) -> TokenStream {
         quote!(let &Pair { #(#both,)* .. } = pair;),
     );
     let (capitals, approximate) = (lints::capitals(&body), lints::approximate(&body));
+    let text = docs(documentation::KEEPS_TO_PATH);
     quote! {
-        /// Whether a frame lies on the path of the last one: how far values are from where they are now (`radius`), and from a
-        /// straight line (`sag`), while the mechanism moves; or else the block of which that cannot be shown.
+        #text
         #capitals
         #approximate
         fn keeps_to_path(#pair: &Pair<'_>, #span: &Span, #tubes: &mut Tubes) -> Result<(), u16> {
@@ -78,32 +77,6 @@ pub(super) fn path(module: &Module<'_>) -> TokenStream {
 
         #within
     }
-}
-
-/// The unknowns that Newton-Raphson finds, with their sags; what does not move has none.
-fn iterated(program: &Program, system: &System, path: &Path) -> Vec<(SymbolId, Option<SymbolId>)> {
-    let blocks = program.blocks.iter();
-    let unknowns = blocks.flat_map(|block| block.newton.iter().flat_map(|newton| &newton.unknowns));
-    let unknowns = unknowns.map(|unknown| {
-        let position = system.vector_form.unknowns[*unknown].position;
-        (position, path.sags.get(unknown).copied())
-    });
-    unknowns.collect()
-}
-
-/// How many tubes there are.
-pub(super) fn tube_count(module: &Module<'_>) -> usize {
-    let path = module.program.path.iter();
-    path.map(|path| iterated(module.program, module.system, path).len())
-        .sum()
-}
-
-/// The sags of tubes.
-pub(super) fn sags_of_tubes(program: &Program, system: &System) -> HashSet<SymbolId> {
-    let path = program.path.iter();
-    path.flat_map(|path| iterated(program, system, path))
-        .filter_map(|(_, sag)| sag)
-        .collect()
 }
 
 /// Whether what Newton-Raphson finds is in its tubes, and what fills them.

@@ -5,9 +5,9 @@ use quote::quote;
 
 use super::docs::docs;
 use super::literal::count;
-use super::module::Module;
 use super::names::identifier;
-use super::scope::{Place, Scope};
+use crate::emit::module::scope::{Place, Scope};
+use crate::emit::module::{Module, documentation};
 use crate::program::{Function, Output};
 use crate::system::Pressure;
 
@@ -21,22 +21,7 @@ pub(super) fn methods(module: &Module<'_>) -> TokenStream {
         .enumerate();
     let points = points.map(|(index, (output, function))| {
         let name = identifier(&format!("point_{}", output.name.to_lowercase()));
-        let point = &system.mechanism.points[index];
-        let body = &system.mechanism.bodies[point.mark.frame.body.0].name;
-        let carrier = match body == "ground" {
-            true => "the ground".to_string(),
-            false => format!("body {body}"),
-        };
-        let what = format!(
-            "Motion of the point {} of {carrier}, in m, m/s and m/s².",
-            output.name
-        );
-        let mut lines = vec![what];
-        if !point.docs.is_empty() {
-            lines.push(String::new());
-            lines.extend(point.docs.iter().cloned());
-        }
-        let text = docs(lines);
+        let text = docs(documentation::of_point(index, system));
         let (computed, results) = computed(module, function);
         let [x, y, vx, vy, ax, ay] = results.as_slice() else {
             unreachable!("a point has two components of position, velocity and acceleration each")
@@ -86,13 +71,9 @@ pub(super) fn table(module: &Module<'_>) -> TokenStream {
 fn pressure_angle(module: &Module<'_>, pressure: &Pressure, function: &Function) -> TokenStream {
     let joint = &module.system.mechanism.joints[pressure.joint];
     let name = identifier(&format!("pressure_angle_{}", joint.slug));
-    let text = docs([
-        format!("The pressure angle of `{}`, in rad.", joint.label),
-        String::new(),
-        "It is the angle between the common normal and the velocity of the follower's point at the"
-            .to_string(),
-        "contact; `None` while the follower rests.".to_string(),
-    ]);
+    let mut lines = documentation::of_pressure(pressure, module.system);
+    lines.push("contact; `None` while the follower rests.".to_string());
+    let text = docs(lines);
     let (computed, results) = computed(module, function);
     quote! {
         #text

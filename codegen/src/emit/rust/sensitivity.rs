@@ -4,9 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::docs::docs;
-use super::module::{Module, derives};
+use super::module::derives;
 use super::names::identifier;
-use crate::joint::Quantity;
+use crate::emit::module::{Module, documentation};
 use crate::program::{Found, SensitiveQuantity, Sensitivity};
 
 /// `struct Sensitivity` and `struct PointSensitivity`, as far as something returns them.
@@ -56,14 +56,8 @@ pub(super) fn sensitivities(module: &Module<'_>) -> TokenStream {
             .coordinates
             .as_ref()
             .map(|coordinates| of_coordinates(sensitivity, coordinates, module));
-        let quantities =
-            sensitivity
-                .quantities
-                .iter()
-                .map(|quantity| match quantity.components.len() {
-                    2 => of_point(sensitivity, quantity, module),
-                    _ => of_coordinate(sensitivity, quantity, module),
-                });
+        let quantities = sensitivity.quantities.iter();
+        let quantities = quantities.map(|quantity| of_quantity(sensitivity, quantity, module));
         quote!(#whole #(#quantities)*)
     });
     quote!(#(#each)*)
@@ -72,12 +66,6 @@ pub(super) fn sensitivities(module: &Module<'_>) -> TokenStream {
 /// Whether a quantity is a point with position and velocity.
 fn returns_pair(quantity: &SensitiveQuantity) -> bool {
     quantity.components.len() == 2 && quantity.levels.len() == 2
-}
-
-/// `L2 (m)` as texts name it, and its unit.
-fn parameter(sensitivity: &Sensitivity, module: &Module<'_>) -> (String, String) {
-    let own = &module.system.mechanism.parameters[sensitivity.parameter];
-    (own.name.clone(), own.dimension.unit())
 }
 
 fn value(found: &Found, module: &Module<'_>) -> TokenStream {
@@ -98,12 +86,8 @@ fn of_coordinates(
     coordinates: &[[Found; 2]],
     module: &Module<'_>,
 ) -> TokenStream {
-    let (parameter, unit) = parameter(sensitivity, module);
     let function = identifier(&format!("sensitivity_{}", sensitivity.name));
-    let text = docs([
-        format!("How all coordinates and their rates depend on the parameter {parameter}:"),
-        format!("∂q/∂{parameter} and ∂q̇/∂{parameter}, where {parameter} is in {unit}."),
-    ]);
+    let text = docs(documentation::of_sensitivity(sensitivity, module));
     let level = |level: usize| {
         let fields = coordinates
             .iter()
@@ -123,68 +107,34 @@ fn of_coordinates(
     }
 }
 
-fn of_point(
+fn of_quantity(
     sensitivity: &Sensitivity,
     quantity: &SensitiveQuantity,
     module: &Module<'_>,
 ) -> TokenStream {
-    let (parameter, unit) = parameter(sensitivity, module);
-    let (point, own, what) = (&quantity.name, &sensitivity.name, &quantity.what);
-    let levels: Vec<TokenStream> = quantity
-        .levels
-        .iter()
-        .map(|level| {
-            let values = level.iter().map(|found| value(found, module));
-            quote!([#(#values),*])
-        })
-        .collect();
-    match levels.as_slice() {
-        [position, velocity] => {
-            let function = identifier(&format!("point_{point}_sensitivity_{own}"));
-            let text = docs([format!(
-                "How position and velocity of {what} depend on the parameter {parameter}, which is in {unit}."
-            )]);
-            quote! {
-                #text
-                pub fn #function(&self) -> PointSensitivity {
-                    PointSensitivity { position: #position, velocity: #velocity }
+    let values = |level: &Vec<Found>| {
+        let values = level.iter().map(|found| value(found, module));
+        quote!(#(#values),*)
+    };
+    let mut levels = quantity.levels.iter().map(values);
+    let functions = documentation::of_quantity(sensitivity, quantity, module).into_iter();
+    let functions = functions.map(|(name, text)| (identifier(&name), docs([text])));
+    let is_point = quantity.components.len() == 2;
+    let methods = functions.map(|(function, text)| {
+        let found = levels.next().unwrap_or_default();
+        match is_point {
+            true if returns_pair(quantity) => {
+                let velocity = levels.next().unwrap_or_default();
+                quote! {
+                    #text
+                    pub fn #function(&self) -> PointSensitivity {
+                        PointSensitivity { position: [#found], velocity: [#velocity] }
+                    }
                 }
             }
+            true => quote!(#text pub fn #function(&self) -> [Scalar; 2] { [#found] }),
+            false => quote!(#text pub fn #function(&self) -> Scalar { #found }),
         }
-        levels => {
-            let function = identifier(&format!("point_{point}_position_sensitivity_{own}"));
-            let text = docs([format!(
-                "How the position of {what} depends on the parameter {parameter}, which is in {unit}: in m per unit of it."
-            )]);
-            quote!(#text pub fn #function(&self) -> [Scalar; 2] { #(#levels)* })
-        }
-    }
-}
-
-fn of_coordinate(
-    sensitivity: &Sensitivity,
-    quantity: &SensitiveQuantity,
-    module: &Module<'_>,
-) -> TokenStream {
-    let (parameter, unit) = parameter(sensitivity, module);
-    let measured = match quantity.components[0] {
-        Quantity::Angle => "rad",
-        _ => "m",
-    };
-    let (coordinate, own) = (&quantity.name, &sensitivity.name);
-    let levels = [
-        ("", "coordinate", ""),
-        ("_rate", "rate of the coordinate", "/s"),
-    ];
-    let methods = quantity.levels.iter().flatten().zip(levels).map(
-        |(found, (suffix, what, per_second))| {
-            let function = identifier(&format!("{coordinate}{suffix}_sensitivity_{own}"));
-            let text = docs([format!(
-                "How the {what} {coordinate} depends on the parameter {parameter}, which is in {unit}: in {measured}{per_second} per unit of it."
-            )]);
-            let value = value(found, module);
-            quote!(#text pub fn #function(&self) -> Scalar { #value })
-        },
-    );
-    quote!(#(#methods)*)
+    });
+    methods.collect()
 }

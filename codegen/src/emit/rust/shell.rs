@@ -1,29 +1,24 @@
 //! The type that a user holds, and the function that calls all blocks.
 
-use std::collections::HashSet;
-
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::block::call;
 use super::docs::doc_lines;
 use super::layout::Verbatim;
-use super::module::{Module, derives, only};
+use super::module::{derives, only};
 use super::names::identifier;
 use super::names::type_name;
 use super::parameters;
-use super::path;
-use crate::expr::SymbolId;
-use crate::program::{Block, Function, Statement};
+use crate::emit::module::checks::checked;
+use crate::emit::module::tubes::tube_count;
+use crate::emit::module::{Module, documentation};
 
 /// The function that solves one instant, and the mechanism's own type.
 pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
     let (solve, declared) = (solve(module), module.declared());
     let name = type_name(&module.system.mechanism.name);
-    let mut lines = module.system.mechanism.docs.clone();
-    if lines.is_empty() {
-        lines.push(format!("The mechanism `{}`.", module.system.mechanism.name));
-    }
+    let lines = documentation::of_mechanism(module.system);
     let mut text = Verbatim::default();
     text.open("::linkwright::mechanism! {");
     text.docs(doc_lines(lines));
@@ -37,7 +32,7 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
     } else {
         "unguarded"
     };
-    text.line(match path::tube_count(module) {
+    text.line(match tube_count(module) {
         0 => format!("path: {path};"),
         count => format!("path: {path}, tubes: {count};"),
     });
@@ -70,7 +65,10 @@ fn solve(module: &Module<'_>) -> TokenStream {
         module.holds_coordinates() && module.frame_keeps_parameters(),
         quote!(at.parameters = *conditions.parameters;),
     );
-    let checked = checked(module);
+    let checked = checked(module).into_iter();
+    let checked: Vec<TokenStream> = checked
+        .map(|symbol| module.field(symbol, &identifier("at")))
+        .collect();
     let verdict = match module.is_large() || checked.is_empty() {
         true => quote!(Ok(())),
         false => quote! {
@@ -95,32 +93,4 @@ fn solve(module: &Module<'_>) -> TokenStream {
             #verdict
         }
     }
-}
-
-/// The numbers of a frame that nothing else depends on. What is not finite before them would show in them: nothing that is
-/// computed of it is finite.
-fn checked(module: &Module<'_>) -> Vec<TokenStream> {
-    let graph = &module.system.mechanism.graph;
-    let (at, blocks) = (identifier("at"), &module.program.blocks);
-    let values = blocks
-        .iter()
-        .flat_map(Block::functions)
-        .flat_map(Function::values);
-    let read: HashSet<SymbolId> = values
-        .flat_map(|expr| graph.symbols(expr))
-        .copied()
-        .collect();
-    let mut checked = Vec::new();
-    for statement in blocks.iter().flat_map(|block| &block.function.statements) {
-        let moves = match statement {
-            Statement::Let { value, .. } => !graph.is_constant(*value),
-            // The runtime has looked at what it found.
-            Statement::Newton { .. } => false,
-            _ => true,
-        };
-        let found = statement.targets().into_iter().filter(|_| moves);
-        let leaves = found.filter(|&symbol| module.is_field(symbol) && !read.contains(&symbol));
-        checked.extend(leaves.map(|symbol| module.field(symbol, &at)));
-    }
-    checked
 }

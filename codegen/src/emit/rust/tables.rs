@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 use super::docs::docs;
 use super::lints;
 use super::literal::count;
-use super::module::Module;
+use crate::emit::module::Module;
 use crate::expr::Spline;
 
 /// By how much of their distance starts may be off where they are called equally spaced.

@@ -7,15 +7,15 @@ use super::docs::docs;
 use super::layout::{Verbatim, comment};
 use super::lints;
 use super::literal::count;
-use super::module::{Module, only};
+use super::module::only;
 use super::names::identifier;
 use super::names::type_name;
-use super::scope::{Place, Reads, Scope};
-use crate::emit::{Notation, text};
+use crate::emit::module::scope::{Place, Reads, Scope};
+use crate::emit::module::{Module, documentation};
 use crate::expr::ExprId;
 use crate::joint::Quantity;
 use crate::program::{Function, Lengths};
-use crate::system::{Row, System};
+use crate::system::Row;
 
 /// The functions of the textbook view, and what is monitored besides.
 pub(super) fn functions(module: &Module<'_>) -> TokenStream {
@@ -26,21 +26,21 @@ pub(super) fn functions(module: &Module<'_>) -> TokenStream {
         module,
         &textbook.residual,
         "phi",
-        "Φ(q, t): the residuals of all joints and drivers, zero where the mechanism is assembled.",
+        documentation::PHI,
         |row| row.residual,
     );
     let phi_t = vector(
         module,
         &textbook.time_derivative,
         "phi_t",
-        "Φ_t(q, t): the partial derivatives of the residuals in t. The rates solve Φ_q q̇ = −Φ_t.",
+        documentation::PHI_T,
         |row| row.time_derivative,
     );
     let gamma = vector(
         module,
         &textbook.gamma,
         "gamma",
-        "γ(q, q̇, t) = −((Φ_q q̇)_q q̇ + 2 Φ_qt q̇ + Φ_tt). The accelerations solve Φ_q q̈ = γ.",
+        documentation::GAMMA,
         |row| row.gamma,
     );
     let phi_q = matrix(module, &textbook.jacobian);
@@ -67,16 +67,6 @@ fn arguments(module: &Module<'_>, reads: Reads, with_rates: bool) -> TokenStream
     quote!(#q: &Coordinates, #rates #given #t: Scalar)
 }
 
-/// What a row is, before the first one of its joint.
-fn row_comment(module: &Module<'_>, index: usize) -> TokenStream {
-    let rows = &module.system.rows;
-    let joint = rows[index].joint;
-    match index > 0 && rows[index - 1].joint == joint {
-        true => TokenStream::new(),
-        false => comment(&module.system.mechanism.joints[joint].label),
-    }
-}
-
 fn vector(
     module: &Module<'_>,
     function: &Function,
@@ -91,24 +81,19 @@ fn vector(
     let mut lines = vec![title.to_string()];
     if name == "phi" {
         lines.push(String::new());
-        lines.extend(row_lines(system, &system.rows));
+        lines.extend(documentation::of_rows(system, &system.rows));
     }
     let text = docs(lines);
     let reads = scope.reads();
     let arguments = arguments(module, reads, name == "gamma");
     let size = count(system.rows.len());
-    let mut last = usize::MAX;
-    let named = system
-        .rows
-        .iter()
-        .zip(&results)
-        .filter(|(row, _)| of(row) != zero);
-    let bindings = named.map(|(row, value)| {
+    let is_shown = |row: &Row| of(row) != zero;
+    let rows = system.rows.iter().zip(&results).enumerate();
+    let shown = rows.filter(|(_, (row, _))| is_shown(row));
+    let bindings = shown.map(|(index, (row, value))| {
         let name = identifier(&row.name);
-        let label = match std::mem::replace(&mut last, row.joint) == row.joint {
-            true => TokenStream::new(),
-            false => comment(&system.mechanism.joints[row.joint].label),
-        };
+        let label = documentation::before_row(system, index, is_shown);
+        let label = label.map_or(TokenStream::new(), comment);
         quote!(#label let #name = #value;)
     });
     let bindings: Vec<TokenStream> = bindings.collect();
@@ -131,29 +116,14 @@ fn vector(
     quote!(#text #allow #function)
 }
 
-/// Each row with its joint and its residual as a person writes it.
-fn row_lines(system: &System, rows: &[Row]) -> Vec<String> {
-    let line = |(index, row): (usize, &Row)| {
-        let formula = text::readable(system, &row.bodies, Notation::Ascii, row.residual);
-        let formula = formula.map_or(String::new(), |formula| format!(": `{formula}`"));
-        let label = &system.mechanism.joints[row.joint].label;
-        format!("- {index}, {label}{formula}")
-    };
-    rows.iter().enumerate().map(line).collect()
-}
-
 /// The residuals of the rows that are not solved.
 fn monitored(module: &Module<'_>, function: &Function) -> TokenStream {
     let system = module.system;
     let scope = Scope::new(module, function, Place::Coordinates);
     let (statements, results) = (scope.plain_statements(), scope.results());
     let size = count(system.monitored.len());
-    let mut lines = vec![
-        "The residuals of the redundant equations, in m or rad: they follow from those that are solved, so they are zero but for rounding wherever Φ is."
-            .to_string(),
-        String::new(),
-    ];
-    lines.extend(row_lines(system, &system.monitored));
+    let mut lines = vec![documentation::MONITORED.to_string(), String::new()];
+    lines.extend(documentation::of_rows(system, &system.monitored));
     let text = docs(lines);
     let arguments = arguments(module, scope.reads(), false);
     let function = quote! {
@@ -174,28 +144,15 @@ fn matrix(module: &Module<'_>, function: &Function) -> TokenStream {
     let mut values = results.iter();
     let mut entries = Vec::with_capacity(results.len());
     for (index, row) in system.rows.iter().enumerate() {
-        entries.push(row_comment(module, index));
+        let label = documentation::before_row(system, index, |_| true);
+        entries.push(label.map_or(TokenStream::new(), comment));
         let row_number = count(index);
         for (entry, value) in row.jacobian.iter().zip(values.by_ref()) {
             let column = count(entry.coordinate);
             entries.push(quote!(phi_q[(#row_number, #column)] = #value;));
         }
     }
-    let columns = numbered(
-        system
-            .coordinates
-            .iter()
-            .map(|coordinate| coordinate.name.as_str()),
-    );
-    let rows = numbered(system.rows.iter().map(|row| row.name.as_str()));
-    let text = docs([
-        "Φ_q(q, t): the Jacobian, one row per equation and one column per coordinate. What is not assigned is zero."
-            .to_string(),
-        String::new(),
-        format!("Columns: {columns}."),
-        String::new(),
-        format!("Rows: {rows}."),
-    ]);
+    let text = docs(documentation::of_jacobian(system));
     let arguments = arguments(module, scope.reads(), false);
     let function = quote! {
         pub fn phi_q(#arguments) -> Matrix<#size, #size> {
@@ -207,15 +164,6 @@ fn matrix(module: &Module<'_>, function: &Function) -> TokenStream {
     };
     let allow = lints::unused_item(&function);
     quote!(#text #allow #function)
-}
-
-/// `0 x1, 1 y1, …`
-fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> String {
-    let names = names.enumerate();
-    let names: Vec<String> = names
-        .map(|(index, name)| format!("{index} `{name}`"))
-        .collect();
-    names.join(", ")
 }
 
 /// `struct Textbook`: the dense system as the runtime solves it.

@@ -5,9 +5,8 @@ use quote::quote;
 
 use super::docs::docs;
 use super::literal::count;
-use super::module::Module;
 use super::names::identifier;
-use crate::joint::Quantity;
+use crate::emit::module::{Module, documentation};
 use crate::program::Transmission;
 
 /// The functions of all transmissions, and the list of the drivers; nothing where there are none.
@@ -37,9 +36,9 @@ fn functions(transmission: &Transmission, module: &Module<'_>) -> TokenStream {
     let system = module.system;
     let Transmission {
         name,
-        what,
         rows,
         columns,
+        ..
     } = transmission;
     let (rate, force) = (
         identifier(&format!("transmission_{name}")),
@@ -58,36 +57,11 @@ fn functions(transmission: &Transmission, module: &Module<'_>) -> TokenStream {
         .collect();
     let matrix = fields.iter().map(|column| quote!([#(#column),*]));
     let is_point = rows.len() == 2;
-    let unit = |quantity: Quantity| match quantity {
-        Quantity::Length => "m".to_string(),
-        Quantity::Angle => "rad".to_string(),
-        Quantity::Power(0) => "1".to_string(),
-        Quantity::Power(exponent) => format!("m^{exponent}"),
+    let [about_rate, about_force] = documentation::of_transmission(transmission, system).map(docs);
+    let given = match is_point {
+        true => quote!([Scalar; 2]),
+        false => quote!(Scalar),
     };
-    let drivers = system.driven().map(|(_, joint, quantity)| {
-        let unit = format!("{}/{}", unit(rows[0]), unit(quantity));
-        format!("`{}` ({unit})", system.mechanism.joints[joint].label)
-    });
-    let listed: Vec<String> = drivers
-        .enumerate()
-        .map(|(column, driver)| format!("{column} {driver}"))
-        .collect();
-    let shape = if is_point { "Rows: x, y. " } else { "" };
-    let about_rate = docs([
-        format!(
-            "The rate of {what} per unit rate of each driver, so that the rate is this matrix times the rates of the drivers."
-        ),
-        String::new(),
-        format!("{shape}Columns: {}.", listed.join(", ")),
-    ]);
-    let (load, given) = match (is_point, rows[0]) {
-        (true, _) => (format!("a force (N) at {what}"), quote!([Scalar; 2])),
-        (false, Quantity::Angle) => (format!("a torque (N·m) on {what}"), quote!(Scalar)),
-        (false, _) => (format!("a force (N) along {what}"), quote!(Scalar)),
-    };
-    let about_force = docs([format!(
-        "What {load} does to each driver: the forces (N; for angles torques, N·m) along the drivers with the same power, which is the transposed transmission times the load. A driver that holds the load pushes back with as much."
-    )]);
     let (parameter, pull) = if is_point {
         (quote!(force), vec![quote!(force[0]), quote!(force[1])])
     } else {

@@ -1,0 +1,149 @@
+//! System and Program of a motion → what its module is made of, whatever language it is written in.
+//!
+//! Here stand what values are called, where functions find what they read, the operations that an expression is computed by, which
+//! numbers are looked at last, and the sentences of the documentation, so that modules of different languages say and compute the same.
+//! A language comes with its [`Words`] and prints the rest. Deliberately unknown here: how anything is written.
+
+pub(super) mod arithmetic;
+pub(super) mod checks;
+pub(super) mod documentation;
+pub(super) mod facts;
+pub(super) mod needs;
+pub(super) mod scope;
+pub(super) mod tubes;
+
+use std::collections::HashSet;
+
+use super::Notation;
+use super::derivation::{self, BlockWords, PlainWords, SingularPose};
+use super::scalar::Scalar;
+use crate::expr::SymbolId;
+use crate::program::passes::names::LocalNames;
+use crate::program::{LARGEST_TEXTBOOK, Program};
+use crate::structure::SolvedPlan;
+use crate::system::{SymbolRole, System};
+use crate::words::Phrase;
+
+/// What a language asks of names.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Words {
+    /// A wish as a name: `bd_square` of `|BD|^2`.
+    pub spelled: fn(&str) -> String,
+    /// What no local value of a function is called.
+    pub of_functions: &'static [&'static str],
+    /// What no field of a frame is called.
+    pub of_frames: &'static [&'static str],
+}
+
+/// A mechanism or one of its motions, as it is written.
+pub(super) struct Module<'a> {
+    pub system: &'a System,
+    pub program: &'a Program,
+    pub scalar: Scalar,
+    /// Where each part of the plan is singular.
+    pub poses: Vec<SingularPose>,
+    /// What each block of the program is called.
+    pub words: Vec<BlockWords>,
+    /// What the language asks of names.
+    pub names: Words,
+    /// What the frame calls what it keeps beside the coordinates.
+    fields: LocalNames,
+    comments: PlainWords,
+    /// The sags that tubes are filled with.
+    tubes: HashSet<SymbolId>,
+}
+
+/// A coordinate, its rate or its acceleration in a structure of coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Component<'a> {
+    /// `q`, `qd` or `qdd`.
+    pub vector: &'static str,
+    pub name: &'a str,
+}
+
+impl<'a> Module<'a> {
+    pub(super) fn new(
+        system: &'a System,
+        plan: &SolvedPlan,
+        program: &'a Program,
+        scalar: Scalar,
+        names: Words,
+    ) -> Module<'a> {
+        let kept = program.fields.iter().copied();
+        let poses = derivation::singular_poses(system, plan, &program.forms, Notation::Unicode);
+        Module {
+            fields: LocalNames::of_symbols(kept, system, names.of_frames, names.spelled),
+            words: derivation::block_words(&program.blocks, system, plan, &poses),
+            poses,
+            names,
+            comments: PlainWords::new(system, Notation::Unicode),
+            tubes: tubes::sags_of_tubes(program, system),
+            system,
+            program,
+            scalar,
+        }
+    }
+
+    /// Whether frames hold all coordinates, and not only what is asked for.
+    pub(super) fn holds_coordinates(&self) -> bool {
+        self.program.outputs.is_none()
+    }
+
+    /// Whether the mechanism is too large for functions that go through all coordinates at once.
+    pub(super) fn is_large(&self) -> bool {
+        self.system.coordinates.len() > LARGEST_TEXTBOOK
+    }
+
+    /// The place of a coordinate, its rate or its acceleration.
+    pub(super) fn component(&self, symbol: SymbolId) -> Option<Component<'a>> {
+        let (vector, unknown) = match self.system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => ("q", unknown),
+            SymbolRole::Rate(unknown) => ("qd", unknown),
+            SymbolRole::Acceleration(unknown) => ("qdd", unknown),
+            _ => return None,
+        };
+        let name = &self.system.coordinates.get(unknown)?.name;
+        Some(Component { vector, name })
+    }
+
+    /// Whether frames hold a value.
+    pub(super) fn is_field(&self, symbol: SymbolId) -> bool {
+        self.holds_coordinates() && self.system.is_coordinate(symbol)
+            || self.program.is_field(symbol)
+    }
+
+    /// What a field is called that is none of the coordinates.
+    pub(super) fn own_field(&self, symbol: SymbolId) -> &str {
+        self.fields.name_of(symbol).unwrap_or_default()
+    }
+
+    /// What a symbol is called that says what the span is like.
+    pub(super) fn span_part(&self, symbol: SymbolId) -> Option<&'static str> {
+        let span = &self.program.path.as_ref()?.span;
+        let parts = [
+            (span.time, "time"),
+            (span.stretch, "stretch"),
+            (span.bend, "bend"),
+            (span.beyond, "beyond"),
+        ];
+        parts
+            .into_iter()
+            .find(|(own, _)| *own == symbol)
+            .map(|(_, name)| name)
+    }
+
+    /// Whether a sag is that of a tube.
+    pub(super) fn has_tube(&self, sag: SymbolId) -> bool {
+        self.tubes.contains(&sag)
+    }
+
+    /// Words as a comment says them.
+    pub(super) fn said(&self, words: &Phrase) -> String {
+        self.comments.say(words)
+    }
+
+    /// The number of a block as failures count it.
+    pub(super) fn block_number(&self, place: usize) -> u16 {
+        self.program.number_of(place)
+    }
+}

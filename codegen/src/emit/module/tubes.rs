@@ -1,0 +1,38 @@
+//! What Newton-Raphson finds → the tubes in which it must be found again.
+
+use std::collections::HashSet;
+
+use super::Module;
+use crate::expr::SymbolId;
+use crate::program::{Path, Program};
+use crate::system::System;
+
+/// The unknowns that Newton-Raphson finds, with their sags; what does not move has none.
+pub(in crate::emit) fn iterated(
+    program: &Program,
+    system: &System,
+    path: &Path,
+) -> Vec<(SymbolId, Option<SymbolId>)> {
+    let blocks = program.blocks.iter();
+    let unknowns = blocks.flat_map(|block| block.newton.iter().flat_map(|newton| &newton.unknowns));
+    let unknowns = unknowns.map(|unknown| {
+        let position = system.vector_form.unknowns[*unknown].position;
+        (position, path.sags.get(unknown).copied())
+    });
+    unknowns.collect()
+}
+
+/// How many tubes there are.
+pub(in crate::emit) fn tube_count(module: &Module<'_>) -> usize {
+    let path = module.program.path.iter();
+    path.map(|path| iterated(module.program, module.system, path).len())
+        .sum()
+}
+
+/// The sags of tubes.
+pub(super) fn sags_of_tubes(program: &Program, system: &System) -> HashSet<SymbolId> {
+    let path = program.path.iter();
+    path.flat_map(|path| iterated(program, system, path))
+        .filter_map(|(_, sag)| sag)
+        .collect()
+}
