@@ -39,7 +39,7 @@ mod system;
 mod words;
 
 pub use cargo::{attach_files, build, build_with};
-pub use emit::Scalar;
+pub use emit::{Language, OutputFile, Scalar};
 pub use program::{Operations, Report};
 pub use system::System;
 
@@ -116,17 +116,33 @@ pub struct Generated {
     pub warnings: Diagnostics,
 }
 
+/// The files that a mechanism becomes in a language.
+#[derive(Clone, Debug)]
+pub struct GeneratedFiles {
+    /// The mechanism's name.
+    pub name: String,
+    /// The mechanism's own file first.
+    pub files: Vec<OutputFile>,
+    /// What should be looked at although it is no error.
+    pub warnings: Diagnostics,
+}
+
 /// Derives the equations of a description, whether or not they determine the motion.
 ///
 /// # Errors
 /// Every error of the text and of its names, values and forms.
 pub fn read(source: &Source) -> Result<Read, Diagnostics> {
+    read_for(source, Language::default())
+}
+
+/// The same with names as a language wants them.
+fn read_for(source: &Source, language: Language) -> Result<Read, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
     let Some(document) = syntax::parse(source, &mut diagnostics) else {
         return Err(diagnostics);
     };
     let mut resolving = Diagnostics::new();
-    let mechanisms = model::resolve(&document, &emit::rust::NAMING, &mut resolving);
+    let mechanisms = model::resolve(&document, language.naming(), &mut resolving);
     if diagnostics.has_errors() {
         consequences::add_independent(resolving, &document, source, &mut diagnostics);
         return Err(diagnostics);
@@ -221,10 +237,34 @@ pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
 /// # Errors
 /// Every error of the description; nothing is written then.
 pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Diagnostics> {
+    let GeneratedFiles {
+        name,
+        files,
+        warnings,
+    } = generate_files(source, Language::Rust, "", options)?;
+    let code = files.into_iter().next().map(|file| file.text);
+    Ok(Generated {
+        name,
+        code: code.unwrap_or_default(),
+        warnings,
+    })
+}
+
+/// Writes the files of a description in a language, as the options say. The first file is called `stem`, and by what the language
+/// appends.
+///
+/// # Errors
+/// Every error of the description; nothing is written then.
+pub fn generate_files(
+    source: &Source,
+    language: Language,
+    stem: &str,
+    options: &Options,
+) -> Result<GeneratedFiles, Diagnostics> {
     let Read {
         motions,
         mut warnings,
-    } = read(source)?;
+    } = read_for(source, language)?;
     check_all(&motions)?;
     let range = match options.scalar {
         Scalar::F64 => finiteness::Range::F64,
@@ -254,9 +294,9 @@ pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Di
     let name = lowered
         .first()
         .map(|(system, ..)| system.mechanism.name.clone());
-    Ok(Generated {
+    Ok(GeneratedFiles {
         name: name.unwrap_or_default(),
-        code: emit::rust::file(&lowered, options.scalar, options.math),
+        files: language.files(&lowered, stem, options.scalar, options.math),
         warnings,
     })
 }

@@ -1,12 +1,17 @@
 //! System and Program → Rust, text, LaTeX and drawings.
 //!
-//! The first three print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
+//! [`Language`] lists the languages in which a mechanism becomes a module: each has a room of its own, and what all of them say and
+//! compute stands in `module/`. Another one is another room and a line in that list.
+//!
+//! Rust, text and LaTeX print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
 //! functions of time. Deliberately unknown here: files, and where an expression came from.
 
 pub mod derivation;
 pub mod drawing;
 mod formula;
+mod language;
 pub mod latex;
+mod lines;
 mod module;
 mod named_parts;
 mod notation;
@@ -16,5 +21,6 @@ pub mod rust;
 mod scalar;
 pub mod text;
 
+pub use language::{Language, OutputFile};
 pub use notation::Notation;
 pub use scalar::Scalar;

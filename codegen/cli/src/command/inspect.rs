@@ -1,12 +1,12 @@
 //! *A description → its equations and the blocks that generated code solves, on stdout.*
 
-use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::emit::derivation::{self, SingularPose};
 use linkwright_codegen::stages::emit::{self, Notation};
 use linkwright_codegen::stages::program::forms_of;
 use linkwright_codegen::stages::structure::{self, Freedom};
 use linkwright_codegen::stages::system::System;
+use linkwright_codegen::{Language, Options, OutputFile};
 use linkwright_solver::number::counted;
 
 use super::description::{motions, rendered, source, warn};
@@ -28,7 +28,10 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
         Format::Rust => |_| String::new(),
     };
     let text = match (arguments.format, wanted) {
-        (Format::Rust, None) => module(&source, &Options::default())?,
+        (Format::Rust, None) => {
+            let module = written(&source, Language::Rust, "", &Options::default())?;
+            module.into_iter().map(|file| file.text).collect()
+        }
         (Format::Rust, Some(_)) => {
             return Err(Problem(
                 "error: the generated file holds all motions\n  = help: leave out `--motion`"
@@ -122,13 +125,18 @@ fn freedom(system: &System) -> String {
     )
 }
 
-/// The generated module; warnings go to stderr.
+/// The files of the generated module; warnings go to stderr.
 ///
 /// # Errors
 /// All errors of the description.
-pub fn module(source: &Source, options: &Options) -> Result<String, Problem> {
-    let generated =
-        linkwright_codegen::generate_with(source, options).map_err(|it| rendered(&it, source))?;
+pub fn written(
+    source: &Source,
+    language: Language,
+    stem: &str,
+    options: &Options,
+) -> Result<Vec<OutputFile>, Problem> {
+    let generated = linkwright_codegen::generate_files(source, language, stem, options)
+        .map_err(|it| rendered(&it, source))?;
     warn(&generated.warnings, source);
-    Ok(generated.code)
+    Ok(generated.files)
 }

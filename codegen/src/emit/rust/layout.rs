@@ -6,7 +6,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::lines::{broken, filled};
+use super::lines::broken;
+use crate::emit::lines::filled;
 
 /// What a comment is until the source is laid out; no generated code uses a macro of this name.
 const MARKER: &str = "comment_in_generated_code!(";

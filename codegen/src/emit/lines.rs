@@ -1,0 +1,64 @@
+//! Code that is longer than a line → lines that a person would break it into.
+
+/// The longest line, as wide as the documentation.
+pub(super) const WIDTH: usize = 120;
+
+/// Whether a line is short enough.
+pub(super) fn fits(line: &str) -> bool {
+    line.chars().count() <= WIDTH
+}
+
+/// Pieces one after another in lines that are full.
+pub(super) fn filled<'a>(pieces: impl IntoIterator<Item = &'a str>, depth: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for piece in pieces {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + piece.chars().count() <= WIDTH => {
+                line.push(' ');
+                line.push_str(piece);
+            }
+            _ => lines.push(format!("{:depth$}{piece}", "")),
+        }
+    }
+    lines
+}
+
+/// A long sum, or else a long product, in lines that begin with an operator.
+pub(super) fn terms(statement: &str, depth: usize) -> Option<Vec<String>> {
+    [[" + ", " - "], [" * ", " / "]]
+        .into_iter()
+        .find_map(|operators| {
+            let pieces = split(statement.trim_start(), operators)?;
+            let (first, others) = pieces.split_first()?;
+            let mut lines = vec![format!("{:depth$}{first}", "")];
+            for piece in others {
+                match lines.last_mut() {
+                    Some(line) if line.chars().count() + 1 + piece.chars().count() <= WIDTH => {
+                        line.push(' ');
+                        line.push_str(piece);
+                    }
+                    _ => lines.push(format!("{:1$}{piece}", "", depth + 4)),
+                }
+            }
+            lines.iter().all(|line| fits(line)).then_some(lines)
+        })
+}
+
+/// A text before each of these operators that stands outside of all brackets; `None` where there is none.
+fn split<'a>(text: &'a str, operators: [&str; 2]) -> Option<Vec<&'a str>> {
+    let (mut pieces, mut start, mut open) = (Vec::new(), 0, 0_i32);
+    for (place, letter) in text.char_indices() {
+        match letter {
+            '(' | '[' | '{' => open += 1,
+            ')' | ']' | '}' => open -= 1,
+            '"' => return None,
+            ' ' if open == 0 && operators.iter().any(|it| text[place..].starts_with(it)) => {
+                pieces.push(&text[start..place]);
+                start = place + 1;
+            }
+            _ => {}
+        }
+    }
+    pieces.push(&text[start..]);
+    (pieces.len() > 1).then_some(pieces)
+}
