@@ -7,9 +7,11 @@
 pub(super) mod arithmetic;
 pub(super) mod checks;
 pub(super) mod documentation;
+pub(super) mod drawing;
 pub(super) mod facts;
 pub(super) mod needs;
 pub(super) mod scope;
+pub(super) mod tables;
 pub(super) mod tubes;
 
 use std::collections::HashSet;

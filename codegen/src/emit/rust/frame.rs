@@ -9,14 +9,13 @@ use super::lints;
 use super::module::{derives, only};
 use super::names::identifier;
 use super::normalized_determinant::smallest_determinant;
-use super::parameters::is_given;
 use super::points;
 use super::sensitivity::{sensitivities, structures};
 use super::transmission::transmissions;
+use crate::emit::module::drawing::{Estimate, estimates, frame_keeps_parameters};
 use crate::emit::module::{Module, documentation};
 use crate::expr::SymbolId;
 use crate::program::Output;
-use crate::system::SymbolRole;
 
 /// `struct Frame`, with methods for everything that it offers.
 pub(super) fn frame(module: &Module<'_>) -> TokenStream {
@@ -55,7 +54,7 @@ fn structure(module: &Module<'_>) -> TokenStream {
     let names: Vec<String> = own
         .map(|&symbol| module.field_name(symbol).to_string())
         .collect();
-    let (title, held, numbers) = match (module.holds_coordinates(), module.frame_keeps_parameters())
+    let (title, held, numbers) = match (module.holds_coordinates(), frame_keeps_parameters(module))
     {
         (true, true) => (
             "One solved instant.",
@@ -95,21 +94,14 @@ fn structure(module: &Module<'_>) -> TokenStream {
 
 /// The fields in which the frame before the first one differs from one at rest in the origin.
 fn drawn(module: &Module<'_>) -> Vec<String> {
-    let system = module.system;
-    let given = module.program.drawn.as_ref();
-    let fields = module.program.fields.iter().filter_map(|&symbol| {
-        let SymbolRole::Position(unknown) = system.roles[symbol.index()] else {
-            return None;
-        };
+    let fields = estimates(module).into_iter().map(|(symbol, estimate)| {
         let name = module.field_name(symbol);
-        let value = if let Some(coordinate) = system.coordinates.get(unknown) {
-            format!("pose.{}", identifier(&coordinate.name))
-        } else if given.is_some_and(|function| is_given(function, unknown, module)) {
-            format!("drawn(parameters)[{unknown}]")
-        } else {
-            module.number(system.drawn_unknown(unknown))
+        let value = match estimate {
+            Estimate::Coordinate(name) => format!("pose.{}", identifier(name)),
+            Estimate::Drawn(place) => format!("drawn(parameters)[{place}]"),
+            Estimate::Number(value) => module.number(value),
         };
-        Some(format!("{name} = {value}"))
+        format!("{name} = {value}")
     });
     fields.collect()
 }

@@ -15,7 +15,6 @@ use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::expr::ExprId;
 use crate::model::{Dimension, field_name};
-use crate::program::Function;
 
 /// What the functions of a mechanism are given beside pose and time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,16 +30,6 @@ impl Module<'_> {
             parameters: !self.system.mechanism.parameters.is_empty(),
             inputs: !self.system.mechanism.inputs.is_empty(),
         }
-    }
-
-    /// Whether a frame keeps the parameters that its points are found with.
-    pub(super) fn frame_keeps_parameters(&self) -> bool {
-        let mut functions = self.program.points.iter().chain(&self.program.pressures);
-        functions.any(|function| {
-            Scope::new(self, function, Place::Coordinates)
-                .reads()
-                .parameters
-        })
     }
 }
 
@@ -187,13 +176,4 @@ fn drawn(module: &Module<'_>) -> TokenStream {
         #allow
         #function
     }
-}
-
-/// The estimates of fields that are no coordinates, where parameters change them: each with its place among the unknowns.
-pub(super) fn is_given(function: &Function, place: usize, module: &Module<'_>) -> bool {
-    let graph = &module.system.mechanism.graph;
-    function
-        .results
-        .get(place)
-        .is_some_and(|result| !graph.is_constant(result.expr))
 }

@@ -11,6 +11,7 @@ use super::names::identifier;
 use super::names::type_name;
 use super::parameters;
 use crate::emit::module::checks::checked;
+use crate::emit::module::drawing::frame_keeps_parameters;
 use crate::emit::module::tubes::tube_count;
 use crate::emit::module::{Module, documentation};
 
@@ -62,7 +63,7 @@ fn solve(module: &Module<'_>) -> TokenStream {
     };
     let (last, branches) = (argument("last"), argument("branches"));
     let parameters = only(
-        module.holds_coordinates() && module.frame_keeps_parameters(),
+        module.holds_coordinates() && frame_keeps_parameters(module),
         quote!(at.parameters = *conditions.parameters;),
     );
     let checked = checked(module).into_iter();

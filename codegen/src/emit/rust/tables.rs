@@ -9,10 +9,8 @@ use super::docs::docs;
 use super::lints;
 use super::literal::count;
 use crate::emit::module::Module;
+use crate::emit::module::tables::{docs_of, spacing};
 use crate::expr::Spline;
-
-/// By how much of their distance starts may be off where they are called equally spaced.
-const EVEN: f64 = 1e-6;
 
 /// The constant that holds a table. No other constant begins like this.
 pub(super) fn table_name(table: &str) -> Ident {
@@ -28,15 +26,7 @@ pub(super) fn tables(module: &Module<'_>, mentioned: &HashSet<&str>) -> TokenStr
         if !mentioned.contains(name.to_string().as_str()) {
             return TokenStream::new();
         }
-        let declared = system.mechanism.tables.iter();
-        let own = declared
-            .filter(|table| table.spline == id)
-            .flat_map(|table| table.docs.clone());
-        let mut lines: Vec<String> = own.collect();
-        if lines.is_empty() {
-            lines.push(format!("The table `{}`.", spline.name));
-        }
-        constant(module, &name, spline, lines)
+        constant(module, &name, spline, docs_of(id, system))
     });
     constants.collect()
 }
@@ -66,16 +56,4 @@ fn constant(module: &Module<'_>, name: &Ident, spline: &Spline, lines: Vec<Strin
     };
     let allow = lints::approximate(&table);
     quote!(#text #allow const #name: Table<#length> = #table;)
-}
-
-/// The distance between starts that are equally spaced, but for rounding.
-fn spacing(starts: &[f64]) -> Option<f64> {
-    let (first, last) = (*starts.first()?, *starts.last()?);
-    let spacing = (last - first) / (starts.len() - 1) as f64;
-    let even = starts.iter().enumerate().all(|(place, start)| {
-        let expected = first + spacing * place as f64;
-        (start - expected).abs() <= EVEN * spacing
-    });
-    // Two starts are found without it.
-    (even && starts.len() > 2).then_some(spacing)
 }
