@@ -1,7 +1,7 @@
 //! The languages in which modules are written, and what becomes of a mechanism in each.
 
-use super::rust;
 use super::scalar::Scalar;
+use super::{c, rust};
 use crate::model::Naming;
 use crate::program::Program;
 use crate::structure::SolvedPlan;
@@ -13,6 +13,8 @@ pub enum Language {
     /// A module that needs `linkwright` and nothing else.
     #[default]
     Rust,
+    /// A header and a source of C99, and the runtime that they are compiled with.
+    C,
 }
 
 /// A file that is to be written.
@@ -29,6 +31,7 @@ impl Language {
     pub(crate) fn naming(self) -> &'static Naming {
         match self {
             Language::Rust => &rust::NAMING,
+            Language::C => &c::NAMING,
         }
     }
 
@@ -36,6 +39,12 @@ impl Language {
     pub fn file_names(self, stem: &str) -> Vec<String> {
         match self {
             Language::Rust => vec![format!("{stem}.rs")],
+            Language::C => vec![
+                format!("{stem}.c"),
+                format!("{stem}.h"),
+                "linkwright.c".to_string(),
+                "linkwright.h".to_string(),
+            ],
         }
     }
 
@@ -50,6 +59,7 @@ impl Language {
     ) -> Vec<OutputFile> {
         let texts = match self {
             Language::Rust => vec![rust::file(motions, scalar, math)],
+            Language::C => c::texts(motions, stem, scalar),
         };
         let names = self.file_names(stem).into_iter();
         let files = names.zip(texts);

@@ -6,6 +6,7 @@
 //! Rust, text and LaTeX print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
 //! functions of time. Deliberately unknown here: files, and where an expression came from.
 
+mod c;
 pub mod derivation;
 pub mod drawing;
 mod formula;

@@ -41,7 +41,7 @@ pub enum Command {
     Solve(Solve),
     /// Draw the mechanism as an SVG or a PNG
     Draw(Draw),
-    /// Write the mechanism as a Rust module
+    /// Write the mechanism as a Rust module, or as C99
     Generate(Generate),
     /// Show Φ, Φ_q, Φ_t and γ, and what the generated code solves
     Inspect(Inspect),
@@ -161,7 +161,10 @@ pub struct Check {
     pub deny_warnings: bool,
 }
 
-/// Writes the mechanism as a Rust module that needs only the crate `linkwright`.
+/// Writes the mechanism as a Rust module that needs only the crate `linkwright`, or as a source and a header of C99.
+///
+/// C is written to NAME.c and NAME.h, with the runtime linkwright.c and linkwright.h beside them, which need the C library alone; both
+/// headers can be included from C++. The numbers have the same bits as those of the Rust module.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -169,6 +172,7 @@ Examples:
   linkwright generate mechanisms/two_body.mech -o src/two_body.rs    written only if it changes
   linkwright generate mechanisms/two_body.mech -o src/two_body.rs --check
   linkwright generate mechanisms/two_body.mech --scalar f32          in single precision
+  linkwright generate --lang c mechanisms/two_body.mech -o two_body.c
 
 The module holds two views of the mechanism: the solved view, which its type runs, with one function for each block of
 equations, and the textbook view, Φ, Φ_q, Φ_t and γ as functions. Above 150 coordinates the textbook view is left out.
@@ -177,9 +181,12 @@ Exit codes: 0 written or unchanged, 1 `--check` found a difference, 2 bad input.
 pub struct Generate {
     /// The description, a `.mech` file
     pub file: PathBuf,
-    /// Where to write the module; `-` is stdout [default: stdout]
+    /// Where to write the module; `-` is stdout [default: stdout]. The other files of C are written beside it
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// The language of the module
+    #[arg(long, value_enum, default_value_t = Lang::Rust)]
+    pub lang: Lang,
     /// Replace a file that is not a generated module
     #[arg(long, conflicts_with = "check")]
     pub force: bool,
@@ -189,6 +196,15 @@ pub struct Generate {
     /// The numbers that the module computes with
     #[arg(long, value_enum, default_value_t = Precision::F64)]
     pub scalar: Precision,
+}
+
+/// The languages of modules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Lang {
+    /// A Rust module
+    Rust,
+    /// C99, with its runtime
+    C,
 }
 
 /// The numbers that generated code computes with.

@@ -31,4 +31,5 @@ mod textbook;
 mod transmission;
 
 pub use file::file;
+pub(super) use names::WORDS;
 pub use names::{NAMING, type_name};

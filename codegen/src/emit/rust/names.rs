@@ -149,7 +149,7 @@ const LOCAL_VALUES: &[&str] = &[
 ];
 
 /// What Rust asks of names.
-pub(super) const WORDS: Words = Words {
+pub(in crate::emit) const WORDS: Words = Words {
     spelled,
     of_functions: LOCAL_VALUES,
     of_frames: &["t", "q", "qd", "qdd", "parameters"],

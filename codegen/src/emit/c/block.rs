@@ -1,0 +1,255 @@
+//! One function per block, and the modes of all of them.
+
+use super::newton;
+use super::printer::Printer;
+use super::text::Text;
+use super::words::identifier;
+use crate::emit::module::documentation;
+use crate::emit::module::needs::{Needs, checked_at_once, exchanged_by};
+use crate::emit::module::scope::{Place, Scope};
+use crate::program::Block;
+
+/// The arguments of a block's function as they are declared, and as they are passed.
+fn arguments(needs: Needs, printer: &Printer<'_>) -> [String; 2] {
+    let constant = if needs.finds_branch { "" } else { "const " };
+    let (frame, branches) = (printer.type_of("Frame"), printer.type_of("Branches"));
+    let conditions = printer.runtime("conditions");
+    let arguments = [
+        (true, format!("{frame} *at"), "at"),
+        (needs.last, format!("const {frame} *last"), "last"),
+        (
+            needs.branches,
+            format!("{constant}{branches} *branches"),
+            "branches",
+        ),
+        (
+            needs.conditions,
+            format!("const {conditions} *conditions"),
+            "conditions",
+        ),
+    ];
+    let needed = arguments.into_iter().filter(|(is_needed, ..)| *is_needed);
+    let (declared, passed): (Vec<_>, Vec<_>) = needed
+        .map(|(_, declared, passed)| (declared, passed))
+        .unzip();
+    [declared.join(", "), passed.join(", ")]
+}
+
+fn name(block: &Block, printer: &Printer<'_>) -> String {
+    printer.own(&format!("solve_{}", block.name))
+}
+
+/// The call of a block's function; `is_last` where nothing follows that could fail.
+pub(super) fn call(block: &Block, printer: &Printer<'_>, text: &mut Text) {
+    let needs = Needs::of(block, printer.module);
+    let [_, passed] = arguments(needs, printer);
+    let call = format!("{}({passed})", name(block, printer));
+    match needs.fails {
+        true => {
+            text.line(format!("status = {call};"));
+            text.open("if (status != LINKWRIGHT_OK) {");
+            text.line("return status;");
+            text.close("}");
+        }
+        false => text.line(format!("{call};")),
+    }
+}
+
+/// The functions of all blocks.
+pub(super) fn functions(printer: &Printer<'_>, text: &mut Text) {
+    let module = printer.module;
+    for (index, block) in module.program.blocks.iter().enumerate() {
+        let needs = Needs::of(block, module);
+        let scope = Scope::new(module, &block.function, Place::Frame);
+        let reads = scope.reads();
+        let mut body = Text::default();
+        if reads.time {
+            body.line(format!("const {} t = conditions->t;", printer.real()));
+        }
+        if reads.parameters {
+            let parameters = printer.type_of("Parameters");
+            body.line(format!(
+                "const {parameters} *const parameters = conditions->parameters;"
+            ));
+        }
+        if reads.inputs {
+            let inputs = printer.type_of("Inputs");
+            body.line(format!(
+                "const {inputs} *const inputs = conditions->inputs;"
+            ));
+        }
+        if block.newton.is_some() {
+            body.line("linkwright_status status;");
+        }
+        body.gap();
+        let iterated = |statement: &_, text: &mut Text| {
+            newton::statement(statement, index, block, &scope, printer, text);
+        };
+        printer.statements(&scope, index, &iterated, &mut body);
+        if module.is_large() {
+            own_check(index, block, &scope, printer, &mut body);
+        }
+        let result = if needs.fails {
+            "linkwright_status"
+        } else {
+            "void"
+        };
+        let [declared, _] = arguments(needs, printer);
+        text.gap();
+        text.comment(documentation::of_block(block, module));
+        text.line(format!(
+            "static {result} {}({declared})",
+            name(block, printer)
+        ));
+        text.open("{");
+        text.append(body);
+        if needs.fails {
+            text.line("return LINKWRIGHT_OK;");
+        }
+        text.close("}");
+    }
+}
+
+/// Fails where a coordinate, a rate or an acceleration of the block is not finite.
+fn own_check(
+    index: usize,
+    block: &Block,
+    scope: &Scope<'_>,
+    printer: &Printer<'_>,
+    text: &mut Text,
+) {
+    let fields = checked_at_once(block, scope).into_iter();
+    let fields: Vec<String> = fields.map(|it| printer.symbol(it, scope)).collect();
+    let (finite, failed) = (printer.runtime("is_finite"), printer.runtime("not_finite"));
+    for field in fields {
+        text.open(format!("if (!{finite}({field})) {{"));
+        text.line(format!("return {failed}(conditions, {index}U);"));
+        text.close("}");
+    }
+}
+
+/// One assembly mode.
+pub(super) struct Mode {
+    /// Its field.
+    pub name: String,
+    /// What its sign tells apart.
+    pub text: String,
+    /// What it is in the drawing.
+    pub drawn: &'static str,
+    /// The block that can exchange it.
+    pub block: Option<usize>,
+}
+
+/// The modes of all loops: first those of closed forms.
+pub(super) fn modes(printer: &Printer<'_>) -> Vec<Mode> {
+    let module = printer.module;
+    let sign = |is_positive: bool| match is_positive {
+        true => "LINKWRIGHT_POSITIVE",
+        false => "LINKWRIGHT_NEGATIVE",
+    };
+    let exchanged = exchanged_by(module);
+    let closed = module.program.branches.iter().map(|branch| Mode {
+        name: identifier(&branch.name),
+        text: documentation::of_branch(&branch.meaning),
+        drawn: sign(branch.is_positive()),
+        block: exchanged.get(&branch.symbol).copied(),
+    });
+    let blocks = module.program.blocks.iter().enumerate();
+    let iterated = blocks.filter_map(|(number, block)| {
+        let newton = block.newton.as_ref()?;
+        let found = documentation::found_by(newton, module.system);
+        Some(Mode {
+            name: identifier(&block.name),
+            text: format!(
+                "The sign of the determinant of `{}`, which finds {found}. LINKWRIGHT_NEAREST lets the estimate decide.",
+                block.name
+            ),
+            drawn: newton.drawn.sign().map_or("LINKWRIGHT_NEAREST", sign),
+            block: Some(number),
+        })
+    });
+    closed.chain(iterated).collect()
+}
+
+/// The structure with the modes of all loops.
+pub(super) fn branches(printer: &Printer<'_>, text: &mut Text) {
+    let (name, modes) = (printer.type_of("Branches"), modes(printer));
+    text.gap();
+    text.comment([documentation::of_branches(printer.module)]);
+    text.open(format!("typedef struct {name} {{"));
+    for mode in &modes {
+        text.comment([&mode.text]);
+        text.line(format!("linkwright_branch {};", mode.name));
+    }
+    if modes.is_empty() {
+        text.comment(["There is no loop; C has no structure without a field."]);
+        text.line("linkwright_branch none;");
+    }
+    text.close(format!("}} {name};"));
+}
+
+/// The modes of the drawing.
+pub(super) fn drawn_branches(printer: &Printer<'_>, text: &mut Text) {
+    let modes = modes(printer);
+    let drawn: Vec<&str> = match modes.is_empty() {
+        true => vec!["LINKWRIGHT_NEAREST"],
+        false => modes.iter().map(|mode| mode.drawn).collect(),
+    };
+    let (name, constant) = (
+        printer.type_of("Branches"),
+        printer.constant("DRAWN_BRANCHES"),
+    );
+    text.gap();
+    text.line(format!(
+        "const {name} {constant} = {{{}}};",
+        drawn.join(", ")
+    ));
+}
+
+/// `exchanged`: the modes beyond a pose at which those of a block meet.
+pub(super) fn exchanged(printer: &Printer<'_>, text: &mut Text) {
+    let (function, name, modes) = (
+        printer.own("exchanged"),
+        printer.type_of("Branches"),
+        modes(printer),
+    );
+    text.gap();
+    text.comment(["The modes beyond a pose at which the two modes of a block meet; false where they are not known."]);
+    text.line(format!(
+        "static bool {function}(const void *modes, uint16_t block, void *others)"
+    ));
+    text.open("{");
+    let known: Vec<&Mode> = modes.iter().filter(|mode| mode.block.is_some()).collect();
+    if known.is_empty() {
+        for unread in ["modes", "block", "others"] {
+            text.line(format!("(void){unread};"));
+        }
+        text.line("return false;");
+        text.close("}");
+        return;
+    }
+    text.line(format!("const {name} *const branches = modes;"));
+    text.line(format!("{name} *const other = others;"));
+    text.line("linkwright_branch *exchanged_mode = NULL;");
+    text.gap();
+    text.line("*other = *branches;");
+    text.line("switch (block) {");
+    for mode in known {
+        if let Some(block) = mode.block {
+            text.open(format!("case {block}U:"));
+            text.line(format!("exchanged_mode = &other->{};", mode.name));
+            text.line("break;");
+            text.close_without_line();
+        }
+    }
+    text.open("default:");
+    text.line("break;");
+    text.close_without_line();
+    text.line("}");
+    text.open("if ((exchanged_mode == NULL) || (*exchanged_mode == LINKWRIGHT_NEAREST)) {");
+    text.line("return false;");
+    text.close("}");
+    text.line("*exchanged_mode = (*exchanged_mode == LINKWRIGHT_POSITIVE) ? LINKWRIGHT_NEGATIVE : LINKWRIGHT_POSITIVE;");
+    text.line("return true;");
+    text.close("}");
+}

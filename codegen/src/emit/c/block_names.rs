@@ -1,0 +1,79 @@
+//! What the blocks are called and where they are singular, for those who read of a failure.
+
+use super::comment::quoted;
+use super::parameters::requirement_names;
+use super::printer::Printer;
+use super::text::Text;
+use super::transmission::drivers;
+
+/// The names as others see them.
+pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
+    let count = printer.module.program.blocks.len();
+    text.gap();
+    text.comment(["What the blocks are called, in solve order, and what can be said of them where they are singular."]);
+    text.line(format!(
+        "extern const linkwright_block_name {}[{}];",
+        printer.constant("BLOCKS"),
+        count.max(1)
+    ));
+    if let Some(names) = requirement_names(printer) {
+        text.comment([
+            "What must be positive whatever the parameters are: the joint, and what it is.",
+        ]);
+        text.line(format!(
+            "extern const linkwright_block_name {}[{}];",
+            printer.constant("REQUIREMENTS"),
+            names.len()
+        ));
+    }
+    let drivers = drivers(printer);
+    if !drivers.is_empty() {
+        text.comment(["The drivers in written order, one for each column of a transmission."]);
+        text.line(format!(
+            "extern const char *const {}[{}];",
+            printer.constant("DRIVERS"),
+            drivers.len()
+        ));
+    }
+}
+
+/// The names.
+pub(super) fn definitions(printer: &Printer<'_>, text: &mut Text) {
+    let names = printer.module.words.iter();
+    let names: Vec<[String; 2]> = names
+        .map(|it| [quoted(&it.name), quoted(&it.singular)])
+        .collect();
+    table(printer, "BLOCKS", &names, text);
+    if let Some(names) = requirement_names(printer) {
+        table(printer, "REQUIREMENTS", &names, text);
+    }
+    let drivers = drivers(printer);
+    if !drivers.is_empty() {
+        text.gap();
+        text.line(format!(
+            "const char *const {}[{}] = {{{}}};",
+            printer.constant("DRIVERS"),
+            drivers.len(),
+            drivers.join(", ")
+        ));
+    }
+}
+
+fn table(printer: &Printer<'_>, name: &str, names: &[[String; 2]], text: &mut Text) {
+    let constant = printer.constant(name);
+    text.gap();
+    if names.is_empty() {
+        text.line(format!(
+            "const linkwright_block_name {constant}[1] = {{{{\"\", \"\"}}}};"
+        ));
+        return;
+    }
+    text.open(format!(
+        "const linkwright_block_name {constant}[{}] = {{",
+        names.len()
+    ));
+    for [name, singular] in names {
+        text.line_as_it_is(&format!("{{{name}, {singular}}},"));
+    }
+    text.close("};");
+}

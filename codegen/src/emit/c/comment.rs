@@ -1,0 +1,72 @@
+//! Lines of prose, ours and those of a description → comments of C.
+
+use super::text::Text;
+use crate::emit::lines::{WIDTH, filled};
+
+/// A text without what would begin or end a comment, hide a line break, or turn the direction of what follows.
+pub(super) fn inert(text: &str) -> String {
+    let is_shown = |it: &char| {
+        !it.is_control() && !matches!(it, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    let shown: String = text
+        .replace('\t', "    ")
+        .chars()
+        .filter(is_shown)
+        .collect();
+    let mut inert = String::with_capacity(shown.len());
+    for letter in shown.chars() {
+        let joins = matches!(
+            (inert.chars().next_back(), letter),
+            (Some('*'), '/') | (Some('/'), '*') | (Some('?'), '?')
+        );
+        if joins {
+            inert.push(' ');
+        }
+        inert.push(letter);
+    }
+    inert.trim_end_matches([' ', '\\']).to_string()
+}
+
+impl Text {
+    /// A comment before what it is about: the lines as they are, but for those that are too long.
+    pub(super) fn comment<S: AsRef<str>>(&mut self, lines: impl IntoIterator<Item = S>) {
+        // Three columns for the mark that begins a comment, and as many for the one that ends it.
+        let room = WIDTH.saturating_sub(self.depth() + 6);
+        let mut broken: Vec<String> = Vec::new();
+        for line in lines {
+            let line = inert(line.as_ref());
+            match line.chars().count() <= room {
+                true => broken.push(line),
+                false => {
+                    let words = filled(line.split(' '), WIDTH - room);
+                    broken.extend(words.iter().map(|it| it.trim().to_string()));
+                }
+            }
+        }
+        while broken.last().is_some_and(String::is_empty) {
+            broken.pop();
+        }
+        let last = broken.len().saturating_sub(1);
+        for (place, line) in broken.iter().enumerate() {
+            let begin = if place == 0 { "/* " } else { "   " };
+            let end = if place == last { " */" } else { "" };
+            let text = format!("{begin}{line}");
+            self.line_as_it_is(&format!("{}{end}", text.trim_end()));
+        }
+    }
+}
+
+/// A text as a literal of C.
+pub(super) fn quoted(text: &str) -> String {
+    let mut literal = String::from("\"");
+    for letter in inert(text).chars() {
+        match letter {
+            '"' => literal.push_str("\\\""),
+            '\\' => literal.push_str("\\\\"),
+            '?' => literal.push_str("\\?"),
+            _ => literal.push(letter),
+        }
+    }
+    literal.push('"');
+    literal
+}

@@ -1,0 +1,46 @@
+//! The named coordinates.
+
+use super::printer::Printer;
+use super::text::Text;
+use super::words::identifier;
+use crate::emit::module::documentation;
+
+/// The structure with the coordinates.
+pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
+    let (system, name) = (printer.module.system, printer.type_of("Coordinates"));
+    text.gap();
+    text.line(format!(
+        "#define {} {}",
+        printer.constant("COORDINATES"),
+        system.coordinates.len()
+    ));
+    text.gap();
+    text.comment([documentation::COORDINATES.join(" ")]);
+    text.open(format!("typedef struct {name} {{"));
+    for coordinate in &system.coordinates {
+        text.comment(documentation::of_coordinate(coordinate, system));
+        text.line(format!(
+            "{} {};",
+            printer.real(),
+            identifier(&coordinate.name)
+        ));
+    }
+    text.close(format!("}} {name};"));
+}
+
+/// The pose in the drawing.
+pub(super) fn drawn(printer: &Printer<'_>, text: &mut Text) {
+    let system = printer.module.system;
+    let values = system.coordinates.iter().map(|coordinate| {
+        // The estimates were found to be finite constants when they were read.
+        let drawn = system.mechanism.graph.constant_value(coordinate.estimate);
+        printer.number(drawn.unwrap_or(0.0))
+    });
+    let values: Vec<String> = values.collect();
+    let (name, constant) = (printer.type_of("Coordinates"), printer.constant("DRAWN"));
+    text.gap();
+    text.line(format!(
+        "const {name} {constant} = {{{}}};",
+        values.join(", ")
+    ));
+}

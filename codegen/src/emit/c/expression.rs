@@ -1,0 +1,123 @@
+//! What computes a number → an expression of C.
+
+use super::printer::Printer;
+use super::tables::table_name;
+use crate::emit::module::arithmetic::{Arithmetic, Choice, Elementary};
+use crate::emit::module::scope::Scope;
+use crate::expr::ExprId;
+
+impl Printer<'_> {
+    /// An expression.
+    pub(super) fn expression(&self, expr: ExprId, scope: &Scope<'_>) -> String {
+        self.written(&scope.arithmetic(expr, &[]), scope)
+    }
+
+    /// The results of a function, each with its terms in the order of its row.
+    pub(super) fn results(&self, scope: &Scope<'_>) -> Vec<String> {
+        let results = scope.function.results.iter();
+        let written = |arithmetic| self.written(&arithmetic, scope);
+        results
+            .map(|result| written(scope.arithmetic(result.expr, &result.bodies)))
+            .collect()
+    }
+
+    /// What computes a number.
+    pub(super) fn written(&self, arithmetic: &Arithmetic, scope: &Scope<'_>) -> String {
+        match arithmetic {
+            Arithmetic::Number(value) => self.number(*value),
+            Arithmetic::Constant(name) => self.own_constant(name),
+            Arithmetic::Variable(symbol) => self.symbol(*symbol, scope),
+            Arithmetic::Sum(terms) => {
+                let mut text = String::new();
+                for (place, (is_negative, term)) in terms.iter().enumerate() {
+                    let is_whole = matches!(term, Arithmetic::Choice(_));
+                    let term = match is_whole {
+                        true => self.operand(term, scope),
+                        false => self.written(term, scope),
+                    };
+                    // Two signs would be an operator of their own.
+                    let term = match *is_negative && term.starts_with('-') {
+                        true => format!("({term})"),
+                        false => term,
+                    };
+                    text.push_str(match (place, is_negative) {
+                        (0, false) => "",
+                        (0, true) => "-",
+                        (_, false) => " + ",
+                        (_, true) => " - ",
+                    });
+                    text.push_str(&term);
+                }
+                text
+            }
+            Arithmetic::Product { factors, divisors } => {
+                let numerator = self.product(factors, scope);
+                match divisors.as_slice() {
+                    [] => numerator,
+                    [only] => format!("{numerator} / {}", self.operand(only, scope)),
+                    _ => format!("{numerator} / ({})", self.product(divisors, scope)),
+                }
+            }
+            Arithmetic::Call(function, arguments) => {
+                let arguments = arguments.iter().map(|it| self.written(it, scope));
+                let arguments: Vec<String> = arguments.collect();
+                format!("{}({})", self.called(*function), arguments.join(", "))
+            }
+            Arithmetic::Lookup {
+                spline,
+                order,
+                place,
+            } => {
+                let table = table_name(self, *spline);
+                let value = self.runtime("table_value");
+                let place = self.written(place, scope);
+                format!("{value}(&{table}, {place}, {order}U)")
+            }
+            Arithmetic::Choice(choice) => self.choice(choice, scope),
+        }
+    }
+
+    /// `(x < 2.0) ? … : …`; a second arm that is another choice continues it.
+    fn choice(&self, choice: &Choice, scope: &Scope<'_>) -> String {
+        let side = |side: &Arithmetic| match side {
+            Arithmetic::Choice(_) => self.operand(side, scope),
+            _ => self.written(side, scope),
+        };
+        let sign = if choice.is_less { '<' } else { '>' };
+        let (left, right) = (side(&choice.left), side(&choice.right));
+        let (below, otherwise) = (side(&choice.below), self.written(&choice.otherwise, scope));
+        format!("({left} {sign} {right}) ? {below} : {otherwise}")
+    }
+
+    fn product(&self, factors: &[Arithmetic], scope: &Scope<'_>) -> String {
+        let factors = factors.iter().map(|it| self.operand(it, scope));
+        factors.collect::<Vec<_>>().join(" * ")
+    }
+
+    /// What stands beside a multiplication sign.
+    pub(super) fn operand(&self, arithmetic: &Arithmetic, scope: &Scope<'_>) -> String {
+        let written = self.written(arithmetic, scope);
+        match arithmetic {
+            Arithmetic::Sum(_) | Arithmetic::Product { .. } | Arithmetic::Choice(_) => {
+                format!("({written})")
+            }
+            _ => written,
+        }
+    }
+
+    /// What an elementary function is called.
+    fn called(&self, function: Elementary) -> String {
+        let suffix = self.suffix();
+        match function {
+            Elementary::Sin => self.runtime("sin"),
+            Elementary::Cos => self.runtime("cos"),
+            Elementary::Atan2 => self.runtime("atan2"),
+            Elementary::Exp => format!("exp{suffix}"),
+            Elementary::Ln => format!("log{suffix}"),
+            Elementary::Floor => format!("floor{suffix}"),
+            Elementary::Abs => format!("fabs{suffix}"),
+            Elementary::Sqrt => format!("sqrt{suffix}"),
+            Elementary::Power => format!("pow{suffix}"),
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! The header and the source of a mechanism, or of all its motions, and the runtime's.
+
+use super::printer::Printer;
+use super::text::Text;
+use super::words::WORDS;
+use super::{
+    api, block, block_names, coordinates, frame, newton, normalized_determinant, parameters, path,
+    points, runtime, sensitivity, shell, tables, textbook, transmission,
+};
+use crate::emit::module::{Module, documentation, facts};
+use crate::emit::scalar::Scalar;
+use crate::emit::text;
+use crate::program::Program;
+use crate::structure::SolvedPlan;
+use crate::system::System;
+
+/// What is said of the output itself.
+const TERMS: [&str; 2] = [
+    "Compile it with linkwright.c, which is written beside it, as C99 and without -ffast-math; linkwright.h says how to keep the bits.",
+    "This file is the output of a generator: whoever generates it may use, change and pass it on for any purpose and under any licence, without a notice. It comes without any warranty.",
+];
+
+/// The source and the header of the motions of a mechanism, which are called `stem`, and those of the runtime.
+pub fn texts(motions: &[(System, SolvedPlan, Program)], stem: &str, scalar: Scalar) -> Vec<String> {
+    let modules = motions.iter();
+    let modules: Vec<Module<'_>> = modules
+        .map(|(system, plan, program)| Module::new(system, plan, program, scalar, WORDS))
+        .collect();
+    let printers: Vec<Printer<'_>> = modules.iter().map(Printer::new).collect();
+    let Some(first) = printers.first() else {
+        return Vec::new();
+    };
+    vec![
+        source(first, &printers, stem),
+        header(first, &printers),
+        runtime::source(),
+        runtime::header(),
+    ]
+}
+
+/// The functions that a user may call, in the order in which they are declared.
+fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
+    let mut all = api::offered(printer);
+    all.extend(api::drawn_pose(printer));
+    all.extend(points::offered(printer));
+    all.extend(transmission::offered(printer));
+    all.extend(sensitivity::offered(printer));
+    all.extend(normalized_determinant::offered(printer));
+    all.extend(textbook::offered(printer));
+    all
+}
+
+fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
+    let mut text = Text::default();
+    text.comment([facts::origin(first.module)]);
+    let mechanism = &first.module.system.mechanism;
+    let mut lines = Vec::new();
+    if mechanism.motion.is_none() {
+        lines.extend(facts::facts(first.module));
+    } else {
+        lines.extend(documentation::of_mechanism(first.module.system));
+        let motions = printers
+            .iter()
+            .filter_map(|it| it.module.system.mechanism.motion.as_ref());
+        let names: Vec<String> = motions.map(|motion| format!("`{}`", motion.name)).collect();
+        lines.push(format!(
+            "Functions and types of their own for each motion: {}.",
+            names.join(", ")
+        ));
+    }
+    lines.push(String::new());
+    lines.extend(TERMS.map(str::to_string));
+    text.comment(lines);
+    let guard = format!("LINKWRIGHT_{}_H", mechanism.name.to_uppercase());
+    text.line(format!("#ifndef {guard}"));
+    text.line(format!("#define {guard}"));
+    text.gap();
+    text.line("#include \"linkwright.h\"");
+    text.gap();
+    text.line(format!("#if LINKWRIGHT_VERSION != {}", runtime::version()));
+    text.line("#error \"this header and linkwright.h were written by different generators: generate both again\"");
+    text.line("#endif");
+    if first.module.scalar == Scalar::F64 {
+        text.line("#if DBL_MANT_DIG != 53");
+        text.line("#error \"double has fewer bits here than this mechanism needs: generate it with --scalar f32\"");
+        text.line("#endif");
+    }
+    text.gap();
+    text.line("#ifdef __cplusplus");
+    text.line("extern \"C\" {");
+    text.line("#endif");
+    parameters::parameters(first, &mut text);
+    if first.declared().parameters {
+        text.gap();
+        text.comment(["The values of the description."]);
+        text.line(format!(
+            "extern const {} {};",
+            first.type_of("Parameters"),
+            first.nominal_constant()
+        ));
+    }
+    for printer in printers {
+        if printer.module.system.mechanism.motion.is_some() {
+            let mut lines = documentation::of_motion(printer.module.system);
+            lines.push(String::new());
+            lines.extend(facts::facts(printer.module));
+            text.gap();
+            text.comment(lines);
+        }
+        declarations(printer, &mut text);
+    }
+    text.gap();
+    text.line("#ifdef __cplusplus");
+    text.line("}");
+    text.line("#endif");
+    text.gap();
+    text.line("#endif");
+    text.finish()
+}
+
+/// The structures, constants and functions of one motion, as others see them.
+fn declarations(printer: &Printer<'_>, text: &mut Text) {
+    coordinates::structure(printer, text);
+    parameters::inputs(printer, text);
+    block::branches(printer, text);
+    frame::structure(printer, text);
+    sensitivity::structures(printer, text);
+    shell::structure(printer, text);
+    text.gap();
+    text.comment([
+        "The pose in the drawing, from which the mechanism is assembled, and its assembly modes.",
+    ]);
+    text.line(format!(
+        "extern const {} {};",
+        printer.type_of("Coordinates"),
+        printer.constant("DRAWN")
+    ));
+    text.line(format!(
+        "extern const {} {};",
+        printer.type_of("Branches"),
+        printer.constant("DRAWN_BRANCHES")
+    ));
+    if printer.declared().inputs {
+        text.comment(["The inputs of the description, at rest."]);
+        text.line(format!(
+            "extern const {} {};",
+            printer.type_of("Inputs"),
+            printer.constant("INITIAL")
+        ));
+    }
+    block_names::declarations(printer, text);
+    points::declare(&offered(printer), text);
+}
+
+fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
+    let mut text = Text::default();
+    text.comment([facts::origin(first.module)]);
+    text.line(format!("#include \"{stem}.h\""));
+    text.gap();
+    text.line("#include <math.h>");
+    text.line("#include <string.h>");
+    text.gap();
+    text.comment(["Products and sums stay two operations; for GCC see linkwright.h."]);
+    text.line("#ifdef __clang__");
+    text.line("#pragma STDC FP_CONTRACT OFF");
+    text.line("#endif");
+    if first.declared().parameters {
+        parameters::nominal(first, &first.nominal_constant(), &mut text);
+    }
+    for printer in printers {
+        definitions(printer, &mut text);
+    }
+    text.finish()
+}
+
+/// The constants and functions of one motion.
+fn definitions(printer: &Printer<'_>, text: &mut Text) {
+    let mut code = Text::default();
+    newton::given(printer, &mut code);
+    parameters::drawn(printer, &mut code);
+    newton::equations(printer, &mut code);
+    block::functions(printer, &mut code);
+    path::path(printer, &mut code);
+    shell::solve(printer, &mut code);
+    frame::estimate(printer, &mut code);
+    block::exchanged(printer, &mut code);
+    parameters::accessors(printer, &mut code);
+    parameters::requirements(printer, &mut code);
+    let values = shell::values(printer, &mut code);
+    shell::blocks(printer, values, &mut code);
+    api::parts(printer, &mut code);
+    points::define(offered(printer), &mut code);
+    constants(printer, &code, text);
+    tables::tables(printer, &code, text);
+    coordinates::drawn(printer, text);
+    block::drawn_branches(printer, text);
+    if printer.declared().inputs {
+        parameters::initial(printer, text);
+    }
+    block_names::definitions(printer, text);
+    text.gap();
+    text.append(code);
+}
+
+/// The named constants that the code mentions.
+fn constants(printer: &Printer<'_>, code: &Text, text: &mut Text) {
+    let list = printer.module.program.constants.list().iter();
+    let used = list.filter(|constant| code.mentions(&printer.own_constant(&constant.name)));
+    text.gap();
+    for constant in used {
+        let exact = text::constant(printer.module.system, &constant.part);
+        let exact = exact.map_or(String::new(), |exact| {
+            format!(" {}", printer.beside(&exact))
+        });
+        text.line_as_it_is(&format!(
+            "static const {} {} = {};{exact}",
+            printer.real(),
+            printer.own_constant(&constant.name),
+            printer.number(constant.value)
+        ));
+    }
+}

@@ -1,0 +1,284 @@
+//! Parameters and inputs: their structures, and what follows from them.
+
+use super::comment::quoted;
+use super::printer::Printer;
+use super::text::Text;
+use super::words::identifier;
+use crate::emit::module::documentation;
+use crate::emit::module::scope::{Place, Scope};
+use crate::expr::ExprId;
+use crate::model::{Dimension, field_name};
+
+/// What a mechanism declares beside pose and time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Declared {
+    pub parameters: bool,
+    pub inputs: bool,
+}
+
+/// One declared number: its name, what it is measured in, what is said of it, and its default.
+type Number<'a> = (&'a str, Dimension, &'a Vec<String>, ExprId);
+
+impl Printer<'_> {
+    /// What the mechanism declares.
+    pub(super) fn declared(&self) -> Declared {
+        Declared {
+            parameters: !self.module.system.mechanism.parameters.is_empty(),
+            inputs: !self.module.system.mechanism.inputs.is_empty(),
+        }
+    }
+
+    fn parameters(&self) -> Vec<Number<'_>> {
+        let own = self.module.system.mechanism.parameters.iter();
+        own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.nominal))
+            .collect()
+    }
+
+    fn inputs(&self) -> Vec<Number<'_>> {
+        let own = self.module.system.mechanism.inputs.iter();
+        own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.initial))
+            .collect()
+    }
+
+    fn default(&self, value: ExprId) -> f64 {
+        // Defaults were found to be finite constants when they were read.
+        let graph = &self.module.system.mechanism.graph;
+        graph.constant_value(value).unwrap_or(0.0)
+    }
+}
+
+/// The structure with the parameters of all motions.
+pub(super) fn parameters(printer: &Printer<'_>, text: &mut Text) {
+    if printer.declared().parameters {
+        let fields = printer.parameters();
+        structure(
+            printer,
+            "Parameters",
+            "What can be changed at run time.",
+            printer.real(),
+            "unless it is set",
+            &fields,
+            text,
+        );
+    }
+}
+
+/// The structure with the inputs.
+pub(super) fn inputs(printer: &Printer<'_>, text: &mut Text) {
+    if printer.declared().inputs {
+        let (fields, signal) = (printer.inputs(), printer.runtime("signal"));
+        let title = "The signals that move the mechanism, each with its value, rate and acceleration at one time.";
+        structure(
+            printer,
+            "Inputs",
+            title,
+            &signal,
+            "and at rest unless it is supplied",
+            &fields,
+            text,
+        );
+    }
+}
+
+fn structure(
+    printer: &Printer<'_>,
+    kind: &str,
+    title: &str,
+    field_type: &str,
+    default: &str,
+    fields: &[Number<'_>],
+    text: &mut Text,
+) {
+    let structure = printer.type_of(kind);
+    text.gap();
+    text.comment([title]);
+    text.open(format!("typedef struct {structure} {{"));
+    for (name, dimension, docs, value) in fields {
+        let value = printer.default(*value);
+        text.comment(documentation::of_number(
+            name, *dimension, value, default, docs,
+        ));
+        text.line(format!("{field_type} {};", identifier(&field_name(name))));
+    }
+    text.close(format!("}} {structure};"));
+}
+
+/// The defaults of the parameters, which all motions share.
+pub(super) fn nominal(printer: &Printer<'_>, constant: &str, text: &mut Text) {
+    let values = printer.parameters().into_iter();
+    let values = values.map(|(.., value)| printer.number(printer.default(value)));
+    let values: Vec<String> = values.collect();
+    let structure = printer.type_of("Parameters");
+    text.gap();
+    text.line(format!(
+        "const {structure} {constant} = {{{}}};",
+        values.join(", ")
+    ));
+}
+
+/// The initial inputs.
+pub(super) fn initial(printer: &Printer<'_>, text: &mut Text) {
+    let zero = printer.number(0.0);
+    let values = printer.inputs().into_iter().map(|(.., value)| {
+        let value = printer.number(printer.default(value));
+        format!("{{{value}, {zero}, {zero}}}")
+    });
+    let values: Vec<String> = values.collect();
+    let (structure, constant) = (printer.type_of("Inputs"), printer.constant("INITIAL"));
+    text.gap();
+    text.line(format!(
+        "const {structure} {constant} = {{{}}};",
+        values.join(", ")
+    ));
+}
+
+/// How the runtime looks at parameters and inputs.
+pub(super) fn accessors(printer: &Printer<'_>, text: &mut Text) {
+    let declared = printer.declared();
+    let (real, finite) = (printer.real(), printer.runtime("all_finite"));
+    if declared.parameters {
+        let (function, structure) = (
+            printer.own("parameters_are_finite"),
+            printer.type_of("Parameters"),
+        );
+        let fields = printer.parameters();
+        let values = fields
+            .iter()
+            .map(|(name, ..)| format!("parameters->{}", identifier(&field_name(name))));
+        let values: Vec<String> = values.collect();
+        text.gap();
+        text.line(format!("static bool {function}(const void *given)"));
+        text.open("{");
+        text.line(format!("const {structure} *const parameters = given;"));
+        text.line(format!(
+            "const {real} checked[{}] = {{{}}};",
+            values.len(),
+            values.join(", ")
+        ));
+        text.line(format!("return {finite}(checked, {}U);", values.len()));
+        text.close("}");
+    }
+    if declared.inputs {
+        let (structure, signal) = (printer.type_of("Inputs"), printer.runtime("signal"));
+        let fields: Vec<String> = printer
+            .inputs()
+            .iter()
+            .map(|(name, ..)| identifier(&field_name(name)))
+            .collect();
+        for (name, constant) in [("read_signal", "const "), ("signal", "")] {
+            let function = printer.own(name);
+            text.gap();
+            text.line(format!(
+                "static {constant}{signal} *{function}({constant}void *given, uint16_t index)"
+            ));
+            text.open("{");
+            text.line(format!("{constant}{structure} *const inputs = given;"));
+            text.line(format!(
+                "{constant}{signal} *found = &inputs->{};",
+                fields[0]
+            ));
+            if fields.len() > 1 {
+                text.line("switch (index) {");
+                for (index, field) in fields.iter().enumerate().skip(1) {
+                    text.open(format!("case {index}U:"));
+                    text.line(format!("found = &inputs->{field};"));
+                    text.line("break;");
+                    text.close_without_line();
+                }
+                text.open("default:");
+                text.line("break;");
+                text.close_without_line();
+                text.line("}");
+            } else {
+                text.line("(void)index;");
+            }
+            text.line("return found;");
+            text.close("}");
+        }
+        let function = printer.own("inputs_are_finite");
+        text.gap();
+        text.line(format!("static bool {function}(const void *given)"));
+        text.open("{");
+        text.line("bool are_finite = true;");
+        text.open(format!(
+            "for (uint16_t k = 0U; k < {}U; k++) {{",
+            fields.len()
+        ));
+        text.line(format!(
+            "const {signal} *const found = {}(given, k);",
+            printer.own("read_signal")
+        ));
+        text.line(format!(
+            "const {real} checked[3] = {{found->value, found->rate, found->acceleration}};"
+        ));
+        text.line(format!("are_finite = are_finite && {finite}(checked, 3U);"));
+        text.close("}");
+        text.line("return are_finite;");
+        text.close("}");
+    }
+}
+
+/// What parameters must leave positive, and what it is called.
+pub(super) fn requirements(printer: &Printer<'_>, text: &mut Text) {
+    let Some(requirements) = &printer.module.program.requirements else {
+        return;
+    };
+    let (function, structure) = (printer.own("not_positive"), printer.type_of("Parameters"));
+    let scope = Scope::new(printer.module, &requirements.function, Place::Coordinates);
+    text.gap();
+    text.comment(["The least place of what parameters leave not positive, and its value; false where there is none."]);
+    let real = printer.real();
+    text.line(format!(
+        "static bool {function}(const void *given, uint16_t *place, {real} *value)"
+    ));
+    text.open("{");
+    text.line(format!("const {structure} *const parameters = given;"));
+    printer.plain_statements(&scope, text);
+    let results = printer.results(&scope);
+    text.line(format!(
+        "const {real} checked[{}] = {{{}}};",
+        results.len(),
+        results.join(", ")
+    ));
+    let first = printer.runtime("first_not_positive");
+    text.line(format!(
+        "return {first}(checked, {}U, place, value);",
+        results.len()
+    ));
+    text.close("}");
+}
+
+/// The names of what must be positive.
+pub(super) fn requirement_names(printer: &Printer<'_>) -> Option<Vec<[String; 2]>> {
+    let requirements = printer.module.program.requirements.as_ref()?;
+    let names = requirements.names.iter().map(|&(joint, what)| {
+        let label = &printer.module.system.mechanism.joints[joint].label;
+        [quoted(label), quoted(what)]
+    });
+    Some(names.collect())
+}
+
+/// The drawing of given parameters: a value per unknown, coordinates first.
+pub(super) fn drawn(printer: &Printer<'_>, text: &mut Text) {
+    let Some(function) = &printer.module.program.drawn else {
+        return;
+    };
+    let (real, structure) = (printer.real(), printer.type_of("Parameters"));
+    let scope = Scope::new(printer.module, function, Place::Coordinates);
+    text.gap();
+    text.comment(["The drawing's value of every coordinate and displacement."]);
+    text.line(format!(
+        "static void {}(const {structure} *parameters, {real} found[{}])",
+        printer.own("drawn"),
+        function.results.len()
+    ));
+    text.open("{");
+    if !scope.reads().parameters {
+        text.line("(void)parameters;");
+    }
+    printer.plain_statements(&scope, text);
+    for (place, result) in printer.results(&scope).iter().enumerate() {
+        text.line(format!("found[{place}] = {result};"));
+    }
+    text.close("}");
+}

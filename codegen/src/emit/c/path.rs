@@ -1,0 +1,114 @@
+//! Whether a frame lies on the path of the last one.
+
+use super::printer::Printer;
+use super::text::Text;
+use crate::emit::module::documentation;
+use crate::emit::module::scope::{Place, Scope};
+use crate::emit::module::tubes::iterated;
+use crate::program::Path;
+
+/// `keeps_to_path`, and `is_within` where Newton-Raphson finds something.
+pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
+    let Some(path) = &printer.module.program.path else {
+        return;
+    };
+    let scope = Scope::new(printer.module, &path.function, Place::Path);
+    let mut body = Text::default();
+    printer.plain_statements(&scope, &mut body);
+    fill_tubes(printer, path, &scope, &mut body);
+    let runtime = |name| printer.runtime(name);
+    text.gap();
+    text.comment([documentation::KEEPS_TO_PATH.join(" ")]);
+    text.line(format!(
+        "static bool {}(const {} *pair, const {} *span, {} *tubes, uint16_t *block)",
+        printer.own("keeps_to_path"),
+        runtime("pair"),
+        runtime("span"),
+        runtime("tube")
+    ));
+    text.open("{");
+    let [frame, parameters, inputs] =
+        ["Frame", "Parameters", "Inputs"].map(|it| printer.type_of(it));
+    let real = printer.real();
+    let taken = [
+        ("at", format!("const {frame} *const at = pair->at;")),
+        ("last", format!("const {frame} *const last = pair->last;")),
+        (
+            "before",
+            format!("const {inputs} *const before = pair->before;"),
+        ),
+        (
+            "inputs",
+            format!("const {inputs} *const inputs = pair->conditions->inputs;"),
+        ),
+        (
+            "parameters",
+            format!("const {parameters} *const parameters = pair->conditions->parameters;"),
+        ),
+        ("t", format!("const {real} t = pair->conditions->t;")),
+    ];
+    let mut reads_pair = false;
+    for (name, line) in taken {
+        if body.mentions(name) {
+            text.line(line);
+            reads_pair = true;
+        }
+    }
+    let given = [
+        ("pair", reads_pair),
+        ("span", body.mentions("span")),
+        ("tubes", body.mentions("tubes")),
+        ("block", body.mentions("block")),
+    ];
+    for (name, _) in given.into_iter().filter(|(_, is_read)| !is_read) {
+        text.line(format!("(void){name};"));
+    }
+    text.append(body);
+    text.line("return true;");
+    text.close("}");
+    within(printer, path, text);
+}
+
+/// What fills the tubes of unknowns that Newton-Raphson finds.
+fn fill_tubes(printer: &Printer<'_>, path: &Path, scope: &Scope<'_>, text: &mut Text) {
+    let module = printer.module;
+    let iterated = iterated(module.program, module.system, path);
+    for (place, (symbol, sag)) in iterated.iter().enumerate() {
+        let [now, before] = ["at", "last"].map(|frame| printer.field(*symbol, frame));
+        let sag = match sag {
+            Some(sag) => printer.symbol(*sag, scope),
+            None => printer.number(0.0),
+        };
+        let tube = printer.runtime("tube_of");
+        text.line(format!("tubes[{place}] = {tube}({now}, {before}, {sag});"));
+    }
+}
+
+/// Whether what Newton-Raphson has found is where the path is.
+fn within(printer: &Printer<'_>, path: &Path, text: &mut Text) {
+    let module = printer.module;
+    let iterated = iterated(module.program, module.system, path);
+    if iterated.is_empty() {
+        return;
+    }
+    let (frame, holds) = (printer.type_of("Frame"), printer.runtime("tube_holds"));
+    text.gap();
+    text.comment(["Whether what Newton-Raphson has found is where the path is."]);
+    text.line(format!(
+        "static bool {}(const void *found, const {} *tubes, {} steps)",
+        printer.own("is_within"),
+        printer.runtime("tube"),
+        printer.real()
+    ));
+    text.open("{");
+    text.line(format!("const {frame} *const at = found;"));
+    text.line("bool is_within = true;");
+    for (place, (symbol, _)) in iterated.iter().enumerate() {
+        let value = printer.field(*symbol, "at");
+        text.line(format!(
+            "is_within = is_within && {holds}(&tubes[{place}], {value}, steps);"
+        ));
+    }
+    text.line("return is_within;");
+    text.close("}");
+}

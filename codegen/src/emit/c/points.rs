@@ -1,0 +1,207 @@
+//! What a frame offers: the motion of points, pressure angles, and the outputs that are asked for.
+
+use super::printer::Printer;
+use super::text::Text;
+use super::words::identifier;
+use crate::emit::module::documentation;
+use crate::emit::module::scope::{Place, Scope};
+use crate::program::{Function, Output};
+
+/// A function that others may call: its documentation, its declaration, and its body.
+pub(super) struct Offered {
+    pub lines: Vec<String>,
+    pub declaration: String,
+    pub body: Text,
+}
+
+/// Writes the declarations.
+pub(super) fn declare(offered: &[Offered], text: &mut Text) {
+    for function in offered {
+        text.gap();
+        text.comment(&function.lines);
+        text.line(format!("{};", function.declaration));
+    }
+}
+
+/// Writes the definitions.
+pub(super) fn define(offered: Vec<Offered>, text: &mut Text) {
+    for function in offered {
+        text.gap();
+        text.line(&function.declaration);
+        text.open("{");
+        text.append(function.body);
+        text.close("}");
+    }
+}
+
+impl Printer<'_> {
+    /// A function of a frame: `point_k`, with the type that it returns.
+    pub(super) fn of_frame(&self, returned: &str, name: &str) -> String {
+        let separator = if returned.ends_with('*') { "" } else { " " };
+        format!(
+            "{returned}{separator}{}(const {} *frame)",
+            self.function(&name.to_lowercase()),
+            self.type_of("Frame")
+        )
+    }
+}
+
+/// One function for each point and each contact, or for each output.
+pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
+    let module = printer.module;
+    if let Some(outputs) = &module.program.outputs {
+        return outputs
+            .iter()
+            .flat_map(|it| of_output(it, printer))
+            .collect();
+    }
+    let motion = printer.runtime("point_motion");
+    let points = module
+        .system
+        .outputs
+        .iter()
+        .zip(&module.program.points)
+        .enumerate();
+    let points = points.map(|(index, (output, function))| {
+        let (mut body, results) = computed(printer, function);
+        body.line(format!("{motion} found;"));
+        let places = ["position", "velocity", "acceleration"].into_iter();
+        let places = places.flat_map(|level| [format!("{level}[0]"), format!("{level}[1]")]);
+        for (place, result) in places.zip(results) {
+            body.line(format!("found.{place} = {result};"));
+        }
+        body.line("return found;");
+        Offered {
+            lines: documentation::of_point(index, module.system),
+            declaration: printer.of_frame(&motion, &format!("point_{}", output.name)),
+            body,
+        }
+    });
+    let contacts = module
+        .system
+        .pressures
+        .iter()
+        .zip(&module.program.pressures);
+    let contacts = contacts.map(|(pressure, function)| {
+        let joint = &module.system.mechanism.joints[pressure.joint];
+        let mut lines = documentation::of_pressure(pressure, module.system);
+        lines.push("contact; false while the follower rests.".to_string());
+        let (mut body, results) = computed(printer, function);
+        let call = printer.runtime("pressure_angle");
+        body.line(format!("return {call}({}, angle);", results.join(", ")));
+        Offered {
+            lines,
+            declaration: format!(
+                "bool {}(const {} *frame, {} *angle)",
+                printer.function(&format!("pressure_angle_{}", joint.slug)),
+                printer.type_of("Frame"),
+                printer.real()
+            ),
+            body,
+        }
+    });
+    points.chain(contacts).collect()
+}
+
+/// The functions of the points whose motion frames offer, in order.
+pub(super) fn point_functions(printer: &Printer<'_>) -> Vec<String> {
+    let name = |name: &str| printer.function(&format!("point_{}", name.to_lowercase()));
+    match &printer.module.program.outputs {
+        None => printer
+            .module
+            .system
+            .outputs
+            .iter()
+            .map(|it| name(&it.name))
+            .collect(),
+        Some(outputs) => outputs
+            .iter()
+            .filter_map(|output| match output {
+                Output::Point { name: own, fields } if fields.len() == 3 => Some(name(own)),
+                _ => None,
+            })
+            .collect(),
+    }
+}
+
+/// The functions of one output.
+fn of_output(output: &Output, printer: &Printer<'_>) -> Vec<Offered> {
+    let (real, motion) = (printer.real(), printer.runtime("point_motion"));
+    let own = |symbol| printer.field(symbol, "frame");
+    let prefix = match output {
+        Output::Point { name, .. } => format!("point_{name}"),
+        // The functions of the textbook view have names like this.
+        Output::Coordinate { name, .. } if ["phi_q", "phi_t"].contains(&name.as_str()) => {
+            format!("{name}_")
+        }
+        Output::Coordinate { name, .. } => name.clone(),
+    };
+    let functions = documentation::of_output(output).into_iter().enumerate();
+    let functions = functions.map(|(place, (suffix, line))| {
+        let name = identifier(&format!("{prefix}{suffix}"));
+        let mut body = Text::default();
+        let declaration = match output {
+            Output::Point { fields, .. } if fields.len() == 3 => {
+                body.line(format!("{motion} found;"));
+                for (level, pair) in ["position", "velocity", "acceleration"].iter().zip(fields) {
+                    for (axis, symbol) in pair.iter().enumerate() {
+                        body.line(format!("found.{level}[{axis}] = {};", own(*symbol)));
+                    }
+                }
+                body.line("return found;");
+                printer.of_frame(&motion, &name)
+            }
+            Output::Point { fields, .. } => {
+                for (axis, symbol) in fields[place].iter().enumerate() {
+                    body.line(format!("found[{axis}] = {};", own(*symbol)));
+                }
+                let name = printer.function(&name.to_lowercase());
+                format!(
+                    "void {name}(const {} *frame, {real} found[2])",
+                    printer.type_of("Frame")
+                )
+            }
+            Output::Coordinate { fields, .. } => {
+                body.line(format!("return {};", own(fields[place])));
+                let name = printer.function(&name);
+                format!("{real} {name}(const {} *frame)", printer.type_of("Frame"))
+            }
+        };
+        Offered {
+            lines: vec![line],
+            declaration,
+            body,
+        }
+    });
+    functions.collect()
+}
+
+/// The statements of a function of a frame, and its results.
+fn computed(printer: &Printer<'_>, function: &Function) -> (Text, Vec<String>) {
+    let scope = Scope::new(printer.module, function, Place::Coordinates);
+    let (reads, mut body) = (scope.reads(), Text::default());
+    let coordinates = printer.type_of("Coordinates");
+    for (is_read, name) in [
+        (reads.position, "q"),
+        (reads.rate, "qd"),
+        (reads.acceleration, "qdd"),
+    ] {
+        if is_read {
+            body.line(format!(
+                "const {coordinates} *const {name} = &frame->{name};"
+            ));
+        }
+    }
+    if reads.parameters {
+        let parameters = printer.type_of("Parameters");
+        body.line(format!(
+            "const {parameters} *const parameters = &frame->parameters;"
+        ));
+    }
+    if !(reads.position || reads.rate || reads.acceleration || reads.parameters) {
+        body.line("(void)frame;");
+    }
+    printer.plain_statements(&scope, &mut body);
+    let results = printer.results(&scope);
+    (body, results)
+}

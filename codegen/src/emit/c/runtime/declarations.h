@@ -1,0 +1,327 @@
+/* A solve that did not succeed: what happened, when and how far it had come. */
+typedef struct linkwright$f_failure {
+    linkwright_status status;
+    /* The time at which the equations were to be solved, or where the path ends (s). */
+    $real time;
+    /* The block of equations that failed, in solve order. */
+    uint16_t block;
+    /* How many Newton-Raphson steps had been taken, the last scaled residual, and the equation with that residual. */
+    uint16_t iterations;
+    $real residual;
+    uint16_t row;
+    /* What the status says of a value and a column; 0 for others. */
+    $real value;
+    uint16_t column;
+} linkwright$f_failure;
+
+/* The limits within which a solve must succeed. */
+typedef struct linkwright$f_settings {
+    /* The largest scaled residual that counts as solved. */
+    $real tolerance;
+    /* The largest number of Newton-Raphson steps of one call, the polishing step not counted. */
+    uint16_t iterations;
+    /* The smallest pivot ratio of a Jacobian that is not called singular. */
+    $real pivot_ratio;
+    /* Whether a pose that has met the tolerance is brought to rounding level. */
+    bool polish;
+    /* The largest number of attempts of one call to move on; the least is one. */
+    uint16_t substeps;
+} linkwright$f_settings;
+
+/* The default settings. */
+extern const linkwright$f_settings LINKWRIGHT$F_SETTINGS;
+
+/* A quantity that is supplied at one time: its value with its first two time derivatives. */
+typedef struct linkwright$f_signal {
+    $real value;
+    $real rate;
+    $real acceleration;
+} linkwright$f_signal;
+
+/* Position (m), velocity (m/s) and acceleration (m/s²) of one point: x and y. */
+typedef struct linkwright$f_point_motion {
+    $real position[2];
+    $real velocity[2];
+    $real acceleration[2];
+} linkwright$f_point_motion;
+
+/* How close a block is to a singular pose: both numbers are 0 there, and 1 in size where it is farthest from one. */
+typedef struct linkwright$f_normalized_determinant {
+    /* The block in solve order. */
+    uint16_t block;
+    /* Its determinant divided by the lengths of the columns of its Jacobian; the sign is that of the assembly mode.
+       */
+    $real determinant;
+    /* The reciprocal condition of the Jacobian with columns of length 1. */
+    $real reciprocal_condition;
+} linkwright$f_normalized_determinant;
+
+/* What follows is for generated code. */
+
+/* Cubic pieces side by side, each valid from its start to the next. */
+typedef struct linkwright$f_table {
+    const $real *starts;
+    /* The coefficients of the powers 0 to 3 of the distance from each start. */
+    const $real (*pieces)[4];
+    size_t count;
+    /* The distance between starts that are equally spaced, or else 0. */
+    $real spacing;
+    /* After how much the table is repeated, or else 0. */
+    $real period;
+} linkwright$f_table;
+
+/* What one instant is solved with. */
+typedef struct linkwright$f_conditions {
+    /* The time (s). */
+    $real t;
+    linkwright_start start;
+    /* The mechanism's own parameters and inputs. */
+    const void *parameters;
+    const void *inputs;
+    const linkwright$f_settings *settings;
+    /* Where a failure is noted. */
+    linkwright$f_failure *failure;
+} linkwright$f_conditions;
+
+/* A span of time about two frames. */
+typedef struct linkwright$f_span {
+    /* From the first frame to the second one, and how far the time goes from there (s). */
+    $real step;
+    $real time;
+    /* The same in steps: 1 where the span ends with the frames. */
+    $real stretch;
+    /* The remainder of linear interpolation over the span, for a second derivative of 1 and a way of 1. */
+    $real bend;
+    /* 1 where the span goes beyond the frames, and as far before them, or else 0. */
+    $real beyond;
+} linkwright$f_span;
+
+/* A straight line through the values of two frames, and how far a value may be from it. */
+typedef struct linkwright$f_tube {
+    $real value;
+    $real moved;
+    $real sag;
+} linkwright$f_tube;
+
+/* Two frames and what they were solved with. */
+typedef struct linkwright$f_pair {
+    const void *at;
+    const void *last;
+    /* The inputs of the first frame. */
+    const void *before;
+    const linkwright$f_conditions *conditions;
+} linkwright$f_pair;
+
+/* The blocks of a mechanism, and what must be known to keep its frames. */
+typedef struct linkwright$f_blocks {
+    size_t frame_size;
+    size_t branches_size;
+    size_t inputs_size;
+    uint16_t signals;
+    /* Whether frames are shown to lie on the path of the last one. */
+    bool is_guarded;
+    linkwright_status (*solve)(void *at, const void *last, void *branches, const linkwright$f_conditions *conditions);
+    /* Whether all inputs are finite, and all parameters; null where there are none. */
+    bool (*inputs_are_finite)(const void *inputs);
+    bool (*parameters_are_finite)(const void *parameters);
+    /* The signals of the inputs in order; null where there are none. */
+    linkwright$f_signal *(*signal)(void *inputs, uint16_t index);
+    const linkwright$f_signal *(*read_signal)(const void *inputs, uint16_t index);
+    /* The modes beyond a pose at which those of a block meet; false where they are not known. */
+    bool (*exchanged)(const void *branches, uint16_t block, void *others);
+    /* Whether a frame keeps to the path of the last one, or else the block; null where nothing is guarded. */
+    bool (*keeps_to_path)(const linkwright$f_pair *pair, const linkwright$f_span *span, linkwright$f_tube *tubes,
+        uint16_t *block);
+    bool (*is_within)(const void *at, const linkwright$f_tube *tubes, $real steps);
+    /* The time of a frame, and its coordinates and components of points, by which poses are compared. */
+    $real (*time)(const void *frame);
+    uint16_t values;
+    $real (*value)(const void *frame, uint16_t index);
+    /* The least place of what parameters leave not positive, and its value; null where none can. */
+    bool (*not_positive)(const void *parameters, uint16_t *place, $real *value);
+} linkwright$f_blocks;
+
+/* What a mechanism keeps from frame to frame beside what has a type of its own. */
+typedef struct linkwright$f_state {
+    linkwright$f_settings settings;
+    linkwright_start start;
+    bool second_is_last;
+    /* Whether something is known of the path, and of which time (s). */
+    bool has_window;
+    linkwright$f_span span;
+    $real t;
+    /* How many steps are looked ahead next. */
+    $real stretch;
+} linkwright$f_state;
+
+/* A mechanism as the runtime sees it: where everything is. */
+typedef struct linkwright$f_mechanism {
+    const linkwright$f_blocks *blocks;
+    linkwright$f_state *state;
+    linkwright$f_failure *failure;
+    void *frames[2];
+    void *branches;
+    void *parameters;
+    void *inputs;
+    /* The inputs of both frames of the window, and its tubes. */
+    void *window_inputs[2];
+    linkwright$f_tube *tubes;
+} linkwright$f_mechanism;
+
+/* Room for what moving in several steps works with: arrays of the mechanism's own types, of as many elements as
+   LINKWRIGHT_WAY_FRAMES and its like say. */
+typedef struct linkwright$f_room {
+    void *frames;
+    void *branches;
+    void *inputs;
+} linkwright$f_room;
+
+/* The equations of a block without a closed form, as functions of as many unknowns. Matrices are stored row by row.
+   */
+typedef struct linkwright$f_equations {
+    uint16_t order;
+    uint16_t block;
+    const void *context;
+    void (*residual)(const void *context, const $real q[], $real t, $real phi[]);
+    void (*jacobian)(const void *context, const $real q[], $real t, $real phi_q[]);
+    void (*time_derivative)(const void *context, const $real q[], $real t, $real phi_t[]);
+    void (*gamma)(const void *context, const $real q[], const $real qd[], $real t, $real gamma[]);
+    /* By what residuals and unknowns are scaled, and which unknowns are angles. */
+    const $real *row_scales;
+    const $real *column_scales;
+    const bool *angles;
+    /* Room for LINKWRIGHT_NEWTON_REALS(order) numbers and for order exchanges. */
+    $real *reals;
+    uint16_t *exchanges;
+} linkwright$f_equations;
+
+/* The unknowns of such a block at one time, with their rates and accelerations. */
+typedef struct linkwright$f_tears {
+    $real t;
+    $real *q;
+    $real *qd;
+    $real *qdd;
+} linkwright$f_tears;
+
+/* How far a block is from singular. */
+typedef struct linkwright$f_measure {
+    $real determinant;
+    $real reciprocal_condition;
+} linkwright$f_measure;
+
+/* A matrix as P Â = L U, with Â the matrix in its scales. */
+typedef struct linkwright$f_factorization {
+    uint16_t order;
+    $real *factors;
+    uint16_t *exchanges;
+    $real *row_factors;
+    const $real *column_factors;
+    $real pivot_ratio;
+} linkwright$f_factorization;
+
+/* What is shown of unknowns near a straight line. */
+typedef struct linkwright$f_isolation {
+    uint16_t order;
+    const uint16_t *blocks;
+    /* For which sags the variation is wanted. */
+    $real *sags;
+    /* What was shown: whether the unknowns keep to their path, or else the block that does not, and their sags. */
+    bool is_shown;
+    uint16_t block;
+    const $real *found;
+    /* The size of the inverse, what is left of the line at least, and what is being worked with. */
+    const $real *jacobian;
+    const $real *variation;
+    const $real *bounds;
+    $real *inverse;
+    $real *least;
+    $real *needed;
+    $real *rest;
+    uint16_t rounds;
+    uint16_t farthest;
+    /* By how much the farthest sag is too small, and whether that has become less. */
+    $real largest;
+    bool is_nearing;
+} linkwright$f_isolation;
+
+/* The sine and the cosine of an angle (rad), each within 1 ulp; NaN for infinite angles. */
+void linkwright$f_sin_cos($real angle, $real *sine, $real *cosine);
+$real linkwright$f_sin($real angle);
+$real linkwright$f_cos($real angle);
+/* The angle in (-π, π] of the vector (x, y), within 2 ulp. */
+$real linkwright$f_atan2($real y, $real x);
+/* The angle with this sine and cosine, or a common positive multiple of them, that is nearest to another one (rad).
+   */
+$real linkwright$f_angle_near($real sine, $real cosine, $real near_angle);
+
+/* Whether the square of a half chord is safely positive beside a scale. False for NaN. */
+bool linkwright$f_spans($real excess, $real scale);
+/* Notes why links do not span a distance (m). */
+linkwright_status linkwright$f_no_span($real distance, $real longest, $real shortest,
+    const linkwright$f_conditions *conditions, uint16_t block);
+/* Notes that a divisor has vanished beside a scale. */
+linkwright_status linkwright$f_singular_divisor($real value, $real scale, const linkwright$f_conditions *conditions,
+    uint16_t block);
+/* Notes that a number is not finite. */
+linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditions, uint16_t block);
+/* Whether a number is finite, and whether all are. */
+bool linkwright$f_is_finite($real value);
+bool linkwright$f_all_finite(const $real values[], size_t count);
+/* The pressure angle in [0, π/2] rad; false while the follower rests. */
+bool linkwright$f_pressure_angle($real along, $real across, $real sliding, $real *angle);
+/* The largest magnitude of these lengths, or another one where that is zero or no number. */
+$real linkwright$f_largest_length(const $real lengths[], size_t count, $real otherwise);
+/* The least place of these values that is not positive. */
+bool linkwright$f_first_not_positive(const $real values[], uint16_t count, uint16_t *place, $real *value);
+
+/* The value of a table at a place and its first three derivatives, or one of them. */
+void linkwright$f_table_at(const linkwright$f_table *table, $real x, $real found[4]);
+$real linkwright$f_table_value(const linkwright$f_table *table, $real x, size_t order);
+
+/* How far a signal goes from its second value, and from the straight line. */
+void linkwright$f_span_signal(const linkwright$f_span *span, const linkwright$f_signal *before,
+    const linkwright$f_signal *now, $real found[2]);
+/* The tube about a value, and whether another value is in it so many steps after the second frame. */
+linkwright$f_tube linkwright$f_tube_of($real now, $real before, $real sag);
+bool linkwright$f_tube_holds(const linkwright$f_tube *tube, $real value, $real steps);
+/* Begins to show that unknowns keep to a straight line through both frames. The Jacobian is that of the second
+   frame, the bounds say how far each equation may be from zero on the line, the sizes how large the unknowns are.
+   The variation, zero at first, is how far the entries of the Jacobian may change: as long as
+   linkwright$f_isolation_asks says so, it is wanted for the sags of the isolation. Matrices are stored row by row;
+   reals is room for LINKWRIGHT_ISOLATION_REALS(order) numbers. */
+void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
+    const $real bounds[], $real sizes[], const $real jacobian[], $real variation[], $real reals[]);
+bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation);
+
+/* Solves the equations of a block from the last frame, or near an estimate; notes a failure. */
+linkwright_status linkwright$f_solve_block(const linkwright$f_equations *equations, const linkwright$f_tears *last,
+    linkwright_branch *branch, linkwright$f_tears *found, linkwright$f_measure *measure,
+    const linkwright$f_conditions *conditions);
+/* Factorizes their Jacobian at a pose that is solved, and solves with it; notes a failure. */
+linkwright_status linkwright$f_factorize(const linkwright$f_equations *equations, const $real q[],
+    linkwright$f_factorization *factorization, const linkwright$f_conditions *conditions);
+void linkwright$f_solve_factorized(const linkwright$f_factorization *factorization, $real right_hand_side[]);
+
+/* How close blocks in closed form are to a singular pose, and the closest of all. */
+linkwright$f_normalized_determinant linkwright$f_of_sine(uint16_t block, $real sine);
+linkwright$f_normalized_determinant linkwright$f_of_slope(uint16_t block, $real slope);
+linkwright$f_normalized_determinant linkwright$f_closest(const linkwright$f_normalized_determinant found[],
+    size_t count);
+
+/* Assembles a mechanism whose older frame is the estimate, with branches, parameters, inputs and settings in place.
+   */
+linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism, $real t);
+/* Moves a mechanism to a time, in one step. LINKWRIGHT_OK, or what linkwright$f_advance_in_steps goes on from. */
+linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, $real t, const void *inputs);
+/* Goes on in several steps where that has failed. */
+linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
+    const linkwright$f_room *room);
+/* Solves for a frame at a time in the modes of now, in room for a copy of them; the mechanism stays where it is. */
+linkwright_status linkwright$f_frame_at(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
+    void *frame, void *branches);
+/* The last frame. */
+const void *linkwright$f_last_frame(const linkwright$f_mechanism *mechanism);
+/* Whether parameters are allowed; notes a failure. */
+linkwright_status linkwright$f_allow(const linkwright$f_mechanism *mechanism, const void *parameters, $real t);
+/* Makes the next frame the first one of another path, because parameters have changed. */
+void linkwright$f_parameters_changed(const linkwright$f_mechanism *mechanism);

@@ -1,0 +1,149 @@
+
+/* The mechanism that a user holds: assembly and motion. It keeps two frames, the last one and the one that the next
+   solution is written to; only a solution that succeeded takes the place of the last one. */
+
+static void *frame_of$f(const linkwright$f_mechanism *mechanism, bool is_last)
+{
+    return mechanism->frames[(mechanism->state->second_is_last == is_last) ? 1U : 0U];
+}
+
+const void *linkwright$f_last_frame(const linkwright$f_mechanism *mechanism)
+{
+    return frame_of$f(mechanism, true);
+}
+
+linkwright_status linkwright$f_allow(const linkwright$f_mechanism *mechanism, const void *parameters, $real t)
+{
+    const linkwright$f_blocks *const blocks = mechanism->blocks;
+    uint16_t place = 0U;
+    $real value = 0.0$f;
+    if ((blocks->parameters_are_finite != NULL) && !blocks->parameters_are_finite(parameters)) {
+        return noted$f(mechanism->failure, LINKWRIGHT_NOT_FINITE, 0.0$f, 0U, t, 0U);
+    }
+    if ((blocks->not_positive != NULL) && blocks->not_positive(parameters, &place, &value)) {
+        return noted$f(mechanism->failure, LINKWRIGHT_NOT_POSITIVE, value, 0U, t, place);
+    }
+    return LINKWRIGHT_OK;
+}
+
+linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism, $real t)
+{
+    linkwright$f_state *const state = mechanism->state;
+    const linkwright$f_conditions conditions = {t, LINKWRIGHT_ESTIMATE, mechanism->parameters, mechanism->inputs,
+        &state->settings, mechanism->failure};
+    void *const at = mechanism->frames[0];
+    void *const last = mechanism->frames[1];
+    (void)memcpy(at, last, mechanism->blocks->frame_size);
+    state->start = LINKWRIGHT_LAST_FRAME;
+    state->second_is_last = false;
+    state->has_window = false;
+    state->stretch = AHEAD$f;
+    state->t = t;
+    (void)noted$f(mechanism->failure, LINKWRIGHT_OK, 0.0$f, 0U, t, 0U);
+    const linkwright_status status = solve_all$f(mechanism, at, last, mechanism->branches, &conditions);
+    mechanism->failure->status = status;
+    return status;
+}
+
+/* Keeps what was solved. */
+static void keep$f(const linkwright$f_mechanism *mechanism, const void *inputs)
+{
+    linkwright$f_state *const state = mechanism->state;
+    if ((mechanism->blocks->signals > 0U) && (mechanism->inputs != inputs)) {
+        (void)memcpy(mechanism->inputs, inputs, mechanism->blocks->inputs_size);
+    }
+    state->start = LINKWRIGHT_LAST_FRAME;
+    state->second_is_last = !state->second_is_last;
+    mechanism->failure->status = LINKWRIGHT_OK;
+}
+
+linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, $real t, const void *inputs)
+{
+    const linkwright$f_state *const state = mechanism->state;
+    void *const at = frame_of$f(mechanism, false);
+    const void *const last = frame_of$f(mechanism, true);
+    const linkwright$f_conditions conditions = {t, state->start, mechanism->parameters, inputs,
+        &state->settings, mechanism->failure};
+    const linkwright$f_pair pair = {at, last, mechanism->inputs, &conditions};
+    linkwright_status status = solve_all$f(mechanism, at, last, mechanism->branches, &conditions);
+    if (status == LINKWRIGHT_OK) {
+        status = admitted$f(mechanism, &pair);
+    }
+    if (status == LINKWRIGHT_OK) {
+        keep$f(mechanism, inputs);
+    }
+    return status;
+}
+
+linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
+    const linkwright$f_room *room)
+{
+    const linkwright$f_blocks *const blocks = mechanism->blocks;
+    const linkwright$f_state *const state = mechanism->state;
+    const void *const last = frame_of$f(mechanism, true);
+    if (state->settings.substeps <= 1U) {
+        return mechanism->failure->status;
+    }
+    Way$f way;
+    way.mechanism = mechanism;
+    way.from = blocks->time(last);
+    way.end = t;
+    way.first_inputs = mechanism->inputs;
+    way.last_inputs = inputs;
+    way.start = state->start;
+    for (size_t k = 0U; k < 7U; k += 1U) {
+        way.frames[k] = element$f(room->frames, blocks->frame_size, k);
+    }
+    way.reached = element$f(room->frames, blocks->frame_size, 7U);
+    way.origin = element$f(room->frames, blocks->frame_size, 8U);
+    way.next = element$f(room->frames, blocks->frame_size, 9U);
+    way.branches = room->branches;
+    way.others = element$f(room->branches, blocks->branches_size, 1U);
+    way.kept_branches = element$f(room->branches, blocks->branches_size, 2U);
+    way.solved_branches = element$f(room->branches, blocks->branches_size, 3U);
+    way.inputs = room->inputs;
+    way.before = room->inputs;
+    if (blocks->signals > 0U) {
+        way.before = element$f(room->inputs, blocks->inputs_size, 1U);
+    }
+    way.failure = *mechanism->failure;
+    (void)memcpy(way.reached, last, blocks->frame_size);
+    (void)memcpy(way.origin, last, blocks->frame_size);
+    (void)memcpy(way.branches, mechanism->branches, blocks->branches_size);
+    linkwright_status status = steps_to$f(&way, t);
+    for (uint16_t crossings = 0U; (status != LINKWRIGHT_OK) && (crossings < CROSSINGS$F); crossings++) {
+        const linkwright$f_failure failure = way.failure;
+        if (is_crossed$f(&way)) {
+            status = steps_to$f(&way, t);
+        } else {
+            way.failure = failure;
+            break;
+        }
+    }
+    if (status == LINKWRIGHT_OK) {
+        (void)memcpy(mechanism->branches, way.branches, blocks->branches_size);
+        (void)memcpy(frame_of$f(mechanism, false), way.reached, blocks->frame_size);
+        keep$f(mechanism, inputs);
+    } else {
+        *mechanism->failure = way.failure;
+    }
+    return status;
+}
+
+linkwright_status linkwright$f_frame_at(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
+    void *frame, void *branches)
+{
+    const linkwright$f_blocks *const blocks = mechanism->blocks;
+    const void *const last = frame_of$f(mechanism, true);
+    const linkwright$f_conditions conditions = {t, LINKWRIGHT_ESTIMATE, mechanism->parameters, inputs,
+        &mechanism->state->settings, mechanism->failure};
+    (void)memcpy(frame, last, blocks->frame_size);
+    (void)memcpy(branches, mechanism->branches, blocks->branches_size);
+    return solve_all$f(mechanism, frame, last, branches, &conditions);
+}
+
+void linkwright$f_parameters_changed(const linkwright$f_mechanism *mechanism)
+{
+    mechanism->state->start = LINKWRIGHT_ESTIMATE;
+    mechanism->state->has_window = false;
+}

@@ -1,0 +1,255 @@
+
+/* The way from one frame of a mechanism to another time, in as many steps as it takes. Where one fails, half the way
+   is tried; where the modes of a block meet, the way goes straight on in the other one. */
+
+/* The part of the whole way below which a step is so short that what its attempt has met lies on the path. */
+static const $real REFINED$f = 1.0$f / 256.0$f;
+
+/* The part of the way to the foreseen end of reach that the next attempt leaves, so that it as a rule lies on the
+   same side. */
+static const $real LEFT$f = 1.0$f / 16.0$f;
+
+/* How many meetings of modes one way may pass. */
+#define CROSSINGS$F 8U
+
+/* A way, and how far it has been gone. */
+typedef struct Way$f {
+    const linkwright$f_mechanism *mechanism;
+    /* When it begins and ends (s), and the signals at both ends. */
+    $real from;
+    $real end;
+    const void *first_inputs;
+    const void *last_inputs;
+    linkwright_start start;
+    /* The last frame on the way, where the modes were exchanged last, or else its first frame, and where the next is
+       written. */
+    void *reached;
+    void *origin;
+    void *next;
+    void *branches;
+    /* Room for frames of meetings, for two other modes, and for the inputs of two times. */
+    void *frames[7];
+    void *others;
+    void *kept_branches;
+    void *solved_branches;
+    void *inputs;
+    void *before;
+    linkwright$f_failure failure;
+} Way$f;
+
+/* The element of an array of elements of any size. */
+static void *element$f(void *array, size_t size, size_t index)
+{
+    return &((unsigned char *)array)[index * size];
+}
+
+/* Signals at a time on the way; beyond it they go on at their rates. */
+static void inputs_at$f(const Way$f *way, $real t, void *inputs)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    const $real part = (t - way->from) / (way->end - way->from);
+    for (uint16_t k = 0U; k < blocks->signals; k++) {
+        const linkwright$f_signal *const first = blocks->read_signal(way->first_inputs, k);
+        const linkwright$f_signal *const last = blocks->read_signal(way->last_inputs, k);
+        linkwright$f_signal *const found = blocks->signal(inputs, k);
+        $real time = 0.0$f;
+        if (part <= 0.0$f) {
+            *found = *first;
+            time = t - way->from;
+        } else if (part >= 1.0$f) {
+            *found = *last;
+            time = t - way->end;
+        } else {
+            *found = signal_towards$f(first, last, way->end - way->from, part);
+        }
+        if (time != 0.0$f) {
+            found->value += found->rate * time;
+        }
+    }
+}
+
+/* Solves all blocks for numbers that are finite. */
+static linkwright_status solve_all$f(const linkwright$f_mechanism *mechanism, void *at, const void *last,
+    void *branches, const linkwright$f_conditions *conditions)
+{
+    const linkwright$f_blocks *const blocks = mechanism->blocks;
+    bool are_finite = true;
+    if (blocks->parameters_are_finite != NULL) {
+        are_finite = blocks->parameters_are_finite(conditions->parameters);
+    }
+    if (blocks->inputs_are_finite != NULL) {
+        are_finite = are_finite && blocks->inputs_are_finite(conditions->inputs);
+    }
+    return are_finite ? blocks->solve(at, last, branches, conditions) : linkwright$f_not_finite(conditions, 0U);
+}
+
+static linkwright_status stepped$f(Way$f *way, $real t)
+{
+    const linkwright$f_mechanism *const mechanism = way->mechanism;
+    const linkwright$f_blocks *const blocks = mechanism->blocks;
+    const linkwright$f_conditions conditions = {t, way->start, mechanism->parameters, way->inputs,
+        &mechanism->state->settings, &way->failure};
+    const linkwright$f_pair pair = {way->next, way->reached, way->before, &conditions};
+    inputs_at$f(way, t, way->inputs);
+    inputs_at$f(way, blocks->time(way->reached), way->before);
+    linkwright_status status = solve_all$f(mechanism, way->next, way->reached, way->branches, &conditions);
+    if (status == LINKWRIGHT_OK) {
+        status = admitted$f(mechanism, &pair);
+    }
+    if (status == LINKWRIGHT_OK) {
+        void *const reached = way->next;
+        way->next = way->reached;
+        way->reached = reached;
+        way->start = LINKWRIGHT_LAST_FRAME;
+    }
+    return status;
+}
+
+/* A time shortly beyond that at which links cease to reach, from two times at which they do not, by the rule of the
+   secant. False where what is missing does not fall towards what was reached. */
+static bool end_of_reach$f($real reached, const linkwright$f_failure *nearer, const linkwright$f_failure *farther,
+    $real *aim)
+{
+    bool is_found = false;
+    if ((nearer->status == LINKWRIGHT_OUT_OF_REACH) && (farther->status == LINKWRIGHT_OUT_OF_REACH)) {
+        const $real way = (nearer->value * (farther->time - nearer->time)) / (farther->value - nearer->value);
+        const $real time = nearer->time - (way * (1.0$f - LEFT$f));
+        const bool is_between = ((time - reached) * (nearer->time - time)) >= 0.0$f;
+        is_found = (nearer->value < farther->value) && is_between && (time != reached);
+        *aim = time;
+    }
+    return is_found;
+}
+
+/* The status of a failure that no shorter step would have avoided. */
+static linkwright_status lasting$f(linkwright_status status, bool is_coarse)
+{
+    const bool may_last = (status == LINKWRIGHT_SINGULAR) || (status == LINKWRIGHT_WRONG_BRANCH)
+        || (status == LINKWRIGHT_NOT_FINITE);
+    const bool lasts = (status == LINKWRIGHT_OUT_OF_REACH) || (may_last && !is_coarse);
+    return lasts ? status : LINKWRIGHT_STEP_TOO_LARGE;
+}
+
+static bool is_end$f(const linkwright$f_failure *failure)
+{
+    return (failure->status == LINKWRIGHT_OUT_OF_REACH) || (failure->status == LINKWRIGHT_SINGULAR);
+}
+
+/* Another status in a failure, with what it says. */
+static void restate$f(linkwright$f_failure *failure, linkwright_status status, $real value, uint16_t column)
+{
+    failure->status = status;
+    failure->value = value;
+    failure->column = column;
+}
+
+/* Moves on to a time by as many steps as it takes, within the budget of the settings; the failure of the way says
+   why it ends. */
+static linkwright_status in_steps$f(Way$f *way, $real to)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    const uint16_t budget = way->mechanism->state->settings.substeps;
+    const $real from = blocks->time(way->reached);
+    const $real refined = fabs$f(to - from) * REFINED$f;
+    $real reached = from;
+    $real step = to - from;
+    bool has_succeeded = false;
+    /* Whether the last attempt was aimed at a time that two others have foreseen. */
+    bool is_aimed = false;
+    bool is_refused = false;
+    linkwright$f_failure refused = way->failure;
+    linkwright$f_failure whole = way->failure;
+    bool has_whole = false;
+    /* The nearest time at which there is no pose. */
+    linkwright$f_failure beyond = way->failure;
+    bool has_beyond = false;
+    bool has_latest = false;
+    uint16_t latest = 0U;
+    uint16_t attempts = 0U;
+    bool goes_on = true;
+    while (goes_on) {
+        const $real rest = to - reached;
+        /* Written so that a time that is no number is tried, and refused by the attempt. */
+        const bool is_shorter = fabs$f(step) < fabs$f(rest);
+        const $real target = is_shorter ? (reached + step) : to;
+        bool is_in_line = false;
+        attempts++;
+        if (stepped$f(way, target) == LINKWRIGHT_OK) {
+            if (!is_shorter) {
+                return LINKWRIGHT_OK;
+            }
+            reached = target;
+            /* What was refused from farther away may have been passed. */
+            is_refused = is_refused && ((from < to) ? (target < refused.time) : (refused.time < target));
+            if (is_refused && (refused.status == LINKWRIGHT_OUT_OF_REACH)) {
+                /* From nearer the links reach no farther. */
+                step = 0.5$f * (refused.time - reached);
+            } else if (has_succeeded) {
+                step += step;
+            } else {
+                /* The next step is as long. */
+            }
+            has_succeeded = true;
+            is_aimed = false;
+        } else {
+            const linkwright$f_failure failure = way->failure;
+            /* From farther away, what is missing may belong to another gap than the next one. */
+            const bool is_near = fabs$f(target - reached) <= refined;
+            $real aim = 0.0$f;
+            const bool has_aim = is_refused && is_near && end_of_reach$f(reached, &failure, &refused, &aim);
+            /* Links that reach by less than rounding are in line. */
+            is_in_line = is_aimed && (failure.status == LINKWRIGHT_SINGULAR);
+            is_aimed = has_aim || is_in_line;
+            if (attempts == 1U) {
+                whole = failure;
+                has_whole = true;
+            }
+            refused = failure;
+            is_refused = true;
+            latest = failure.block;
+            has_latest = true;
+            if (is_end$f(&failure)) {
+                beyond = failure;
+                has_beyond = true;
+            }
+            step = has_aim ? (aim - reached) : (0.5$f * (target - reached));
+            has_succeeded = false;
+        }
+        const $real next = reached + step;
+        const bool is_repeated = is_refused && (refused.time == next) && is_aimed;
+        const bool is_distinct = (next != reached) && linkwright$f_is_finite(next) && !is_repeated;
+        goes_on = !is_in_line && (attempts < budget) && is_distinct;
+    }
+    if (!is_refused) {
+        /* Nothing stands in the way but the budget, which some block has used up. */
+        return noted$f(&way->failure, LINKWRIGHT_STEP_TOO_LARGE, 0.0$f, 0U, reached, has_latest ? latest : 0U);
+    }
+    /* Where the steps of a block have become as short, and it has no pose farther on, that is why. */
+    if (has_beyond && (refused.status == LINKWRIGHT_STEP_TOO_LARGE) && (beyond.block == refused.block)
+        && (fabs$f(step) <= refined)) {
+        const $real time = refused.time;
+        refused = beyond;
+        refused.time = time;
+    }
+    /* Written so that a way of no length, or of a length that is no number, counts as refined. */
+    const bool is_coarse = (fabs$f(step) > refined) && !is_aimed;
+    way->failure = refused;
+    if (is_end$f(&refused) && has_whole && (whole.status == LINKWRIGHT_OUT_OF_REACH)
+        && (whole.block == refused.block)) {
+        /* How much is missing at the end says more than that nothing is where the reach ends. */
+        restate$f(&way->failure, whole.status, whole.value, whole.column);
+    } else {
+        const linkwright_status status = lasting$f(refused.status, is_coarse);
+        if (status != refused.status) {
+            restate$f(&way->failure, status, 0.0$f, 0U);
+        }
+    }
+    return way->failure.status;
+}
+
+/* Goes on to a time. */
+static linkwright_status steps_to$f(Way$f *way, $real end)
+{
+    const bool is_there = way->mechanism->blocks->time(way->reached) == end;
+    return is_there ? LINKWRIGHT_OK : in_steps$f(way, end);
+}

@@ -1,0 +1,231 @@
+//! The structure that a user holds, and what the runtime is told of a mechanism.
+
+use super::block;
+use super::points::point_functions;
+use super::printer::Printer;
+use super::text::Text;
+use super::words::identifier;
+use crate::emit::module::checks::checked;
+use crate::emit::module::documentation;
+use crate::emit::module::drawing::frame_keeps_parameters;
+use crate::emit::module::needs::Needs;
+use crate::emit::module::tubes::tube_count;
+
+/// The structure that a user holds.
+pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
+    let (module, declared) = (printer.module, printer.declared());
+    let name = &printer.type_prefix;
+    let type_of = |it| printer.type_of(it);
+    let mut lines = match module.system.mechanism.motion {
+        None => documentation::of_mechanism(module.system),
+        Some(_) => documentation::of_motion(module.system),
+    };
+    lines.push(String::new());
+    lines.push(
+        "It is the caller's: on the stack, or anywhere. A failure of the last call is described in it.".to_string(),
+    );
+    text.gap();
+    text.comment(lines);
+    text.open(format!("typedef struct {name} {{"));
+    text.comment(["What came of the last call."]);
+    text.line(format!("{} failure;", printer.runtime("failure")));
+    text.comment(["The assembly modes."]);
+    text.line(format!("{} branches;", type_of("Branches")));
+    if declared.parameters {
+        text.comment([format!(
+            "The parameters that the next instant is solved with; {} changes them.",
+            printer.function("set_parameters")
+        )]);
+        text.line(format!("{} parameters;", type_of("Parameters")));
+    }
+    text.comment([format!(
+        "The rest is the runtime's; {} gives the last frame.",
+        printer.function("frame")
+    )]);
+    if declared.inputs {
+        text.line(format!("{} inputs;", type_of("Inputs")));
+        text.line(format!("{} window_inputs[2];", type_of("Inputs")));
+    }
+    text.line(format!("{} frames[2];", type_of("Frame")));
+    if tube_count(module) > 0 {
+        text.line(format!(
+            "{} tubes[{}];",
+            printer.runtime("tube"),
+            tube_count(module)
+        ));
+    }
+    text.line(format!("{} state;", printer.runtime("state")));
+    text.close(format!("}} {name};"));
+}
+
+/// Solves all blocks at one time.
+pub(super) fn solve(printer: &Printer<'_>, text: &mut Text) {
+    let module = printer.module;
+    let (frame, branches) = (printer.type_of("Frame"), printer.type_of("Branches"));
+    let mut body = Text::default();
+    body.line("at->t = conditions->t;");
+    if module.holds_coordinates() && frame_keeps_parameters(module) {
+        let parameters = printer.type_of("Parameters");
+        body.line(format!(
+            "at->parameters = *(const {parameters} *)conditions->parameters;"
+        ));
+    }
+    for block in &module.program.blocks {
+        block::call(block, printer, &mut body);
+    }
+    let checked = checked(module);
+    let all_needs = module
+        .program
+        .blocks
+        .iter()
+        .map(|block| Needs::of(block, module));
+    let finds_branch = all_needs.clone().any(|it| it.finds_branch);
+    let (reads_last, reads_branches) = (
+        all_needs.clone().any(|it| it.last),
+        all_needs.clone().any(|it| it.branches),
+    );
+    let fails = all_needs.clone().any(|it| it.fails);
+    text.gap();
+    text.comment(["Solves all blocks at one time, one after another."]);
+    text.line(format!(
+        "static linkwright_status {}(void *found, const void *before, void *modes, const {} *conditions)",
+        printer.own("solve"),
+        printer.runtime("conditions")
+    ));
+    text.open("{");
+    text.line(format!("{frame} *const at = found;"));
+    match reads_last {
+        true => text.line(format!("const {frame} *const last = before;")),
+        false => text.line("(void)before;"),
+    }
+    match (reads_branches, finds_branch) {
+        (true, true) => text.line(format!("{branches} *const branches = modes;")),
+        (true, false) => text.line(format!("const {branches} *const branches = modes;")),
+        (false, _) => text.line("(void)modes;"),
+    }
+    if fails {
+        text.line("linkwright_status status;");
+    }
+    text.gap();
+    text.append(body);
+    if module.is_large() || checked.is_empty() {
+        text.line("return LINKWRIGHT_OK;");
+    } else {
+        let fields = checked.iter().map(|&symbol| printer.field(symbol, "at"));
+        let fields: Vec<String> = fields.collect();
+        let (real, count) = (printer.real(), fields.len());
+        text.comment(["What is not finite anywhere shows in these."]);
+        text.line(format!(
+            "const {real} checked[{count}] = {{{}}};",
+            fields.join(", ")
+        ));
+        text.line(format!(
+            "return {}(checked, {count}U) ? LINKWRIGHT_OK : {}(conditions, 0U);",
+            printer.runtime("all_finite"),
+            printer.runtime("not_finite")
+        ));
+    }
+    text.close("}");
+}
+
+/// The time of a frame, and the values by which poses are compared.
+pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
+    let module = printer.module;
+    let (frame, real) = (printer.type_of("Frame"), printer.real());
+    text.gap();
+    text.line(format!(
+        "static {real} {}(const void *found)",
+        printer.own("time_of")
+    ));
+    text.open("{");
+    text.line(format!("const {frame} *const at = found;"));
+    text.line("return at->t;");
+    text.close("}");
+    let coordinates = match module.holds_coordinates() {
+        true => module.system.coordinates.as_slice(),
+        false => &[],
+    };
+    let points = point_functions(printer);
+    let count = coordinates.len() + 2 * points.len();
+    if module.program.path.is_none() || count == 0 {
+        return 0;
+    }
+    text.gap();
+    text.comment([
+        "The coordinates of a frame and the components of its points, by which poses are compared.",
+    ]);
+    text.line(format!(
+        "static {real} {}(const void *found, uint16_t index)",
+        printer.own("value_of")
+    ));
+    text.open("{");
+    text.line(format!("const {frame} *const at = found;"));
+    text.line(format!("{real} value = {};", printer.number(0.0)));
+    text.line("switch (index) {");
+    for (index, coordinate) in coordinates.iter().enumerate() {
+        text.open(format!("case {index}U:"));
+        text.line(format!("value = at->q.{};", identifier(&coordinate.name)));
+        text.line("break;");
+        text.close_without_line();
+    }
+    for (place, point) in points.iter().enumerate() {
+        for axis in 0..2 {
+            let index = coordinates.len() + 2 * place + axis;
+            text.open(format!("case {index}U:"));
+            text.line(format!("value = {point}(at).position[{axis}];"));
+            text.line("break;");
+            text.close_without_line();
+        }
+    }
+    text.open("default:");
+    text.line("break;");
+    text.close_without_line();
+    text.line("}");
+    text.line("return value;");
+    text.close("}");
+    count
+}
+
+/// What the runtime is told of the mechanism.
+pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
+    let (module, declared) = (printer.module, printer.declared());
+    let is_guarded = module.program.path.is_some();
+    let some = |is_there: bool, name: &str| match is_there {
+        true => printer.own(name),
+        false => "NULL".to_string(),
+    };
+    let inputs = match declared.inputs {
+        true => format!("sizeof({})", printer.type_of("Inputs")),
+        false => "0U".to_string(),
+    };
+    let entries = [
+        format!("sizeof({})", printer.type_of("Frame")),
+        format!("sizeof({})", printer.type_of("Branches")),
+        inputs,
+        format!("{}U", module.system.mechanism.inputs.len()),
+        is_guarded.to_string(),
+        printer.own("solve"),
+        some(declared.inputs, "inputs_are_finite"),
+        some(declared.parameters, "parameters_are_finite"),
+        some(declared.inputs, "signal"),
+        some(declared.inputs, "read_signal"),
+        printer.own("exchanged"),
+        some(is_guarded, "keeps_to_path"),
+        some(is_guarded && tube_count(module) > 0, "is_within"),
+        printer.own("time_of"),
+        format!("{values}U"),
+        some(values > 0, "value_of"),
+        some(module.program.requirements.is_some(), "not_positive"),
+    ];
+    text.gap();
+    text.comment(["What the runtime is told of the mechanism."]);
+    text.open(format!(
+        "static const {} {} = {{",
+        printer.runtime("blocks"),
+        printer.own_constant("BLOCKS")
+    ));
+    for entry in entries {
+        text.line(format!("{entry},"));
+    }
+    text.close("};");
+}

@@ -1,0 +1,315 @@
+//! The statements of a function → lines of C.
+
+use super::printer::Printer;
+use super::tables::table_name;
+use super::text::Text;
+use super::words::identifier;
+use crate::emit::module::documentation;
+use crate::emit::module::scope::Scope;
+use crate::expr::{ExprId, SymbolId};
+use crate::model::field_name;
+use crate::program::{Function, Statement};
+
+/// What writes the statements of a block that concern its Newton-Raphson.
+pub(super) type Iterated<'a> = &'a dyn Fn(&Statement, &mut Text);
+
+impl Printer<'_> {
+    /// The statements of a function without Newton-Raphson.
+    pub(super) fn plain_statements(&self, scope: &Scope<'_>, text: &mut Text) {
+        self.statements(scope, 0, &|_, _| {}, text);
+    }
+
+    /// The statements of a function, which is that of the block of this number.
+    pub(super) fn statements(
+        &self,
+        scope: &Scope<'_>,
+        block: usize,
+        iterated: Iterated<'_>,
+        text: &mut Text,
+    ) {
+        for statement in &scope.function.statements {
+            self.statement(statement, scope, block, iterated, text);
+        }
+    }
+
+    fn statement(
+        &self,
+        statement: &Statement,
+        scope: &Scope<'_>,
+        block: usize,
+        iterated: Iterated<'_>,
+        text: &mut Text,
+    ) {
+        let write = |expr: &ExprId| self.expression(*expr, scope);
+        match statement {
+            Statement::Section(_)
+            | Statement::Heading(_)
+            | Statement::Note(_)
+            | Statement::Shown { .. } => {
+                if let Some(said) = documentation::of_statement(statement, self.module) {
+                    text.comment([said]);
+                }
+            }
+            Statement::Let { target, value, .. } => {
+                let value = self.written(&scope.arithmetic_of(*target, *value), scope);
+                self.assign(*target, &value, scope, text);
+            }
+            Statement::SineCosine {
+                sine,
+                cosine,
+                angle,
+            } => {
+                let angle = write(angle);
+                let [sine, cosine] =
+                    [sine, cosine].map(|symbol| self.declare(*symbol, scope, text));
+                let call = self.runtime("sin_cos");
+                text.line(format!("{call}({angle}, &{sine}, &{cosine});"));
+            }
+            Statement::Lookup {
+                targets,
+                spline,
+                argument,
+            } => {
+                // Of its own for every lookup, since several may stand in one function.
+                let first = targets.iter().copied().flatten().next();
+                let first = first.map_or(String::new(), |it| self.symbol(it, scope));
+                let first = first
+                    .rsplit(['>', '.'])
+                    .next()
+                    .unwrap_or_default()
+                    .to_string();
+                let values = format!("{first}_found");
+                let (call, table) = (self.runtime("table_at"), table_name(self, *spline));
+                text.line(format!("{} {values}[4];", self.real()));
+                text.line(format!("{call}(&{table}, {}, {values});", write(argument)));
+                for (order, target) in targets.iter().enumerate() {
+                    if let Some(target) = target {
+                        self.assign(*target, &format!("{values}[{order}]"), scope, text);
+                    }
+                }
+            }
+            Statement::Angle {
+                target,
+                sine,
+                cosine,
+            } => {
+                let (sine, cosine) = (write(sine), write(cosine));
+                let [at, near] = ["at", "last"].map(|frame| self.field(*target, frame));
+                let call = self.runtime("angle_near");
+                text.line(format!("{at} = {call}({sine}, {cosine}, {near});"));
+            }
+            Statement::Reach {
+                excess,
+                scale,
+                distance,
+                longest,
+                shortest,
+            } => {
+                let [excess, scale, distance, longest, shortest] =
+                    [excess, scale, distance, longest, shortest].map(write);
+                let (spans, no_span) = (self.runtime("spans"), self.runtime("no_span"));
+                text.open(format!("if (!{spans}({excess}, {scale})) {{"));
+                text.line(format!(
+                    "return {no_span}({distance}, {longest}, {shortest}, conditions, {block}U);"
+                ));
+                text.close("}");
+            }
+            Statement::Nonzero { value, scale } => {
+                let [factor, unit] = [value, scale].map(|it| {
+                    let arithmetic = scope.arithmetic(*it, &[]);
+                    self.operand(&arithmetic, scope)
+                });
+                let (value, scale) = (write(value), write(scale));
+                let (spans, failed) = (self.runtime("spans"), self.runtime("singular_divisor"));
+                text.open(format!(
+                    "if (!{spans}({factor} * {factor}, {unit} * {unit})) {{"
+                ));
+                text.line(format!(
+                    "return {failed}({value}, {scale}, conditions, {block}U);"
+                ));
+                text.close("}");
+            }
+            Statement::Newton { .. } | Statement::Factorize | Statement::Solve { .. } => {
+                iterated(statement, text);
+            }
+            Statement::Signal { input, found } => self.signal(*input, found, scope, text),
+            Statement::Require { value, block } => {
+                let number = self.module.block_number(*block);
+                text.open(format!(
+                    "if (!({} >= {})) {{",
+                    write(value),
+                    self.number(0.0)
+                ));
+                text.line(format!("*block = {number}U;"));
+                text.line("return false;");
+                text.close("}");
+            }
+            Statement::Isolate {
+                blocks,
+                found,
+                bounds,
+                sizes,
+                jacobian,
+                varied,
+                variation,
+            } => {
+                let isolated = Isolated {
+                    blocks,
+                    found,
+                    bounds: bounds.iter().map(write).collect(),
+                    sizes: sizes.iter().map(write).collect(),
+                    jacobian: jacobian
+                        .iter()
+                        .map(|(place, entry)| (*place, write(entry)))
+                        .collect(),
+                    varied,
+                    variation,
+                };
+                self.isolation(&isolated, scope, text);
+            }
+        }
+    }
+
+    /// `const double name = value;`, or an assignment to a field.
+    pub(super) fn assign(&self, target: SymbolId, value: &str, scope: &Scope<'_>, text: &mut Text) {
+        let name = self.symbol(target, scope);
+        match scope.is_field(target) {
+            true => text.line(format!("{name} = {value};")),
+            false => text.line(format!("const {} {name} = {value};", self.real())),
+        }
+    }
+
+    /// What the runtime writes a value to: a field, or a local value that is declared here.
+    fn declare(&self, target: SymbolId, scope: &Scope<'_>, text: &mut Text) -> String {
+        let name = self.symbol(target, scope);
+        if !scope.is_field(target) {
+            text.line(format!("{} {name};", self.real()));
+        }
+        name
+    }
+
+    /// How far an input goes between the frames and beyond.
+    fn signal(&self, input: usize, found: &[SymbolId; 2], scope: &Scope<'_>, text: &mut Text) {
+        let name = &self.module.system.mechanism.inputs[input].name;
+        let field = identifier(&field_name(name));
+        let [values, call] = [format!("{field}_found"), self.runtime("span_signal")];
+        text.line(format!("{} {values}[2];", self.real()));
+        text.line(format!(
+            "{call}(span, &before->{field}, &inputs->{field}, {values});"
+        ));
+        for (place, symbol) in found.iter().enumerate() {
+            if scope.is_wanted(*symbol) {
+                self.assign(*symbol, &format!("{values}[{place}]"), scope, text);
+            }
+        }
+    }
+
+    /// Finds the sags of unknowns about the line that they should run along.
+    fn isolation(&self, isolated: &Isolated<'_>, scope: &Scope<'_>, text: &mut Text) {
+        let Isolated {
+            blocks,
+            found,
+            bounds,
+            sizes,
+            jacobian,
+            varied,
+            variation,
+        } = isolated;
+        let (real, order) = (self.real(), found.len());
+        let graph = &self.module.system.mechanism.graph;
+        let is_varied = |symbol: &SymbolId| {
+            let mut values = variation.values();
+            values.any(|expr| graph.symbols(expr).contains(symbol))
+        };
+        let named = found.iter().enumerate();
+        let named = named.map(|(place, symbol)| Sag {
+            place,
+            name: self.symbol(*symbol, scope),
+            is_varied: is_varied(symbol),
+            is_wanted: scope.is_wanted(*symbol),
+        });
+        let named: Vec<Sag> = named.collect();
+        for sag in named.iter().filter(|sag| sag.is_wanted) {
+            text.line(format!("{real} {};", sag.name));
+        }
+        text.open("{");
+        let numbers = blocks
+            .iter()
+            .map(|&place| format!("{}U", self.module.block_number(place)));
+        let numbers: Vec<String> = numbers.collect();
+        text.line(format!(
+            "const uint16_t blocks[{order}] = {{{}}};",
+            numbers.join(", ")
+        ));
+        text.line(format!(
+            "const {real} bounds[{order}] = {{{}}};",
+            bounds.join(", ")
+        ));
+        text.line(format!("{real} sizes[{order}] = {{{}}};", sizes.join(", ")));
+        let zero = self.number(0.0);
+        for matrix in ["jacobian", "variation"] {
+            text.line(format!(
+                "{real} {matrix}[{order}][{order}] = {{{{{zero}}}}};"
+            ));
+        }
+        text.line(format!(
+            "{real} reals[LINKWRIGHT_ISOLATION_REALS({order})];"
+        ));
+        text.line(format!("{} isolation;", self.runtime("isolation")));
+        for ([row, column], entry) in jacobian {
+            text.line(format!("jacobian[{row}][{column}] = {entry};"));
+        }
+        text.line(format!(
+            "{}(&isolation, {order}U, blocks, bounds, sizes, &jacobian[0][0], &variation[0][0], reals);",
+            self.runtime("isolate")
+        ));
+        text.open(format!(
+            "while ({}(&isolation)) {{",
+            self.runtime("isolation_asks")
+        ));
+        for sag in named.iter().filter(|sag| sag.is_varied) {
+            let declared = match sag.is_wanted {
+                true => String::new(),
+                false => format!("const {real} "),
+            };
+            text.line(format!(
+                "{declared}{} = isolation.sags[{}];",
+                sag.name, sag.place
+            ));
+        }
+        let inner = scope.inner(variation);
+        self.plain_statements(&inner, text);
+        for ([row, column], entry) in varied.iter().zip(self.results(&inner)) {
+            text.line(format!("variation[{row}][{column}] = {entry};"));
+        }
+        text.close("}");
+        text.open("if (!isolation.is_shown) {");
+        text.line("*block = isolation.block;");
+        text.line("return false;");
+        text.close("}");
+        for sag in named.iter().filter(|sag| sag.is_wanted) {
+            text.line(format!("{} = isolation.found[{}];", sag.name, sag.place));
+        }
+        text.close("}");
+    }
+}
+
+/// How far an unknown may be from its line.
+struct Sag {
+    place: usize,
+    name: String,
+    /// Whether the variation reads it, and whether somebody reads what is found.
+    is_varied: bool,
+    is_wanted: bool,
+}
+
+/// Unknowns that are to be shown to keep to their path, with the expressions written.
+struct Isolated<'a> {
+    blocks: &'a [usize],
+    found: &'a [SymbolId],
+    bounds: Vec<String>,
+    sizes: Vec<String>,
+    jacobian: Vec<([usize; 2], String)>,
+    varied: &'a [[usize; 2]],
+    variation: &'a Function,
+}

@@ -1,0 +1,48 @@
+//! Splines → constants of the runtime's table.
+
+use super::printer::Printer;
+use super::text::Text;
+use crate::emit::module::tables::{docs_of, spacing};
+use crate::expr::SplineId;
+
+/// The constant that holds a table. No other constant begins like this.
+pub(super) fn table_name(printer: &Printer<'_>, spline: SplineId) -> String {
+    let name = &printer.module.system.mechanism.graph.spline_of(spline).name;
+    printer.own_constant(&format!("TABLE_{}", name.to_uppercase()))
+}
+
+/// The tables that the code mentions.
+pub(super) fn tables(printer: &Printer<'_>, code: &Text, text: &mut Text) {
+    let system = printer.module.system;
+    let (real, zero) = (printer.real(), printer.number(0.0));
+    for (id, spline) in system.mechanism.graph.splines() {
+        let name = table_name(printer, id);
+        if !code.mentions(&name) {
+            continue;
+        }
+        let count = spline.starts.len();
+        text.gap();
+        text.comment(docs_of(id, system));
+        let starts = spline.starts.iter().map(|&start| printer.number(start));
+        let starts: Vec<String> = starts.collect();
+        text.line(format!(
+            "static const {real} {name}_STARTS[{count}] = {{{}}};",
+            starts.join(", ")
+        ));
+        text.open(format!(
+            "static const {real} {name}_PIECES[{count}][4] = {{"
+        ));
+        for piece in &spline.pieces {
+            let piece = piece.iter().map(|&it| printer.number(it));
+            let piece: Vec<String> = piece.collect();
+            text.line(format!("{{{}}},", piece.join(", ")));
+        }
+        text.close("};");
+        let optional = |value: Option<f64>| value.map_or(zero.clone(), |it| printer.number(it));
+        let (spacing, period) = (optional(spacing(&spline.starts)), optional(spline.period));
+        let table = printer.runtime("table");
+        text.line(format!(
+            "static const {table} {name} = {{{name}_STARTS, {name}_PIECES, {count}U, {spacing}, {period}}};"
+        ));
+    }
+}

@@ -1,0 +1,335 @@
+//! Which names a C file has of its own, and what names of a description become beside them.
+//!
+//! A mechanism's types, functions and constants begin with its name. What is left are fields of structures and local values, which
+//! must be no word of C or C++, no macro and no function that is called; such a name gets an underscore.
+
+use crate::diagnostic::{Code, Diagnostic};
+use crate::emit::module::Words;
+use crate::emit::rust::{self, type_name};
+use crate::model::Naming;
+use crate::syntax::Name;
+
+/// What C asks of the names of a description.
+pub const NAMING: Naming = Naming {
+    mechanism,
+    motion: rust::NAMING.motion,
+    apart,
+};
+
+/// What C asks of values.
+pub(super) const WORDS: Words = Words {
+    spelled,
+    of_functions: LOCAL_VALUES,
+    of_frames: &["t", "q", "qd", "qdd", "parameters"],
+};
+
+/// Words of C up to C23 and of C++ up to C++23.
+const KEYWORDS: &[&str] = &[
+    "alignas",
+    "alignof",
+    "and",
+    "and_eq",
+    "asm",
+    "auto",
+    "bitand",
+    "bitor",
+    "bool",
+    "break",
+    "case",
+    "catch",
+    "char",
+    "char16_t",
+    "char32_t",
+    "char8_t",
+    "class",
+    "co_await",
+    "co_return",
+    "co_yield",
+    "compl",
+    "concept",
+    "const",
+    "const_cast",
+    "consteval",
+    "constexpr",
+    "constinit",
+    "continue",
+    "decltype",
+    "default",
+    "delete",
+    "do",
+    "double",
+    "dynamic_cast",
+    "else",
+    "enum",
+    "explicit",
+    "export",
+    "extern",
+    "false",
+    "float",
+    "for",
+    "friend",
+    "goto",
+    "if",
+    "inline",
+    "int",
+    "long",
+    "mutable",
+    "namespace",
+    "new",
+    "noexcept",
+    "not",
+    "not_eq",
+    "nullptr",
+    "operator",
+    "or",
+    "or_eq",
+    "private",
+    "protected",
+    "public",
+    "register",
+    "reinterpret_cast",
+    "requires",
+    "restrict",
+    "return",
+    "short",
+    "signed",
+    "sizeof",
+    "static",
+    "static_assert",
+    "static_cast",
+    "struct",
+    "switch",
+    "template",
+    "this",
+    "thread_local",
+    "throw",
+    "true",
+    "try",
+    "typedef",
+    "typeid",
+    "typename",
+    "typeof",
+    "typeof_unqual",
+    "union",
+    "unsigned",
+    "using",
+    "virtual",
+    "void",
+    "volatile",
+    "wchar_t",
+    "while",
+    "xor",
+    "xor_eq",
+];
+
+/// Macros of the standard headers and of compilers, in lower case or short, that stand without parentheses behind them.
+const MACROS: &[&str] = &[
+    "I",
+    "NULL",
+    "EOF",
+    "NAN",
+    "INFINITY",
+    "assert",
+    "complex",
+    "errno",
+    "far",
+    "i386",
+    "imaginary",
+    "interface",
+    "isfinite",
+    "isinf",
+    "isnan",
+    "isnormal",
+    "linux",
+    "math_errhandling",
+    "near",
+    "noreturn",
+    "offsetof",
+    "signbit",
+    "small",
+    "stderr",
+    "stdin",
+    "stdout",
+    "unix",
+];
+
+/// Functions that generated code calls.
+const FUNCTIONS: &[&str] = &[
+    "sqrt", "sqrtf", "fabs", "fabsf", "floor", "floorf", "exp", "expf", "log", "logf", "pow",
+    "powf", "memcpy", "memset",
+];
+
+/// Names of types that a mechanism would share with the standard headers.
+const TYPES: &[&str] = &[
+    "I", "NULL", "EOF", "NAN", "INFINITY", "FILE", "DIR", "BUFSIZ", "RAND",
+];
+
+/// What functions are given, and what they call the runtime's answers: no local value has one of these names.
+const LOCAL_VALUES: &[&str] = &[
+    "angles",
+    "at",
+    "before",
+    "block",
+    "blocks",
+    "bounds",
+    "branches",
+    "checked",
+    "column_length",
+    "column_scales",
+    "conditions",
+    "context",
+    "equations",
+    "exchanges",
+    "factorization",
+    "found",
+    "frame",
+    "given",
+    "inputs",
+    "isolation",
+    "jacobian",
+    "last",
+    "last_q",
+    "last_qd",
+    "last_qdd",
+    "last_tears",
+    "lengths",
+    "measure",
+    "pair",
+    "parameters",
+    "q",
+    "qd",
+    "qdd",
+    "reals",
+    "response",
+    "row_length",
+    "row_scales",
+    "signal",
+    "sizes",
+    "span",
+    "status",
+    "steps",
+    "t",
+    "tears",
+    "tubes",
+    "variation",
+    // Functions and macros, which a value of the same name would hide.
+    "errno",
+    "exp",
+    "fabs",
+    "floor",
+    "linux",
+    "log",
+    "near",
+    "far",
+    "pow",
+    "sqrt",
+    "unix",
+];
+
+/// What names of rows and blocks must not be, since the generated functions have it in scope.
+const ITEMS: &[&str] = &[
+    "phi",
+    "phi_q",
+    "phi_t",
+    "gamma",
+    "drawn",
+    "monitored",
+    "requirements",
+];
+
+/// What the names of local values begin with: `sin_phi1`, `shared_1`. Words up to the first `_`.
+const PREFIXES: &[&str] = &[
+    "sin",
+    "cos",
+    "shared",
+    "argument",
+    "angle",
+    "exponential",
+    "logarithm",
+];
+
+fn mechanism(name: &Name) -> Option<Diagnostic> {
+    let (text, type_name) = (&name.text, type_name(&name.text));
+    if let Some(finding) = (rust::NAMING.mechanism)(name) {
+        return Some(finding);
+    }
+    TYPES.contains(&type_name.as_str()).then(|| {
+        let problem = format!("`{text}` would become the type `{type_name}`, which C has already");
+        let finding = Diagnostic::error(Code::NameNotAllowed, name.span, problem);
+        finding.help("give the mechanism another name")
+    })
+}
+
+fn apart(name: &str, prefix: &str) -> String {
+    let first_word = name.split('_').next().unwrap_or_default();
+    let is_taken = PREFIXES.contains(&first_word)
+        || ITEMS.contains(&name)
+        || LOCAL_VALUES.contains(&name)
+        || FUNCTIONS.contains(&name)
+        || is_word(name)
+        || !is_plain(name);
+    match is_taken {
+        true => format!("{prefix}_{name}"),
+        false => name.to_string(),
+    }
+}
+
+/// Whether a name is of letters that C knows, and begins with one.
+fn is_plain(name: &str) -> bool {
+    let is_letter = |it: char| it.is_ascii_alphanumeric() || it == '_';
+    name.chars().all(is_letter) && !name.starts_with(|it: char| it.is_ascii_digit())
+}
+
+fn is_word(name: &str) -> bool {
+    KEYWORDS.contains(&name) || MACROS.contains(&name)
+}
+
+/// A name as an identifier: a word of C, or what such a word became already, gets an underscore; what C does not know becomes its
+/// number.
+pub(super) fn identifier(name: &str) -> String {
+    let mut plain = String::with_capacity(name.len());
+    for letter in name.chars() {
+        match letter.is_ascii_alphanumeric() || letter == '_' {
+            true => plain.push(letter),
+            false => plain.push_str(&format!("u{:04x}", u32::from(letter))),
+        }
+    }
+    match is_word(plain.trim_end_matches('_')) {
+        true => plain + "_",
+        false => plain,
+    }
+}
+
+/// A wish as a name of C: `bd_square` of `|BD|^2`.
+fn spelled(wish: &str) -> String {
+    let name = (rust::WORDS.spelled)(wish);
+    identifier(&name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{apart, identifier};
+
+    #[test]
+    fn words_get_an_underscore_and_stay_apart() {
+        for (name, expected) in [
+            ("crank", "crank"),
+            ("int", "int_"),
+            ("int_", "int__"),
+            ("errno", "errno_"),
+            ("phi_int", "phi_int"),
+            ("phi_θ", "phi_u03b8"),
+            ("explicit", "explicit_"),
+        ] {
+            assert_eq!(identifier(name), expected);
+        }
+    }
+
+    #[test]
+    fn rows_do_not_hide_functions() {
+        for name in ["sqrt", "q", "phi_q", "int", "I", "sin_phi1", "7"] {
+            assert_eq!(apart(name, "row"), format!("row_{name}"));
+        }
+        assert_eq!(apart("a_x", "row"), "a_x");
+    }
+}
