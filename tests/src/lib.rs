@@ -3,6 +3,7 @@
 //! One thing per module. Nothing here asserts what a test is about; the files under `tests/` do.
 
 pub mod baseline;
+pub mod c;
 pub mod description;
 pub mod deviation;
 pub mod dyad_chain;

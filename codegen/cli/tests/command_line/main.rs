@@ -7,6 +7,7 @@ mod draw;
 mod files;
 mod folder;
 mod generate_and_inspect;
+mod generate_c;
 mod guide;
 mod motions;
 mod plan;

@@ -1,5 +1,6 @@
-//! The functions that a user calls.
+//! The functions that move a mechanism.
 
+use super::assembly;
 use super::points::Offered;
 use super::printer::Printer;
 use super::text::Text;
@@ -95,16 +96,16 @@ fn in_steps(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// What is passed to a function of the interface beside what it is always given.
-struct Given {
-    parameters: String,
-    inputs: String,
-    passed_parameters: &'static str,
-    passed_inputs: &'static str,
+pub(super) struct Given {
+    pub parameters: String,
+    pub inputs: String,
+    pub passed_parameters: &'static str,
+    pub passed_inputs: &'static str,
     any_inputs: &'static str,
 }
 
 impl Given {
-    fn of(printer: &Printer<'_>) -> Given {
+    pub(super) fn of(printer: &Printer<'_>) -> Given {
         let declared = printer.declared();
         let argument = |is_there: bool, kind: &str, name: &str| match is_there {
             true => format!("const {} *{name}", printer.type_of(kind)),
@@ -125,14 +126,14 @@ impl Given {
 }
 
 /// Arguments without those that do not exist.
-fn listed(arguments: &[&str]) -> String {
+pub(super) fn listed(arguments: &[&str]) -> String {
     let given = arguments.iter().filter(|it| !it.is_empty()).copied();
     given.collect::<Vec<_>>().join(", ")
 }
 
 /// The functions that assemble and move the mechanism.
 pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
-    let mut offered = assemblies(printer);
+    let mut offered = assembly::offered(printer);
     offered.extend(motion(printer));
     if printer.declared().parameters {
         offered.push(set_parameters(printer));
@@ -140,186 +141,19 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     offered
 }
 
-fn function(printer: &Printer<'_>, lines: &[&str], name: &str, arguments: &[&str]) -> Offered {
+/// A function that can fail, without its body.
+pub(super) fn function(
+    printer: &Printer<'_>,
+    lines: &[&str],
+    name: &str,
+    arguments: &[&str],
+) -> Offered {
     let name = printer.function(name);
     Offered {
         lines: lines.iter().map(|line| line.to_string()).collect(),
         declaration: format!("linkwright_status {name}({})", listed(arguments)),
         body: Text::default(),
     }
-}
-
-fn assemblies(printer: &Printer<'_>) -> Vec<Offered> {
-    let (given, real) = (Given::of(printer), printer.real());
-    let mechanism = format!("{} *mechanism", printer.type_prefix);
-    let coordinates = format!("const {} *estimate", printer.type_of("Coordinates"));
-    let branches = format!("const {} *branches", printer.type_of("Branches"));
-    let settings = format!("const {} *settings", printer.runtime("settings"));
-    let time = format!("{real} t");
-    let default = format!("&LINKWRIGHT{}_SETTINGS", printer.suffix().to_uppercase());
-    let [drawn, drawn_branches] =
-        ["DRAWN", "DRAWN_BRANCHES"].map(|it| format!("&{}", printer.constant(it)));
-    let nominal = match given.parameters.is_empty() {
-        true => String::new(),
-        false => format!("&{}", printer.nominal_constant()),
-    };
-    let with = printer.function("assemble_with");
-    let call = |arguments: &[&str]| format!("return {with}({});", listed(arguments));
-
-    let mut assemble = function(
-        printer,
-        &["Assembles the mechanism at time t (s) as it is drawn."],
-        "assemble",
-        &[&mechanism, &time, &given.inputs],
-    );
-    assemble.body.line(call(&[
-        "mechanism",
-        &nominal,
-        &drawn,
-        &drawn_branches,
-        "t",
-        given.passed_inputs,
-        &default,
-    ]));
-    let mut on = function(
-        printer,
-        &["The same in other modes than the drawing's."],
-        "assemble_on",
-        &[&mechanism, &branches, &time, &given.inputs],
-    );
-    on.body.line(call(&[
-        "mechanism",
-        &nominal,
-        &drawn,
-        "branches",
-        "t",
-        given.passed_inputs,
-        &default,
-    ]));
-    let mut from = function(
-        printer,
-        &[
-            "The same in the drawing's modes, with angles near those of an estimate, a measured pose for example.",
-        ],
-        "assemble_from",
-        &[&mechanism, &coordinates, &time, &given.inputs, &settings],
-    );
-    from.body.line(call(&[
-        "mechanism",
-        &nominal,
-        "estimate",
-        &drawn_branches,
-        "t",
-        given.passed_inputs,
-        "settings",
-    ]));
-    let mut all = vec![assemble, on, from];
-    if !given.parameters.is_empty() {
-        all.push(assemble_for(
-            printer,
-            &given,
-            &mechanism,
-            &time,
-            &drawn_branches,
-            &default,
-        ));
-    }
-    all.push(assemble_with(
-        printer,
-        &given,
-        [&mechanism, &coordinates, &branches, &time, &settings],
-    ));
-    all
-}
-
-/// Assembles the drawing of other parameters.
-fn assemble_for(
-    printer: &Printer<'_>,
-    given: &Given,
-    mechanism: &str,
-    time: &str,
-    branches: &str,
-    settings: &str,
-) -> Offered {
-    let mut offered = function(
-        printer,
-        &["Assembles the mechanism of these parameters at time t (s) as it is drawn."],
-        "assemble_for",
-        &[mechanism, &given.parameters, time, &given.inputs],
-    );
-    let (with, coordinates) = (
-        printer.function("assemble_with"),
-        printer.type_of("Coordinates"),
-    );
-    let pose = match printer.module.program.drawn.is_some() {
-        true => {
-            let drawn = printer.function("drawn");
-            offered
-                .body
-                .line(format!("const {coordinates} pose = {drawn}(parameters);"));
-            "&pose".to_string()
-        }
-        false => format!("&{}", printer.constant("DRAWN")),
-    };
-    let arguments = listed(&[
-        "mechanism",
-        "parameters",
-        &pose,
-        branches,
-        "t",
-        given.passed_inputs,
-        settings,
-    ]);
-    offered.body.line(format!("return {with}({arguments});"));
-    offered
-}
-
-/// Assembles with everything given.
-fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> Offered {
-    let [mechanism, coordinates, branches, time, settings] = arguments;
-    let mut offered = function(
-        printer,
-        &[
-            "Assembles the mechanism at time t (s) in these modes, with angles near those of an estimate. Where a block needs",
-            "Newton-Raphson, it starts from there, and the estimate may be poor.",
-        ],
-        "assemble_with",
-        &[
-            mechanism,
-            &given.parameters,
-            coordinates,
-            branches,
-            time,
-            &given.inputs,
-            settings,
-        ],
-    );
-    let (parts, own) = (printer.runtime("mechanism"), printer.own("parts_of"));
-    let (allow, assemble) = (printer.runtime("allow"), printer.runtime("assemble"));
-    let body = &mut offered.body;
-    body.line(format!("const {parts} parts = {own}(mechanism);"));
-    body.line("linkwright_status status;");
-    body.gap();
-    body.line("mechanism->state.settings = *settings;");
-    body.line("mechanism->branches = *branches;");
-    for name in [given.passed_parameters, given.passed_inputs] {
-        if !name.is_empty() {
-            body.line(format!("mechanism->{name} = *{name};"));
-        }
-    }
-    body.line(format!("status = {allow}(&parts, parts.parameters, t);"));
-    body.open("if (status == LINKWRIGHT_OK) {");
-    let passed = listed(&[
-        "&mechanism->frames[1]",
-        "estimate",
-        given.passed_parameters,
-        "t",
-    ]);
-    body.line(format!("{}({passed});", printer.own("set_estimate")));
-    body.line(format!("status = {assemble}(&parts, t);"));
-    body.close("}");
-    body.line("return status;");
-    offered
 }
 
 fn motion(printer: &Printer<'_>) -> Vec<Offered> {
@@ -410,37 +244,6 @@ fn set_parameters(printer: &Printer<'_>) -> Offered {
     body.close("}");
     body.line("return status;");
     offered
-}
-
-/// The pose in the drawing of given parameters, where they change it.
-pub(super) fn drawn_pose(printer: &Printer<'_>) -> Option<Offered> {
-    let function = printer.module.program.drawn.as_ref()?;
-    let coordinates = printer.type_of("Coordinates");
-    let mut body = Text::default();
-    body.line(format!(
-        "{} found[{}];",
-        printer.real(),
-        function.results.len()
-    ));
-    body.line(format!("{coordinates} pose;"));
-    body.line(format!("{}(parameters, found);", printer.own("drawn")));
-    for (place, coordinate) in printer.module.system.coordinates.iter().enumerate() {
-        let name = super::words::identifier(&coordinate.name);
-        body.line(format!("pose.{name} = found[{place}];"));
-    }
-    body.line("return pose;");
-    Some(Offered {
-        lines: vec![
-            "The pose in the drawing of these parameters, from which the mechanism is assembled."
-                .to_string(),
-        ],
-        declaration: format!(
-            "{coordinates} {}(const {} *parameters)",
-            printer.function("drawn"),
-            printer.type_of("Parameters")
-        ),
-        body,
-    })
 }
 
 impl Printer<'_> {

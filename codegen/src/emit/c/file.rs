@@ -4,8 +4,8 @@ use super::printer::Printer;
 use super::text::Text;
 use super::words::WORDS;
 use super::{
-    api, block, block_names, coordinates, frame, newton, normalized_determinant, parameters, path,
-    points, runtime, sensitivity, shell, tables, textbook, transmission,
+    api, assembly, block, block_names, coordinates, frame, newton, normalized_determinant,
+    parameters, path, points, runtime, sensitivity, shell, tables, textbook, transmission,
 };
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
@@ -41,7 +41,7 @@ pub fn texts(motions: &[(System, SolvedPlan, Program)], stem: &str, scalar: Scal
 /// The functions that a user may call, in the order in which they are declared.
 fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
     let mut all = api::offered(printer);
-    all.extend(api::drawn_pose(printer));
+    all.extend(assembly::drawn_pose(printer));
     all.extend(points::offered(printer));
     all.extend(transmission::offered(printer));
     all.extend(sensitivity::offered(printer));

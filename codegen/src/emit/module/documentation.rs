@@ -1,12 +1,14 @@
 //! What a module offers → the sentences of its documentation, as lines of prose that no language has marked up yet.
 
+mod responses;
+
+pub(in crate::emit) use responses::{of_quantity, of_sensitivity, of_transmission};
+
 use super::Module;
 use crate::emit::derivation::SingularPose;
 use crate::emit::{Notation, text};
-use crate::joint::Quantity;
 use crate::model::Dimension;
-use crate::program::{Block, NewtonBlock, SensitiveQuantity, Sensitivity, Statement, Transmission};
-use crate::program::{Level, Output};
+use crate::program::{Block, Level, NewtonBlock, Output, Statement};
 use crate::system::{Cause, Described, Pressure, Row, System, Unknown};
 
 /// The longest line of documentation that is not broken, in characters.
@@ -316,108 +318,4 @@ fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> String {
         .map(|(index, name)| format!("{index} `{name}`"))
         .collect();
     names.join(", ")
-}
-
-/// What a transmission is: its rates, and its forces.
-pub(in crate::emit) fn of_transmission(
-    transmission: &Transmission,
-    system: &System,
-) -> [Vec<String>; 2] {
-    let Transmission { what, rows, .. } = transmission;
-    let is_point = rows.len() == 2;
-    let unit = |quantity: Quantity| match quantity {
-        Quantity::Length => "m".to_string(),
-        Quantity::Angle => "rad".to_string(),
-        Quantity::Power(0) => "1".to_string(),
-        Quantity::Power(exponent) => format!("m^{exponent}"),
-    };
-    let drivers = system.driven().map(|(_, joint, quantity)| {
-        let unit = format!("{}/{}", unit(rows[0]), unit(quantity));
-        format!("`{}` ({unit})", system.mechanism.joints[joint].label)
-    });
-    let listed: Vec<String> = drivers
-        .enumerate()
-        .map(|(column, driver)| format!("{column} {driver}"))
-        .collect();
-    let shape = if is_point { "Rows: x, y. " } else { "" };
-    let rates = vec![
-        format!(
-            "The rate of {what} per unit rate of each driver, so that the rate is this matrix times the rates of the drivers."
-        ),
-        String::new(),
-        format!("{shape}Columns: {}.", listed.join(", ")),
-    ];
-    let load = match (is_point, rows[0]) {
-        (true, _) => format!("a force (N) at {what}"),
-        (false, Quantity::Angle) => format!("a torque (N·m) on {what}"),
-        (false, _) => format!("a force (N) along {what}"),
-    };
-    let forces = vec![format!(
-        "What {load} does to each driver: the forces (N; for angles torques, N·m) along the drivers with the same power, which is the transposed transmission times the load. A driver that holds the load pushes back with as much."
-    )];
-    [rates, forces]
-}
-
-/// What the sensitivity of all coordinates is.
-pub(in crate::emit) fn of_sensitivity(
-    sensitivity: &Sensitivity,
-    module: &Module<'_>,
-) -> Vec<String> {
-    let [parameter, unit] = parameter(sensitivity, module);
-    vec![
-        format!("How all coordinates and their rates depend on the parameter {parameter}:"),
-        format!("∂q/∂{parameter} and ∂q̇/∂{parameter}, where {parameter} is in {unit}."),
-    ]
-}
-
-/// One function of the sensitivity of a point or a coordinate: its name, and what it is.
-pub(in crate::emit) fn of_quantity(
-    sensitivity: &Sensitivity,
-    quantity: &SensitiveQuantity,
-    module: &Module<'_>,
-) -> Vec<(String, String)> {
-    let [parameter, unit] = parameter(sensitivity, module);
-    let SensitiveQuantity { name, what, .. } = quantity;
-    let own = &sensitivity.name;
-    if quantity.components.len() == 2 {
-        return vec![match quantity.levels.len() {
-            2 => (
-                format!("point_{name}_sensitivity_{own}"),
-                format!(
-                    "How position and velocity of {what} depend on the parameter {parameter}, which is in {unit}."
-                ),
-            ),
-            _ => (
-                format!("point_{name}_position_sensitivity_{own}"),
-                format!(
-                    "How the position of {what} depends on the parameter {parameter}, which is in {unit}: in m per unit of it."
-                ),
-            ),
-        }];
-    }
-    let measured = match quantity.components[0] {
-        Quantity::Angle => "rad",
-        _ => "m",
-    };
-    let levels = [
-        ("", "coordinate", ""),
-        ("_rate", "rate of the coordinate", "/s"),
-    ];
-    let levels = levels.into_iter().take(quantity.levels.len());
-    levels
-        .map(|(suffix, what, per_second)| {
-            (
-                format!("{name}{suffix}_sensitivity_{own}"),
-                format!(
-                    "How the {what} {name} depends on the parameter {parameter}, which is in {unit}: in {measured}{per_second} per unit of it."
-                ),
-            )
-        })
-        .collect()
-}
-
-/// `L2` and `m`, as texts name them.
-fn parameter(sensitivity: &Sensitivity, module: &Module<'_>) -> [String; 2] {
-    let own = &module.system.mechanism.parameters[sensitivity.parameter];
-    [own.name.clone(), own.dimension.unit()]
 }

@@ -1,0 +1,104 @@
+//! *A description* → *what is asked of its modules*.
+
+use std::fmt::Write as _;
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::{Language, Options, OutputFile, Scalar, generate_files};
+
+/// Both scalars, with what their modules are called.
+pub const SCALARS: [(&str, Scalar); 2] = [("f64", Scalar::F64), ("f32", Scalar::F32)];
+
+/// A mechanism, or several motions of one, and the calls of each.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// What files and modules are called.
+    pub name: String,
+    /// The description.
+    pub source: Source,
+    /// The calls, a line each: a letter and numbers, as [`script`] writes them.
+    pub script: String,
+}
+
+/// How many numbers a call has that stand for inputs; every signal takes three of them in turn.
+pub const INPUTS: usize = 18;
+
+/// A motion of many small steps, of large ones, back, and beyond what can be reached; assemblies in other modes, from estimates that are
+/// off, and of other parameters.
+pub fn script(end: f64) -> String {
+    let mut text = String::new();
+    let mut call = |letter: char, t: f64, number: f64| {
+        let _ = write!(text, "{letter} {:x} {:x}", t.to_bits(), number.to_bits());
+        for place in 0..INPUTS {
+            let phase = t + place as f64;
+            let value = match place % 3 {
+                0 => 0.03 * phase.sin(),
+                1 => 0.03 * phase.cos(),
+                _ => -0.03 * phase.sin(),
+            };
+            let _ = write!(text, " {:x}", value.to_bits());
+        }
+        text.push('\n');
+    };
+    call('a', 0.0, 0.0);
+    for step in 1..=100 {
+        call('v', end * f64::from(step) / 100.0, 0.0);
+    }
+    for (t, number) in [
+        (0.7, 0.0),
+        (0.1, 0.0),
+        (1.0, 0.0),
+        (0.3, 0.0),
+        (5.0, 0.0),
+        (25.0, 0.0),
+        (0.2, 0.0),
+    ] {
+        call('v', t * end, number);
+    }
+    call('x', 0.5 * end, 0.0);
+    for mode in 0..4 {
+        call('b', 0.0, f64::from(mode));
+        call('v', 0.02 * end, 0.0);
+        call('v', 3.0 * end, 0.0);
+    }
+    for off in [1e-3, 0.05, 0.4, 2.0] {
+        call('e', 0.1 * end, off);
+        call('v', 0.11 * end, 0.0);
+    }
+    for factor in [1.01, 1.2, 0.0, -1.0, 3.0] {
+        call('a', 0.0, 0.0);
+        call('p', 0.0, factor);
+        call('v', 0.01 * end, 0.0);
+        call('v', 0.02 * end, 0.0);
+        call('f', 0.03 * end, factor);
+    }
+    call('v', f64::NAN, 0.0);
+    call('a', 0.0, 0.0);
+    call('v', f64::INFINITY, 0.0);
+    call('v', 1e6, 0.0);
+    text
+}
+
+impl Case {
+    /// The calls of [`script`] on a description.
+    pub fn new(name: &str, source: Source, end: f64) -> Case {
+        Case {
+            name: name.to_string(),
+            source,
+            script: script(end),
+        }
+    }
+
+    /// The files of the module in a language.
+    ///
+    /// # Panics
+    /// If the description has errors.
+    pub fn files(&self, language: Language, scalar: Scalar) -> Vec<OutputFile> {
+        let options = Options {
+            scalar,
+            ..Options::default()
+        };
+        let generated = generate_files(&self.source, language, &self.name, &options);
+        let generated = generated.unwrap_or_else(|found| panic!("{}", found.render(&self.source)));
+        generated.files
+    }
+}

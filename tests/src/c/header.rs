@@ -1,0 +1,169 @@
+//! *A generated header* → *the functions that can be called*, so that a program calls all of them.
+
+/// A motion of a mechanism as its header declares it.
+#[derive(Clone, Debug)]
+pub struct Declared {
+    /// What its functions begin with: `four_bar`.
+    pub prefix: String,
+    /// What its types begin with: `FourBar`.
+    pub type_name: String,
+    /// The motion, where there are several.
+    pub motion: Option<String>,
+    /// How many coordinates there are.
+    pub coordinates: usize,
+    /// Whether frames hold them.
+    pub holds_coordinates: bool,
+    /// How many parameters and inputs there are.
+    pub parameters: usize,
+    pub inputs: usize,
+    /// The fields of the assembly modes.
+    pub modes: Vec<String>,
+    /// The functions of a frame, and those of the textbook view.
+    pub of_frame: Vec<OfFrame>,
+    pub textbook: Vec<Textbook>,
+}
+
+/// A function of a frame: its name without the prefix, and what it returns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OfFrame {
+    pub name: String,
+    pub returned: Returned,
+}
+
+/// What a function of a frame returns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Returned {
+    Number,
+    Pair,
+    Motion,
+    Optional,
+    Matrix(usize, usize),
+    /// The forces of a load, which is a vector or not.
+    Forces(bool, usize),
+    Sensitivity,
+    PointSensitivity,
+    Determinant,
+    Determinants(usize),
+}
+
+/// A function of the textbook view, and how many numbers it writes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Textbook {
+    pub name: String,
+    pub sizes: Vec<usize>,
+}
+
+/// The header with every declaration on a line, and without comments.
+fn flattened(header: &str) -> Vec<String> {
+    let mut code = String::new();
+    let mut rest = header;
+    while let Some((before, comment)) = rest.split_once("/*") {
+        code.push_str(before);
+        rest = comment.split_once("*/").map_or("", |(_, after)| after);
+    }
+    code.push_str(rest);
+    let code: Vec<&str> = code.lines().filter(|line| !line.starts_with('#')).collect();
+    let code = code.join(" ");
+    let words: Vec<&str> = code.split_whitespace().collect();
+    words
+        .join(" ")
+        .split(';')
+        .map(|it| it.trim().to_string())
+        .collect()
+}
+
+/// The numbers in brackets: 2 and 3 of `found[2][3])`.
+fn sizes(declaration: &str) -> Vec<usize> {
+    let parts = declaration.split('[').skip(1);
+    parts
+        .filter_map(|it| it.split(']').next()?.parse().ok())
+        .collect()
+}
+
+/// How many fields a structure of this name has, and what they are called; none where there is none.
+fn fields(lines: &[String], name: &str) -> Vec<String> {
+    let opening = format!("typedef struct {name} {{");
+    let Some(start) = lines.iter().position(|line| line.contains(&opening)) else {
+        return Vec::new();
+    };
+    let mut found = Vec::new();
+    for line in &lines[start..] {
+        if line.starts_with('}') {
+            break;
+        }
+        let field = line.rsplit(' ').next().unwrap_or_default();
+        found.push(field.split('[').next().unwrap_or_default().to_string());
+    }
+    found
+}
+
+/// What a header declares of the motion whose types begin so.
+pub fn declared(
+    header: &str,
+    prefix: &str,
+    type_name: &str,
+    shared: &str,
+    motion: Option<&str>,
+) -> Declared {
+    let lines = flattened(header);
+    let frame = fields(&lines, &format!("{type_name}Frame"));
+    let modes = fields(&lines, &format!("{type_name}Branches"));
+    let mut of_frame = Vec::new();
+    let mut textbook = Vec::new();
+    for line in &lines {
+        let Some((head, arguments)) = line.split_once('(') else {
+            continue;
+        };
+        let Some(name) = head
+            .rsplit([' ', '*'])
+            .next()
+            .and_then(|it| it.strip_prefix(prefix)?.strip_prefix('_'))
+        else {
+            continue;
+        };
+        let name = name.to_string();
+        if arguments.starts_with(&format!("const {type_name}Coordinates *q,")) {
+            textbook.push(Textbook {
+                name,
+                sizes: sizes(arguments),
+            });
+            continue;
+        }
+        if !arguments.starts_with(&format!("const {type_name}Frame *frame")) {
+            continue;
+        }
+        let size = sizes(arguments);
+        let returned = head.split(' ').next().unwrap_or_default();
+        let returned = match (returned, size.as_slice()) {
+            ("double" | "float", _) => Returned::Number,
+            ("bool", _) => Returned::Optional,
+            ("void", [2]) if !arguments.contains("normalized") && !name.starts_with("forces_") => {
+                Returned::Pair
+            }
+            ("void", [rows, columns]) if name.starts_with("transmission_") => {
+                Returned::Matrix(*rows, *columns)
+            }
+            ("void", [2, number]) if name.starts_with("forces_") => Returned::Forces(true, *number),
+            ("void", [number]) if name.starts_with("forces_") => Returned::Forces(false, *number),
+            ("void", [number]) => Returned::Determinants(*number),
+            (it, _) if it.ends_with("_point_motion") => Returned::Motion,
+            (it, _) if it.ends_with("_normalized_determinant") => Returned::Determinant,
+            (it, _) if it.ends_with("PointSensitivity") => Returned::PointSensitivity,
+            (it, _) if it.ends_with("Sensitivity") => Returned::Sensitivity,
+            _ => panic!("a function of a frame that is not known: {line}"),
+        };
+        of_frame.push(OfFrame { name, returned });
+    }
+    Declared {
+        prefix: prefix.to_string(),
+        type_name: type_name.to_string(),
+        motion: motion.map(str::to_string),
+        coordinates: fields(&lines, &format!("{type_name}Coordinates")).len(),
+        holds_coordinates: frame.iter().any(|field| field == "qdd"),
+        parameters: fields(&lines, &format!("{shared}Parameters")).len(),
+        inputs: fields(&lines, &format!("{type_name}Inputs")).len(),
+        modes: modes.into_iter().filter(|mode| mode != "none").collect(),
+        of_frame,
+        textbook,
+    }
+}

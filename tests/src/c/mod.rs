@@ -1,0 +1,11 @@
+//! *Descriptions* → *what their C and their Rust modules make of the same calls*, number by number as bits.
+//!
+//! Both are generated as a user would, compiled, and run with one script: the C files by every C compiler of the machine, the Rust modules
+//! in a package of their own under the target folder. The programs print every number of every frame as its bits.
+
+pub mod case;
+pub mod elementary;
+pub mod header;
+pub mod program_c;
+pub mod program_rust;
+pub mod run;
