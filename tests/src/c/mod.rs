@@ -5,7 +5,7 @@
 
 pub mod case;
 pub mod elementary;
-pub mod header;
-pub mod program_c;
-pub mod program_rust;
+mod header;
+mod program_c;
+mod program_rust;
 pub mod run;

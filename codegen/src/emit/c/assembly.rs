@@ -15,8 +15,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let settings = format!("const {} *settings", printer.runtime("settings"));
     let time = format!("{real} t");
     let default = format!("&LINKWRIGHT{}_SETTINGS", printer.suffix().to_uppercase());
-    let [drawn, drawn_branches] =
-        ["DRAWN", "DRAWN_BRANCHES"].map(|it| format!("&{}", printer.constant(it)));
+    let drawn_branches = format!("&{}", printer.constant("DRAWN_BRANCHES"));
     let nominal = match given.parameters.is_empty() {
         true => String::new(),
         false => format!("&{}", printer.nominal_constant()),
@@ -30,10 +29,11 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
         "assemble",
         &[&mechanism, &time, &given.inputs],
     );
+    let pose = drawn(printer, &nominal, &mut assemble.body);
     assemble.body.line(call(&[
         "mechanism",
         &nominal,
-        &drawn,
+        &pose,
         &drawn_branches,
         "t",
         given.passed_inputs,
@@ -45,10 +45,11 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
         "assemble_on",
         &[&mechanism, &branches, &time, &given.inputs],
     );
+    let pose = drawn(printer, &nominal, &mut on.body);
     on.body.line(call(&[
         "mechanism",
         &nominal,
-        &drawn,
+        &pose,
         "branches",
         "t",
         given.passed_inputs,
@@ -105,20 +106,8 @@ fn assemble_for(
         "assemble_for",
         &[mechanism, &given.parameters, time, &given.inputs],
     );
-    let (with, coordinates) = (
-        printer.function("assemble_with"),
-        printer.type_of("Coordinates"),
-    );
-    let pose = match printer.module.program.drawn.is_some() {
-        true => {
-            let drawn = printer.function("drawn");
-            offered
-                .body
-                .line(format!("const {coordinates} pose = {drawn}(parameters);"));
-            "&pose".to_string()
-        }
-        false => format!("&{}", printer.constant("DRAWN")),
-    };
+    let with = printer.function("assemble_with");
+    let pose = drawn(printer, "parameters", &mut offered.body);
     let arguments = listed(&[
         "mechanism",
         "parameters",
@@ -130,6 +119,18 @@ fn assemble_for(
     ]);
     offered.body.line(format!("return {with}({arguments});"));
     offered
+}
+
+/// The pose in the drawing of parameters: where they change it, one that is computed here.
+fn drawn(printer: &Printer<'_>, parameters: &str, body: &mut Text) -> String {
+    match printer.module.program.drawn.is_some() {
+        true => {
+            let (coordinates, drawn) = (printer.type_of("Coordinates"), printer.function("drawn"));
+            body.line(format!("const {coordinates} pose = {drawn}({parameters});"));
+            "&pose".to_string()
+        }
+        false => format!("&{}", printer.constant("DRAWN")),
+    }
 }
 
 /// Assembles with everything given.
