@@ -191,7 +191,11 @@ impl Scope<'_> {
             (whole, 1) if whole <= LARGEST_PRODUCT => {
                 vec![base(); whole.unsigned_abs() as usize]
             }
-            (1, 2) => vec![Arithmetic::Call(Elementary::Sqrt, vec![base()])],
+            (odd, 2) if odd / 2 <= LARGEST_PRODUCT => {
+                let mut factors = vec![base(); (odd / 2).unsigned_abs() as usize];
+                factors.push(Arithmetic::Call(Elementary::Sqrt, vec![base()]));
+                factors
+            }
             _ => {
                 let exponent = Arithmetic::Number(power.exponent.to_f64());
                 vec![Arithmetic::Call(Elementary::Power, vec![base(), exponent])]

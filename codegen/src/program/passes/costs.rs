@@ -108,9 +108,9 @@ impl Operations {
         for Power { exponent, .. } in powers {
             match (exponent.numerator(), exponent.denominator()) {
                 (whole, 1) if whole <= LARGEST_PRODUCT => factors += whole.unsigned_abs() as usize,
-                (1, 2) => {
+                (odd, 2) if odd / 2 <= LARGEST_PRODUCT => {
                     self.square_roots += 1;
-                    factors += 1;
+                    factors += 1 + (odd / 2).unsigned_abs() as usize;
                 }
                 _ => {
                     self.exponentials += 1;
