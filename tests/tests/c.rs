@@ -205,8 +205,12 @@ fn mechanisms_of_both_scalars_are_one_program_of_cpp() {
 fn hostile_names_are_compiled() {
     let place = folder("names");
     let text = "mechanism signal {
-        param int = 100mm, errno = 30mm, I = 20mm, sqrt = 250mm;
-        input double = 0, stdin = 0;
+        param int = 100mm;
+        param errno = 30mm;
+        param I = 20mm;
+        param sqrt = 250mm;
+        input double = 0;
+        input stdin = 0;
         point NULL = (0, 0), main = (0.3, 0), register = (0.1, 0);
         body float at (0, 0) { NULL, typedef: (errno, 0) }
         body class at (0.03, 0) { typedef: (0, 0), while: (sqrt, 0), I: (I, int) }
@@ -382,4 +386,66 @@ fn the_guide_is_true() {
         run(Command::new("gcc").args(c).current_dir(&sketch))
             .unwrap_or_else(|error| panic!("{error}"));
     }
+}
+
+/// The number that a constant of Rust or of C is written as: a literal, or a quotient of two.
+fn value(text: &str) -> Option<f64> {
+    let plain = text.replace(['_', ' ', '(', ')', 'U'], "");
+    let number = |it: &str| -> Option<f64> {
+        let it = it.trim_end_matches("asf64").trim_end_matches('f');
+        it.parse().ok()
+    };
+    match plain.split_once('/') {
+        Some((above, below)) => Some(number(above)? / number(below)?),
+        None => number(&plain),
+    }
+}
+
+/// Every threshold of the C runtime that has the name of one of Rust has its value, too.
+#[test]
+fn thresholds_are_those_of_rust() {
+    let page = files::repository().join("runtime/src/thresholds.md");
+    let page = fs::read_to_string(page).expect("the page of thresholds");
+    let mut rust = std::collections::BTreeMap::new();
+    for line in page.lines().filter(|line| line.contains("`runtime/src/")) {
+        let mut cells = line.split('|').map(|it| it.trim().trim_matches('`'));
+        if let (Some(_), Some(name), Some(text)) = (cells.next(), cells.next(), cells.next()) {
+            rust.entry(name.to_string())
+                .or_insert_with(Vec::new)
+                .extend(value(text));
+        }
+    }
+    let place = folder("thresholds");
+    write(
+        &place,
+        &description::source("two_body"),
+        "two_body",
+        Scalar::F64,
+    );
+    let source = fs::read_to_string(place.join("linkwright.c")).expect("the runtime");
+    let mut compared = 0;
+    for line in source.lines() {
+        let (name, text) = if let Some(rest) = line.strip_prefix("static const double ") {
+            let Some((name, text)) = rest.split_once(" = ") else {
+                continue;
+            };
+            (name, text.trim_end_matches(';'))
+        } else if let Some((name, text)) = line
+            .strip_prefix("#define ")
+            .and_then(|it| it.split_once(' '))
+        {
+            (name, text)
+        } else {
+            continue;
+        };
+        let expected = rust.get(name).filter(|it| !it.is_empty());
+        if let (Some(expected), Some(found)) = (expected, value(text)) {
+            assert!(
+                expected.contains(&found),
+                "{name}: {expected:?} in Rust, {found} in C"
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared >= 20, "{compared}");
 }

@@ -250,14 +250,15 @@ const PREFIXES: &[&str] = &[
 
 fn mechanism(name: &Name) -> Option<Diagnostic> {
     let (text, type_name) = (&name.text, type_name(&name.text));
-    if let Some(finding) = (rust::NAMING.mechanism)(name) {
-        return Some(finding);
-    }
-    TYPES.contains(&type_name.as_str()).then(|| {
-        let problem = format!("`{text}` would become the type `{type_name}`, which C has already");
-        let finding = Diagnostic::error(Code::NameNotAllowed, name.span, problem);
-        finding.help("give the mechanism another name")
-    })
+    let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
+        format!("`{text}` gives no name for a type")
+    } else if TYPES.contains(&type_name.as_str()) {
+        format!("`{text}` would become the type `{type_name}`, which C has already")
+    } else {
+        return None;
+    };
+    let finding = Diagnostic::error(Code::NameNotAllowed, name.span, problem);
+    Some(finding.help("give the mechanism another name"))
 }
 
 fn apart(name: &str, prefix: &str) -> String {
