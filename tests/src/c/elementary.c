@@ -101,6 +101,10 @@ int main(void)
         add_float(cosine);
         add_float(linkwrightf_atan2(of_short_bits(bits), 1.0f));
         add_float(linkwrightf_atan2(-1.0f, of_short_bits(bits)));
+        add_float(linkwrightf_exp(of_short_bits(bits)));
+        add_float(linkwrightf_exp(-of_short_bits(bits)));
+        add_double(linkwright_exp((double)of_short_bits(bits) * 1.1));
+        add_double(linkwright_exp((double)of_short_bits(bits) * -1.1));
     }
     printf("%016" PRIx64 "\n", digest);
     digest = 0xcbf29ce484222325U;

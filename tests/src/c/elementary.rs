@@ -78,6 +78,10 @@ pub fn digests() -> [u64; 3] {
         dense.single(cosine);
         dense.single(single::atan2(x, 1.0));
         dense.single(single::atan2(-1.0, x));
+        dense.single(single::exp(x));
+        dense.single(single::exp(-x));
+        dense.double(double::exp(f64::from(x) * 1.1));
+        dense.double(double::exp(f64::from(x) * -1.1));
     }
     let mut odd = Digest {
         state: 0,

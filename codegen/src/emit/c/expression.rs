@@ -112,7 +112,7 @@ impl Printer<'_> {
             Elementary::Sin => self.runtime("sin"),
             Elementary::Cos => self.runtime("cos"),
             Elementary::Atan2 => self.runtime("atan2"),
-            Elementary::Exp => format!("exp{suffix}"),
+            Elementary::Exp => self.runtime("exp"),
             Elementary::Ln => format!("log{suffix}"),
             Elementary::Floor => format!("floor{suffix}"),
             Elementary::Abs => format!("fabs{suffix}"),

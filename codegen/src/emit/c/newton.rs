@@ -11,6 +11,9 @@ use crate::joint::Quantity;
 use crate::program::{Block, Function, NewtonBlock, Statement};
 use crate::system::Unknown;
 
+/// A level of the motion of an unknown, and the vector that it is handed over in.
+type Level = (fn(&Unknown) -> SymbolId, &'static str);
+
 /// The unknowns of a block.
 fn tears<'a>(newton: &NewtonBlock, printer: &Printer<'a>) -> Vec<&'a Unknown> {
     let unknowns = newton.unknowns.iter();
@@ -235,8 +238,7 @@ fn solve(
 ) {
     let tears = tears(newton, printer);
     let (real, order, name) = (printer.real(), tears.len(), printer.own(&block.name));
-    type Level = fn(&Unknown) -> SymbolId;
-    let of: [(Level, &str); 3] = [
+    let of: [Level; 3] = [
         (|it| it.position, "q"),
         (|it| it.rate, "qd"),
         (|it| it.acceleration, "qdd"),

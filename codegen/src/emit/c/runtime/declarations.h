@@ -250,6 +250,8 @@ $real linkwright$f_sin($real angle);
 $real linkwright$f_cos($real angle);
 /* The angle in (-π, π] of the vector (x, y), within 2 ulp. */
 $real linkwright$f_atan2($real y, $real x);
+/* The exponential function, within 1 ulp. */
+$real linkwright$f_exp($real x);
 /* The angle with this sine and cosine, or a common positive multiple of them, that is nearest to another one (rad).
    */
 $real linkwright$f_angle_near($real sine, $real cosine, $real near_angle);

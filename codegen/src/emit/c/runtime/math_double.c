@@ -188,3 +188,40 @@ static const double SCALE_OF_TINY = 1152921504606846976.0;
 static const double COSINES[8] = {
     1.0, 0.7071067811865476, 0.0, -0.7071067811865476, -1.0, -0.7071067811865476, 0.0, 0.7071067811865476,
 };
+
+/* The exponential function: x less a multiple of ln 2 that leaves little, in two parts, into a rational function of a minimax
+   polynomial, with the coefficients of FDLIBM (K. C. Ng, 1993), which are those of the Rust runtime. */
+double linkwright_exp(double x)
+{
+    const uint64_t size = bits_of(fabs(x)) >> 32;
+    const int sign = (signbit(x) != 0) ? -1 : 1;
+    int power = 0;
+    if (!(fabs(x) <= DBL_MAX)) {
+        /* Infinite, or no number: below zero nothing is left. */
+        return (sign < 0) && (isnan(x) == 0) ? 0.0 : x;
+    }
+    if (x > 709.782712893383973096) {
+        return HUGE_VAL;
+    }
+    if (x < -745.13321910194110842) {
+        return 0.0;
+    }
+    if (size > 0x3fd62e42U) {
+        power = sign;
+        if (size >= 0x3ff0a2b2U) {
+            power = (int)((1.44269504088896338700e+00 * x) + ((sign < 0) ? -0.5 : 0.5));
+        }
+    } else if (size <= 0x3e300000U) {
+        return 1.0 + x;
+    } else {
+        /* It is within ln 2 / 2 of zero. */
+    }
+    const double high = x - ((double)power * 6.93147180369123816490e-01);
+    const double low = (double)power * 1.90821492927058770002e-10;
+    const double rest = high - low;
+    const double square = rest * rest;
+    const double c = rest - (square * (1.66666666666666019037e-01 + (square * (-2.77777777770155933842e-03 + (square * (6.61375632143793436117e-05
+        + (square * (-1.65339022054652515390e-06 + (square * 4.13813679705723846039e-08)))))))));
+    const double y = 1.0 + (((rest * c) / (2.0 - c) - low) + high);
+    return (power == 0) ? y : ldexp(y, power);
+}

@@ -145,3 +145,39 @@ static const float SCALE_OF_TINYf = 1152921504606846976.0f;
 static const float COSINESf[8] = {
     1.0f, 0.70710677f, 0.0f, -0.70710677f, -1.0f, -0.70710677f, 0.0f, 0.70710677f,
 };
+
+/* The exponential function: x less a multiple of ln 2 that leaves little, in two parts, into a rational function of a minimax
+   polynomial, with the coefficients of FDLIBM (K. C. Ng, 1993), which are those of the Rust runtime. */
+float linkwrightf_exp(float x)
+{
+    const uint32_t size = bits_off(fabsf(x));
+    const int sign = (signbit(x) != 0) ? -1 : 1;
+    int power = 0;
+    if (!(fabsf(x) <= FLT_MAX)) {
+        /* Infinite, or no number: below zero nothing is left. */
+        return (sign < 0) && (isnan(x) == 0) ? 0.0f : x;
+    }
+    if (x >= 88.722839f) {
+        return HUGE_VALF;
+    }
+    if (x <= -103.972084f) {
+        return 0.0f;
+    }
+    if (size > 0x3eb17218U) {
+        power = sign;
+        if (size > 0x3f851592U) {
+            power = (int)((1.4426950216e+00f * x) + ((sign < 0) ? -0.5f : 0.5f));
+        }
+    } else if (size <= 0x39000000U) {
+        return 1.0f + x;
+    } else {
+        /* It is within ln 2 / 2 of zero. */
+    }
+    const float high = x - ((float)power * 6.9314575195e-01f);
+    const float low = (float)power * 1.4286067653e-06f;
+    const float rest = high - low;
+    const float square = rest * rest;
+    const float c = rest - (square * (1.6666625440e-1f + (square * -2.7667332906e-3f)));
+    const float y = 1.0f + (((rest * c) / (2.0f - c) - low) + high);
+    return (power == 0) ? y : ldexpf(y, power);
+}

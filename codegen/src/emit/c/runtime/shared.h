@@ -3,8 +3,8 @@
  *
  * It is C99, and C++ as far as this file goes. It allocates nothing, holds no state of its own and calls itself nowhere;
  * the work of every call is bounded. Names that begin with linkwright_ are for double, those with linkwrightf_ for float.
- * Of the standard library it takes memcpy, and of <math.h> what is exact (sqrt, floor, round, fabs, copysign) and, where
- * a description has them, exp, log and pow.
+ * Of the standard library it takes memcpy, and of <math.h> what is exact (sqrt, floor, round, fabs, copysign, ldexp) and,
+ * where a description has them, log and pow.
  *
  * The same bits everywhere: every operation is one of IEEE 754, in the order in which it is written. The compiler must
  * neither contract a product and a sum into one operation nor reorder them. Clang reads the pragma in the .c files.
