@@ -3,6 +3,12 @@
 /// What is less than this beside one is rounding.
 const ROUNDING: f64 = 1e-12;
 
+/// Sizes from the one to below the other are written without an exponent.
+const PLAIN: [f64; 2] = [1e-3, 1e7];
+
+/// How many digits are written.
+const DIGITS: i32 = 6;
+
 /// The number as text, with a minus sign as it is printed.
 pub fn number(value: f64) -> String {
     plain(value).replace('-', "−")
@@ -29,7 +35,7 @@ fn plain(value: f64) -> String {
     if size < ROUNDING {
         return "0".to_string();
     }
-    if !(1e-3..1e7).contains(&size) {
+    if !(PLAIN[0]..PLAIN[1]).contains(&size) {
         let text = format!("{value:.5e}");
         return match text.split_once('e') {
             Some((significand, exponent)) => format!("{}e{exponent}", shortened(significand)),
@@ -37,7 +43,7 @@ fn plain(value: f64) -> String {
         };
     }
     let before = size.log10().floor() as i32 + 1;
-    let decimals = (6 - before).max(0) as usize;
+    let decimals = (DIGITS - before).max(0) as usize;
     shortened(&format!("{value:.decimals$}")).to_string()
 }
 
