@@ -2,15 +2,15 @@
 
 use std::fmt::Write as _;
 
-use linkwright::{Equations as _, PointMotion};
+use linkwright::PointMotion;
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::emit::mathml::symbol;
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::{SymbolRole, System};
-use linkwright_solver::condition::{Condition, jacobian};
+use linkwright_solver::condition::Condition;
+use linkwright_solver::first_step::{FirstStep, first_step as first_step_from};
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::textbook::TextbookEquations;
 use linkwright_solver::view::View as _;
 use nalgebra::{DMatrix, DVector};
 
@@ -80,21 +80,21 @@ pub fn unit(quantity: Quantity) -> &'static str {
 
 /// The equation of the first Newton-Raphson step at `t`, from the pose of an instant before.
 pub fn first_step(system: &System, instant: &Instant, t: f64) -> String {
-    let textbook = TextbookEquations::new(system);
-    let q = DVector::from_column_slice(instant.q());
-    let matrix = jacobian(&textbook, &q, t);
-    let mut residual = DVector::zeros(q.len());
-    textbook.residual(&q, t, &mut residual);
+    let FirstStep {
+        jacobian: matrix,
+        residual,
+        correction: step,
+        ..
+    } = first_step_from(system, instant.q(), t);
     let right = -residual;
     let scale = right.amax().max(1.0);
     let right = right.map(|it| if it.abs() < ROUNDING * scale { 0.0 } else { it });
-    let step = matrix.clone().lu().solve(&right);
     let mut text = format!(
         "<p>From the pose at t = {} s, for t = {} s: <math><msub><mi mathvariant=\"normal\">Φ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></msub><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo><mspace width=\"0.15em\"/><mi mathvariant=\"normal\">Δ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></math> = <math><mo>−</mo><mi mathvariant=\"normal\">Φ</mi><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo></math>, in numbers</p>\n",
         number(instant.t()),
         number(t)
     );
-    text += &match q.len() <= LARGEST_MATRIX {
+    text += &match right.len() <= LARGEST_MATRIX {
         true => full(&matrix, &right, step.as_ref(), system),
         false => sparse(&matrix, &right, step.as_ref(), system),
     };
