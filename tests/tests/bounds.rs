@@ -101,7 +101,7 @@ fn nested_formulas_are_printed_as_graphs() {
                 let formats = [
                     derivation::text(&system, &plan, Notation::Ascii),
                     derivation::latex(&system, &plan),
-                    latex::inspect(&system, &[]),
+                    latex::inspect(&[(&system, Vec::new())]),
                 ];
                 let module = generate(&source)
                     .unwrap_or_else(|errors| panic!("{formula}: {}", errors.render(&source)));

@@ -531,7 +531,7 @@ fn contacts_are_printed_and_written_as_a_person_would() {
     ] {
         assert!(unicode.contains(line), "{line} in {unicode}");
     }
-    let typeset = latex::inspect(system, &[]);
+    let typeset = latex::inspect(&[(system, Vec::new())]);
     assert!(typeset.contains("\\cos s_{\\mathrm{tip}}"), "{typeset}");
     let code = linkwright_codegen::generate(&source)
         .expect("no errors")

@@ -243,7 +243,7 @@ fn digest(bytes: &[u8]) -> Outcome {
     assert!(check_all(&read.motions).is_err());
     for system in &read.motions {
         let printed = emit::text::inspect(system, emit::Notation::Unicode);
-        assert!(!printed.is_empty() && !emit::latex::inspect(system, &[]).is_empty());
+        assert!(!printed.is_empty() && !emit::latex::inspect(&[(system, Vec::new())]).is_empty());
     }
     Outcome::Undetermined
 }

@@ -159,7 +159,7 @@ fn a_long_choice_is_written_once() {
 fn the_typeset_pages_are_balanced() {
     for name in PAGES {
         let mut system = system(name);
-        let inspected = latex::inspect(&system, &[]);
+        let inspected = latex::inspect(&[(&system, Vec::new())]);
         let plan = structure::plan(&mut system).expect("a plan");
         let derived = derivation::latex(&system, &plan);
         for page in [inspected, derived] {

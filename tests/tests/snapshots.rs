@@ -29,7 +29,7 @@ fn unicode(name: &str) -> String {
 }
 
 fn typeset(name: &str) -> String {
-    latex::inspect(&description::system(name), &[])
+    latex::inspect(&[(&description::system(name), Vec::new())])
 }
 
 /// The equations of the mechanism of this name in one form.

@@ -21,12 +21,6 @@ use crate::terminal;
 pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
     let source = source(&arguments.file)?;
     let wanted = arguments.motion.as_deref();
-    let print_one: fn(&System) -> String = match arguments.format {
-        Format::Text => |system| equations(system, Notation::Ascii),
-        Format::Unicode => |system| equations(system, Notation::Unicode),
-        Format::Latex => |system| emit::latex::inspect(system, &poses_in_latex(system)),
-        Format::Rust => |_| String::new(),
-    };
     let text = match (arguments.format, wanted) {
         (Format::Rust, None) => {
             let module = written(&source, Language::Rust, "", &Options::default())?;
@@ -38,11 +32,23 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
                     .to_string(),
             ));
         }
-        // Every page begins with the name of its motion.
-        _ => {
+        (format, _) => {
             let motions = motions(&source, wanted)?;
-            let pages: Vec<String> = motions.iter().map(print_one).collect();
-            pages.join("\n")
+            // Every page begins with the name of its motion.
+            let pages = |notation| {
+                let pages = motions.iter().map(|system| equations(system, notation));
+                pages.collect::<Vec<_>>().join("\n")
+            };
+            match format {
+                Format::Unicode => pages(Notation::Unicode),
+                Format::Latex => {
+                    let with_poses = motions
+                        .iter()
+                        .map(|system| (system, poses_in_latex(system)));
+                    emit::latex::inspect(&with_poses.collect::<Vec<_>>())
+                }
+                Format::Text | Format::Rust => pages(Notation::Ascii),
+            }
         }
     };
     let text = match (arguments.format, terminal::columns()) {

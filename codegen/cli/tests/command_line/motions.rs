@@ -32,7 +32,9 @@ fn inspect_shows_every_motion_under_its_name_or_one() {
         .run("inspect a.mech --format latex")
         .exits_with(0)
         .stdout;
-    assert_eq!(latex.matches("% mechanism crank, motion").count(), 2);
+    let title = "\\section*{Mechanism crank, motion";
+    assert_eq!(latex.matches(title).count(), 2);
+    assert_eq!(latex.matches("\\documentclass").count(), 1);
     let rust = folder
         .run("inspect a.mech --format rust")
         .exits_with(0)

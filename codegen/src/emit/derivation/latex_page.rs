@@ -1,13 +1,13 @@
 //! A derivation → a LaTeX document.
 
 use super::document::{DisplayedEquation, Document, Item, OutlineLine};
-use crate::emit::latex::lines::{CLOSING, Line, displayed, opening};
+use crate::emit::latex::lines::{Line, displayed, document as latex_document, title};
 
 /// The whole document; it needs amsmath and nothing else.
 pub(super) fn page(document: &Document) -> String {
     let mut text = format!(
         "{}{}\n\n{}",
-        opening(&document.name),
+        title(&document.name),
         document.summary,
         outline(&document.outline)
     );
@@ -20,8 +20,7 @@ pub(super) fn page(document: &Document) -> String {
             }
         }
     }
-    text.push_str(CLOSING);
-    text
+    latex_document(&text)
 }
 
 fn outline(lines: &[OutlineLine]) -> String {

@@ -1,7 +1,7 @@
-//! A system → a LaTeX document with its equations.
+//! Systems → a LaTeX document with their equations.
 
 use super::super::formula::Printer;
-use super::lines::{CLOSING, Line, displayed, fit_in_a_row, opening, width};
+use super::lines::{self, Line, displayed, fit_in_a_row, title, width};
 use super::spelling::{Latex, escaped};
 use crate::emit::derivation::SingularPose;
 use crate::emit::named_parts::NamedParts;
@@ -14,15 +14,24 @@ const LARGEST_MATRIX: usize = 12;
 /// An equation: its left side, its right side, and where it comes from.
 type Equation = [String; 3];
 
-/// The coordinates, Φ, Φ_q, Φ_t and γ of a system, its points, and the singular poses of its blocks, with formulas in LaTeX.
-pub fn inspect(system: &System, poses: &[SingularPose]) -> String {
+/// The coordinates, Φ, Φ_q, Φ_t and γ of each system, its points, and the singular poses of its blocks, with formulas in LaTeX.
+pub fn inspect(systems: &[(&System, Vec<SingularPose>)]) -> String {
+    let pages: Vec<String> = systems
+        .iter()
+        .map(|(system, poses)| page(system, poses))
+        .collect();
+    lines::document(&pages.join("\\clearpage\n"))
+}
+
+/// What the document says of one system.
+fn page(system: &System, poses: &[SingularPose]) -> String {
     let mut system = system.clone();
     let parts = &NamedParts::of_rows(&mut system);
     let names = Printer::new(&system, &[], Latex);
     let coordinates: Vec<String> = (0..system.coordinates.len())
         .map(|index| names.symbol(SymbolRole::Position(index)))
         .collect();
-    let mut text = opening(&escaped(&system.mechanism.title()));
+    let mut text = title(&escaped(&system.mechanism.title()));
     let listed: Vec<String> = coordinates.iter().map(|it| format!("${it}$")).collect();
     text.push_str(&format!(
         "The coordinates $\\mathbf{{q}}$ are {}.\n",
@@ -72,7 +81,6 @@ pub fn inspect(system: &System, poses: &[SingularPose]) -> String {
         "Singular poses, by the determinant of each block up to its sign",
         &poses.join("\n"),
     ));
-    text.push_str(CLOSING);
     text
 }
 

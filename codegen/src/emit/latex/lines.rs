@@ -27,8 +27,8 @@ pub(in crate::emit) struct Line<'a> {
     pub note: &'a str,
 }
 
-/// What stands before the text of every document; it needs amsmath and nothing else.
-pub(in crate::emit) fn opening(name: &str) -> String {
+/// A whole document; it needs amsmath and nothing else.
+pub(in crate::emit) fn document(text: &str) -> String {
     format!(
         "\\documentclass[a4paper,10pt]{{article}}\n\
          \\usepackage{{amsmath}}\n\
@@ -42,12 +42,15 @@ pub(in crate::emit) fn opening(name: &str) -> String {
          \\allowdisplaybreaks\n\
          \\begin{{document}}\n\
          \\raggedright\n\
-         \\section*{{Mechanism {name}}}\n"
+         {text}\
+         \\end{{document}}\n"
     )
 }
 
-/// What ends a document.
-pub(in crate::emit) const CLOSING: &str = "\\end{document}\n";
+/// The heading of a mechanism.
+pub(in crate::emit) fn title(name: &str) -> String {
+    format!("\\section*{{Mechanism {name}}}\n")
+}
 
 /// Displayed equations, aligned at their signs.
 pub(in crate::emit) fn displayed<'a>(equations: impl IntoIterator<Item = Line<'a>>) -> String {
