@@ -106,11 +106,12 @@ fn broken(formula: &str, room: usize) -> String {
     let breaks = breaks(&parts, room);
     let is_inside = breaks.iter().any(|it| it.depth > 0);
     let mut text = String::with_capacity(formula.len());
+    let mut next = breaks.iter().map(|it| it.place).peekable();
     for (place, part) in parts.iter().enumerate() {
         if place > 0 {
             text.push(' ');
         }
-        if breaks.iter().any(|it| it.place == place) {
+        if next.next_if_eq(&place).is_some() {
             text.push_str("\\\\\n  &\\quad ");
         }
         text.push_str(part);
@@ -158,11 +159,13 @@ fn breaks(parts: &[&str], room: usize) -> Vec<Break> {
         if total - start <= room {
             return breaks;
         }
-        let ahead = || possible.iter().filter(move |it| it.before > start);
-        let fitting = ahead().filter(|it| (room / EARLIEST..=room).contains(&(it.before - start)));
+        let ahead = |least: usize| possible.partition_point(|it| it.before < start + least);
+        let fitting = &possible[ahead(room / EARLIEST)..ahead(room + 1)];
         // The shallowest one, and of those the last one; where none is early enough, the next one.
-        let best = fitting.min_by_key(|it| (it.depth, usize::MAX - it.before));
-        match best.or_else(|| ahead().next()) {
+        let best = fitting
+            .iter()
+            .min_by_key(|it| (it.depth, usize::MAX - it.before));
+        match best.or_else(|| possible.get(ahead(1))) {
             Some(next) => breaks.push(*next),
             None => return breaks,
         }
