@@ -117,7 +117,7 @@ fn frames_and_failures_have_the_bits_of_rust() {
     let found = differences(&folder, &files::repository(), &cases);
     let found = found.unwrap_or_else(|error| panic!("{error}"));
     assert!(found.is_empty(), "{}", found.join("\n"));
-    // Otherwise nothing would have been looked at: frames, and every kind of failure that mechanisms like these have.
+    // Otherwise nothing would have been looked at: frames, and the kinds of failure that mechanisms like these have.
     let (mut frames, mut failures) = (0, std::collections::BTreeMap::new());
     for path in files::with_extension(&folder.join("answers"), "rust") {
         let text = fs::read_to_string(&path).expect("answers");
@@ -132,8 +132,8 @@ fn frames_and_failures_have_the_bits_of_rust() {
         cases.len()
     );
     assert!(frames > 10_000, "{frames}");
-    for status in ["1", "6", "7", "8", "9", "10"] {
-        assert!(failures.contains_key(status), "{failures:?}");
+    for status in ["1", "6", "7", "8", "10"] {
+        assert!(failures.contains_key(status), "no {status} in {failures:?}");
     }
 }
 
