@@ -186,19 +186,20 @@ impl Scope<'_> {
 
     /// The factors that a power is written as.
     fn power(&self, power: &Power) -> Vec<Arithmetic> {
-        let base = || self.arithmetic(power.base, &[]);
+        // Made once: nested powers would otherwise be walked as a tree that doubles with each level.
+        let base = self.arithmetic(power.base, &[]);
         match (power.exponent.numerator(), power.exponent.denominator()) {
             (whole, 1) if whole <= LARGEST_PRODUCT => {
-                vec![base(); whole.unsigned_abs() as usize]
+                vec![base; whole.unsigned_abs() as usize]
             }
             (odd, 2) if odd / 2 <= LARGEST_PRODUCT => {
-                let mut factors = vec![base(); (odd / 2).unsigned_abs() as usize];
-                factors.push(Arithmetic::Call(Elementary::Sqrt, vec![base()]));
+                let mut factors = vec![base.clone(); (odd / 2).unsigned_abs() as usize];
+                factors.push(Arithmetic::Call(Elementary::Sqrt, vec![base]));
                 factors
             }
             _ => {
                 let exponent = Arithmetic::Number(power.exponent.to_f64());
-                vec![Arithmetic::Call(Elementary::Power, vec![base(), exponent])]
+                vec![Arithmetic::Call(Elementary::Power, vec![base, exponent])]
             }
         }
     }
