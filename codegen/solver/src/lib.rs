@@ -28,6 +28,7 @@ pub mod schedule;
 pub mod search;
 pub mod supplied;
 pub mod textbook;
+mod torn;
 pub mod trajectory;
 pub mod view;
 pub mod warnings;

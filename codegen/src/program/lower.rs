@@ -195,9 +195,7 @@ pub fn forms_of(system: &mut System, plan: &SolvedPlan) -> Vec<Vec<Arc<dyn Form>
     blocks
         .map(|block| {
             let parts = block.parts.iter();
-            parts
-                .map(|part| recognize(part, &system.vector_form, &mut system.mechanism.graph))
-                .collect()
+            parts.map(|part| recognize(part, system)).collect()
         })
         .collect()
 }

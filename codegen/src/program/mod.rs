@@ -21,6 +21,7 @@ mod prose;
 mod requirements;
 mod sensitivities;
 mod stretch;
+mod tearing;
 mod textbook;
 mod transmissions;
 
@@ -36,6 +37,7 @@ pub use passes::costs::{LARGEST_PRODUCT, Operations};
 pub use path::Path;
 pub use requirements::Requirements;
 pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};
+pub use tearing::{Tearing, Torn};
 pub use textbook::{LARGEST_TEXTBOOK, Textbook};
 pub use transmissions::Transmission;
 

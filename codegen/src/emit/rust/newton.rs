@@ -10,9 +10,10 @@ use super::module::{Module, only};
 use super::names::identifier;
 use super::scope::{Place, Reads, Scope};
 use super::textbook::{Length, length, scales};
+use super::torn;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
-use crate::program::{Block, Function, Lengths, NewtonBlock, Statement};
+use crate::program::{Block, Function, Lengths, NewtonBlock, Statement, Torn};
 use crate::system::Unknown;
 
 /// A type with the equations of every Newton block.
@@ -177,6 +178,15 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
             #angles
         }
     };
+    let tearing = torn::implementation(&name, &lifetime, newton, module);
+    let tearing = match tearing.is_empty() {
+        true => tearing,
+        false => {
+            let capitals = lints::capitals(&tearing);
+            let approximate = lints::approximate(&tearing);
+            quote!(#capitals #approximate #tearing)
+        }
+    };
     let (capitals, approximate) = (
         lints::capitals(&implementation),
         lints::approximate(&implementation),
@@ -184,6 +194,7 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     quote! {
         #title #declaration #capitals #approximate #implementation
         ::linkwright::equations!(#name, #borrowed #size);
+        #tearing
     }
 }
 
@@ -193,7 +204,7 @@ fn local(symbol: SymbolId, module: &Module<'_>) -> Ident {
 }
 
 /// Whether code mentions a name.
-fn mentions(code: &str, name: &str) -> bool {
+pub(super) fn mentions(code: &str, name: &str) -> bool {
     code.split(|character: char| !(character.is_alphanumeric() || character == '_'))
         .any(|word| word == name)
 }
@@ -216,14 +227,16 @@ pub(super) fn statement(
         return TokenStream::new();
     };
     match statement {
-        Statement::Newton { measure, .. } => solve(index, block, newton, *measure, scope),
+        Statement::Newton { measure, torn, .. } => {
+            solve(index, block, newton, (*measure, torn.as_ref()), scope)
+        }
         Statement::Factorize => factorize(index, block, newton, scope),
         _ => TokenStream::new(),
     }
 }
 
 /// The equations with what they read.
-fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
+pub(super) fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
     let name = type_name(block);
     let reads = reads(newton, module);
     let reads_parameters = reads.parameters || scales_follow(newton, module);
@@ -242,7 +255,7 @@ fn solve(
     index: usize,
     block: &Block,
     newton: &NewtonBlock,
-    measure: Option<[SymbolId; 2]>,
+    (measure, torn): (Option<[SymbolId; 2]>, Option<&Torn>),
     scope: &Scope<'_>,
 ) -> TokenStream {
     let module = scope.module;
@@ -281,6 +294,14 @@ fn solve(
             )
         }
     };
+    let solved = match torn {
+        Some(torn) => torn::solve(number, &mode, block, (newton, torn), scope),
+        None => quote! {
+            let equations = #equations;
+            let tears = block::#call(&equations, &tears, conditions.start, &mut branches.#mode, conditions.t, conditions.settings #passed)
+                .map_err(|failure| failure.in_block(#number))?;
+        },
+    };
     quote! {
         #declared
         let tears = kinematics::Frame {
@@ -289,9 +310,7 @@ fn solve(
             qd: Vector::from([#(#last_qd),*]),
             qdd: Vector::from([#(#last_qdd),*]),
         };
-        let equations = #equations;
-        let tears = block::#call(&equations, &tears, conditions.start, &mut branches.#mode, conditions.t, conditions.settings #passed)
-            .map_err(|failure| failure.in_block(#number))?;
+        #solved
         [#(#q),*] = tears.q.data.0[0];
         [#(#qd),*] = tears.qd.data.0[0];
         [#(#qdd),*] = tears.qdd.data.0[0];

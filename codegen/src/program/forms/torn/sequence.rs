@@ -1,0 +1,234 @@
+//! Equations and unknowns → a sequence of closed forms that finds all unknowns but a few, the tears.
+//!
+//! Of all sequences with the fewest tears the one is taken that costs the fewest operations, and of equal ones the first. What is
+//! nearly singular in the drawing is none. The search is bounded: tears are tried one by one, and pairs of them where some equation
+//! holds both. Deliberately unknown here: how a sequence is solved.
+
+use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
+
+use super::two_pins::TwoPins;
+use crate::expr::ExprId;
+use crate::program::forms::{Candidate, Form, closed};
+use crate::program::tearing::MOST_TEARS;
+
+/// About how many operations a closed form takes in one evaluation, with its derivative by a tear: of two equations, of one, and of a
+/// link with two pins.
+const COSTS: [usize; 3] = [60, 40, 20];
+
+/// The most unknowns among which tears are looked for.
+const LARGEST_TORN: usize = 256;
+
+/// How a part is solved with its tears given.
+#[derive(Clone, Debug)]
+pub(in crate::program::forms) struct Sequence {
+    /// The tears, unknowns of the vector form.
+    pub tears: Vec<usize>,
+    /// In the order in which they can be computed.
+    pub steps: Vec<Step>,
+    /// As many as tears, in order.
+    pub remaining: Vec<Remaining>,
+}
+
+/// What finds some unknowns.
+#[derive(Clone, Debug)]
+pub(in crate::program::forms) enum Step {
+    /// A closed form.
+    Closed(Arc<dyn Form>),
+    /// A link between two pins that are known: it points from one to the other, and its length remains to be met.
+    TwoPins(TwoPins),
+}
+
+/// What remains to be met.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::program::forms) enum Remaining {
+    /// An equation of the part, by its place.
+    Equation(usize),
+    /// The length of the link of a step, by its place, and the place of its first equation.
+    Length { step: usize, equation: usize },
+}
+
+/// One equation, or the two components of a vector equation.
+#[derive(Clone, Debug)]
+struct Item {
+    equations: Vec<usize>,
+    mentions: BTreeSet<usize>,
+}
+
+/// The sequences of a part.
+pub(super) struct Search<'a, 'b> {
+    candidate: &'a mut Candidate<'b>,
+    items: Vec<Item>,
+    /// What has been tried to solve an item for its open unknowns; only looked up.
+    tried: HashMap<(usize, Vec<usize>), Option<Step>>,
+}
+
+impl<'a, 'b> Search<'a, 'b> {
+    pub fn new(candidate: &'a mut Candidate<'b>) -> Search<'a, 'b> {
+        let items = items(candidate);
+        Search {
+            candidate,
+            items,
+            tried: HashMap::new(),
+        }
+    }
+
+    /// The sequences with the fewest tears, the cheapest first.
+    pub fn sequences(&mut self) -> Vec<Sequence> {
+        let unknowns = self.candidate.unknowns.to_vec();
+        if unknowns.len() > LARGEST_TORN {
+            return Vec::new();
+        }
+        for count in 1..=MOST_TEARS {
+            // A sequence of one step saves nothing.
+            if unknowns.len() < count + 2 {
+                break;
+            }
+            let choices = self.choices(&unknowns, count).into_iter();
+            let mut found: Vec<(usize, Sequence)> =
+                choices.filter_map(|tears| self.with(tears)).collect();
+            found.sort_by_key(|(cost, _)| *cost);
+            if !found.is_empty() {
+                return found.into_iter().map(|(_, sequence)| sequence).collect();
+            }
+        }
+        Vec::new()
+    }
+
+    /// The tears that are tried.
+    fn choices(&self, unknowns: &[usize], count: usize) -> Vec<Vec<usize>> {
+        match count {
+            1 => unknowns.iter().map(|&it| vec![it]).collect(),
+            _ => {
+                let pairs = self.items.iter().flat_map(|item| {
+                    let own: Vec<usize> = item.mentions.iter().copied().collect();
+                    let pair = |at: usize| {
+                        let others = own[at + 1..].iter();
+                        others.map(|&other| [own[at], other]).collect::<Vec<_>>()
+                    };
+                    (0..own.len()).flat_map(pair).collect::<Vec<_>>()
+                });
+                let pairs: BTreeSet<[usize; 2]> = pairs.collect();
+                pairs.into_iter().map(Vec::from).collect()
+            }
+        }
+    }
+
+    /// What follows from these tears, with its cost; `None` where not everything does.
+    fn with(&mut self, tears: Vec<usize>) -> Option<(usize, Sequence)> {
+        let mut known: BTreeSet<usize> = tears.iter().copied().collect();
+        let mut left: Vec<usize> = (0..self.items.len()).collect();
+        let (mut steps, mut remaining, mut cost) = (Vec::new(), Vec::new(), 0);
+        while !left.is_empty() {
+            if remaining.len() > tears.len() {
+                return None;
+            }
+            let open =
+                |item: &Item| -> Vec<usize> { item.mentions.difference(&known).copied().collect() };
+            // Closed forms first: a link between two known pins leaves an equation, which something else may not.
+            let found = [false, true].into_iter().find_map(|by_length| {
+                (0..left.len()).find_map(|at| {
+                    let item = &self.items[left[at]];
+                    let (equations, open) = (item.equations.len(), open(item));
+                    match (equations, open.len(), by_length) {
+                        (_, 0, false) => Some((at, None)),
+                        (1, 1, false) | (2, 2, false) | (2, 1, true) => {
+                            let step = self.step(left[at], open)?;
+                            Some((at, Some(step)))
+                        }
+                        _ => None,
+                    }
+                })
+            });
+            let (at, step) = found?;
+            let item = &self.items[left.remove(at)];
+            match step {
+                None => remaining.extend(item.equations.iter().map(|&it| Remaining::Equation(it))),
+                Some(step) => {
+                    cost += match (&step, item.equations.len()) {
+                        (Step::TwoPins(_), _) => COSTS[2],
+                        (Step::Closed(_), 1) => COSTS[1],
+                        (Step::Closed(_), _) => COSTS[0],
+                    };
+                    if let Step::TwoPins(_) = step {
+                        let equation = item.equations[0];
+                        let step = steps.len();
+                        remaining.push(Remaining::Length { step, equation });
+                    }
+                    known.extend(step.unknowns());
+                    steps.push(step);
+                }
+            }
+        }
+        let is_whole = self.candidate.unknowns.iter().all(|it| known.contains(it));
+        (is_whole && remaining.len() == tears.len()).then_some((
+            cost,
+            Sequence {
+                tears,
+                steps,
+                remaining,
+            },
+        ))
+    }
+
+    /// How an item is solved for its open unknowns.
+    fn step(&mut self, item: usize, open: Vec<usize>) -> Option<Step> {
+        let Search {
+            candidate,
+            items,
+            tried,
+        } = self;
+        let equations = &items[item].equations;
+        let key = (item, open);
+        if let Some(known) = tried.get(&key) {
+            return known.clone();
+        }
+        let step = match (&equations[..], &key.1[..]) {
+            (&[x, y], &[unknown]) => TwoPins::of([x, y], unknown, candidate).map(Step::TwoPins),
+            (equations, open) => closed(equations, open, candidate).map(Step::Closed),
+        };
+        tried.insert(key, step.clone());
+        step
+    }
+}
+
+impl Step {
+    /// What it finds.
+    pub fn unknowns(&self) -> Vec<usize> {
+        match self {
+            Step::Closed(form) => form.unknowns(),
+            Step::TwoPins(link) => vec![link.angle],
+        }
+    }
+}
+
+/// The equations one by one, but the components of vector equations together.
+fn items(candidate: &Candidate<'_>) -> Vec<Item> {
+    let count = candidate.equations.len();
+    let row = |at: usize| &candidate.form.rows[candidate.rows[at]];
+    let own: BTreeSet<usize> = candidate.unknowns.iter().copied().collect();
+    let mentions = |equation: ExprId| {
+        let mentioned = candidate.form.mentioned(equation, candidate.graph);
+        mentioned
+            .into_iter()
+            .filter(|it| own.contains(it))
+            .collect::<BTreeSet<usize>>()
+    };
+    let (mut items, mut at) = (Vec::new(), 0);
+    while at < count {
+        let is_pair = at + 1 < count && row(at).joint == row(at + 1).joint && {
+            let components = [row(at).component, row(at + 1).component];
+            components == ["x", "y"]
+        };
+        let equations: Vec<usize> = (at..at + 1 + usize::from(is_pair)).collect();
+        at += equations.len();
+        let mentioned = equations
+            .iter()
+            .flat_map(|&it| mentions(candidate.equations[it]));
+        items.push(Item {
+            mentions: mentioned.collect(),
+            equations,
+        });
+    }
+    items
+}
