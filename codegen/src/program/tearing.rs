@@ -17,6 +17,8 @@ pub const MOST_TEARS: usize = 2;
 pub struct Tearing {
     /// Which of the block's unknowns are tears, from 0.
     pub tears: Vec<usize>,
+    /// How many of the other unknowns are angles.
+    pub angles: usize,
     /// The signs of the closed forms, one symbol each.
     pub signs: Vec<SymbolId>,
     /// What `evaluate` finds and `complete` needs, in order.

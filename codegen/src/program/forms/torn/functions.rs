@@ -2,6 +2,8 @@
 
 use super::Torn;
 use super::sequence::{Remaining, Step};
+use super::three_circles::Circles;
+use super::turned_link::TurnedLink;
 use super::two_pins::Between;
 use crate::expr::{ExprId, Number, SymbolId};
 use crate::joint::Quantity;
@@ -16,6 +18,7 @@ use crate::system::SymbolRole;
 enum Stated {
     Closed(Box<dyn Solved>),
     TwoPins(Between),
+    ThreeCircles(Circles),
 }
 
 /// What remains with given tears.
@@ -88,6 +91,7 @@ fn stated(
     for step in &sequence.steps {
         steps.push(match step {
             Step::TwoPins(link) => Stated::TwoPins(link.position(builder)),
+            Step::ThreeCircles(circles) => Stated::ThreeCircles(circles.position(builder)),
             Step::Closed(form) => {
                 let solved = form.position(builder);
                 sign_values.extend(sign_value(form.as_ref(), sign_values.len(), builder)?);
@@ -115,9 +119,9 @@ fn stated(
         .iter()
         .map(|remaining| match *remaining {
             Remaining::Equation(at) => (at, builder.graph().one()),
-            Remaining::Length { step, equation } => match &steps[step] {
-                Stated::TwoPins(between) => (equation, between.length(builder)),
-                Stated::Closed(_) => (equation, builder.graph().one()),
+            Remaining::Length { step, equation } => match steps[step].link() {
+                Some(link) => (equation, link.length(builder)),
+                None => (equation, builder.graph().one()),
             },
         })
         .collect();
@@ -126,7 +130,10 @@ fn stated(
         own.clone().position(|unknown| unknown == tear)
     };
     let signs = builder.inside.as_ref().map(|inside| &inside.signs);
+    let others = torn.whole.unknowns.iter();
+    let others = others.filter(|unknown| !sequence.tears.contains(unknown));
     Some(Tearing {
+        angles: others.filter(|&&it| is_angle(it, builder)).count(),
         tears: sequence.tears.iter().filter_map(place).collect(),
         signs: signs.into_iter().flatten().map(|(sign, _)| *sign).collect(),
         carried,
@@ -186,9 +193,9 @@ fn rests(
     let mut rests = Vec::with_capacity(places.len());
     for remaining in &torn.sequence.remaining {
         let residual = match *remaining {
-            Remaining::Length { step, .. } => match &steps[step] {
-                Stated::TwoPins(between) => between.residual(builder),
-                Stated::Closed(_) => builder.graph().zero(),
+            Remaining::Length { step, .. } => match steps[step].link() {
+                Some(link) => link.residual(builder),
+                None => builder.graph().zero(),
             },
             Remaining::Equation(at) => torn.whole.residuals[at],
         };
@@ -213,9 +220,9 @@ fn rest_rate(
 ) -> ExprId {
     match remaining {
         Remaining::Equation(at) => builder.rate_at(torn.whole.residuals[at], level),
-        Remaining::Length { step, .. } => match &steps[step] {
-            Stated::TwoPins(between) => between.residual_rate(level, builder),
-            Stated::Closed(_) => builder.graph().zero(),
+        Remaining::Length { step, .. } => match steps[step].link() {
+            Some(link) => link.residual_rate(level, builder),
+            None => builder.graph().zero(),
         },
     }
 }
@@ -392,6 +399,16 @@ impl Stated {
         match self {
             Stated::Closed(solved) => solved.rates(level, builder),
             Stated::TwoPins(between) => between.rates(level, builder),
+            Stated::ThreeCircles(circles) => circles.rates(level, builder),
+        }
+    }
+
+    /// The link whose length remains to be met.
+    fn link(&self) -> Option<&TurnedLink> {
+        match self {
+            Stated::Closed(_) => None,
+            Stated::TwoPins(between) => Some(&between.link),
+            Stated::ThreeCircles(circles) => circles.first(),
         }
     }
 }

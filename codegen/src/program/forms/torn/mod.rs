@@ -8,6 +8,8 @@
 
 mod functions;
 mod sequence;
+mod three_circles;
+mod turned_link;
 mod two_pins;
 
 use std::sync::Arc;
@@ -49,8 +51,10 @@ pub(super) fn form(whole: Newton, sequences: Vec<Sequence>, system: &mut System)
 /// Whether all closed forms are away from singular poses in the drawing.
 fn is_clear(sequence: &Sequence, system: &mut System) -> bool {
     sequence.steps.iter().all(|step| {
-        let Step::Closed(form) = step else {
-            return true;
+        let form = match step {
+            Step::Closed(form) => form,
+            Step::TwoPins(_) => return true,
+            Step::ThreeCircles(circles) => return circles.drawn_sine(system).abs() >= CLEAR,
         };
         let graph = &mut system.mechanism.graph;
         let normalized = form.determinant(&system.vector_form, graph).normalized;
@@ -154,6 +158,13 @@ impl Torn {
                         "."
                     ]
                 }
+                Step::ThreeCircles(circles) => {
+                    phrase![
+                        number,
+                        names(&circles.angles),
+                        " from three circles through one point: their equations subtracted pairwise are linear."
+                    ]
+                }
             });
         }
         for remaining in &self.sequence.remaining {
@@ -165,17 +176,20 @@ impl Torn {
                         .show(|_| vec![[Piece::Formula(residual).into(), "0".into(), "".into()]]);
                 }
                 Remaining::Length { step, .. } => {
-                    let Step::TwoPins(link) = &self.sequence.steps[step] else {
-                        continue;
+                    let (angle, shown) = match &self.sequence.steps[step] {
+                        Step::TwoPins(link) => (link.angle, Some((link.link, link.closure))),
+                        Step::ThreeCircles(circles) => (circles.angles[0], None),
+                        Step::Closed(_) => continue,
                     };
-                    let (p, c) = (link.link, link.closure);
                     builder.say(|_| {
+                        let end = if shown.is_some() { ":" } else { "." };
                         phrase![
                             "The distance that remains must be the length of the link of ",
-                            Piece::Unknown(link.angle),
-                            ":"
+                            Piece::Unknown(angle),
+                            end
                         ]
                     });
+                    let Some((p, c)) = shown else { continue };
                     builder.show(|builder| {
                         let squares = [builder.dot(c, c), builder.dot(p, p)];
                         vec![[

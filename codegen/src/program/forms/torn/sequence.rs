@@ -7,14 +7,15 @@
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
+use super::three_circles::ThreeCircles;
 use super::two_pins::TwoPins;
 use crate::expr::ExprId;
 use crate::program::forms::{Candidate, Form, closed};
 use crate::program::tearing::MOST_TEARS;
 
 /// About how many operations a closed form takes in one evaluation, with its derivative by a tear: of two equations, of one, and of a
-/// link with two pins.
-const COSTS: [usize; 3] = [60, 40, 20];
+/// link with two pins; and of three circles.
+const COSTS: [usize; 4] = [60, 40, 20, 70];
 
 /// The most unknowns among which tears are looked for.
 const LARGEST_TORN: usize = 256;
@@ -37,6 +38,8 @@ pub(in crate::program::forms) enum Step {
     Closed(Arc<dyn Form>),
     /// A link between two pins that are known: it points from one to the other, and its length remains to be met.
     TwoPins(TwoPins),
+    /// Three links that meet: two differences of their circles are linear, and the length of the first remains to be met.
+    ThreeCircles(ThreeCircles),
 }
 
 /// What remains to be met.
@@ -85,8 +88,10 @@ impl<'a, 'b> Search<'a, 'b> {
                 break;
             }
             let choices = self.choices(&unknowns, count).into_iter();
-            let mut found: Vec<(usize, Sequence)> =
-                choices.filter_map(|tears| self.with(tears)).collect();
+            let mut found: Vec<(usize, Sequence)> = choices
+                .flat_map(|tears| [true, false].map(|circles| self.with(&tears, circles)))
+                .flatten()
+                .collect();
             found.sort_by_key(|(cost, _)| *cost);
             if !found.is_empty() {
                 return found.into_iter().map(|(_, sequence)| sequence).collect();
@@ -114,8 +119,8 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// What follows from these tears, with its cost; `None` where not everything does.
-    fn with(&mut self, tears: Vec<usize>) -> Option<(usize, Sequence)> {
+    /// What follows from these tears, with its cost; `None` where not everything does. Where `circles`, it ends with three of them.
+    fn with(&mut self, tears: &[usize], circles: bool) -> Option<(usize, Sequence)> {
         let mut known: BTreeSet<usize> = tears.iter().copied().collect();
         let mut left: Vec<usize> = (0..self.items.len()).collect();
         let (mut steps, mut remaining, mut cost) = (Vec::new(), Vec::new(), 0);
@@ -125,6 +130,22 @@ impl<'a, 'b> Search<'a, 'b> {
             }
             let open =
                 |item: &Item| -> Vec<usize> { item.mentions.difference(&known).copied().collect() };
+            if circles && left.len() == 2 {
+                let step = self.circles(
+                    [left[0], left[1]],
+                    [0, 1].map(|at| open(&self.items[left[at]])),
+                )?;
+                let equation = self.items[left[0]].equations[0];
+                remaining.push(Remaining::Length {
+                    step: steps.len(),
+                    equation,
+                });
+                known.extend(step.unknowns());
+                steps.push(step);
+                cost += COSTS[3];
+                left.clear();
+                continue;
+            }
             // Closed forms first: a link between two known pins leaves an equation, which something else may not.
             let found = [false, true].into_iter().find_map(|by_length| {
                 (0..left.len()).find_map(|at| {
@@ -146,7 +167,7 @@ impl<'a, 'b> Search<'a, 'b> {
                 None => remaining.extend(item.equations.iter().map(|&it| Remaining::Equation(it))),
                 Some(step) => {
                     cost += match (&step, item.equations.len()) {
-                        (Step::TwoPins(_), _) => COSTS[2],
+                        (Step::TwoPins(_) | Step::ThreeCircles(_), _) => COSTS[2],
                         (Step::Closed(_), 1) => COSTS[1],
                         (Step::Closed(_), _) => COSTS[0],
                     };
@@ -161,14 +182,30 @@ impl<'a, 'b> Search<'a, 'b> {
             }
         }
         let is_whole = self.candidate.unknowns.iter().all(|it| known.contains(it));
-        (is_whole && remaining.len() == tears.len()).then_some((
-            cost,
-            Sequence {
-                tears,
-                steps,
-                remaining,
-            },
-        ))
+        let ends_so = matches!(steps.last(), Some(Step::ThreeCircles(_))) == circles;
+        (is_whole && ends_so && remaining.len() == tears.len()).then(|| {
+            (
+                cost,
+                Sequence {
+                    tears: tears.to_vec(),
+                    steps,
+                    remaining,
+                },
+            )
+        })
+    }
+
+    /// How two items are solved together for the open unknowns of each.
+    fn circles(&mut self, items: [usize; 2], open: [Vec<usize>; 2]) -> Option<Step> {
+        let equations = items.map(|item| self.items[item].equations.clone());
+        let ([x, y], [u, v]) = (&equations[0][..], &equations[1][..]) else {
+            return None;
+        };
+        let ([a, b], [c, d]) = (&open[0][..], &open[1][..]) else {
+            return None;
+        };
+        let (equations, unknowns) = ([[*x, *y], [*u, *v]], [[*a, *b], [*c, *d]]);
+        ThreeCircles::of(equations, unknowns, self.candidate).map(Step::ThreeCircles)
     }
 
     /// How an item is solved for its open unknowns.
@@ -198,6 +235,7 @@ impl Step {
         match self {
             Step::Closed(form) => form.unknowns(),
             Step::TwoPins(link) => vec![link.angle],
+            Step::ThreeCircles(circles) => circles.angles.to_vec(),
         }
     }
 }
