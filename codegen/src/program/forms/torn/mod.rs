@@ -67,7 +67,7 @@ impl Form for Torn {
     fn name(&self) -> String {
         let size = self.whole.unknowns.len();
         let tears = self.sequence.tears.len();
-        format!("{} of {size}", counted(tears, "tear", "tears"))
+        format!("{size} unknowns from {}", counted(tears, "tear", "tears"))
     }
 
     fn unknowns(&self) -> Vec<usize> {
