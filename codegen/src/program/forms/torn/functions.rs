@@ -1,5 +1,7 @@
 //! A sequence of closed forms → the functions of its tears: what remains, its derivative, and everything at the end.
 
+use std::collections::HashSet;
+
 use super::Torn;
 use super::sequence::{Remaining, Step};
 use super::three_circles::Circles;
@@ -113,6 +115,23 @@ fn stated(
     let later = std::mem::take(&mut builder.statements);
     let completed = completed(torn, places, block, builder)?;
     let graph = &builder.system.mechanism.graph;
+    let found = statements.iter().chain(&later).flat_map(Statement::targets);
+    let found: HashSet<SymbolId> = found.collect();
+    let read = statements.iter().chain(&later).flat_map(Statement::values);
+    let mut read = read.chain(evaluated.iter().copied());
+    // What is read of the unknowns must have been found.
+    let is_missing = |symbol: &SymbolId| {
+        let unknown = match builder.system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => unknown,
+            _ => return false,
+        };
+        torn.whole.unknowns.contains(&unknown)
+            && !sequence.tears.contains(&unknown)
+            && !found.contains(symbol)
+    };
+    if read.any(|expr| graph.symbols(expr).iter().any(is_missing)) {
+        return None;
+    }
     let (evaluate, complete, carried) = parted(&statements, evaluated, completed, &later, graph);
     let scales: Vec<(usize, ExprId)> = sequence
         .remaining
@@ -416,7 +435,7 @@ impl Stated {
 /// What a builder had stated before a torn block.
 pub(super) struct Before {
     statements: Vec<Statement>,
-    defined: std::collections::HashSet<SymbolId>,
+    defined: HashSet<SymbolId>,
     writes_prose: bool,
 }
 

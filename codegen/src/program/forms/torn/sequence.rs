@@ -10,8 +10,10 @@ use std::sync::Arc;
 use super::three_circles::ThreeCircles;
 use super::two_pins::TwoPins;
 use crate::expr::ExprId;
+use crate::joint::Quantity;
 use crate::program::forms::{Candidate, Form, closed};
 use crate::program::tearing::MOST_TEARS;
+use crate::words::Singular;
 
 /// About how many operations a closed form takes in one evaluation, with its derivative by a tear: of two equations, of one, and of a
 /// link with two pins; and of three circles.
@@ -182,6 +184,16 @@ impl<'a, 'b> Search<'a, 'b> {
             }
         }
         let is_whole = self.candidate.unknowns.iter().all(|it| known.contains(it));
+        // A closed form finds the direction of an angle, and not how often it has gone round.
+        let wound = self.wound();
+        let counts = |step: &Step| match step {
+            Step::Closed(form) => matches!(form.singular(), Singular::Coefficient(_)),
+            _ => false,
+        };
+        let directed = steps.iter().filter(|step| !counts(step));
+        if directed.flat_map(Step::unknowns).any(|it| wound.contains(&it)) {
+            return None;
+        }
         let ends_so = matches!(steps.last(), Some(Step::ThreeCircles(_))) == circles;
         (is_whole && ends_so && remaining.len() == tears.len()).then(|| {
             (
@@ -193,6 +205,24 @@ impl<'a, 'b> Search<'a, 'b> {
                 },
             )
         })
+    }
+
+    /// The angles that equations mention themselves, and not only by what they turn.
+    fn wound(&self) -> BTreeSet<usize> {
+        let Candidate {
+            equations,
+            form,
+            graph,
+            ..
+        } = &*self.candidate;
+        let own = self.candidate.unknowns.iter().copied();
+        let angles = own.filter(|&it| form.unknowns[it].quantity == Quantity::Angle);
+        let is_mentioned = |unknown: &usize| {
+            let symbol = form.unknowns[*unknown].position;
+            let mut equations = equations.iter();
+            equations.any(|&equation| graph.depends_on(equation, symbol))
+        };
+        angles.filter(is_mentioned).collect()
     }
 
     /// How two items are solved together for the open unknowns of each.
@@ -222,7 +252,9 @@ impl<'a, 'b> Search<'a, 'b> {
         }
         let step = match (&equations[..], &key.1[..]) {
             (&[x, y], &[unknown]) => TwoPins::of([x, y], unknown, candidate).map(Step::TwoPins),
-            (equations, open) => closed(equations, open, candidate).map(Step::Closed),
+            (equations, open) => closed(equations, open, candidate)
+                .filter(|form| keeps_its_line(form.as_ref(), candidate))
+                .map(Step::Closed),
         };
         tried.insert(key, step.clone());
         step
@@ -238,6 +270,18 @@ impl Step {
             Step::ThreeCircles(circles) => circles.angles.to_vec(),
         }
     }
+}
+
+/// Whether a line that a form turns lies still in its body, as that form asks.
+fn keeps_its_line(form: &dyn Form, candidate: &Candidate<'_>) -> bool {
+    let Singular::TurningLine {
+        start, direction, ..
+    } = form.singular()
+    else {
+        return true;
+    };
+    let mut parts = [start, direction].into_iter().flatten();
+    parts.all(|part| candidate.graph.is_fixed(part))
 }
 
 /// The equations one by one, but the components of vector equations together.
