@@ -5,7 +5,7 @@
 //! systems of equations in object-oriented modeling*, 1994). That is a shortcut and decides nothing: where a closed form is out of reach
 //! or nearly singular, although the block need not be, where the steps do not contract, where the determinant changes its sign, or where
 //! rounding is amplified so that the residuals do not become as small as rounding, all equations are solved at once, as in [`crate::block`].
-//! So a frame has the accuracy of the whole system, and a failure is that of the whole system.
+//! All equations are evaluated at the pose that is found. So a frame has the accuracy of the whole system, and a failure is that of the whole system.
 //!
 //! Closed forms have signs. They are those of the last frame, since a sign that changes makes its form singular on the way; the frame
 //! keeps them, and after a solve of all equations they are read off its pose.
@@ -100,6 +100,8 @@ where
     pub rates: OVector<T, D>,
     /// The accelerations (n).
     pub accelerations: OVector<T, D>,
+    /// The residuals of all equations (n).
+    pub residual: OVector<T, D>,
     /// The largest derivative of an unknown by a tear, in their scales.
     pub response: T,
 }
@@ -209,7 +211,7 @@ where
         let contracts =
             before.is_none_or(|before| length <= T::from_f64(LARGEST_CONTRACTION) * before);
         if level <= enough || !contracts && level <= rounding(AMPLIFIED) {
-            return completed(equations, last, &tears, memory, &at.carried, t);
+            return completed(equations, last, &tears, memory, &at.carried, (t, settings));
         }
         if !contracts {
             return None;
@@ -253,7 +255,7 @@ fn completed<T: Real, D: Dim, E: Torn<T, D, K>, const K: usize>(
     tears: &[T; K],
     memory: &Memory<T, E::Signs>,
     carried: &E::Carried,
-    t: T,
+    (t, settings): (T, &Settings<T>),
 ) -> Option<Found<T, D, E::Signs>>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
@@ -263,6 +265,7 @@ where
         sines,
         rates,
         accelerations,
+        residual,
         response,
     } = equations.complete(tears, &memory.signs, carried, t);
     let mut q = cosines.clone();
@@ -274,10 +277,14 @@ where
             *value = angle_near(*sine, *value, *near);
         }
     }
+    // That all equations hold does not rely on how the unknowns were found. Written so that NaN is refused.
+    let mut rows = residual.as_slice().iter().enumerate();
+    let is_met =
+        rows.all(|(row, value)| value.abs() <= settings.tolerance * equations.row_scale(row));
     let finite = all_finite(q.as_slice())
         && all_finite(rates.as_slice())
         && all_finite(accelerations.as_slice());
-    (finite && response <= T::from_f64(LARGEST_RESPONSE)).then(|| Found {
+    (finite && is_met && response <= T::from_f64(LARGEST_RESPONSE)).then(|| Found {
         frame: Frame {
             t,
             q,

@@ -271,9 +271,10 @@ impl<const K: usize> Torn<f64, Dyn, K> for TornEquations<'_, '_, K> {
             sines: part(1),
             rates: part(2),
             accelerations: part(3),
+            residual: part(4),
             response: found
                 .as_ref()
-                .map_or(f64::NAN, |found| torn::largest_of(&found[4 * size..])),
+                .map_or(f64::NAN, |found| torn::largest_of(&found[5 * size..])),
         }
     }
 

@@ -29,8 +29,8 @@ pub struct Tearing {
     pub scales: Function,
     /// The residuals, the inverse of their Jacobian in the tears row by row, and its determinant; fails where closed forms do.
     pub evaluate: Function,
-    /// Of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then how they respond to
-    /// the tears, in scales.
+    /// Of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then all residuals of the
+    /// block; then how the unknowns respond to the tears, in scales.
     pub complete: Function,
     /// What has the signs of the closed forms at a pose: a function of all unknowns.
     pub sign_values: Function,

@@ -26,7 +26,7 @@ fn every_joint_is_solved_as_a_person_would() {
     }
     assert_eq!(
         form_names("platform_on_cylinders"),
-        ["4 unknowns from 1 tear"]
+        ["Newton of size 1 for 4 unknowns"]
     );
     // Four angles of one loop, of which the gears tie two.
     assert_eq!(form_names("mirrored_cranks"), ["Newton of size 3"]);

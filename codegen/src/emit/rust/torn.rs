@@ -186,8 +186,8 @@ fn complete(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Tok
         let part = parts.next().unwrap_or_default();
         quote!(Vector::from([#(#part),*]))
     };
-    let [cosines, sines, rates, accelerations] = std::array::from_fn(|_| vector());
-    let responses = body.results.get(4 * size..).unwrap_or_default();
+    let [cosines, sines, rates, accelerations, residual] = std::array::from_fn(|_| vector());
+    let responses = body.results.get(5 * size..).unwrap_or_default();
     let (tear_count, size) = (count(tearing.tears.len()), count(size));
     quote! {
         #[inline]
@@ -205,6 +205,7 @@ fn complete(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Tok
                 sines: #sines,
                 rates: #rates,
                 accelerations: #accelerations,
+                residual: #residual,
                 response: torn::largest_of(&[#(#responses),*]),
             }
         }

@@ -43,6 +43,10 @@ pub trait Form: Debug + Send + Sync {
     fn singular(&self) -> Singular;
     /// How many assembly modes it has; `None` where Newton-Raphson finds them one by one.
     fn modes(&self) -> Option<usize>;
+    /// How many of its unknowns are guessed, where Newton-Raphson finds it.
+    fn guessed(&self) -> usize {
+        self.unknowns().len()
+    }
     /// States the position.
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved>;
 }

@@ -118,7 +118,8 @@ fn stated(
     let found = statements.iter().chain(&later).flat_map(Statement::targets);
     let found: HashSet<SymbolId> = found.collect();
     let read = statements.iter().chain(&later).flat_map(Statement::values);
-    let mut read = read.chain(evaluated.iter().copied());
+    let all = evaluated.iter().chain(&completed).copied();
+    let mut read = read.chain(all);
     // What is read of the unknowns must have been found.
     let is_missing = |symbol: &SymbolId| {
         let unknown = match builder.system.roles[symbol.index()] {
@@ -357,8 +358,8 @@ fn solve_level(
     }
 }
 
-/// Of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then how they respond to
-/// the tears, in scales.
+/// Of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then all residuals; then how
+/// the unknowns respond to the tears, in scales.
 fn completed(
     torn: &Torn,
     places: &[usize],
@@ -390,6 +391,7 @@ fn completed(
             results.push(builder.graph().variable(symbol));
         }
     }
+    results.extend(&torn.whole.residuals);
     let scale = |unknown: usize, builder: &Builder<'_>| {
         let quantity = builder.system.vector_form.unknowns[unknown].quantity;
         block.scaled_by[1].scale(quantity)

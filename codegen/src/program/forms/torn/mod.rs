@@ -20,7 +20,7 @@ use crate::expr::Graph;
 use crate::program::builder::{Builder, Direction};
 use crate::program::function::Statement;
 use crate::system::{System, VectorForm};
-use crate::words::{Phrase, Piece, Singular, counted, enumerated, phrase};
+use crate::words::{Phrase, Piece, Singular, enumerated, phrase};
 pub(in crate::program::forms) use sequence::Sequence;
 use sequence::{Remaining, Search, Step};
 
@@ -67,7 +67,7 @@ impl Form for Torn {
     fn name(&self) -> String {
         let size = self.whole.unknowns.len();
         let tears = self.sequence.tears.len();
-        format!("{size} unknowns from {}", counted(tears, "tear", "tears"))
+        format!("Newton of size {tears} for {size} unknowns")
     }
 
     fn unknowns(&self) -> Vec<usize> {
@@ -86,12 +86,19 @@ impl Form for Torn {
         None
     }
 
+    fn guessed(&self) -> usize {
+        self.sequence.tears.len()
+    }
+
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
+        let before = builder.statements.len();
         let mut block = self.whole.equations(builder);
+        let said = builder.statements.split_off(before);
         let Some(tearing) = functions::tearing(self, &block, builder) else {
             return self.whole.position(builder);
         };
         self.open(builder);
+        builder.statements.extend(said);
         let found = self.whole.found(builder);
         let torn = functions::found(self, &tearing, builder);
         let directions = torn.directions.clone();
@@ -124,6 +131,15 @@ impl Torn {
         let tears = names(&self.sequence.tears);
         let all = names(&self.whole.unknowns);
         builder.heading(phrase![all, " with ", tears.clone(), " guessed"]);
+        if let Some(loops) = self.whole.loops(builder) {
+            builder.say(|_| "The loops as vectors:".into());
+            builder.show(|_| {
+                let shown = loops
+                    .into_iter()
+                    .map(|it| [Piece::Sum(it).into(), "0".into(), "".into()]);
+                shown.collect()
+            });
+        }
         let count = self.sequence.tears.len();
         builder.say(|_| {
             phrase![

@@ -191,7 +191,10 @@ impl<'a, 'b> Search<'a, 'b> {
             _ => false,
         };
         let directed = steps.iter().filter(|step| !counts(step));
-        if directed.flat_map(Step::unknowns).any(|it| wound.contains(&it)) {
+        if directed
+            .flat_map(Step::unknowns)
+            .any(|it| wound.contains(&it))
+        {
             return None;
         }
         let ends_so = matches!(steps.last(), Some(Step::ThreeCircles(_))) == circles;
