@@ -7,6 +7,7 @@ use linkwright::{Settings, Shell, assemble, branch_of, follow, torn};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::program::{EVALUATIONS, STEPS};
 use linkwright_codegen::stages::system::System;
+use linkwright_solver::assemblies::{Assemblies, assemblies};
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_solver::view::View;
@@ -221,4 +222,94 @@ fn chains_that_are_driven_at_their_end_are_as_accurate_as_all_equations_at_once(
 fn reports_count_as_the_runtime_does() {
     assert_eq!(EVALUATIONS, torn::EVALUATIONS);
     assert_eq!(STEPS, usize::from(Settings::<f64>::default().iterations));
+}
+
+/// The values of a coordinate in all assemblies, ascending.
+fn values(all: &Assemblies, coordinate: usize) -> Vec<f64> {
+    let found = all.found.iter();
+    let mut values: Vec<f64> = found.map(|it| it.instant.q()[coordinate]).collect();
+    values.sort_by(f64::total_cmp);
+    values
+}
+
+fn are_near(found: &[f64], known: &[f64]) -> bool {
+    let both = found.iter().zip(known);
+    found.len() == known.len()
+        && both
+            .into_iter()
+            .all(|(one, other)| (one - other).abs() < 1e-12)
+}
+
+/// Poses that satisfy the equations to 3e-49; at most six exist (Gosselin and Sefrioui 1991).
+#[test]
+fn all_six_assemblies_of_a_platform_are_found_and_proven_to_be_all() {
+    let text = "mechanism six {
+        point A = (-0.35, 0.35), B = (0.14, 0.15), C = (-0.99, -0.85);
+        body platform at (0.25490278778833248, 0.76949078446582015, -2.358515217542195) {
+            P: (0.6, 0.6), Q: (-0.78, -0.77), R: (0.36, 0.74)
+        }
+        drive distance(ground.A, platform.P) = 0.74;
+        drive distance(ground.B, platform.Q) = 1.72;
+        drive distance(ground.C, platform.R) = 1.73;
+    }";
+    let all = assemblies(&Interpreted::new(&system(text)).expect("a plan"), 0.0);
+    assert!(all.proven && all.undecided.is_empty());
+    let known: [(usize, [f64; 6]); 3] = [
+        (
+            0,
+            [
+                -0.959_392_594_586_477_6,
+                -0.413_574_419_606_397_7,
+                -0.404_857_785_911_819_5,
+                0.248_050_945_015_301_65,
+                0.254_902_787_788_332_5,
+                0.860_985_291_694_353_1,
+            ],
+        ),
+        (
+            1,
+            [
+                -0.142_211_391_163_463_9,
+                0.023_775_074_797_310_785,
+                0.067_208_068_612_647_78,
+                0.461_155_971_865_945_55,
+                0.769_490_784_465_820_2,
+                1.203_950_730_100_441_7,
+            ],
+        ),
+        (
+            2,
+            [
+                -2.358_515_217_542_195,
+                -1.430_003_692_123_384_5,
+                -0.393_551_074_370_410_37,
+                0.641_003_085_193_397_3,
+                1.483_701_918_930_377_8,
+                2.537_254_498_814_142,
+            ],
+        ),
+    ];
+    for (coordinate, known) in known {
+        let found = values(&all, coordinate);
+        assert!(are_near(&found, &known), "{coordinate}: {found:?}");
+    }
+}
+
+/// Sixteen complex solutions were found from 60,000 starts, eight of them real.
+#[test]
+fn all_eight_assemblies_of_the_double_butterfly_are_found_and_proven_to_be_all() {
+    let all = assemblies(&Interpreted::new(&system(BUTTERFLY)).expect("a plan"), 0.0);
+    assert!(all.proven && all.undecided.is_empty());
+    let known = [
+        -1.876_897_840_511_715,
+        -1.586_790_534_670_632,
+        -0.844_665_431_213_196,
+        -0.132_215_929_979_034,
+        0.0,
+        0.145_862_654_494_25,
+        0.454_975_827_511_359,
+        0.469_997_567_774_262,
+    ];
+    let found = values(&all, 5);
+    assert!(are_near(&found, &known), "{found:?}");
 }

@@ -32,6 +32,8 @@ pub struct Tearing {
     /// Of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then all residuals of the
     /// block; then how the unknowns respond to the tears, in scales.
     pub complete: Function,
+    /// A function of the tear that is zero where what remains is, and its derivative, where it can be said without any sign.
+    pub proof: Option<[ExprId; 2]>,
     /// What has the signs of the closed forms at a pose: a function of all unknowns.
     pub sign_values: Function,
 }

@@ -145,6 +145,14 @@ fn stated(
             },
         })
         .collect();
+    let proof = match (&sequence.steps[..], &sequence.tears[..]) {
+        (&[Step::ThreeCircles(ref circles)], &[tear]) => {
+            let shifts = builder.derivatives.shifts();
+            let proof = circles.proof(tear, builder);
+            Some(proof.map(|part| builder.without(part, &shifts)))
+        }
+        _ => None,
+    };
     let place = |tear| {
         let own = torn.whole.unknowns.iter();
         own.clone().position(|unknown| unknown == tear)
@@ -157,6 +165,7 @@ fn stated(
         tears: sequence.tears.iter().filter_map(place).collect(),
         signs: signs.into_iter().flatten().map(|(sign, _)| *sign).collect(),
         carried,
+        proof,
         rows: scales.iter().map(|(row, _)| *row).collect(),
         scales: Function::of_results(scales.into_iter().map(|(_, factor)| factor)),
         evaluate,

@@ -83,6 +83,35 @@ impl ThreeCircles {
         (c[0] * d[1] - c[1] * d[0]) / (c[0].hypot(c[1]) * d[0].hypot(d[1]))
     }
 
+    /// What remains, times the square of the determinant of both linear equations: zero wherever the links can be assembled, also where
+    /// these say nothing; and its derivative by the angle that both loops follow from.
+    pub(super) fn proof(&self, tear: usize, builder: &mut Builder<'_>) -> [ExprId; 2] {
+        let [c, d] = self.closures;
+        let squares = self.links.map(|link| builder.dot(link, link));
+        let right = [(1, c), (2, d)].map(|(side, closure)| {
+            let size = builder.dot(closure, closure);
+            let sum = builder.graph().add(squares[0], size);
+            let twice = builder.graph().subtract(squares[side], sum);
+            builder.half(twice)
+        });
+        let u = [
+            builder.cross([right[0], right[1]], [c[1], d[1]]),
+            builder.cross([c[0], d[0]], [right[0], right[1]]),
+        ];
+        let determinant = builder.cross(c, d);
+        let [found, given] = [builder.dot(u, u), {
+            let square = builder.graph().multiply(determinant, determinant);
+            builder.graph().multiply(square, squares[0])
+        }];
+        let whole = builder.graph().subtract(found, given);
+        let system = &mut *builder.system;
+        let graph = &mut system.mechanism.graph;
+        let whole = system.vector_form.written_out(whole, graph);
+        let angle = system.vector_form.unknowns[tear].position;
+        let slope = graph.derivative(whole, angle);
+        [whole, slope]
+    }
+
     /// States the links.
     pub(super) fn position(&self, builder: &mut Builder<'_>) -> Circles {
         let [c, d] = [("c", 0), ("d", 1)].map(|(name, at)| builder.vector(name, self.closures[at]));
