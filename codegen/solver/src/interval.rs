@@ -145,7 +145,7 @@ impl Interval {
         if self.is_empty() {
             return self;
         }
-        if exponent % 2 == 0 && self.holds(0.0) {
+        if exponent.is_multiple_of(2) && self.holds(0.0) {
             let largest = self.low.abs().max(self.high.abs());
             let mut high = Interval::point(1.0);
             for _ in 0..exponent {
