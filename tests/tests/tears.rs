@@ -93,12 +93,12 @@ fn a_platform_moves_through_poses_at_which_its_linear_equations_vanish() {
     let pins = [[0.0, 0.0], [0.5, 0.3], [-0.2, 0.8]];
     for law in [[0.3, 0.5], [0.3, 1.5]] {
         let worst = errors(&platform(base, pins, law), law);
-        println!("{law:?}: {worst:e?}");
-        assert!(worst.iter().all(|&it| it < 5e-14), "{law:?}: {worst:e?}");
+        println!("{law:?}: {worst:?}");
+        assert!(worst.iter().all(|&it| it < 5e-14), "{law:?}: {worst:?}");
     }
     let elsewhere = [[0.0, 0.0], [1.6, -0.4], [0.4, 2.3]];
     let worst = errors(&platform(elsewhere, pins, [0.5, 1.0]), [0.5, 1.0]);
-    assert!(worst.iter().all(|&it| it < 2e-13), "{worst:e?}");
+    assert!(worst.iter().all(|&it| it < 2e-13), "{worst:?}");
 }
 
 /// The largest difference from all textbook equations at once, in the size of the largest value of each level (or 1).
@@ -159,7 +159,7 @@ fn the_double_butterfly_needs_one_guess() {
     let solved = Interpreted::new(&system(BUTTERFLY)).expect("a plan");
     assert_eq!(methods(&solved), ["Newton of size 1 for 6 unknowns"]);
     let worst = difference(BUTTERFLY, 100);
-    assert!(worst.iter().all(|&it| it < 1e-13), "{worst:e?}");
+    assert!(worst.iter().all(|&it| it < 1e-13), "{worst:?}");
 }
 
 /// A pantograph whose last cell is driven, each cell so many times as large as the one before it.
@@ -212,8 +212,8 @@ fn chains_that_are_driven_at_their_end_are_as_accurate_as_all_equations_at_once(
         let solved = Interpreted::new(&system(&text)).expect("a plan");
         assert_eq!(methods(&solved), ["Newton of size 2 for 12 unknowns"]);
         let worst = difference(&text, 50);
-        println!("{growth}: {worst:e?}");
-        assert!(worst.iter().all(|&it| it < 1e-11), "{growth}: {worst:e?}");
+        println!("{growth}: {worst:?}");
+        assert!(worst.iter().all(|&it| it < 1e-11), "{growth}: {worst:?}");
     }
 }
 
