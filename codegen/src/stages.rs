@@ -38,8 +38,8 @@ pub mod structure {
 /// What is computed, statement by statement.
 pub mod program {
     pub use crate::program::{
-        Block, Branch, Found, Function, Lengths, Level, NewtonBlock, Operations, Program,
-        Statement, forms_of, lower, lower_with_unknowns, unpruned,
+        Block, Branch, EVALUATIONS, Found, Function, Lengths, Level, NewtonBlock, Operations,
+        Program, STEPS, Statement, Tearing, forms_of, lower, lower_with_unknowns, unpruned,
     };
 }
 

@@ -105,6 +105,7 @@ pub mod span;
 pub mod substeps;
 pub mod table;
 pub mod thresholds;
+pub mod torn;
 mod vector;
 mod watch;
 mod way;
@@ -135,6 +136,7 @@ pub use signal::Signal;
 pub use span::{Span, Tube, isolate};
 pub use substeps::{Broken, in_steps};
 pub use table::Table;
+pub use torn::Torn;
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
 #[macro_export]

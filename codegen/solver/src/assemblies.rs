@@ -10,7 +10,7 @@ use nalgebra::DVector;
 
 use crate::instant::Instant;
 use crate::interpreted::{Interpreted, State};
-use crate::search::{SAME, STARTS};
+use crate::search::{SAME, STARTS, Sought};
 use crate::supplied::Modes;
 use crate::textbook::TextbookEquations;
 use crate::view::View;
@@ -57,6 +57,10 @@ pub struct Assemblies {
     pub iterated: usize,
     /// Those that exist, the drawing's first, then by their signs, positive ones first, and their poses.
     pub found: Vec<Assembly>,
+    /// Whether every block without a closed form has no other poses than these, but in `undecided` ranges.
+    pub proven: bool,
+    /// Unknowns of the vector form, and ranges in which it is not known whether they have poses.
+    pub undecided: Vec<(usize, [f64; 2])>,
     /// Whether combinations were left untried because there are more than [`LARGEST`].
     pub cut_short: bool,
 }
@@ -70,18 +74,26 @@ pub fn assemblies(interpreted: &Interpreted, t: f64) -> Assemblies {
         textbook: &textbook,
         drawn: &drawn,
         found: Vec::new(),
+        proven: true,
+        undecided: Vec::new(),
         tried: 0,
     };
     let start = interpreted.before_assembly(t);
     search.below(0, &drawn, &[], &start);
     let Search {
-        mut found, tried, ..
+        mut found,
+        tried,
+        proven,
+        undecided,
+        ..
     } = search;
     found.sort_by_key(|it| !it.drawn);
     Assemblies {
         modes: drawn.closed.len(),
         iterated: drawn.iterated.len(),
         found,
+        proven: proven && tried <= LARGEST,
+        undecided,
         cut_short: tried > LARGEST,
     }
 }
@@ -91,6 +103,8 @@ struct Search<'a> {
     textbook: &'a TextbookEquations,
     drawn: &'a Modes,
     found: Vec<Assembly>,
+    proven: bool,
+    undecided: Vec<(usize, [f64; 2])>,
     tried: usize,
 }
 
@@ -118,13 +132,42 @@ impl Search<'_> {
                     Branch::Negative
                 };
             }
-            let found = self.interpreted.poses(block, &modes, state);
+            let found = self.poses(block, &modes, state);
             for (pose, (after, modes)) in found.iter().enumerate() {
                 let mut poses = poses.to_vec();
                 poses.extend(is_iterated.then_some(pose));
                 self.below(block + 1, modes, &poses, after);
             }
         }
+    }
+
+    /// The poses of a block, all of them where that can be proven: that from the last values first, then in their order.
+    fn poses(&mut self, block: usize, modes: &Modes, state: &State) -> Vec<(State, Modes)> {
+        if self.interpreted.compiled().blocks[block].newton.is_none() {
+            return self.interpreted.poses(block, modes, state);
+        }
+        let Some(every) = self.interpreted.every_pose(block, modes, state) else {
+            self.proven = false;
+            return self.interpreted.poses(block, modes, state);
+        };
+        self.undecided.extend(every.undecided);
+        let mut poses = every.poses;
+        let (mut near, mut own) = (state.clone(), modes.clone());
+        let solved = self
+            .interpreted
+            .assemble_block(block, &mut near, &mut own, Sought::Near);
+        if solved.is_ok() {
+            let pose = |state: &State| self.interpreted.pose_of(block, state);
+            let there = pose(&near);
+            let first = poses
+                .iter()
+                .position(|(other, _)| self.interpreted.is_same_pose(block, &pose(other), &there));
+            match first {
+                Some(first) => poses[..=first].rotate_right(1),
+                None => poses.insert(0, (near, own)),
+            }
+        }
+        poses
     }
 
     /// Keeps the pose if the textbook equations hold there.

@@ -1,6 +1,6 @@
 //! What the solved view computes and leaves out → lines of text, for the generated header and for people.
 
-use crate::program::{Operations, Report};
+use crate::program::{BEYOND_STEPS, EVALUATIONS, Iterations, Operations, Report, STEPS};
 
 /// One fact a line.
 pub fn lines(report: &Report) -> Vec<String> {
@@ -26,6 +26,7 @@ pub fn lines(report: &Report) -> Vec<String> {
     {
         lines.push(format!("{level}: {operations}."));
     }
+    lines.extend(report.iterations.iter().flat_map(iterations));
     if let Some(operations) = report.transmission {
         lines.push(format!("Transmission: {operations}."));
     }
@@ -40,6 +41,38 @@ pub fn lines(report: &Report) -> Vec<String> {
             total(report.all_operations)
         ));
     }
+    lines
+}
+
+/// What Newton-Raphson takes in one block, and how often at most.
+fn iterations(it: &Iterations) -> Vec<String> {
+    let Iterations {
+        block,
+        unknowns,
+        torn,
+        residuals,
+        jacobian,
+    } = it;
+    let [more_residuals, more_jacobians] = BEYOND_STEPS.map(|more| STEPS + more);
+    let mut lines = Vec::new();
+    let opening = match torn {
+        None => format!("Newton-Raphson of {block}, beside these"),
+        Some(torn) => {
+            let tears = match torn.tears {
+                1 => "1 tear".to_string(),
+                count => format!("{count} tears"),
+            };
+            lines.push(format!(
+                "Newton-Raphson of {block}, beside these: {tears} of {unknowns} unknowns, at most {EVALUATIONS} times {}; then once {}.",
+                torn.evaluation, torn.completion
+            ));
+            "Where that does not lead through".to_string()
+        }
+    };
+    lines.push(format!(
+        "{opening}: {unknowns} unknowns at once, at most {more_residuals} times {residuals} for residuals, and at most {more_jacobians} \
+         times {jacobian} for the Jacobian and its elimination."
+    ));
     lines
 }
 

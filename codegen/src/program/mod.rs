@@ -21,6 +21,7 @@ mod prose;
 mod requirements;
 mod sensitivities;
 mod stretch;
+mod tearing;
 mod textbook;
 mod transmissions;
 
@@ -33,9 +34,11 @@ pub use lower::{forms_of, lower, lower_with_unknowns, unpruned};
 pub use outputs::Output;
 pub use passes::constants::{ConstantPart, Constants};
 pub use passes::costs::{LARGEST_PRODUCT, Operations};
+pub use passes::iterations::{BEYOND_STEPS, EVALUATIONS, Iterations, STEPS};
 pub use path::Path;
 pub use requirements::Requirements;
 pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};
+pub use tearing::{Tearing, Torn};
 pub use textbook::{LARGEST_TEXTBOOK, Textbook};
 pub use transmissions::Transmission;
 
@@ -120,6 +123,8 @@ pub struct Report {
     pub operations: [Operations; 3],
     /// The same with nothing left out.
     pub all_operations: [Operations; 3],
+    /// What Newton-Raphson takes in blocks without a closed form.
+    pub iterations: Vec<Iterations>,
     /// What the transmissions take beside the pose; `None` where there are none.
     pub transmission: Option<Operations>,
     /// What the sensitivities take beside pose and rates; `None` where there are none.

@@ -10,6 +10,7 @@
 //! | `coordinates` | their names, in the order of `q` |
 //! | `assemblies` | `{signs, poses, drawn, q}` each: those that exist at the start; `poses` has a number for each block without a closed form, 0 for the pose found from the drawing |
 //! | `assemblies_cut_short` | whether more combinations were left untried |
+//! | `assemblies_proven` | whether it is proven that there are no others |
 //! | `warnings`, `error` | sentences; `error` only where the motion ends early |
 
 use std::io::{self, Write};
@@ -30,6 +31,7 @@ struct Object<'a> {
     coordinates: Vec<&'a str>,
     assemblies: Vec<Assembly<'a>>,
     assemblies_cut_short: bool,
+    assemblies_proven: bool,
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
@@ -111,6 +113,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             .collect(),
         assemblies: assemblies.collect(),
         assemblies_cut_short: found.cut_short,
+        assemblies_proven: found.proven && found.undecided.is_empty() && !found.cut_short,
         warnings: &check.warnings,
         error: check.error.as_deref(),
     };

@@ -66,21 +66,30 @@ fn assemblies(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         "of 2^{} = {combinations} that the signs of closed forms allow",
         all.modes
     );
+    // What is proven needs no starts.
+    let is_proven = all.iterated > 0 && all.proven;
     let starts = format!("{STARTS} starts at random find for each block without a closed form");
     let allowed = match (all.modes, all.iterated) {
+        _ if is_proven && all.undecided.is_empty() => "; these are all".to_string(),
+        _ if is_proven => "; no others but where it is undecided".to_string(),
         (_, 0) => signs,
         (0, _) => format!("that {starts}"),
         _ => format!("{signs}, times what {starts}"),
     };
     writeln!(
         output,
-        "\nassemblies at t = {start} s: {}{} {allowed}",
-        match all.cut_short || all.iterated > 0 {
+        "\nassemblies at t = {start} s: {}{}{}{allowed}",
+        match all.cut_short || all.iterated > 0 && !is_proven {
             true => "at least ",
             false => "",
         },
         all.found.len(),
+        if is_proven { "" } else { " " },
     )?;
+    for (unknown, [low, high]) in &all.undecided {
+        let name = check.interpreted.system().unknown_name(*unknown);
+        writeln!(output, "  undecided: {name} from {low:.12} to {high:.12}")?;
+    }
     let system = &check.interpreted.system();
     let angles: Vec<usize> = (0..system.coordinates.len())
         .filter(|&place| system.coordinates[place].name.starts_with("phi"))

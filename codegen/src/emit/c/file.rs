@@ -4,7 +4,7 @@ use super::printer::Printer;
 use super::text::Text;
 use super::words::WORDS;
 use super::{
-    api, assembly, block, block_names, coordinates, frame, newton, normalized_determinant,
+    api, assembly, block, block_names, coordinates, equations, frame, normalized_determinant,
     parameters, path, points, runtime, sensitivity, shell, tables, textbook, transmission,
 };
 use crate::emit::module::{Module, documentation, facts};
@@ -176,9 +176,9 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
 /// The constants and functions of one motion.
 fn definitions(printer: &Printer<'_>, text: &mut Text) {
     let mut code = Text::default();
-    newton::given(printer, &mut code);
+    equations::given(printer, &mut code);
     parameters::drawn(printer, &mut code);
-    newton::equations(printer, &mut code);
+    equations::equations(printer, &mut code);
     block::functions(printer, &mut code);
     path::path(printer, &mut code);
     shell::solve(printer, &mut code);

@@ -28,6 +28,7 @@ mod sensitivity;
 mod shell;
 mod tables;
 mod textbook;
+mod torn;
 mod transmission;
 
 pub use file::file;

@@ -146,6 +146,11 @@ const LOCAL_VALUES: &[&str] = &[
     "pair",
     "partial",
     "sags",
+    "rows",
+    "signs",
+    "carried",
+    "memory",
+    "found",
 ];
 
 /// What Rust asks of names.

@@ -230,6 +230,15 @@ impl Computed<'_> {
         }
     }
 
+    /// What the results take.
+    pub fn results(&self) -> Operations {
+        let mut operations = Operations::default();
+        for result in &self.function.results {
+            operations += self.expression(result.expr);
+        }
+        operations
+    }
+
     /// What an expression takes where it is written.
     fn expression(&self, expr: ExprId) -> Operations {
         let mut operations = Operations::default();

@@ -4,6 +4,7 @@ pub mod constants;
 pub mod costs;
 pub mod enclosure;
 pub(super) mod fields;
+pub mod iterations;
 pub mod liveness;
 pub mod names;
 pub(super) mod sharing;
