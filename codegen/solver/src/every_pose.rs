@@ -5,7 +5,7 @@
 
 use std::f64::consts::TAU;
 
-use linkwright::math;
+use linkwright::math::{angle_near, nearest_turn};
 use linkwright_codegen::stages::expr::SymbolId;
 use linkwright_codegen::stages::program::Tearing as TearingFunctions;
 use nalgebra::DVector;
@@ -92,8 +92,14 @@ impl Interpreted {
         for (zero, choice) in found {
             let mut enclosed = enclosed(Interval::point(zero), choice);
             let pose = pose(tearing, newton.is_angle.len(), &mut enclosed);
+            let last = newton.last_frame(&state.registers, state.t).q;
             let pose = pose.map(|mut pose: DVector<f64>| {
                 pose[tear] = zero;
+                for (place, value) in pose.iter_mut().enumerate() {
+                    if newton.is_angle[place] {
+                        *value = nearest_turn(*value, last[place]);
+                    }
+                }
                 pose
             });
             let (mut start, mut modes) = (state.clone(), modes.clone());
@@ -127,7 +133,7 @@ fn pose(
         .map(|place| (value(place), value(size + place)))
         .unzip();
     let angles = cosines.into_iter().zip(sines);
-    let values = angles.map(|(cosine, sine)| math::angle_near(sine, cosine, 0.0));
+    let values = angles.map(|(cosine, sine)| angle_near(sine, cosine, 0.0));
     let values: Vec<f64> = values.collect();
     let finite = values.iter().all(|it| it.is_finite());
     finite.then(|| DVector::from_vec(values))

@@ -8,7 +8,7 @@
 //! | `closest` there | `{measure, t, times, at_end, rcond}`: the smallest size of the normalised determinant, first when, how often, whether at an end of the range, and the reciprocal condition of the dimensionless Φ_q there |
 //! | `assembly_modes` | how many signs the closed forms have |
 //! | `coordinates` | their names, in the order of `q` |
-//! | `assemblies` | `{signs, poses, drawn, q}` each: those that exist at the start; `poses` has a number for each block without a closed form, 0 for the pose found from the drawing |
+//! | `assemblies` | `{signs, poses, drawn, q}` each: those that exist at the start; `poses` has a number for each block without a closed form, 0 for its pose `a` of `--branch` |
 //! | `assemblies_cut_short` | whether more combinations were left untried |
 //! | `assemblies_proven` | whether it is proven that there are no others |
 //! | `warnings`, `error` | sentences; `error` only where the motion ends early |
@@ -60,7 +60,7 @@ struct Closest {
 #[derive(Serialize)]
 struct Assembly<'a> {
     signs: Vec<i8>,
-    poses: &'a [usize],
+    poses: Vec<usize>,
     drawn: bool,
     q: &'a [f64],
 }
@@ -78,7 +78,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             .iter()
             .map(|branch| branch.sign::<f64>() as i8)
             .collect(),
-        poses: &assembly.poses,
+        poses: assembly.poses.iter().map(|pose| pose.place).collect(),
         drawn: assembly.drawn,
         q: assembly.instant.q(),
     });
