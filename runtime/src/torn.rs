@@ -29,8 +29,8 @@ use crate::watch::LARGEST_CONTRACTION;
 /// Evaluations of a torn block at most; from the last frame two or three suffice.
 pub const EVALUATIONS: usize = 6;
 
-/// The multiple of ε below which the residual of a tear is rounding where no step makes it smaller. What is more has been amplified on
-/// the way through the closed forms, and all equations together leave less.
+/// The multiple of ε below which the residual of a tear is rounding of its terms where no step makes it smaller. What is more has been
+/// amplified on the way through the closed forms, and all equations together leave less.
 pub const AMPLIFIED: f64 = 16.0;
 
 /// The largest derivative of an unknown by a tear, in their scales, with which rates are as accurate as those of the whole system.
@@ -51,6 +51,9 @@ where
 
     /// The positive magnitudes by which the residuals are scaled.
     fn scales(&self, t: T) -> [T; K];
+
+    /// How large the terms of the residuals are in these scales, at least 1: rounding is a part of them.
+    fn terms(&self) -> [T; K];
 
     /// Finds the other unknowns and the residuals; `None` where a closed form is out of reach or nearly singular.
     fn evaluate(
@@ -180,7 +183,7 @@ where
         let half = T::HALF * h * last.qdd[place];
         last.q[place] + h * (last.qd[place] + half)
     });
-    let scales = equations.scales(t);
+    let (scales, terms) = (equations.scales(t), equations.terms());
     let rounding = |multiple: f64| T::from_f64(multiple) * T::EPSILON;
     let enough = match settings.polish {
         true => rounding(ROUNDING),
@@ -194,8 +197,17 @@ where
         if !keeps_sign {
             return None;
         }
-        let scaled = at.residual.iter().zip(&scales);
-        let level = largest(scaled.map(|(value, scale)| value.abs() / *scale));
+        let mut scaled = at.residual;
+        for (value, scale) in scaled.iter_mut().zip(&scales) {
+            *value = value.abs() / *scale;
+        }
+        let level = largest(scaled.iter().copied());
+        let noise = largest(
+            scaled
+                .iter()
+                .zip(&terms)
+                .map(|(value, size)| *value / *size),
+        );
         let step = at.inverse.map(|row| {
             let terms = row.iter().zip(&at.residual);
             terms.fold(T::ZERO, |sum, (entry, value)| sum - *entry * *value)
@@ -210,7 +222,7 @@ where
         );
         let contracts =
             before.is_none_or(|before| length <= T::from_f64(LARGEST_CONTRACTION) * before);
-        if level <= enough || !contracts && level <= rounding(AMPLIFIED) {
+        if level <= enough || !contracts && noise <= rounding(AMPLIFIED) {
             return completed(equations, last, &tears, memory, &at.carried, (t, settings));
         }
         if !contracts {

@@ -8,7 +8,7 @@ use std::ops::{Add, Mul, Sub};
 
 use linkwright_solver::assemblies::assemblies;
 use linkwright_solver::interpreted::Interpreted;
-use linkwright_tests::system;
+use linkwright_tests::description::written;
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 
@@ -268,7 +268,7 @@ fn no_assembly_of_a_platform_is_missed() {
     for number in 0..PLATFORMS {
         let platform = Platform::random(&mut random);
         let text = platform.description();
-        let found = assemblies(&Interpreted::new(&system(&text)).expect("a plan"), 0.0);
+        let found = assemblies(&Interpreted::new(&written(&text)).expect("a plan"), 0.0);
         assert!(
             found.proven && found.undecided.is_empty(),
             "{number}: {text}"

@@ -29,6 +29,7 @@ pub(crate) struct Tearing {
     directions: Vec<Option<[Register; 2]>>,
     /// The row that scales each residual.
     rows: Vec<usize>,
+    terms: Vec<f64>,
     scales: Part,
     evaluate: Part,
     complete: Part,
@@ -107,6 +108,7 @@ impl Tearing {
             tears: tearing.tears.clone(),
             directions: directions.collect(),
             rows: tearing.rows.clone(),
+            terms: tearing.terms.clone(),
             signs,
             last,
             memory,
@@ -268,6 +270,10 @@ impl<const K: usize> Torn<f64, Dyn, K> for TornEquations<'_, '_, K> {
             let factor = factors.as_ref().map_or(f64::NAN, |factors| factors[place]);
             factor * self.whole.row_scale(self.tearing.rows[place])
         })
+    }
+
+    fn terms(&self) -> [f64; K] {
+        std::array::from_fn(|place| self.tearing.terms[place])
     }
 
     fn evaluate(

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::tearing::Torn;
+use super::tearing::TornFields;
 use crate::expr::{ExprId, SplineId, SymbolId};
 use crate::words::Phrase;
 
@@ -122,7 +122,7 @@ pub enum Statement {
         /// The determinant and the reciprocal condition, where they are asked for.
         measure: Option<[SymbolId; 2]>,
         /// What else is found where the block is torn.
-        torn: Option<Torn>,
+        torn: Option<TornFields>,
     },
     /// The bounds of an input, its radius and its sag: how far it goes between the frames and beyond.
     Signal {
@@ -274,7 +274,9 @@ impl Statement {
             } => {
                 let found = found.iter().flatten().copied();
                 let found = found.chain(measure.iter().flatten().copied());
-                found.chain(torn.iter().flat_map(Torn::targets)).collect()
+                found
+                    .chain(torn.iter().flat_map(TornFields::targets))
+                    .collect()
             }
             Statement::Section(_)
             | Statement::Heading(_)

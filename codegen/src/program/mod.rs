@@ -38,7 +38,7 @@ pub use passes::iterations::{BEYOND_STEPS, EVALUATIONS, Iterations, STEPS};
 pub use path::Path;
 pub use requirements::Requirements;
 pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};
-pub use tearing::{Tearing, Torn};
+pub use tearing::{Tearing, TornFields};
 pub use textbook::{LARGEST_TEXTBOOK, Textbook};
 pub use transmissions::Transmission;
 

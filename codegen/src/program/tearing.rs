@@ -27,6 +27,8 @@ pub struct Tearing {
     pub rows: Vec<usize>,
     /// One factor a residual.
     pub scales: Function,
+    /// How large the terms of each residual are in the drawing, in scales, and at least 1: rounding is a part of them.
+    pub terms: Vec<f64>,
     /// The residuals, the inverse of their Jacobian in the tears row by row, and its determinant; fails where closed forms do.
     pub evaluate: Function,
     /// Of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then all residuals of the
@@ -40,14 +42,14 @@ pub struct Tearing {
 
 /// What a frame keeps of a torn block beside its unknowns, and what a pose is computed from.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Torn {
+pub struct TornFields {
     /// The sine and the cosine of each unknown that is an angle.
     pub directions: Vec<Option<[SymbolId; 2]>>,
     /// The determinant, and the signs of the closed forms.
     pub memory: Vec<SymbolId>,
 }
 
-impl Torn {
+impl TornFields {
     /// All that it defines.
     pub fn targets(&self) -> impl Iterator<Item = SymbolId> {
         let directions = self.directions.iter().flatten().flatten();

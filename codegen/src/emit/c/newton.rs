@@ -9,7 +9,7 @@ use super::words::identifier;
 use crate::emit::module::scope::Scope;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
-use crate::program::{Block, NewtonBlock, Statement, Torn};
+use crate::program::{Block, NewtonBlock, Statement, TornFields};
 use crate::system::Unknown;
 
 /// A level of the motion of an unknown, and the vector that it is handed over in.
@@ -65,7 +65,7 @@ fn solve(
     index: usize,
     block: &Block,
     newton: &NewtonBlock,
-    (measure, torn): (Option<[SymbolId; 2]>, Option<&Torn>),
+    (measure, torn): (Option<[SymbolId; 2]>, Option<&TornFields>),
     scope: &Scope<'_>,
     printer: &Printer<'_>,
     text: &mut Text,

@@ -6,7 +6,7 @@ use super::text::Text;
 use crate::emit::module::documentation;
 use crate::emit::module::scope::{Place, Scope};
 use crate::expr::SymbolId;
-use crate::program::{Block, NewtonBlock, Tearing, Torn};
+use crate::program::{Block, NewtonBlock, Tearing, TornFields};
 
 /// The positions of some of a block's unknowns.
 fn positions(unknowns: impl Iterator<Item = usize>, printer: &Printer<'_>) -> Vec<SymbolId> {
@@ -108,7 +108,7 @@ fn has_factors(tearing: &Tearing, printer: &Printer<'_>) -> bool {
 pub(super) fn solve(
     block: &Block,
     newton: &NewtonBlock,
-    torn: &Torn,
+    torn: &TornFields,
     mode: &str,
     printer: &Printer<'_>,
     text: &mut Text,
@@ -143,13 +143,19 @@ pub(super) fn solve(
         "const {real} scales[{count}] = {{{}}};",
         scales.join(", ")
     ));
+    let terms = tearing.terms.iter().map(|&it| printer.number(it));
+    let terms: Vec<String> = terms.collect();
+    text.line(format!(
+        "const {real} terms[{count}] = {{{}}};",
+        terms.join(", ")
+    ));
     let evaluated = (count + 1) * count + 1 + tearing.carried.len();
     let completed = tearing.complete.results.len();
     text.line(format!("{real} evaluated[{evaluated}];"));
     text.line(format!("{real} completed[{completed}];"));
     let responses = completed - 5 * order;
     text.line(format!(
-        "const {} tearing = {{&equations, {count}U, places, scales, {name}_evaluate, {name}_complete, {responses}U, {name}_signs, evaluated, completed}};",
+        "const {} tearing = {{&equations, {count}U, places, scales, terms, {name}_evaluate, {name}_complete, {responses}U, {name}_signs, evaluated, completed}};",
         printer.runtime("tearing"),
     ));
     let memory = torn.memory.iter();
@@ -169,7 +175,7 @@ pub(super) fn solve(
 /// Keeps what the next frame is found with, and takes the directions of angles that are read.
 pub(super) fn found(
     newton: &NewtonBlock,
-    torn: &Torn,
+    torn: &TornFields,
     scope: &Scope<'_>,
     printer: &Printer<'_>,
     text: &mut Text,

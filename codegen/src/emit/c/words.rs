@@ -220,6 +220,7 @@ const LOCAL_VALUES: &[&str] = &[
     "t",
     "tearing",
     "tears",
+    "terms",
     "tubes",
     "variation",
     // Functions and macros, which a value of the same name would hide.

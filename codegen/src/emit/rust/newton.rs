@@ -14,7 +14,7 @@ use crate::emit::module::scope::{Place, Reads, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
-use crate::program::{Block, Function, Lengths, NewtonBlock, Statement, Torn};
+use crate::program::{Block, Function, Lengths, NewtonBlock, Statement, TornFields};
 use crate::system::Unknown;
 
 /// A type with the equations of every Newton block.
@@ -249,7 +249,7 @@ fn solve(
     index: usize,
     block: &Block,
     newton: &NewtonBlock,
-    (measure, torn): (Option<[SymbolId; 2]>, Option<&Torn>),
+    (measure, torn): (Option<[SymbolId; 2]>, Option<&TornFields>),
     scope: &Scope<'_>,
 ) -> TokenStream {
     let module = scope.module;

@@ -8,7 +8,7 @@ use super::newton::instance;
 use crate::emit::module::Module;
 use crate::emit::module::scope::{Place, Scope};
 use crate::expr::SymbolId;
-use crate::program::{Block, NewtonBlock, Tearing, Torn};
+use crate::program::{Block, NewtonBlock, Tearing, TornFields};
 
 /// The tearing of a block's equations, for the type that states them.
 pub(super) fn implementation(
@@ -24,6 +24,7 @@ pub(super) fn implementation(
     let (sign_count, carried_count) = (count(tearing.signs.len()), count(tearing.carried.len()));
     let places = tearing.tears.iter().map(|&place| count(place));
     let scales = scales(tearing, module);
+    let terms = tearing.terms.iter().map(|&it| module.float(it));
     let evaluate = evaluate(newton, tearing, module);
     let complete = complete(newton, tearing, module);
     let signs = signs(newton, tearing, module);
@@ -37,6 +38,10 @@ pub(super) fn implementation(
             }
 
             #scales
+
+            fn terms(&self) -> [Scalar; #tear_count] {
+                [#(#terms),*]
+            }
 
             #evaluate
 
@@ -239,7 +244,7 @@ pub(super) fn solve(
     number: Literal,
     mode: &Ident,
     block: &Block,
-    (newton, torn): (&NewtonBlock, &Torn),
+    (newton, torn): (&NewtonBlock, &TornFields),
     scope: &Scope<'_>,
 ) -> TokenStream {
     let module = scope.module;

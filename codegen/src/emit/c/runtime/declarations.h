@@ -209,8 +209,9 @@ typedef struct linkwright$f_tearing {
     /* How many tears there are, and which of the unknowns they are. */
     uint16_t count;
     const uint16_t *tears;
-    /* By what their residuals are scaled. */
+    /* By what their residuals are scaled, and how large their terms are beside that. */
     const $real *scales;
+    const $real *terms;
     /* Finds their residuals, the inverse of the Jacobian, its determinant, and what completion needs of the way there;
        false where a closed form is out of reach or nearly singular. */
     bool (*evaluate)(const void *context, const $real tears[], const $real signs[], $real t, $real evaluated[]);

@@ -6,7 +6,8 @@
 /* Evaluations at most; from the last frame two or three suffice. */
 #define EVALUATIONS$F 6U
 
-/* The multiple of the rounding unit below which the residual of a tear is rounding where no step makes it smaller. */
+/* The multiple of the rounding unit of its terms below which the residual of a tear is rounding where no step makes it
+   smaller. */
 static const $real AMPLIFIED$f = 16.0$f;
 
 /* The largest derivative of an unknown by a tear, in their scales, with which rates are as accurate as those of all
@@ -75,6 +76,7 @@ static bool torn_advanced$f(const linkwright$f_tearing *tearing, const linkwrigh
         const $real *const residual = tearing->evaluated;
         const $real *const inverse = &residual[count];
         $real level = 0.0$f;
+        $real noise = 0.0$f;
         $real length = 0.0$f;
         $real step[LINKWRIGHT_MOST_TEARS];
         const bool is_within_reach = tearing->evaluate(equations->context, tears, &memory[1], conditions->t,
@@ -89,11 +91,13 @@ static bool torn_advanced$f(const linkwright$f_tearing *tearing, const linkwrigh
                 sum -= inverse[(row * count) + column] * residual[column];
             }
             step[row] = sum;
-            level = largest_of$f(level, fabs$f(residual[row]) / tearing->scales[row]);
+            const $real scaled = fabs$f(residual[row]) / tearing->scales[row];
+            level = largest_of$f(level, scaled);
+            noise = largest_of$f(noise, scaled / tearing->terms[row]);
             length = largest_of$f(length, fabs$f(sum) / equations->column_scales[tearing->tears[row]]);
         }
         const bool contracts = (evaluation == 0U) || (length <= (LARGEST_CONTRACTION$f * before));
-        if ((level <= enough) || (!contracts && (level <= (AMPLIFIED$f * $FLT_EPSILON)))) {
+        if ((level <= enough) || (!contracts && (noise <= (AMPLIFIED$f * $FLT_EPSILON)))) {
             return torn_completed$f(tearing, tears, last, memory, found, conditions);
         }
         if (!contracts) {

@@ -7,14 +7,14 @@ use super::sequence::{Remaining, Step};
 use super::three_circles::Circles;
 use super::turned_link::TurnedLink;
 use super::two_pins::Between;
-use crate::expr::{ExprId, Number, SymbolId};
+use crate::expr::{ExprId, Node, Number, SymbolId};
 use crate::joint::Quantity;
 use crate::program::block::NewtonBlock;
 use crate::program::builder::{Builder, Inside};
 use crate::program::forms::Solved;
 use crate::program::function::{Function, Level, Statement};
 use crate::program::tearing::{self, Tearing, parted};
-use crate::system::SymbolRole;
+use crate::system::{SymbolRole, System};
 
 /// A step whose position has been stated.
 enum Stated {
@@ -31,7 +31,11 @@ struct Rest {
 }
 
 /// What is found at each instant beside the unknowns.
-pub(super) fn found(torn: &Torn, tearing: &Tearing, builder: &mut Builder<'_>) -> tearing::Torn {
+pub(super) fn found(
+    torn: &Torn,
+    tearing: &Tearing,
+    builder: &mut Builder<'_>,
+) -> tearing::TornFields {
     let mut directions = Vec::with_capacity(torn.whole.unknowns.len());
     for &unknown in &torn.whole.unknowns {
         let name = builder.system.unknown_name(unknown).to_string();
@@ -49,7 +53,7 @@ pub(super) fn found(torn: &Torn, tearing: &Tearing, builder: &mut Builder<'_>) -
         .chain(signs)
         .collect();
     let memory = memory.iter();
-    tearing::Torn {
+    tearing::TornFields {
         directions,
         memory: memory
             .map(|name| builder.system.intermediate(name))
@@ -145,6 +149,14 @@ fn stated(
             },
         })
         .collect();
+    let terms = sequence.remaining.iter().map(|remaining| match *remaining {
+        Remaining::Equation(at) => {
+            let scale = block.scaled_by[0].scale(block.quantities[at]);
+            (magnitude(torn.whole.residuals[at], builder.system) / scale).max(1.0)
+        }
+        Remaining::Length { .. } => 1.0,
+    });
+    let terms = terms.collect();
     let proof = match (&sequence.steps[..], &sequence.tears[..]) {
         (&[Step::ThreeCircles(ref circles)], &[tear]) => {
             let shifts = builder.derivatives.shifts();
@@ -167,11 +179,26 @@ fn stated(
         carried,
         proof,
         rows: scales.iter().map(|(row, _)| *row).collect(),
+        terms,
         scales: Function::of_results(scales.into_iter().map(|(_, factor)| factor)),
         evaluate,
         complete,
         sign_values: Function::of_results(sign_values),
     })
+}
+
+/// The sum of the magnitudes of a sum's terms in the drawing.
+fn magnitude(sum: ExprId, system: &System) -> f64 {
+    let graph = &system.mechanism.graph;
+    match graph.node(sum) {
+        Node::Sum(terms) => {
+            let values = terms.iter();
+            let values =
+                values.map(|term| term.coefficient.to_f64() * system.drawn_value(term.expr));
+            values.map(f64::abs).sum()
+        }
+        _ => system.drawn_value(sum).abs(),
+    }
 }
 
 /// What has the sign of a closed form that has just been stated, in terms of unknowns, where it has one. `None` where the drawing does
