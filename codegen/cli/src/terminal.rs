@@ -5,6 +5,8 @@
 
 use std::io::IsTerminal as _;
 
+use linkwright_codegen::stages::emit::text::shown_width;
+
 /// A terminal that is narrower is treated as if it had these columns.
 const NARROWEST: usize = 40;
 
@@ -23,6 +25,14 @@ pub fn columns() -> Option<usize> {
     Some(usize::from(columns).max(NARROWEST))
 }
 
+/// The text as the terminal shows it whole; as it is where stdout goes elsewhere.
+pub fn fitted(text: String) -> String {
+    match columns() {
+        Some(columns) => folded(&text, columns),
+        None => text,
+    }
+}
+
 /// The text with no line longer than so many columns, as far as it has places to be broken at.
 pub fn folded(text: &str, columns: usize) -> String {
     let mut folded = String::with_capacity(text.len());
@@ -35,7 +45,7 @@ pub fn folded(text: &str, columns: usize) -> String {
 fn fold(line: &str, columns: usize, folded: &mut String) {
     let indent = start_of_formula(line, columns) + HANGING;
     let (mut rest, mut room) = (line, columns);
-    while width(rest.trim_end()) > room {
+    while shown_width(rest.trim_end()) > room {
         let Some(place) = last_break(rest, room) else {
             break;
         };
@@ -53,7 +63,7 @@ fn start_of_formula(line: &str, columns: usize) -> usize {
     let left = (LEFT_HALF * columns as f64) as usize;
     let end = line.char_indices().nth(left).map_or(line.len(), |it| it.0);
     let gap = line[..end].rfind("  ").map_or(0, |place| place + 2);
-    width(&line[..gap])
+    shown_width(&line[..gap])
 }
 
 /// The last place at which a line can be broken so that so many columns suffice; the first one where none is early enough.
@@ -69,14 +79,8 @@ fn last_break(line: &str, room: usize) -> Option<usize> {
         .map(|it| it.0)
         .filter(|place| !line[..*place].trim().is_empty())
         .collect();
-    let fits = |place: &&usize| width(line[..**place].trim_end()) <= room;
+    let fits = |place: &&usize| shown_width(line[..**place].trim_end()) <= room;
     breaks.iter().rev().find(fits).or(breaks.first()).copied()
-}
-
-/// Combining dots take no room on the screen.
-fn width(text: &str) -> usize {
-    let combining = |it: &char| ('\u{300}'..'\u{370}').contains(it);
-    text.chars().filter(|it| !combining(it)).count()
 }
 
 #[cfg(test)]
@@ -96,7 +100,10 @@ mod tests {
         let entries = "  1  revolute P  x1: 1,  phi1: -sin(phi1),  x2: -1,  phi2: -sqrt(3)*sin(phi2),  y2: 0.5*cos(phi2) - x2";
         for columns in 40..120 {
             let folded = folded(entries, columns);
-            assert!(folded.lines().all(|it| width(it) <= columns), "{folded}");
+            assert!(
+                folded.lines().all(|it| shown_width(it) <= columns),
+                "{folded}"
+            );
             let words = |text: &str| text.split_whitespace().collect::<String>();
             assert_eq!(words(&folded), words(entries));
         }
