@@ -1,6 +1,6 @@
 //! *A text, and the width of the terminal* → *lines that fit on it*.
 //!
-//! Formulas are broken before an operator or after a comma, and go on below where they began. What goes to a file or to another
+//! Formulas are broken before an operator or after a comma, sentences also between words, and go on below where they began. What goes to a file or to another
 //! program is never broken.
 
 use std::io::IsTerminal as _;
@@ -15,6 +15,9 @@ const HANGING: usize = 2;
 
 /// A formula begins after the last gap of two spaces that lies in this part of the line.
 const LEFT_HALF: f64 = 0.5;
+
+/// What a line is broken before.
+const SIGNS: [&str; 4] = ["+", "-", "−", "="];
 
 /// The columns of the terminal that stdout goes to; `None` where it goes elsewhere.
 pub fn columns() -> Option<usize> {
@@ -66,21 +69,28 @@ fn start_of_formula(line: &str, columns: usize) -> usize {
     shown_width(&line[..gap])
 }
 
-/// The last place at which a line can be broken so that so many columns suffice; the first one where none is early enough.
+/// The last place at which a line can be broken so that so many columns suffice: before an operator or after a comma, otherwise
+/// between words; the first one where none is early enough.
 fn last_break(line: &str, room: usize) -> Option<usize> {
-    let breaks = line.char_indices().filter(|&(place, character)| {
+    let words = line.char_indices().filter(|&(place, character)| {
         let before = line[..place].chars().next_back();
-        let after = line[place + character.len_utf8()..].chars().next();
-        let is_operator = matches!(character, '+' | '-' | '−' | '=') && after == Some(' ');
-        let follows_comma = before == Some(' ') && line[..place].trim_end().ends_with([',', ':']);
-        before == Some(' ') && (is_operator || follows_comma && character != ' ')
+        let last_word = line[..place].split_whitespace().next_back();
+        // A sign stays with what follows it.
+        let is_word = last_word.is_some_and(|it| !SIGNS.contains(&it));
+        before == Some(' ') && character != ' ' && is_word
     });
-    let breaks: Vec<usize> = breaks
-        .map(|it| it.0)
-        .filter(|place| !line[..*place].trim().is_empty())
-        .collect();
-    let fits = |place: &&usize| shown_width(line[..**place].trim_end()) <= room;
-    breaks.iter().rev().find(fits).or(breaks.first()).copied()
+    let words: Vec<usize> = words.map(|it| it.0).collect();
+    let is_break = |place: &usize| {
+        let word = line[*place..].split(' ').next();
+        word.is_some_and(|it| SIGNS.contains(&it))
+            || line[..*place].trim_end().ends_with([',', ':'])
+    };
+    let fits = |place: &usize| shown_width(line[..*place].trim_end()) <= room;
+    let breaks = || words.iter().copied();
+    breaks()
+        .rfind(|it| is_break(it) && fits(it))
+        .or_else(|| breaks().rfind(fits))
+        .or_else(|| breaks().next())
 }
 
 #[cfg(test)]
@@ -107,6 +117,16 @@ mod tests {
             let words = |text: &str| text.split_whitespace().collect::<String>();
             assert_eq!(words(&folded), words(entries));
         }
+    }
+
+    #[test]
+    fn a_sentence_without_a_comma_is_broken_between_words() {
+        let sentence =
+            "* is the closest of all; it would be singular where L-G and G-H are in line";
+        assert_eq!(
+            folded(sentence, 40),
+            "* is the closest of all; it would be\n  singular where L-G and G-H are in line"
+        );
     }
 
     #[test]
