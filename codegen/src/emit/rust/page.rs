@@ -46,8 +46,7 @@ pub fn page(motions: &[System]) -> String {
     text += "</div>\n";
     let lines = text.lines().filter(|line| !line.trim().is_empty());
     // What stands before the page is a paragraph of its own.
-    let block = lines.fold(String::from("\n"), |text, line| text + line + "\n");
-    block
+    lines.fold(String::from("\n"), |text, line| text + line + "\n")
 }
 
 fn of_motion(system: &System) -> String {
