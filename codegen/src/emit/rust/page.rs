@@ -2,7 +2,7 @@
 //! found.
 //!
 //! The page is one block of HTML in Markdown: it holds no empty line, so nothing in it is read as Markdown, as a link, or as a test.
-//! Words of a description are escaped. The page refers to nothing outside, and takes its colours from the theme that the reader has
+//! Words of a description are escaped. The page refers to nothing outside, and takes its colors from the theme that the reader has
 //! chosen.
 
 use std::fmt::Write as _;
