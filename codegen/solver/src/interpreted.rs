@@ -16,7 +16,7 @@ use linkwright::{
 };
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::{
-    BlockWords, SingularPose, block_words, singular_poses,
+    BlockWords, Script, SingularPose, block_words, singular_poses,
 };
 use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId, Tape};
 use linkwright_codegen::stages::program::{Program, Statement, lower_with_unknowns};
@@ -276,7 +276,8 @@ impl Compiled {
         program: Program,
         measured: (Vec<MeasuredPart>, Vec<ExprId>),
     ) -> Compiled {
-        let poses = |notation| singular_poses(&system, &plan, &program.forms, notation);
+        let poses =
+            |notation| singular_poses(&system, &plan, &program.forms, Script::Text(notation));
         let words = block_words(&program.blocks, &system, &plan, &poses(Notation::Unicode));
         let poses = poses(Notation::Ascii);
         let layout = Layout::new(&system, &program.fields);
