@@ -54,6 +54,7 @@ const TYPES: &[&str] = &[
     "Start",
     "Step",
     "Table",
+    "Torn",
     "Tube",
     "Vector",
     // Of Rust.

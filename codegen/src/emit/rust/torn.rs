@@ -154,6 +154,12 @@ fn evaluate(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Tok
     let (residual, rest) = body.results.split_at(tear_count);
     let (inverse, determinant) = rest.split_at(tear_count * tear_count);
     let inverse = inverse.chunks(tear_count).map(|row| quote!([#(#row),*]));
+    let determinant = quote!(#(#determinant)*);
+    // What has the name of its field already is written once.
+    let determinant = match determinant.to_string() == "determinant" {
+        true => determinant,
+        false => quote!(determinant: #determinant),
+    };
     let carried = tearing.carried.iter().map(|&symbol| scope.symbol(symbol));
     let tear_count = count(tear_count);
     quote! {
@@ -169,7 +175,7 @@ fn evaluate(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Tok
             Some(torn::Evaluation {
                 residual: [#(#residual),*],
                 inverse: [#(#inverse),*],
-                determinant: #(#determinant)*,
+                #determinant,
                 carried: [#(#carried),*],
             })
         }
