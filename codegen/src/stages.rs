@@ -39,7 +39,7 @@ pub mod structure {
 pub mod program {
     pub use crate::program::{
         Block, Branch, Found, Function, Lengths, Level, NewtonBlock, Operations, Program,
-        Statement, forms_of, lower, lower_with_unknowns, unpruned,
+        Statement, Work, forms_of, lower, lower_with_unknowns, unpruned, work,
     };
 }
 

@@ -33,6 +33,7 @@ pub use lower::{forms_of, lower, lower_with_unknowns, unpruned};
 pub use outputs::Output;
 pub use passes::constants::{ConstantPart, Constants};
 pub use passes::costs::{LARGEST_PRODUCT, Operations};
+pub use passes::work::{self, Work};
 pub use path::Path;
 pub use requirements::Requirements;
 pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};
@@ -124,4 +125,6 @@ pub struct Report {
     pub transmission: Option<Operations>,
     /// What the sensitivities take beside pose and rates; `None` where there are none.
     pub sensitivity: Option<Operations>,
+    /// What one call of `advance` takes at most.
+    pub work: Work,
 }

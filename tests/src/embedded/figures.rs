@@ -8,6 +8,7 @@ use super::limits::Figures;
 use super::printed::Printed;
 use super::program::{Language, Program, Scalar};
 use super::symbols::{self, PARTS, Part};
+use super::work;
 use crate::reference::{reference, yardsticks};
 
 /// What a loop calls, in Rust and in C.
@@ -92,6 +93,7 @@ impl Known {
                 "{program}: these may call themselves: {recursive:?}"
             ));
         }
+        faults.extend(work::outside(self));
         faults
     }
 

@@ -12,3 +12,4 @@ pub mod program;
 pub mod report;
 pub mod symbols;
 pub mod tools;
+pub mod work;

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::figures::Known;
 use super::program::{Language, MECHANISMS, Processor, Scalar};
 use super::symbols::TITLES;
-use crate::description;
+use super::work::work_of;
 use crate::study::table::aligned;
 
 /// What is wanted of the frames of f32 on the Cortex-M4F: instructions of `advance`, in the mean.
@@ -39,6 +39,7 @@ const GUARD: &str = "\
 is one that opens a window. With `unguarded;` in the description it does not. Long steps do not succeed in one attempt and are taken in
 several; the worst one is the worst that a loop meets which has missed its time by 0.2 s. C by hand is `tests/embedded/c/by_hand`, with the
 functions of newlib and without any check. `assemble` runs once, before the loop.
+Operations are those that the header of the module states for one attempt of `advance`.
 ";
 
 /// The whole report.
@@ -143,18 +144,17 @@ fn instructions(known: &[Known], processor: Processor, scalar: Scalar) -> String
             format!("{:.0}", printed.long.mean()),
             printed.long.worst.to_string(),
             printed.assemble.total.to_string(),
-            operations(name).to_string(),
+            operations(name),
         ]);
     }
     aligned(&rows, 2)
 }
 
-/// The operations of a frame as the header of the module counts them, all levels together; of a Newton block those of one evaluation.
-fn operations(name: &str) -> usize {
-    let report = linkwright_codegen::report(&description::system(name));
-    report.map_or(0, |it| {
-        it.operations.iter().map(|level| level.total()).sum()
-    })
+/// The operations of a frame as the header of the module counts them: of a Newton block those of all its iterations.
+fn operations(name: &str) -> String {
+    let work = work_of(name);
+    let bound = if work.is_iterated { "≤ " } else { "" };
+    format!("{bound}{}", work.attempt.total())
 }
 
 fn memory(known: &[Known], processor: Processor, scalar: Scalar) -> String {
