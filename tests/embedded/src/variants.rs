@@ -30,7 +30,8 @@ macro_rules! moved {
             fn textbook(&self) -> u64 {
                 let $module::Frame { t, q, .. } = self.frame();
                 // Through a pointer, so that it is not taken apart.
-                let phi_q: fn(&$module::Coordinates, $real) -> _ = core::hint::black_box($module::phi_q);
+                let phi_q: fn(&$module::Coordinates, $real) -> _ =
+                    core::hint::black_box($module::phi_q);
                 let jacobian = phi_q(q, *t);
                 jacobian.iter().fold(0, |sum, it| sum ^ it.bits())
             }

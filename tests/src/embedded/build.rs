@@ -154,6 +154,7 @@ fn sources(
     let flags = vec![
         "-std=c99".to_string(),
         "-O2".to_string(),
+        "-fno-math-errno".to_string(),
         "-Wall".to_string(),
         "-Wextra".to_string(),
         "-Wpedantic".to_string(),
