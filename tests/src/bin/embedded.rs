@@ -18,8 +18,7 @@ use linkwright_tests::embedded::figures::Known;
 use linkwright_tests::embedded::limits::{self, Figures};
 use linkwright_tests::embedded::printed::Printed;
 use linkwright_tests::embedded::program::{Language, MECHANISMS, Processor, Program, Scalar};
-use linkwright_tests::embedded::report::{self, FLASH, FRAMES};
-use linkwright_tests::embedded::{build, symbols, tools};
+use linkwright_tests::embedded::{build, report, symbols, tools};
 use linkwright_tests::files;
 
 /// Runs mechanisms as firmware
@@ -90,7 +89,6 @@ fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
             );
         }
     }
-    faults.extend(missed(&known));
     if arguments.write && arguments.only.is_none() {
         fs::write(
             files::package("reports/embedded.md"),
@@ -218,39 +216,4 @@ fn find_planted(faults: &mut Vec<String>) -> io::Result<()> {
         false => faults.push("planted_recursion is not found".to_string()),
     }
     Ok(())
-}
-
-/// What is wanted and not there.
-fn missed(known: &[Known]) -> Vec<String> {
-    let first = |name: &str, is_guarded: bool, is_small: bool| {
-        known.iter().find(|it| {
-            let Program {
-                processor,
-                scalar,
-                language,
-                ..
-            } = it.program;
-            (processor, scalar, language) == (Processor::CortexM4F, Scalar::F32, Language::Rust)
-                && (it.program.is_guarded, it.program.is_small) == (is_guarded, is_small)
-                && it.program.mechanism() == name
-        })
-    };
-    let mut missed = Vec::new();
-    for (name, limit) in FRAMES {
-        let mean = first(name, true, false).map_or(0.0, |it| it.printed.advance.mean());
-        if mean > limit {
-            missed.push(format!(
-                "{name}: {mean:.0} instructions a frame, more than {limit:.0}"
-            ));
-        }
-    }
-    for (name, is_small, limit) in FLASH {
-        let flash = first(name, false, is_small).map_or(0, Known::flash);
-        if flash > limit {
-            missed.push(format!(
-                "{name}, unguarded: {flash} bytes of flash, more than {limit}"
-            ));
-        }
-    }
-    missed
 }
