@@ -39,7 +39,8 @@ pub mod structure {
 pub mod program {
     pub use crate::program::{
         Block, Branch, EVALUATIONS, Found, Function, Lengths, Level, NewtonBlock, Operations,
-        Program, STEPS, Statement, Tearing, forms_of, lower, lower_with_unknowns, unpruned,
+        Program, STEPS, Statement, Tearing, Work, forms_of, lower, lower_with_unknowns, unpruned,
+        work,
     };
 }
 

@@ -1,6 +1,8 @@
 //! What the solved view computes and leaves out → lines of text, for the generated header and for people.
 
-use crate::program::{BEYOND_STEPS, EVALUATIONS, Iterations, Operations, Report, STEPS};
+use crate::program::{
+    BEYOND_STEPS, EVALUATIONS, Iterations, Operations, Report, STEPS, Work, work,
+};
 
 /// One fact a line.
 pub fn lines(report: &Report) -> Vec<String> {
@@ -33,6 +35,7 @@ pub fn lines(report: &Report) -> Vec<String> {
     if let Some(operations) = report.sensitivity {
         lines.push(format!("Sensitivity: {operations}."));
     }
+    lines.extend(of_work(&report.work));
     if report.operations != report.all_operations {
         let total = |levels: [Operations; 3]| levels.iter().map(Operations::total).sum::<usize>();
         lines.push(format!(
@@ -74,6 +77,45 @@ fn iterations(it: &Iterations) -> Vec<String> {
          times {jacobian} for the Jacobian and its elimination."
     ));
     lines
+}
+
+/// What a call of `advance` takes at most.
+fn of_work(work: &Work) -> Vec<String> {
+    let attempt = grouped(work.attempt.total());
+    let substeps = work::SUBSTEPS;
+    let mut lines = vec![match work.is_iterated {
+        false => format!("Advance: {attempt} operations, the same for every frame."),
+        true => format!("Advance: at most {attempt} operations, with {STEPS} iterations."),
+    }];
+    if let Some(window) = work.window {
+        let window = grouped(window.total());
+        let looks = work::LOOKS;
+        lines.push(format!(
+            "Where a frame is the first of a window of its path: at most {looks} times {window} operations more."
+        ));
+    }
+    lines.push(format!(
+        "Where one attempt does not lead to it: at most {substeps} attempts and {} operations in all{}.",
+        grouped(work.whole()),
+        match work.window {
+            Some(_) => ", dead points included",
+            None => "",
+        }
+    ));
+    lines
+}
+
+/// `1,234,567`
+fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
 }
 
 /// The names, at most twenty of them.

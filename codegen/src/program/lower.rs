@@ -18,7 +18,7 @@ use super::requirements::requirements;
 use super::sensitivities::{Sensitivity, sensitivities};
 use super::textbook::Textbook;
 use super::transmissions::{Transmission, transmissions};
-use super::{Constants, Program, Report};
+use super::{Constants, Program, Report, Work};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
 use crate::structure::SolvedPlan;
@@ -128,6 +128,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
     report.transmission = (!transmissions.is_empty()).then_some(levels[3]);
     report.sensitivity = (!sensitivities.is_empty()).then_some(levels[4]);
     report.angles_left_out = angles_left_out(&blocks, system);
+    report.work = Work::of(&blocks, path.as_ref(), system);
     let read: HashSet<SymbolId> = blocks
         .iter()
         .flat_map(Block::functions)

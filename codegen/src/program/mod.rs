@@ -35,6 +35,7 @@ pub use outputs::Output;
 pub use passes::constants::{ConstantPart, Constants};
 pub use passes::costs::{LARGEST_PRODUCT, Operations};
 pub use passes::iterations::{BEYOND_STEPS, EVALUATIONS, Iterations, STEPS};
+pub use passes::work::{self, Work};
 pub use path::Path;
 pub use requirements::Requirements;
 pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};
@@ -129,4 +130,6 @@ pub struct Report {
     pub transmission: Option<Operations>,
     /// What the sensitivities take beside pose and rates; `None` where there are none.
     pub sensitivity: Option<Operations>,
+    /// What one call of `advance` takes at most.
+    pub work: Work,
 }

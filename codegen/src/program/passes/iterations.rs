@@ -3,9 +3,8 @@
 //! How often it evaluates the equations of a block is known only while it runs, but not how often at most. Nothing here knows how the
 //! runtime decides.
 
-use super::costs::{Computed, Operations};
+use super::costs::{Operations, of_function};
 use crate::program::block::Block;
-use crate::program::function::Function;
 use crate::program::tearing::Tearing;
 use crate::system::System;
 
@@ -70,16 +69,6 @@ fn torn(tearing: &Tearing, system: &System) -> TornIterations {
         evaluation: of_function(&tearing.evaluate, system),
         completion,
     }
-}
-
-fn of_function(function: &Function, system: &System) -> Operations {
-    let computed = Computed { function, system };
-    let mut operations = Operations::default();
-    for statement in &function.statements {
-        operations += computed.statement(statement);
-    }
-    operations += computed.results();
-    operations
 }
 
 /// Gauss's elimination of n equations and one solution with it.

@@ -9,4 +9,5 @@ pub mod liveness;
 pub mod names;
 pub(super) mod sharing;
 mod usage;
+pub mod work;
 pub(super) mod zeros;
