@@ -75,7 +75,7 @@ impl Polynomial {
     /// The signs far to the left and far to the right.
     fn ends(&self) -> [Sign; 2] {
         let right = self.0.last().map_or(Sign::NoSign, BigInt::sign);
-        match self.0.len() % 2 == 0 {
+        match self.0.len().is_multiple_of(2) {
             true => [-right, right],
             false => [right, right],
         }

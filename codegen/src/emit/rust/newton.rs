@@ -40,8 +40,11 @@ fn type_name(block: &Block) -> Ident {
 /// What the equations of a block read of what was found before it and of what is given.
 fn reads(newton: &NewtonBlock, module: &Module<'_>) -> Reads {
     let mut all = Reads::default();
-    for function in newton.functions() {
-        let reads = scope(newton, function, true, module).reads();
+    let equations = newton.equations().into_iter();
+    let equations = equations.map(|function| scope(newton, function, true, module).reads());
+    let tearing = newton.tearing.iter();
+    let torn = tearing.flat_map(|tearing| torn::reads(newton, tearing, module));
+    for reads in equations.chain(torn) {
         all.frame |= reads.frame;
         all.parameters |= reads.parameters;
         all.inputs |= reads.inputs;

@@ -6,7 +6,7 @@ use quote::quote;
 use super::literal::count;
 use super::newton::instance;
 use crate::emit::module::Module;
-use crate::emit::module::scope::{Place, Scope};
+use crate::emit::module::scope::{Place, Reads, Scope};
 use crate::expr::SymbolId;
 use crate::program::{Block, NewtonBlock, Tearing, TornFields};
 
@@ -50,6 +50,19 @@ pub(super) fn implementation(
             #signs
         }
     }
+}
+
+/// What each of the functions reads; what one carries for another is read of nothing else.
+pub(super) fn reads(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> [Reads; 4] {
+    let all = tearing.named();
+    let whole = Scope::with_tears(module, &all, Place::Tears, tears(newton, tearing, module));
+    let unknowns = positions(newton.unknowns.iter().copied(), module);
+    [
+        Scope::with_tears(module, &tearing.scales, Place::Tears, Vec::new()).reads(),
+        whole.part(&tearing.evaluate).reads(),
+        whole.part(&tearing.complete).reads(),
+        Scope::with_tears(module, &tearing.sign_values, Place::Tears, unknowns).reads(),
+    ]
 }
 
 /// The positions of unknowns.
