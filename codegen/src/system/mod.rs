@@ -10,9 +10,11 @@ mod assemble;
 mod auxiliary;
 mod direction;
 mod drawn;
+mod forces;
 mod length;
 mod mark_names;
 mod orientation;
+mod own_columns;
 mod pressure;
 mod row_name;
 mod turned;
@@ -22,6 +24,7 @@ mod written_order;
 
 pub use assemble::{assemble, assemble_without};
 pub use direction::{Cause, Direction};
+pub use forces::{Carried, Forces, Passing};
 pub use pressure::Pressure;
 pub use vector_form::{Arm, VectorForm};
 pub use vector_sum::VectorTerm;
@@ -52,6 +55,8 @@ pub struct System {
     pub rate_jacobian: Vec<Vec<Entry>>,
     /// The pressure angles of cams and their followers.
     pub pressures: Vec<Pressure>,
+    /// What acts on the bodies, where forces are wanted.
+    pub forces: Option<Forces>,
     /// The same constraints in vector form.
     pub vector_form: VectorForm,
     /// The lengths whose largest is what lengths are judged against, where parameters change one of them; else none, and it is
