@@ -15,6 +15,7 @@ pub mod derivatives;
 pub mod diagnosis;
 pub mod drawn;
 pub mod first_step;
+pub mod forces;
 pub mod instant;
 pub mod interpreted;
 pub mod measures;

@@ -32,8 +32,8 @@ impl Dimension {
     pub const LENGTH: Dimension = Dimension::marked(1, 0, 0);
     const RATIO: Dimension = Dimension::marked(0, 0, 0);
     const TIME: Dimension = Dimension::marked(0, 1, 0);
-    /// A frequency.
-    pub const FREQUENCY: Dimension = Dimension::marked(0, -1, 0);
+
+    const FREQUENCY: Dimension = Dimension::marked(0, -1, 0);
     const SPEED: Dimension = Dimension::marked(1, -1, 0);
     const AREA: Dimension = Dimension::marked(2, 0, 0);
     /// An acceleration.

@@ -25,7 +25,7 @@ impl Resolver<'_> {
             );
             return None;
         };
-        let (value, dimension) = self.value(argument)?;
+        let (value, _) = self.value(argument)?;
         let symbols = self.graph.symbols(value).to_vec();
         let mut terms = Vec::with_capacity(symbols.len());
         for symbol in symbols {
@@ -47,12 +47,8 @@ impl Resolver<'_> {
             let partial = self.graph.derivative(value, symbol);
             terms.push(self.graph.multiply(partial, rate));
         }
-        let per_second = Dimension::FREQUENCY;
-        let dimension = match dimension {
-            Dimension::Number | Dimension::Angle => per_second,
-            other => other.times(per_second, 1),
-        };
-        Some((self.graph.sum(&terms), dimension))
+        // What multiplies a rate is seldom written with its unit, as what multiplies t is.
+        Some((self.graph.sum(&terms), Dimension::OfTime))
     }
 
     /// The rate of what a formula mentions; `None` for a rate itself.

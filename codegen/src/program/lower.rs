@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::block::{Block, Lowering, Measured};
+use super::forces::forces;
 use super::forms::{Form, recognize};
 use super::function::{Function, Statement};
 use super::outputs::{Output, outputs};
@@ -54,11 +55,19 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
         transmissions.unwrap_or_default(),
         sensitivities.unwrap_or_default(),
     );
+    let transposed: Vec<_> = blocks.iter().map(|it| it.transposed.clone()).collect();
+    let (forces, exerting) = forces(&mut lowering, plan, &transposed).unzip();
+    let forces = forces.unwrap_or_default();
+    // What is known to be zero carries nothing either.
+    let exerts = exerting.is_some();
+    blocks.extend(exerting);
     propagate(&mut blocks, &mut lowering.system.mechanism.graph);
+    let exerting = blocks.pop_if(|_| exerts);
     // What is asked for beside the coordinates.
     let mut asked = kept.clone();
     asked.extend(transmissions.iter().flat_map(Transmission::fields));
     asked.extend(sensitivities.iter().flat_map(Sensitivity::fields));
+    asked.extend(forces.fields());
     asked.extend(
         blocks
             .iter()
@@ -68,7 +77,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
     let (outputs, last) = wanted.unzip();
     asked.extend(outputs.iter().flatten().flat_map(Output::fields));
     blocks.extend(last);
-    blocks.extend(transmitting.into_iter().chain(sensing));
+    blocks.extend(transmitting.into_iter().chain(sensing).chain(exerting));
     let mut report = Report::default();
     let is_asked = |symbol: SymbolId, asked: &HashSet<SymbolId>, system: &System| {
         asked.contains(&symbol) || outputs.is_none() && system.is_coordinate(symbol)
@@ -124,6 +133,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
     let levels = by_level(&blocks, system);
     report.operations.copy_from_slice(&levels[..3]);
     report.transmission = (!transmissions.is_empty()).then_some(levels[3]);
+    report.forces = (!forces.fields().is_empty()).then_some(levels[5]);
     report.sensitivity = (!sensitivities.is_empty()).then_some(levels[4]);
     report.angles_left_out = angles_left_out(&blocks, system);
     let read: HashSet<SymbolId> = blocks
@@ -166,6 +176,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
         outputs,
         transmissions,
         sensitivities,
+        forces,
         report,
     };
     let mut constants = Constants::default();

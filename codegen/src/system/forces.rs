@@ -7,6 +7,7 @@
 
 use std::collections::BTreeMap;
 
+use super::carried::Carried;
 use super::{SymbolRole, System, VectorForm};
 use crate::expr::{ExprId, Number, Rational};
 use crate::force::{Place, moment};
@@ -42,31 +43,6 @@ pub struct Passing {
     pub arm: Vector,
     /// What is said of the force.
     pub carried: Carried,
-}
-
-/// What a joint can carry.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Carried {
-    /// A force through a point.
-    Force,
-    /// A force and a moment.
-    ForceAndMoment,
-    /// A force along this unit vector, across a line, and a moment.
-    NormalAndMoment(Vector),
-    /// A force along this unit vector alone, across a line.
-    Normal(Vector),
-    /// A force along this unit vector, with which a link pulls.
-    Tension(Vector),
-    /// A force along this unit vector, which teeth pass on.
-    Tooth(Vector),
-    /// A force along this unit vector, with which bodies press on one another.
-    Pressure(Vector),
-    /// A force along x (0) or y (1).
-    Component(usize),
-    /// A moment.
-    Moment,
-    /// The multiplier of an equation: what is conjugate to its residual.
-    Multiplier,
 }
 
 /// The loads and energies, where they are wanted.

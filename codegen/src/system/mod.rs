@@ -8,6 +8,7 @@
 
 mod assemble;
 mod auxiliary;
+mod carried;
 mod direction;
 mod drawn;
 mod forces;
@@ -23,8 +24,9 @@ mod vector_sum;
 mod written_order;
 
 pub use assemble::{assemble, assemble_without};
+pub use carried::{Carried, Component};
 pub use direction::{Cause, Direction};
-pub use forces::{Carried, Forces, Passing};
+pub use forces::{Forces, Passing};
 pub use pressure::Pressure;
 pub use vector_form::{Arm, VectorForm};
 pub use vector_sum::VectorTerm;

@@ -57,6 +57,8 @@ pub struct Shown<'a> {
     pub motions: &'a [PointMotion],
     /// What transmissions and sensitivities ask for, in the order of their names; `None` where the equations are singular.
     pub derivatives: Option<&'a [f64]>,
+    /// What drivers exert, joints carry and bodies store, in the order of their names; `None` where the equations are singular.
+    pub forces: Option<&'a [f64]>,
     /// How close each part is to a singular pose, where that is wanted.
     pub measures: &'a [f64],
 }
@@ -98,6 +100,10 @@ pub struct Followed<V: View> {
     pub pressure: PressureCheck,
     /// The names of what transmissions and sensitivities ask for.
     pub derivative_names: Vec<String>,
+    /// The names of the forces that are asked for, each with its unit.
+    pub force_names: Vec<(String, &'static str)>,
+    /// The largest size of each force, and when.
+    pub largest_forces: Vec<(f64, f64)>,
     /// The names of the measures, where they are wanted.
     pub measure_names: Vec<String>,
     /// The smallest measure: its place among the names, when, and itself.
@@ -155,6 +161,7 @@ impl<V: View> Followed<V> {
             Ok(shell) => (Some(shell), None),
             Err(failure) => (None, Some(view.not_assembled(&failure))),
         };
+        let force_names = linkwright_solver::forces::names(system);
         Followed {
             condition: Condition::of(&matrix),
             dimensionless_condition: Condition::of(&dimensionless(&textbook, matrix)),
@@ -167,6 +174,8 @@ impl<V: View> Followed<V> {
             residuals: ResidualCheck::new(system, view.layout()),
             pressure: PressureCheck::new(system, view.layout()),
             derivative_names: linkwright_solver::derivatives::names(system),
+            largest_forces: vec![(0.0, start); force_names.len()],
+            force_names,
             measure_names: monitored.map(name).collect(),
             smallest_measure: None,
             warnings: Vec::new(),
@@ -271,6 +280,15 @@ impl<V: View> Followed<V> {
                 self.smallest_measure = Some((place, instant.t(), *measure));
             }
         }
+        let forces = match self.force_names.is_empty() {
+            true => Some(Vec::new()),
+            false => self.view.forces(instant),
+        };
+        for (largest, force) in self.largest_forces.iter_mut().zip(forces.iter().flatten()) {
+            if force.abs() > largest.0.abs() {
+                *largest = (*force, instant.t());
+            }
+        }
         if is_row || self.course.is_some() || !sinks.is_empty() {
             let motions = self.motions(instant);
             if let Some(course) = &mut self.course {
@@ -287,6 +305,7 @@ impl<V: View> Followed<V> {
                     instant,
                     motions: &motions,
                     derivatives: derivatives.as_deref(),
+                    forces: forces.as_deref(),
                     measures: &measures,
                 };
                 for sink in sinks.iter_mut() {

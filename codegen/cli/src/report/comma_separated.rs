@@ -40,6 +40,7 @@ pub struct Table<'a> {
     writer: csv::Writer<&'a mut dyn Write>,
     fields: Vec<String>,
     derivatives: usize,
+    forces: usize,
 }
 
 impl<'a> Table<'a> {
@@ -63,6 +64,7 @@ impl<'a> Table<'a> {
             writer,
             fields: Vec::new(),
             derivatives: motion.derivative_names.len(),
+            forces: motion.force_names.len(),
         })
     }
 
@@ -91,6 +93,10 @@ impl Sink for Table<'_> {
             Some(values) => fields.extend(values.iter().map(|value| number(*value))),
             None => fields.extend((0..self.derivatives).map(|_| String::new())),
         }
+        match shown.forces {
+            Some(values) => fields.extend(values.iter().map(|value| number(*value))),
+            None => fields.extend((0..self.forces).map(|_| String::new())),
+        }
         fields.extend(shown.measures.iter().map(|value| number(*value)));
         self.writer.write_record(fields).map_err(cause)
     }
@@ -118,8 +124,10 @@ fn header<V: View>(motion: &Followed<V>) -> Vec<(String, &'static str)> {
             .zip(["m", "m", "m/s", "m/s", "m/s²", "m/s²"]);
         names.extend(columns.map(|(suffix, unit)| (format!("{name}{suffix}"), unit)));
     }
-    let others = motion.derivative_names.iter().chain(&motion.measure_names);
-    names.extend(others.map(|name| (name.clone(), "")));
+    let plain = |name: &String| (name.clone(), "");
+    names.extend(motion.derivative_names.iter().map(plain));
+    names.extend(motion.force_names.iter().cloned());
+    names.extend(motion.measure_names.iter().map(plain));
     names
 }
 

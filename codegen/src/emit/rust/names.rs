@@ -97,6 +97,7 @@ const ITEMS: &[&str] = &[
     "required",
     "largest_length",
     "singular_divisor",
+    "multipliers",
     "drawn",
     "describe",
     "monitored",

@@ -1,0 +1,60 @@
+//! *A Jacobian J (n × n) and generalized forces f* → *the multipliers λ of Jᵀ λ = f*.
+//!
+//! What the equations of a part without a closed form carry. Each row of J is scaled by its largest entry, so that the elimination
+//! does not depend on the unit of an equation. The module does not know what the forces are.
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector, SMatrix, SVector};
+
+use crate::closed_form::failed;
+use crate::failure::{Failure, FailureKind};
+use crate::linear::Factorization;
+use crate::math::Real;
+use crate::scale::Scales;
+use crate::vector::all_finite;
+
+/// λ, one for each row of `jacobian`, for the `forces` on its columns.
+///
+/// # Errors
+/// [`FailureKind::Singular`] where the Jacobian is, and [`FailureKind::NotFinite`] where it or the solution is not finite.
+pub fn multipliers<T: Real, const N: usize>(
+    jacobian: [[T; N]; N],
+    forces: [T; N],
+    time: T,
+    block: u16,
+) -> Result<[T; N], Failure<T>> {
+    let matrix = SMatrix::<T, N, N>::from_fn(|row, column| jacobian[row][column]);
+    let mut found = SVector::<T, N>::from(forces);
+    solve::<T, Const<N>>(&matrix, &mut found).map_err(|kind| failed(kind, time, block))?;
+    Ok(found.into())
+}
+
+/// The same for any dimension: replaces the forces with the multipliers.
+///
+/// # Errors
+/// Those of [`multipliers`].
+pub fn solve<T: Real, D: Dim>(
+    jacobian: &OMatrix<T, D, D>,
+    forces: &mut OVector<T, D>,
+) -> Result<(), FailureKind<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let (dimension, _) = jacobian.shape_generic();
+    let mut scales = Scales::unit(dimension);
+    for (row, scale) in scales.rows.iter_mut().enumerate() {
+        let entries = jacobian.row(row);
+        let largest = entries
+            .iter()
+            .fold(T::ZERO, |most, entry| most.max(entry.abs()));
+        if largest > T::ZERO {
+            *scale = largest;
+        }
+    }
+    let factorization = Factorization::new(jacobian, &scales, T::ZERO)?;
+    factorization.solve_transposed(forces);
+    match all_finite(forces.as_slice()) {
+        true => Ok(()),
+        false => Err(FailureKind::NotFinite),
+    }
+}
