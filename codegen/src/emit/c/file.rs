@@ -4,7 +4,7 @@ use super::printer::Printer;
 use super::text::Text;
 use super::words::WORDS;
 use super::{
-    api, assembly, block, block_names, coordinates, frame, newton, normalized_determinant,
+    api, assembly, block, block_names, coordinates, forces, frame, newton, normalized_determinant,
     parameters, path, points, runtime, sensitivity, shell, tables, textbook, transmission,
 };
 use crate::emit::module::{Module, documentation, facts};
@@ -44,6 +44,7 @@ fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
     all.extend(assembly::drawn_pose(printer));
     all.extend(points::offered(printer));
     all.extend(transmission::offered(printer));
+    all.extend(forces::offered(printer));
     all.extend(sensitivity::offered(printer));
     all.extend(normalized_determinant::offered(printer));
     all.extend(textbook::offered(printer));

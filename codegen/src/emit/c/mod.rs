@@ -12,6 +12,7 @@ mod comment;
 mod coordinates;
 mod expression;
 mod file;
+mod forces;
 mod frame;
 mod newton;
 mod normalized_determinant;
