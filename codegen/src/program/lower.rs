@@ -189,14 +189,28 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
 
 /// The functions of all blocks with nothing left out, and with a person's words, for whoever reads them or evaluates them without
 /// a compile step. Values that nothing needs are computed too, so that every unknown of the vector form has its position and rate.
+/// Behind the blocks of the plan stands that of the forces, where any are asked for.
 pub fn unpruned(system: &mut System, plan: &SolvedPlan) -> (Vec<Block>, Vec<super::Branch>) {
     let mut lowering = Lowering::new(system, true);
     let blocks = plan.blocks.iter().enumerate();
     let mut blocks: Vec<Block> = blocks
         .map(|(place, block)| lowering.block(place, block))
         .collect();
+    let transposed: Vec<_> = blocks.iter().map(|it| it.transposed.clone()).collect();
+    let (forces, exerting) = forces(&mut lowering, plan, &transposed).unzip();
     let branches = lowering.branches;
+    blocks.extend(exerting);
     propagate(&mut blocks, &mut system.mechanism.graph);
+    if let (Some(forces), Some(block)) = (forces, blocks.last_mut()) {
+        // Loads that nobody asks for are no step of the derivation.
+        let fields: HashSet<SymbolId> = forces.fields().into_iter().collect();
+        let own = std::slice::from_mut(block);
+        prune(
+            own,
+            &|symbol| fields.contains(&symbol),
+            &system.mechanism.graph,
+        );
+    }
     (blocks, branches)
 }
 

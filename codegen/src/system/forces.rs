@@ -63,32 +63,49 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
     };
     let [mut kinetic, mut potential, mut added] = [zero; 3];
     let half = Number::rational(Rational::HALF);
+    let gravity = mechanism.forces.gravity;
     for mass in mechanism.forces.masses.clone() {
         let body = BodyId(mass.body);
         let center = form.mark_with_arm(&mass.center, &mechanism.bodies, &mut mechanism.graph);
-        let place = placed(center, form, mechanism);
-        let weight = mechanism.forces.gravity;
         let graph = &mut mechanism.graph;
-        let acceleration = acceleration(center, form, graph);
-        let falling = match weight {
-            Some(gravity) => subtract(gravity, acceleration, graph),
-            None => acceleration.map(|part| graph.negate(part)),
+        let angle = form.angle_of(mass.body);
+        let of_body = [angle - 2, angle - 1, angle].map(|at| &form.unknowns[at]);
+        let [vx, vy, turning] = of_body.map(|it| graph.variable(it.rate));
+        let [ax, ay, spin] = of_body.map(|it| graph.variable(it.acceleration));
+        // About the origin (Steiner): I + m s².
+        let offset = dot(mass.center.local, mass.center.local, graph);
+        let offset = graph.multiply(mass.mass, offset);
+        let inertia = graph.add(mass.inertia, offset);
+        let falling = match gravity {
+            Some(gravity) => subtract(gravity, [ax, ay], graph),
+            None => [graph.negate(ax), graph.negate(ay)],
         };
-        let force = falling.map(|part| graph.multiply(mass.mass, part));
-        let about_origin = moment(center.arm, force, graph);
-        let spin = graph.variable(form.unknowns[form.angle_of(mass.body)].acceleration);
-        let turned = graph.multiply(mass.inertia, spin);
+        let square = graph.multiply(turning, turning);
+        let across = perpendicular(center.arm, graph);
+        let force = [0, 1].map(|axis| {
+            let radial = graph.multiply(square, center.arm[axis]);
+            let tangential = graph.multiply(spin, across[axis]);
+            let turned = graph.subtract(radial, tangential);
+            let total = graph.add(falling[axis], turned);
+            graph.multiply(mass.mass, total)
+        });
+        let about_origin = moment(center.arm, falling, graph);
+        let about_origin = graph.multiply(mass.mass, about_origin);
+        let turned = graph.multiply(inertia, spin);
         let torque = graph.subtract(about_origin, turned);
-        let square = dot(place.velocity, place.velocity, graph);
-        let moving = graph.multiply(mass.mass, square);
-        let turning = graph.multiply(place.turning, place.turning);
-        let turning = graph.multiply(mass.inertia, turning);
-        let twice = graph.add(moving, turning);
+        // v² of the center is ṙ² + 2 φ̇ (R s × ṙ) + s² φ̇².
+        let moving = dot([vx, vy], [vx, vy], graph);
+        let mixed = moment(center.arm, [vx, vy], graph);
+        let mixed = graph.multiply(turning, mixed);
+        let moving = graph.sum(&[moving, mixed, mixed]);
+        let moving = graph.multiply(mass.mass, moving);
+        let spinning = graph.multiply(inertia, square);
+        let twice = graph.add(moving, spinning);
         let own = graph.scale(half, twice);
         kinetic = graph.add(kinetic, own);
-        if let Some(gravity) = weight {
-            let height = center.position(graph);
-            let height = dot(gravity, height, graph);
+        if let Some(gravity) = gravity {
+            let place = center.position(graph);
+            let height = dot(gravity, place, graph);
             let work = graph.multiply(mass.mass, height);
             potential = graph.subtract(potential, work);
         }
@@ -150,20 +167,6 @@ fn placed(mark: Mark, form: &VectorForm, mechanism: &mut Mechanism) -> Place {
         velocity: add([x, y], turned, graph),
         turning,
     }
-}
-
-/// r̈ + φ̈ Ω R s − φ̇² R s.
-fn acceleration(mark: Mark, form: &VectorForm, graph: &mut crate::expr::Graph) -> Vector {
-    let angle = form.angle_of(mark.frame.body.0);
-    let [x, y, spin] =
-        [angle - 2, angle - 1, angle].map(|at| graph.variable(form.unknowns[at].acceleration));
-    let rate = graph.variable(form.unknowns[angle].rate);
-    let square = graph.multiply(rate, rate);
-    let across = perpendicular(mark.arm, graph);
-    let tangential = across.map(|part| graph.multiply(spin, part));
-    let radial = mark.arm.map(|part| graph.multiply(square, part));
-    let origin = add([x, y], tangential, graph);
-    subtract(origin, radial, graph)
 }
 
 impl System {

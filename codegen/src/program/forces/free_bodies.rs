@@ -42,6 +42,9 @@ pub(super) fn multipliers(
         }
     }
     let order = order(plan, balances.len());
+    builder.say(|_| {
+        "One body after the other is cut free: its forces along x and y and its moments add up to nothing, which gives what its other joints carry:".into()
+    });
     let mut expressed: Vec<(usize, Balance)> = Vec::new();
     let mut open: BTreeSet<usize> = order.iter().copied().collect();
     while found.iter().any(Option::is_none) && !open.is_empty() {

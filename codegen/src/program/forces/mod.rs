@@ -84,7 +84,11 @@ pub(super) fn forces(
         builder.nonzero(length, scale);
     }
     let mut found = Forces::default();
+    builder.heading(headline(&wanted));
     if wanted.need_multipliers() {
+        builder.say(|_| {
+            "What acts on every body beside joints and drivers, less what moves its mass, moments about the origin of its frame:".into()
+        });
         let loads = named_loads(&loads.loads, &mut builder);
         let carried = virtual_work::sweep(plan, transposed, &loads, &mut builder);
         if wanted.efforts {
@@ -99,6 +103,7 @@ pub(super) fn forces(
         }
     }
     if wanted.energy {
+        builder.say(|_| "The work that is stored, and the power of what else acts:".into());
         let values = [
             ("kinetic_energy", loads.kinetic),
             ("potential_energy", loads.potential),
@@ -129,6 +134,18 @@ pub(super) fn forces(
     Some((found, Block::following("forces", title, statements)))
 }
 
+/// What the block finds.
+fn headline(wanted: &crate::model::Forces) -> String {
+    let parts = [
+        (wanted.efforts, "what drivers exert"),
+        (!wanted.reactions.is_empty(), "what joints carry"),
+        (wanted.energy, "what is stored"),
+    ];
+    let parts = parts.into_iter().filter(|(is_wanted, _)| *is_wanted);
+    let parts: Vec<&str> = parts.map(|(_, words)| words).collect();
+    parts.join(", ")
+}
+
 /// The length that lengths are judged against.
 fn characteristic(system: &mut System) -> ExprId {
     let length = system.mechanism.characteristic_length;
@@ -152,6 +169,9 @@ fn named_loads(loads: &[ExprId], builder: &mut Builder<'_>) -> Vec<ExprId> {
 fn efforts(carried: &virtual_work::Carried, builder: &mut Builder<'_>) -> Vec<Effort> {
     let driven: Vec<(usize, usize, Quantity)> = builder.system.driven().collect();
     let mut efforts = Vec::with_capacity(driven.len());
+    builder.say(|_| {
+        "A driver exerts the opposite of the work that all of this does along its value, and its power is that times the rate of the value:".into()
+    });
     for (direction, joint, quantity) in driven {
         let symbol = builder.system.directions[direction].symbol;
         let own = &builder.system.mechanism.joints[joint];

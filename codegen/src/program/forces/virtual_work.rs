@@ -13,6 +13,7 @@ use crate::program::builder::Builder;
 use crate::program::forms::Transposed;
 use crate::program::function::Statement;
 use crate::structure::{Part, SolvedPlan};
+use crate::words::{Phrase, Piece, enumerated, phrase};
 
 /// What is carried.
 #[derive(Debug, Default)]
@@ -140,6 +141,7 @@ impl Sweep<'_, '_> {
     fn part(&mut self, part: &Part, transposed: Option<&Transposed>) {
         let forces: Vec<ExprId> = part.unknowns.iter().map(|&it| self.take(it)).collect();
         let zero = self.builder.graph().zero();
+        self.say_part(part, transposed, &forces);
         let multipliers = if forces.iter().all(|&force| force == zero) {
             vec![zero; part.equations.len()]
         } else {
@@ -158,6 +160,43 @@ impl Sweep<'_, '_> {
             let opposite = self.builder.graph().negate(multiplier);
             self.give(equation.residual, opposite, &part.unknowns);
         }
+    }
+
+    /// Says what the equations of a part carry, and why.
+    fn say_part(&mut self, part: &Part, transposed: Option<&Transposed>, forces: &[ExprId]) {
+        let rows = part.equations.iter().map(|it| it.row);
+        self.builder.say(|builder| {
+            let system = &builder.system;
+            let mut joints: Vec<usize> =
+                rows.map(|row| system.vector_form.rows[row].joint).collect();
+            joints.dedup();
+            let joints: Vec<Phrase> = joints
+                .into_iter()
+                .map(|joint| Piece::Name(system.mechanism.joints[joint].label.clone()).into())
+                .collect();
+            let unknowns: Vec<Phrase> = part
+                .unknowns
+                .iter()
+                .map(|&it| Piece::Unknown(it).into())
+                .collect();
+            let works: Vec<Phrase> = forces.iter().map(|&it| Piece::Formula(it).into()).collect();
+            let solved = match transposed {
+                Some(_) => "; so, with the determinant of the position, it carries:",
+                None => {
+                    "; so one linear system with the transposed Jacobian gives what it carries:"
+                }
+            };
+            phrase![
+                "Cut free at ",
+                enumerated(&joints),
+                ", what is left works ",
+                enumerated(&works),
+                " along ",
+                enumerated(&unknowns),
+                ", and what is carried there balances it",
+                solved
+            ]
+        });
     }
 
     /// The multipliers of a part without a closed form, by one dense system with its Jacobian.
