@@ -123,3 +123,8 @@ pub mod disc_cam {
 pub mod cam_dwell {
     linkwright::include_mechanism!(cam_dwell);
 }
+
+/// Andrews' squeezing mechanism, with its masses and its spring.
+pub mod andrews {
+    linkwright::include_mechanism!(andrews);
+}

@@ -9,6 +9,7 @@ pub mod deviation;
 pub mod dyad_chain;
 pub mod elementary;
 pub mod files;
+pub mod forces;
 pub mod generated;
 pub mod hunt;
 pub mod jet;

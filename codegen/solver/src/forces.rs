@@ -88,8 +88,8 @@ impl DenseForces {
             }
         }
         let zero = system.mechanism.graph.zero();
-        let loads = loads.loads.into_iter().chain(std::iter::repeat(zero));
-        roots.extend(loads.take(system.coordinates.len()));
+        let own = loads.loads.iter().copied().chain(std::iter::repeat(zero));
+        roots.extend(own.take(system.coordinates.len()));
         let mut terms = Vec::new();
         for (place, column) in columns.iter().enumerate() {
             terms.extend(column.terms.iter().map(|(row, _)| (place, *row)));
@@ -100,7 +100,10 @@ impl DenseForces {
         let graph = &mut system.mechanism.graph;
         let roots: Vec<ExprId> = roots
             .into_iter()
-            .map(|root| form.written_out(root, graph))
+            .map(|root| {
+                let root = graph.substitute(root, &loads.lengths);
+                form.written_out(root, graph)
+            })
             .collect();
         Some(DenseForces {
             values: Reader::new(graph, layout, &roots),

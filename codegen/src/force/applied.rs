@@ -46,7 +46,7 @@ impl Element for AppliedForce {
         own.chain(self.terms.marks.iter().copied()).collect()
     }
 
-    fn exerted(&self, places: &[Place], graph: &mut Graph) -> Exerted {
+    fn exerted(&self, places: &[Place], _length: ExprId, graph: &mut Graph) -> Exerted {
         let own = 1 + usize::from(self.axis.is_some());
         let terms = &places[own..];
         let [x, y] = self
@@ -87,7 +87,7 @@ impl Element for AppliedTorque {
         own.chain(self.terms.marks.iter().copied()).collect()
     }
 
-    fn exerted(&self, places: &[Place], graph: &mut Graph) -> Exerted {
+    fn exerted(&self, places: &[Place], _length: ExprId, graph: &mut Graph) -> Exerted {
         let torque = self.terms.put_in(self.value, &places[1..], graph);
         Exerted {
             torques: vec![(places[0].mark.frame.body, torque)],

@@ -18,13 +18,12 @@ impl Element for Damper {
         self.ends.to_vec()
     }
 
-    fn exerted(&self, places: &[Place], graph: &mut Graph) -> Exerted {
+    fn exerted(&self, places: &[Place], length: ExprId, graph: &mut Graph) -> Exerted {
         let [from, to] = [0, 1].map(|end| places[end].mark);
         let positions = [from, to].map(|mark| mark.position(graph));
         let gap = subtract(positions[1], positions[0], graph);
         let parting = subtract(places[1].velocity, places[0].velocity, graph);
         let square = dot(gap, gap, graph);
-        let length = graph.sqrt(square);
         let along = dot(gap, parting, graph);
         let rate = graph.divide(along, length);
         let tension = graph.multiply(self.damping, rate);
@@ -34,7 +33,7 @@ impl Element for Damper {
         Exerted {
             forces: vec![(from, pull), (to, opposite(pull, graph))],
             added: Some(graph.negate(lost)),
-            apart: Some(length),
+            length: Some(graph.sqrt(square)),
             ..Exerted::default()
         }
     }

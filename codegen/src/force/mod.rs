@@ -40,16 +40,17 @@ pub struct Exerted {
     pub stored: Option<ExprId>,
     /// The power that it adds to the mechanism beside what it has stored, in W: negative for a damper.
     pub added: Option<ExprId>,
-    /// A length that must not vanish, in m.
-    pub apart: Option<ExprId>,
+    /// What the length is that stands for itself in all of this, in m: it must not vanish.
+    pub length: Option<ExprId>,
 }
 
 /// Something that acts on bodies.
 pub trait Element: Debug + Send + Sync {
     /// The points that it needs; for what turns a body, the origin of the body's frame.
     fn marks(&self) -> Vec<Mark>;
-    /// What it exerts when the points are there, each as `marks` lists them.
-    fn exerted(&self, places: &[Place], graph: &mut Graph) -> Exerted;
+    /// What it exerts when the points are there, each as `marks` lists them; `length` stands for the distance between its ends, where
+    /// it has one.
+    fn exerted(&self, places: &[Place], length: ExprId, graph: &mut Graph) -> Exerted;
 }
 
 /// v_x w_y − v_y w_x: the moment of w at the end of v.

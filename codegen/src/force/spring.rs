@@ -23,19 +23,18 @@ impl Element for Spring {
         self.ends.to_vec()
     }
 
-    fn exerted(&self, places: &[Place], graph: &mut Graph) -> Exerted {
+    fn exerted(&self, places: &[Place], length: ExprId, graph: &mut Graph) -> Exerted {
         let [from, to] = [0, 1].map(|end| places[end].mark);
         let positions = [from, to].map(|mark| mark.position(graph));
         let gap = subtract(positions[1], positions[0], graph);
         let square = dot(gap, gap, graph);
         let half = Number::rational(Rational::HALF);
         let zero = graph.zero();
-        let (pull, stored, apart) = if [self.free, self.preload] == [zero; 2] {
+        let (pull, stored, own) = if [self.free, self.preload] == [zero; 2] {
             let work = graph.multiply(self.stiffness, square);
             let pull = scaled(gap, self.stiffness, graph);
             (pull, graph.scale(half, work), None)
         } else {
-            let length = graph.sqrt(square);
             let longer = graph.subtract(length, self.free);
             let elastic = graph.multiply(self.stiffness, longer);
             let tension = graph.add(elastic, self.preload);
@@ -44,12 +43,12 @@ impl Element for Spring {
             let before = graph.multiply(self.preload, longer);
             let share = graph.divide(tension, length);
             let pull = scaled(gap, share, graph);
-            (pull, graph.add(work, before), Some(length))
+            (pull, graph.add(work, before), Some(graph.sqrt(square)))
         };
         Exerted {
             forces: vec![(from, pull), (to, opposite(pull, graph))],
             stored: Some(stored),
-            apart,
+            length: own,
             ..Exerted::default()
         }
     }

@@ -22,7 +22,7 @@ impl Element for TorsionSpring {
         self.bodies.to_vec()
     }
 
-    fn exerted(&self, places: &[Place], graph: &mut Graph) -> Exerted {
+    fn exerted(&self, places: &[Place], _length: ExprId, graph: &mut Graph) -> Exerted {
         let [first, second] = [0, 1].map(|side| places[side].mark.frame);
         let relative = graph.subtract(second.angle, first.angle);
         let further = graph.subtract(relative, self.free);
@@ -53,7 +53,7 @@ impl Element for TorsionDamper {
         self.bodies.to_vec()
     }
 
-    fn exerted(&self, places: &[Place], graph: &mut Graph) -> Exerted {
+    fn exerted(&self, places: &[Place], _length: ExprId, graph: &mut Graph) -> Exerted {
         let [first, second] = [0, 1].map(|side| places[side].mark.frame.body);
         let rate = graph.subtract(places[1].turning, places[0].turning);
         let torque = graph.multiply(self.damping, rate);

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use super::carried::Carried;
 use super::{SymbolRole, System, VectorForm};
-use crate::expr::{ExprId, Number, Rational};
+use crate::expr::{ExprId, Number, Rational, SymbolId};
 use crate::force::{Place, moment};
 use crate::joint::Feature;
 use crate::joint::geometry::{BodyId, Mark, Vector, add, dot, length, perpendicular, subtract};
@@ -26,8 +26,8 @@ pub struct Forces {
     pub potential: ExprId,
     /// What dampers, forces and torques add, in W.
     pub added: ExprId,
-    /// Lengths of springs and dampers that must not vanish, in m.
-    pub apart: Vec<ExprId>,
+    /// The lengths of springs and dampers, which must not vanish, in m: what stands for each in all of this, and what it is.
+    pub lengths: Vec<(SymbolId, ExprId)>,
 }
 
 /// What a joint passes on to the bodies that it joins.
@@ -111,8 +111,8 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         }
         exert(body, [force[0], force[1], torque], mechanism);
     }
-    let mut apart = Vec::new();
-    for load in mechanism.forces.loads.clone() {
+    let mut lengths = Vec::new();
+    for (number, load) in mechanism.forces.loads.clone().into_iter().enumerate() {
         let marks = load.element.marks();
         let places: Vec<Place> = marks
             .iter()
@@ -121,7 +121,12 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
                 placed(mark, form, mechanism)
             })
             .collect();
-        let exerted = load.element.exerted(&places, &mut mechanism.graph);
+        // What follows the space only tells equal names apart.
+        let symbol = mechanism
+            .graph
+            .symbol(&format!("distance of load {number}"));
+        let length = mechanism.graph.variable(symbol);
+        let exerted = load.element.exerted(&places, length, &mut mechanism.graph);
         for (mark, force) in exerted.forces {
             let torque = moment(mark.arm, force, &mut mechanism.graph);
             exert(mark.frame.body, [force[0], force[1], torque], mechanism);
@@ -134,14 +139,14 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
             .stored
             .map_or(potential, |it| graph.add(potential, it));
         added = exerted.added.map_or(added, |it| graph.add(added, it));
-        apart.extend(exerted.apart.filter(|it| !apart.contains(it)));
+        lengths.extend(exerted.length.map(|length| (symbol, length)));
     }
     Some(Forces {
         loads,
         kinetic,
         potential,
         added,
-        apart,
+        lengths,
     })
 }
 

@@ -80,7 +80,9 @@ pub(super) fn forces(
     let mut builder = Builder::new(lowering, plan.blocks.len());
     builder.section(Level::Forces);
     let scale = characteristic(builder.system);
-    for &length in &loads.apart {
+    for &(symbol, length) in &loads.lengths {
+        builder.assign(symbol, length);
+        let length = builder.graph().variable(symbol);
         builder.nonzero(length, scale);
     }
     let mut found = Forces::default();
