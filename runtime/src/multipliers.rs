@@ -23,7 +23,8 @@ pub fn multipliers<T: Real, const N: usize>(
     time: T,
     block: u16,
 ) -> Result<[T; N], Failure<T>> {
-    let matrix = SMatrix::<T, N, N>::from_fn(|row, column| jacobian[row][column]);
+    let entry = |row: usize, column: usize| jacobian.get(row)?.get(column).copied();
+    let matrix = SMatrix::<T, N, N>::from_fn(|row, column| entry(row, column).unwrap_or(T::ZERO));
     let mut found = SVector::<T, N>::from(forces);
     solve::<T, Const<N>>(&matrix, &mut found).map_err(|kind| failed(kind, time, block))?;
     Ok(found.into())
@@ -42,13 +43,16 @@ where
 {
     let (dimension, _) = jacobian.shape_generic();
     let mut scales = Scales::unit(dimension);
-    for (row, scale) in scales.rows.iter_mut().enumerate() {
-        let entries = jacobian.row(row);
-        let largest = entries
-            .iter()
-            .fold(T::ZERO, |most, entry| most.max(entry.abs()));
-        if largest > T::ZERO {
-            *scale = largest;
+    scales.rows.fill(T::ZERO);
+    for column in jacobian.as_slice().chunks_exact(dimension.value().max(1)) {
+        for (scale, entry) in scales.rows.iter_mut().zip(column) {
+            *scale = scale.max(entry.abs());
+        }
+    }
+    for scale in scales.rows.iter_mut() {
+        // Written so that a row of zeros, or of NaN, is judged as it is.
+        if !(*scale > T::ZERO) {
+            *scale = T::ONE;
         }
     }
     let factorization = Factorization::new(jacobian, &scales, T::ZERO)?;

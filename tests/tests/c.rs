@@ -11,9 +11,9 @@ use linkwright_tests::c::run::{FLAGS, compilers, differences, run};
 use linkwright_tests::hunt::mechanism;
 use linkwright_tests::{description, files};
 
-/// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, single outputs, unguarded
+/// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, unguarded
 /// and redundant ones.
-const SMALL: [&str; 20] = [
+const SMALL: [&str; 23] = [
     "asked",
     "both_ways",
     "cam_law",
@@ -21,6 +21,9 @@ const SMALL: [&str; 20] = [
     "crane",
     "ellipse",
     "folding",
+    "forced_linkage",
+    "forced_platform",
+    "forced_slider",
     "laws",
     "parallelogram",
     "parallelogram_unguarded",

@@ -148,6 +148,7 @@ fn columns(system: &mut System) -> Vec<Column> {
             let column = system.directions[direction].column.clone();
             let value = system.mechanism.joints[joint].operands.value;
             let graph = &mut system.mechanism.graph;
+            let value = value.filter(|_| !wanted.at_rest);
             let rate = value.map_or(graph.zero(), |value| system.vector_form.rate(value, graph));
             let zero = graph.zero();
             let terms: Vec<(usize, ExprId)> = column

@@ -20,6 +20,8 @@ pub struct Forces {
     pub efforts: bool,
     /// The joints whose reactions are asked for: indices into the joints, ascending, each once.
     pub reactions: Vec<usize>,
+    /// Whether rates and accelerations count as zero: what holds the mechanism where it is.
+    pub at_rest: bool,
     /// Whether an `energy` statement asks for the work that is stored.
     pub energy: bool,
 }

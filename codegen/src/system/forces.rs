@@ -175,6 +175,28 @@ fn placed(mark: Mark, form: &VectorForm, mechanism: &mut Mechanism) -> Place {
 }
 
 impl System {
+    /// Has forces computed as if the mechanism rested at every instant: with rates and accelerations that are zero.
+    pub fn rest(&mut self) {
+        self.mechanism.forces.at_rest = true;
+        let Some(forces) = &mut self.forces else {
+            return;
+        };
+        let graph = &mut self.mechanism.graph;
+        let zero = graph.zero();
+        let moving = self.coordinates.iter();
+        let moving = moving.flat_map(|it| [it.rate, it.acceleration]);
+        let inputs = self.mechanism.inputs.iter();
+        let inputs = inputs.flat_map(|it| [it.symbols[1], it.symbols[2]]);
+        let still: Vec<(SymbolId, ExprId)> = moving.chain(inputs).map(|it| (it, zero)).collect();
+        for value in forces
+            .loads
+            .iter_mut()
+            .chain([&mut forces.kinetic, &mut forces.added])
+        {
+            *value = graph.substitute(*value, &still);
+        }
+    }
+
     /// What a joint or driver passes on, in terms of the vector form.
     pub fn passing(&mut self, joint: usize) -> Passing {
         let System {

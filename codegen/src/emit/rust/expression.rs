@@ -164,10 +164,10 @@ impl Scope<'_> {
                 let found = targets.iter().enumerate();
                 let assignments = found.filter_map(|(place, target)| {
                     let place = count(place);
-                    Some(self.assignment((*target)?, quote!(carried[#place])))
+                    Some(self.assignment((*target)?, quote!(balance[#place])))
                 });
                 quote! {
-                    let carried = multipliers([#(#rows),*], [#(#forces),*], t, #number)?;
+                    let balance = multipliers([#(#rows),*], [#(#forces),*], t, #number)?;
                     #(#assignments)*
                 }
             }

@@ -122,6 +122,7 @@ const PREFIXES: &[&str] = &[
 
 /// What functions are given, and what they call the runtime's answers: no local value has one of these names.
 const LOCAL_VALUES: &[&str] = &[
+    "balance",
     "at",
     "last",
     "branches",

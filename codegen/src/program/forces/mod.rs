@@ -184,7 +184,10 @@ fn efforts(carried: &virtual_work::Carried, builder: &mut Builder<'_>) -> Vec<Ef
         let value = value.unwrap_or(builder.graph().zero());
         let opposite = builder.graph().negate(work);
         builder.assign(effort, opposite);
-        let rate = builder.rate(value);
+        let rate = match builder.system.mechanism.forces.at_rest {
+            true => builder.graph().zero(),
+            false => builder.rate(value),
+        };
         let exerted = builder.graph().variable(effort);
         let product = builder.graph().multiply(exerted, rate);
         builder.assign(power, product);
