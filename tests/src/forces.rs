@@ -70,6 +70,14 @@ impl Followed {
         names.zip(values).collect()
     }
 
+    /// What transmissions and sensitivities ask for.
+    ///
+    /// # Panics
+    /// If it is not known.
+    pub fn derivatives(&self) -> Vec<f64> {
+        self.view.derivatives(self.instant()).expect("known")
+    }
+
     /// One of them.
     ///
     /// # Panics

@@ -494,3 +494,98 @@ fn andrews_mechanism_has_its_multipliers_in_motion() {
         close(andrews.value(name), published, 1e-10, name);
     }
 }
+
+/// A load at a point goes to the drivers by the transposed transmission, and they push back with as much.
+#[test]
+fn efforts_hold_what_transmissions_pass_on() {
+    let text = description::source("excavator").text;
+    let end = text.rfind('}').expect("its end");
+    let loaded = format!(
+        "{}transmission K; force on K = (300N, -500N); effort; }}",
+        &text[..end]
+    );
+    let system = &systems("excavator", &loaded)[0];
+    let mut excavator = Followed::new(system, 0.0).expect("as drawn");
+    let names = linkwright_solver::derivatives::names(system);
+    for step in 0..50 {
+        assert!(excavator.advance(0.1 * f64::from(step)));
+        let columns = excavator.derivatives();
+        let column = |name: &str| {
+            let place = names.iter().position(|it| it == name);
+            columns[place.unwrap_or_else(|| panic!("{name} in {names:?}"))]
+        };
+        for (driver, effort) in [
+            ("length(N, M)", "effort_drive_length_n_m"),
+            ("length(H, G)", "effort_drive_length_h_g"),
+        ] {
+            let passed = 300.0 * column(&format!("K_x per {driver}"))
+                - 500.0 * column(&format!("K_y per {driver}"));
+            close(excavator.value(effort), -passed, 1e-12, effort);
+        }
+    }
+}
+
+/// A rocker is driven into its dead point: forces grow, the motion ends with a failure, and no frame before has anything but numbers.
+#[test]
+fn forces_are_numbers_until_the_motion_ends_at_a_dead_point() {
+    let mut rocker = followed(
+        "mechanism rocker {
+            point A = (0, 0), B = (0.2, 0.3), C = (0.6, 0.5), D = (0.5, 0);
+            body crank at A facing A -> B { A, B }
+            body coupler at B facing B -> C { B, C }
+            body rocker at D facing D -> C { D, C }
+            revolute A(ground, crank);
+            revolute B(crank, coupler);
+            revolute C(coupler, rocker);
+            revolute D(ground, rocker);
+            drive phi(rocker) = atan2(0.5, 0.1) - t;
+            mass coupler = 2kg;
+            mass rocker = 1kg at C inertia 0.1;
+            gravity = (0, -9.81);
+            effort; reactions;
+        }",
+    );
+    let (mut largest, mut t) = (0.0_f64, 0.0);
+    let mut step = 0.01;
+    while step > 1e-13 {
+        match rocker.advance(t + step) {
+            true => {
+                t += step;
+                for (name, value) in rocker.all() {
+                    assert!(value.is_finite(), "{name} at t = {t}");
+                    largest = largest.max(value.abs());
+                }
+            }
+            false => step *= 0.5,
+        }
+        assert!(t < 10.0, "this rocker has a dead point");
+    }
+    assert!(largest > 1e4, "only {largest} N at t = {t}");
+}
+
+/// Two bodies whose ends meet: a spring without a direction is a failure with a type, and no number.
+#[test]
+fn a_spring_whose_ends_meet_has_no_direction() {
+    let mut spring = followed(
+        "mechanism meeting {
+            point O = (0, 0), A = (1, 0), W = (1, 0.5);
+            body slider at O { S: (0, 0.5) }
+            absolute_y(slider) = 0;
+            absolute_angle(slider) = 0;
+            drive x(slider) = t;
+            spring (slider.S, ground.W) = 100 free 0.2;
+            effort;
+        }",
+    );
+    for step in 1..100 {
+        assert!(spring.advance(0.01 * f64::from(step)));
+        let stretch = 1.0 - 0.01 * f64::from(step) - 0.2;
+        close(
+            spring.value("effort_drive_x_slider"),
+            -100.0 * stretch,
+            1e-10,
+            "the spring",
+        );
+    }
+    assert!(!spring.advance(1.0));
+}

@@ -35,7 +35,7 @@ pub struct Forces {
 pub struct Passing {
     /// Of each of its rows of the vector form the derivatives in unknowns, every body turning by itself.
     pub rows: Vec<(usize, BTreeMap<usize, ExprId>)>,
-    /// The body whose reaction is meant, and −1 where it is what that body passes to the ground.
+    /// The body on which the joint's force is taken: the second one, or the first where the second is the ground.
     pub body: BodyId,
     /// Whether the second body is the ground, so that the reaction is opposite to what acts on `body`.
     pub is_opposite: bool,

@@ -3,8 +3,8 @@
 //! The textbook view: Φ(q, t) in absolute coordinates, rows in written order, with Φ_q, Φ_t and γ by differentiation alone.
 //! Afterwards the Jacobian lists exactly the entries that are not identically zero, row by row, and every point has its
 //! position, velocity and acceleration as expressions of q, q̇, q̈; every direction that a statement asks for has its column
-//! ∂Φ/∂δ. Deliberately unknown here: joint kinds, and how the
-//! equations are solved.
+//! ∂Φ/∂δ; where forces are wanted, every coordinate has its load. Deliberately unknown here: joint kinds, and how the equations are
+//! solved.
 
 mod assemble;
 mod auxiliary;

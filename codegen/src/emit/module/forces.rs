@@ -36,7 +36,7 @@ fn of_effort(effort: &Effort, module: &Module<'_>) -> [ForceFunction; 2] {
             "The torque (N·m) that `{label}` exerts, positive where it turns the angle forward."
         ),
         _ => format!(
-            "The force (N) that `{label}` exerts along its length, positive where it makes it longer."
+            "The force (N) that `{label}` exerts along what it drives, positive where it makes that larger."
         ),
     };
     let function = |word: &str, field, line| ForceFunction {
