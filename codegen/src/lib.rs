@@ -28,6 +28,7 @@ mod emit;
 mod expr;
 mod files;
 mod finiteness;
+mod force;
 mod joint;
 mod model;
 mod modes;

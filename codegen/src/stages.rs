@@ -27,7 +27,9 @@ pub mod syntax {
 
 /// The equations of the textbook view.
 pub mod system {
-    pub use crate::system::{Cause, Described, Row, SymbolRole, System};
+    pub use crate::system::{
+        Carried, Cause, Component, Described, Passing, Row, SymbolRole, System,
+    };
 }
 
 /// In which order the unknowns are found.
@@ -38,9 +40,9 @@ pub mod structure {
 /// What is computed, statement by statement.
 pub mod program {
     pub use crate::program::{
-        Block, Branch, EVALUATIONS, Found, Function, Lengths, Level, NewtonBlock, Operations,
-        Program, STEPS, Statement, Tearing, Work, forms_of, lower, lower_with_unknowns, unpruned,
-        work,
+        Block, Branch, EVALUATIONS, Effort, Energy, Forces, Found, Function, Lengths, Level,
+        NewtonBlock, Operations, Program, Reaction, STEPS, Statement, Tearing, Work, forms_of,
+        lower, lower_with_unknowns, unpruned, work,
     };
 }
 

@@ -123,3 +123,8 @@ linkwright::include_mechanism! {
     /// A cam designed from the motion of its follower.
     pub mod cam_dwell;
 }
+
+/// Andrews' squeezing mechanism, with its masses and its spring.
+pub mod andrews {
+    linkwright::include_mechanism!(andrews);
+}

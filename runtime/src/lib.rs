@@ -92,6 +92,7 @@ pub mod least_squares;
 pub mod linear;
 pub mod math;
 pub mod motion;
+pub mod multipliers;
 pub mod newton;
 pub mod normalized_determinant;
 pub mod path;

@@ -308,9 +308,14 @@ where
     let mut swapped: OVector<usize, D> =
         OVector::from_fn_generic(dimension, Const::<1>, |row, _| row);
     for row in 0..order {
-        let (mut pivot, mut largest) = (row, sizes[(row, row)].abs());
+        // Not every compiler sees that they are there.
+        let size = |column: usize| {
+            let entry = sizes.as_slice().get(column * order + row);
+            entry.map_or(T::ZERO, |entry| entry.abs())
+        };
+        let (mut pivot, mut largest) = (row, size(row));
         for column in row + 1..order {
-            let other = sizes[(row, column)].abs();
+            let other = size(column);
             if other > largest {
                 (pivot, largest) = (column, other);
             }

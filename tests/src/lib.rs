@@ -10,6 +10,7 @@ pub mod dyad_chain;
 pub mod elementary;
 pub mod embedded;
 pub mod files;
+pub mod forces;
 pub mod generated;
 pub mod hunt;
 pub mod jet;

@@ -11,9 +11,9 @@ use linkwright_tests::c::run::{FLAGS, compilers, differences, run};
 use linkwright_tests::hunt::mechanism;
 use linkwright_tests::{description, files};
 
-/// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, single outputs, lengths that
-/// must be positive, unguarded and redundant ones.
-const SMALL: [&str; 23] = [
+/// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
+/// that must be positive, unguarded and redundant ones.
+const SMALL: [&str; 26] = [
     "asked",
     "both_ways",
     "cam_law",
@@ -22,6 +22,9 @@ const SMALL: [&str; 23] = [
     "crane",
     "ellipse",
     "folding",
+    "forced_linkage",
+    "forced_platform",
+    "forced_slider",
     "laws",
     "parallelogram",
     "parallelogram_unguarded",

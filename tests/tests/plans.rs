@@ -8,7 +8,8 @@ use linkwright_tests::plan::form_names;
 #[test]
 fn every_mechanism_is_solved_as_a_person_would() {
     let two_rotations = "two rotations";
-    let plans: [(&str, Vec<&str>); 20] = [
+    let plans: [(&str, Vec<&str>); 21] = [
+        ("andrews", vec![two_rotations; 3]),
         ("arm", vec![two_rotations; 4]),
         ("cam_dwell", vec!["Newton of size 1"]),
         ("disc_cam", vec!["Newton of size 1"]),

@@ -6,12 +6,13 @@ use std::path::{Path, PathBuf};
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 17] = [
+const ORDER: [&str; 18] = [
     "diagnostic",
     "syntax",
     "consequences",
     "expr",
     "joint",
+    "force",
     "model",
     "system",
     "structure",

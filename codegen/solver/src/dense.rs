@@ -11,6 +11,7 @@ use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::diagnosis::cause;
+use crate::forces::DenseForces;
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
 use crate::number::time;
@@ -24,6 +25,7 @@ pub struct Dense {
     system: Arc<System>,
     layout: Arc<Layout>,
     equations: TextbookEquations,
+    forces: Option<DenseForces>,
     residuals: Cell<u64>,
     solves: Cell<u64>,
 }
@@ -40,8 +42,10 @@ impl Dense {
     /// # Panics
     /// If the system is not square.
     pub fn new(system: &System) -> Dense {
+        let layout = Layout::new(system, &[]);
         Dense {
-            layout: Arc::new(Layout::new(system, &[])),
+            forces: DenseForces::new(system, &layout),
+            layout: Arc::new(layout),
             equations: TextbookEquations::new(system),
             system: Arc::new(system.clone()),
             residuals: Cell::new(0),
@@ -220,6 +224,13 @@ impl View for Dense {
             }
         }
         Some(values)
+    }
+
+    fn forces(&self, instant: &Instant) -> Option<Vec<f64>> {
+        match &self.forces {
+            Some(forces) => forces.at(instant),
+            None => Some(Vec::new()),
+        }
     }
 
     fn measures(&self) -> Option<Measures> {

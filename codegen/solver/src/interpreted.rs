@@ -25,6 +25,7 @@ use linkwright_codegen::stages::system::System;
 
 use crate::assemblies::assemblies;
 use crate::derivatives::{Derivative, of_program};
+use crate::forces;
 use crate::instant::{Instant, Layout};
 use crate::measures::{MeasuredPart, Measures, measured};
 use crate::newton::Newton;
@@ -43,6 +44,8 @@ pub struct Interpreted {
     path_registers: RefCell<Vec<f64>>,
     points: Reader,
     derivatives: Vec<Derivative>,
+    /// Where instants keep the forces that are asked for.
+    forces: Vec<Option<usize>>,
     residuals: Cell<u64>,
     solves: Cell<u64>,
 }
@@ -117,6 +120,7 @@ impl Interpreted {
         Some(Interpreted {
             points: Reader::new(graph, &compiled.layout, &points),
             derivatives: of_program(&compiled.program, &compiled.layout),
+            forces: forces::of_program(&compiled.program, &compiled.layout),
             registers: RefCell::new(compiled.code.registers().to_vec()),
             path_registers: RefCell::new(path.map_or(Vec::new(), |path| path.registers().to_vec())),
             compiled: Arc::new(compiled),
@@ -654,6 +658,11 @@ impl View for Interpreted {
             Derivative::Constant(value) => value,
         };
         Some(found.map(value).collect())
+    }
+
+    fn forces(&self, instant: &Instant) -> Option<Vec<f64>> {
+        let slots = self.forces.iter();
+        slots.map(|slot| Some(instant.values()[(*slot)?])).collect()
     }
 
     fn measures(&self) -> Option<Measures> {

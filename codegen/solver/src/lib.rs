@@ -17,6 +17,7 @@ pub mod drawn;
 mod enclosed;
 mod every_pose;
 pub mod first_step;
+pub mod forces;
 pub mod instant;
 pub mod interpreted;
 pub mod interval;

@@ -5,9 +5,11 @@ use std::ops::Range;
 
 use linkwright::closed_form::{no_span, singular_divisor, spans};
 use linkwright::math::angle_near;
-use linkwright::{Failure, FailureKind};
+use linkwright::{Failure, FailureKind, multipliers};
 use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId};
 use linkwright_codegen::stages::program::{Function, Statement};
+
+use nalgebra::{DMatrix, DVector};
 
 use crate::path::Isolation;
 
@@ -41,6 +43,13 @@ pub(crate) enum Operation {
     Solve {
         targets: Vec<Option<Register>>,
         right_hand_side: Vec<Register>,
+    },
+    /// Solves Jᵀ λ = f for the multipliers of a part.
+    Multipliers {
+        targets: Vec<Option<Register>>,
+        /// Row by row.
+        jacobian: Vec<Register>,
+        forces: Vec<Register>,
     },
     /// Finds the bounds of an input.
     Signal {
@@ -184,6 +193,21 @@ impl<'a> Writer<'a> {
                     right_hand_side,
                 });
             }
+            Statement::Multipliers {
+                targets,
+                jacobian,
+                forces,
+            } => {
+                let jacobian = jacobian.iter().map(&mut value).collect();
+                let forces = forces.iter().map(&mut value).collect();
+                let targets = targets.iter().map(|it| it.map(|symbol| self.found(symbol)));
+                let targets = targets.collect();
+                self.operation(Operation::Multipliers {
+                    targets,
+                    jacobian,
+                    forces,
+                });
+            }
             Statement::Signal { input, found } => {
                 let found = found.map(|symbol| self.found(symbol));
                 let input = *input;
@@ -317,6 +341,23 @@ pub(crate) fn run(
             let [value, scale] = [value, scale].map(|it| registers[it.index()]);
             if !spans(value * value, scale * scale) {
                 return Err(singular_divisor(value, scale, t, block));
+            }
+        }
+        Operation::Multipliers {
+            ref targets,
+            ref jacobian,
+            ref forces,
+        } => {
+            let entries = jacobian.iter().map(|it| registers[it.index()]);
+            let matrix = DMatrix::from_row_iterator(forces.len(), forces.len(), entries);
+            let forces = forces.iter().map(|it| registers[it.index()]);
+            let mut found = DVector::from_iterator(targets.len(), forces);
+            multipliers::solve(&matrix, &mut found)
+                .map_err(|kind| linkwright::closed_form::failed(kind, t, block))?;
+            for (target, value) in targets.iter().zip(found.iter()) {
+                if let Some(target) = target {
+                    registers[target.index()] = *value;
+                }
             }
         }
         Operation::Newton

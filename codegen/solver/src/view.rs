@@ -39,6 +39,10 @@ pub trait View:
     /// `None` where the equations are singular.
     fn derivatives(&self, instant: &Instant) -> Option<Vec<f64>>;
 
+    /// What `effort`, `reaction` and `energy` statements ask for, in the order of [`crate::forces::names`]; `None` where the equations
+    /// are singular.
+    fn forces(&self, instant: &Instant) -> Option<Vec<f64>>;
+
     /// How far its parts are from singular; `None` where that is not known part by part.
     fn measures(&self) -> Option<Measures>;
 

@@ -9,6 +9,7 @@ pub(super) mod checks;
 pub(super) mod documentation;
 pub(super) mod drawing;
 pub(super) mod facts;
+pub(super) mod forces;
 pub(super) mod needs;
 pub(super) mod scope;
 pub(super) mod tables;

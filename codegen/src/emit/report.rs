@@ -35,6 +35,9 @@ pub fn lines(report: &Report) -> Vec<String> {
     if let Some(operations) = report.sensitivity {
         lines.push(format!("Sensitivity: {operations}."));
     }
+    if let Some(operations) = report.forces {
+        lines.push(format!("Forces: {operations}."));
+    }
     lines.extend(of_work(&report.work));
     if report.operations != report.all_operations {
         let total = |levels: [Operations; 3]| levels.iter().map(Operations::total).sum::<usize>();

@@ -36,7 +36,7 @@ impl Resolver<'_> {
     }
 
     /// A pair of lengths; an erroneous component counts as zero, so that the name it belongs to is still declared.
-    fn pair(&mut self, pair: &syntax::Pair) -> Vector {
+    pub(super) fn pair(&mut self, pair: &syntax::Pair) -> Vector {
         let zero = self.graph.zero();
         let mut component = |written: &syntax::Expression| {
             let value = self.constant(written, Dimension::LENGTH);

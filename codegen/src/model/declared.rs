@@ -45,6 +45,8 @@ pub(super) struct Declared<'a> {
     pub drivers: Namespace<()>,
     /// The names that equations were given.
     pub equations: Namespace<()>,
+    /// The names that springs and dampers were given.
+    pub elements: Namespace<()>,
     /// The files that the description names.
     pub attachments: &'a [Attachment],
     suggestions: Suggestions,
@@ -68,6 +70,7 @@ impl Declared<'_> {
             body_ids: Namespace::new("body"),
             drivers: Namespace::new("driver"),
             equations: Namespace::new("equation"),
+            elements: Namespace::new("spring or damper"),
             attachments: &[],
             suggestions: Suggestions::default(),
         };

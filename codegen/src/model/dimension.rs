@@ -16,25 +16,54 @@ pub enum Dimension {
     OfTime,
     /// Given in a unit of angles, or by a function that gives an angle.
     Angle,
-    /// Powers of meter and second; both zero for ratios, which may be angles.
+    /// Powers of meter, second and kilogram; all zero for ratios, which may be angles.
     Marked {
         /// Power of the meter.
         length: i32,
         /// Power of the second.
         time: i32,
+        /// Power of the kilogram.
+        mass: i32,
     },
 }
 
 impl Dimension {
     /// A length.
-    pub const LENGTH: Dimension = Dimension::Marked { length: 1, time: 0 };
+    pub const LENGTH: Dimension = Dimension::marked(1, 0, 0);
+    const RATIO: Dimension = Dimension::marked(0, 0, 0);
+    const TIME: Dimension = Dimension::marked(0, 1, 0);
+
+    const FREQUENCY: Dimension = Dimension::marked(0, -1, 0);
+    const SPEED: Dimension = Dimension::marked(1, -1, 0);
+    const AREA: Dimension = Dimension::marked(2, 0, 0);
+    /// An acceleration.
+    pub const ACCELERATION: Dimension = Dimension::marked(1, -2, 0);
+    /// A mass.
+    pub const MASS: Dimension = Dimension::marked(0, 0, 1);
+    /// A moment of inertia.
+    pub const INERTIA: Dimension = Dimension::marked(2, 0, 1);
+    /// A force.
+    pub const FORCE: Dimension = Dimension::marked(1, -2, 1);
+    /// A torque; also the stiffness of a spring that turns, since an angle has no unit.
+    pub const TORQUE: Dimension = Dimension::marked(2, -2, 1);
+    /// A force over a length.
+    pub const STIFFNESS: Dimension = Dimension::marked(0, -2, 1);
+    /// A force over a speed.
+    pub const DAMPING: Dimension = Dimension::marked(0, -1, 1);
+    /// A torque over an angular velocity.
+    pub const ANGULAR_DAMPING: Dimension = Dimension::marked(2, -1, 1);
+
+    /// Powers of meter, second and kilogram.
+    const fn marked(length: i32, time: i32, mass: i32) -> Dimension {
+        Dimension::Marked { length, time, mass }
+    }
 
     /// The dimension of a quantity that a joint asks for.
     pub fn of(quantity: Quantity) -> Dimension {
         match quantity {
             Quantity::Length => Dimension::LENGTH,
             Quantity::Angle => Dimension::Angle,
-            Quantity::Power(length) => Dimension::Marked { length, time: 0 },
+            Quantity::Power(length) => Dimension::marked(length, 0, 0),
         }
     }
 
@@ -48,13 +77,18 @@ impl Dimension {
         }
     }
 
-    /// The powers of meter and second, where units say what they are.
-    fn powers(self) -> Option<(i32, i32)> {
+    /// The powers of meter, second and kilogram, where units say what they are.
+    fn powers(self) -> Option<[i32; 3]> {
         match self {
             Dimension::Number | Dimension::OfTime => None,
-            Dimension::Angle => Some((0, 0)),
-            Dimension::Marked { length, time } => Some((length, time)),
+            Dimension::Angle => Some([0; 3]),
+            Dimension::Marked { length, time, mass } => Some([length, time, mass]),
         }
+    }
+
+    /// What has these powers.
+    fn of_powers([length, time, mass]: [i32; 3]) -> Dimension {
+        Dimension::Marked { length, time, mass }
     }
 
     /// Whether units say what it is.
@@ -96,25 +130,20 @@ impl Dimension {
         if (self, sign) == (Dimension::Number, 1) {
             return other;
         }
-        let ((l, t), (m, u)) = (
-            self.powers().unwrap_or((0, 0)),
-            other.powers().unwrap_or((0, 0)),
-        );
-        let length = l.saturating_add(m.saturating_mul(sign));
-        let time = t.saturating_add(u.saturating_mul(sign));
+        let [own, others] = [self, other].map(|it| it.powers().unwrap_or([0; 3]));
+        let powers =
+            [0, 1, 2].map(|unit| own[unit].saturating_add(others[unit].saturating_mul(sign)));
         // An angle times or by a ratio is one, and so is a ratio times an angle.
         let angles = (self == Dimension::Angle, other == Dimension::Angle);
-        if (length, time) == (0, 0)
-            && matches!((angles, sign), ((true, false), _) | ((false, true), 1))
-        {
+        if powers == [0; 3] && matches!((angles, sign), ((true, false), _) | ((false, true), 1)) {
             return Dimension::Angle;
         }
-        Dimension::Marked { length, time }
+        Dimension::of_powers(powers)
     }
 
     /// The dimension of a power with the exponent `numerator`/`denominator`; `None` where a unit would get a broken power.
     pub fn power(self, numerator: i128, denominator: i128) -> Option<Dimension> {
-        let Some((length, time)) = self.powers() else {
+        let Some([length, time, mass]) = self.powers() else {
             return Some(self);
         };
         if numerator == denominator {
@@ -132,6 +161,7 @@ impl Dimension {
         Some(Dimension::Marked {
             length: raised(length)?,
             time: raised(time)?,
+            mass: raised(mass)?,
         })
     }
 
@@ -140,14 +170,19 @@ impl Dimension {
         match self {
             Dimension::Number | Dimension::OfTime => "SI units".to_string(),
             Dimension::Angle => "rad".to_string(),
-            Dimension::Marked { length: 0, time: 0 } => "1 or rad".to_string(),
-            Dimension::Marked { length, time } => {
+            Dimension::RATIO => "1 or rad".to_string(),
+            Dimension::FORCE => "N".to_string(),
+            Dimension::TORQUE => "N*m".to_string(),
+            Dimension::STIFFNESS => "N/m".to_string(),
+            Dimension::DAMPING => "N*s/m".to_string(),
+            Dimension::ANGULAR_DAMPING => "N*m*s".to_string(),
+            Dimension::Marked { length, time, mass } => {
                 let part = |unit: &str, exponent: i32| match exponent {
                     0 => None,
                     1 => Some(unit.to_string()),
                     _ => Some(format!("{unit}^{exponent}")),
                 };
-                let parts: Vec<String> = [part("m", length), part("s", time)]
+                let parts: Vec<String> = [part("kg", mass), part("m", length), part("s", time)]
                     .into_iter()
                     .flatten()
                     .collect();
@@ -162,18 +197,19 @@ impl Dimension {
             Dimension::Number => "a plain number".to_string(),
             Dimension::OfTime => "a product with `t`".to_string(),
             Dimension::Angle => "an angle".to_string(),
-            Dimension::Marked { length: 0, time: 0 } => "a plain number or an angle".to_string(),
-            Dimension::Marked { length: 1, time: 0 } => "a length".to_string(),
-            Dimension::Marked { length: 0, time: 1 } => "a time".to_string(),
-            Dimension::Marked {
-                length: 0,
-                time: -1,
-            } => "a frequency".to_string(),
-            Dimension::Marked {
-                length: 1,
-                time: -1,
-            } => "a speed".to_string(),
-            Dimension::Marked { length: 2, time: 0 } => "an area".to_string(),
+            Dimension::RATIO => "a plain number or an angle".to_string(),
+            Dimension::LENGTH => "a length".to_string(),
+            Dimension::TIME => "a time".to_string(),
+            Dimension::FREQUENCY => "a frequency".to_string(),
+            Dimension::SPEED => "a speed".to_string(),
+            Dimension::AREA => "an area".to_string(),
+            Dimension::ACCELERATION => "an acceleration".to_string(),
+            Dimension::MASS => "a mass".to_string(),
+            Dimension::INERTIA => "a moment of inertia".to_string(),
+            Dimension::FORCE => "a force".to_string(),
+            Dimension::TORQUE => "a torque".to_string(),
+            Dimension::STIFFNESS => "a stiffness".to_string(),
+            Dimension::DAMPING => "a damping".to_string(),
             Dimension::Marked { .. } => format!("a quantity in {}", self.unit()),
         }
     }
@@ -182,7 +218,7 @@ impl Dimension {
 /// The suffixes of the language, for help lines.
 pub const UNITS: &[&str] = &[
     "m", "cm", "mm", "um", "km", "inch", "ft", "rad", "mrad", "deg", "turn", "s", "ms", "min",
-    "Hz", "rpm",
+    "Hz", "rpm", "kg", "g", "t", "N", "kN", "mN", "MN", "Nm", "kNm", "Nmm", "mNm",
 ];
 
 /// A unit: how many SI units it is, exactly, and its dimension.
@@ -190,11 +226,8 @@ pub fn unit(suffix: &str, graph: &mut Graph) -> Option<(ExprId, Dimension)> {
     let meters = |numerator, denominator, graph: &mut Graph| {
         (graph.rational(numerator, denominator), Dimension::LENGTH)
     };
-    let seconds = Dimension::Marked { length: 0, time: 1 };
-    let per_second = Dimension::Marked {
-        length: 0,
-        time: -1,
-    };
+    let thousandth = |dimension, graph: &mut Graph| (graph.rational(1, 1000), dimension);
+    let (force, torque) = (Dimension::FORCE, Dimension::TORQUE);
     Some(match suffix {
         "m" => meters(1, 1, graph),
         "cm" => meters(1, 100, graph),
@@ -207,12 +240,22 @@ pub fn unit(suffix: &str, graph: &mut Graph) -> Option<(ExprId, Dimension)> {
         "mrad" => (graph.rational(1, 1000), Dimension::Angle),
         "deg" => (fraction_of_pi(1, 180, graph), Dimension::Angle),
         "turn" => (fraction_of_pi(2, 1, graph), Dimension::Angle),
-        "s" => (graph.one(), seconds),
-        "ms" => (graph.rational(1, 1000), seconds),
-        "min" => (graph.integer(60), seconds),
+        "s" => (graph.one(), Dimension::TIME),
+        "ms" => (graph.rational(1, 1000), Dimension::TIME),
+        "min" => (graph.integer(60), Dimension::TIME),
         // A hertz is 1/s as in the SI, so a cycle needs its 2π; a revolution per minute is an angular velocity, 2π/60 rad/s.
-        "Hz" => (graph.one(), per_second),
-        "rpm" => (fraction_of_pi(1, 30, graph), per_second),
+        "Hz" => (graph.one(), Dimension::FREQUENCY),
+        "rpm" => (fraction_of_pi(1, 30, graph), Dimension::FREQUENCY),
+        "kg" => (graph.one(), Dimension::MASS),
+        "g" => thousandth(Dimension::MASS, graph),
+        "t" => (graph.integer(1000), Dimension::MASS),
+        "N" => (graph.one(), force),
+        "mN" => thousandth(force, graph),
+        "kN" => (graph.integer(1000), force),
+        "MN" => (graph.integer(1_000_000), force),
+        "Nm" => (graph.one(), torque),
+        "Nmm" | "mNm" => thousandth(torque, graph),
+        "kNm" => (graph.integer(1000), torque),
         _ => return None,
     })
 }
@@ -224,10 +267,10 @@ fn fraction_of_pi(numerator: i64, denominator: i64, graph: &mut Graph) -> ExprId
 
 #[cfg(test)]
 mod tests {
-    use super::Dimension::{self, Angle, Marked, Number, OfTime};
+    use super::Dimension::{self, Angle, Number, OfTime};
 
     const LENGTH: Dimension = Dimension::LENGTH;
-    const RATIO: Dimension = Marked { length: 0, time: 0 };
+    const RATIO: Dimension = Dimension::RATIO;
 
     #[test]
     fn plain_numbers_leave_the_unit_to_the_other_factor() {
@@ -235,10 +278,7 @@ mod tests {
         assert_eq!(LENGTH.times(Number, -1), LENGTH);
         assert_eq!(Angle.times(Number, 1), Angle);
         assert_eq!(Number.times(Number, -1), Number);
-        let per_length = Marked {
-            length: -1,
-            time: 0,
-        };
+        let per_length = Dimension::marked(-1, 0, 0);
         assert_eq!(Number.times(LENGTH, -1), per_length);
         assert!(!Number.times(LENGTH, 1).fits(Angle));
     }

@@ -77,6 +77,7 @@ impl Resolver<'_> {
             kind: EQUATION,
             role,
             redundant: equation.redundant,
+            name: name.map(|name| name.text.clone()),
             label,
             slug: self.linkage.unique_slug(&slug),
             docs: equation.docs.clone(),

@@ -52,6 +52,16 @@ impl Resolver<'_> {
             .label(format!("this is {}", found.name()))
             .help(match expected {
                 Dimension::LENGTH => "lengths end in `m`, `cm`, `mm`, … or in no unit for meters",
+                Dimension::MASS => "masses end in `kg`, `g`, `t` or in no unit for kilograms",
+                Dimension::FORCE => "forces end in `N`, `kN`, `mN`, … or in no unit for newtons",
+                Dimension::TORQUE => {
+                    "torques end in `Nm`, `kNm`, … or in no unit for newton meters"
+                }
+                Dimension::INERTIA => "a moment of inertia is a mass times the square of a length: `2kg*3cm^2`, or a number in kg*m^2",
+                Dimension::STIFFNESS => "a stiffness is a force over a length: `5N/1mm`, or a number in N/m",
+                Dimension::DAMPING => "a damping is a force over a speed: `5N*1s/1m`, or a number in N*s/m",
+                Dimension::ANGULAR_DAMPING => "a damping about a joint is a torque times a time: `5Nm*1s`, or a number in N*m*s",
+                Dimension::ACCELERATION => "write numbers in m/s^2, or `9.81m/1s^2`",
                 _ => "angles end in `deg`, `rad`, `turn` or in no unit for radians",
             });
             let finding = self.with_declarations(finding, &[written]);

@@ -97,7 +97,10 @@ impl Resolver<'_> {
     }
 
     /// The point K of `drive K.x` on the first body that carries it; a body, or a point of a body, as it is written.
-    fn on_its_carrier(&mut self, operand: &syntax::Reference) -> Option<syntax::Reference> {
+    pub(super) fn on_its_carrier(
+        &mut self,
+        operand: &syntax::Reference,
+    ) -> Option<syntax::Reference> {
         let name = &operand.name;
         let carrier = self.linkage.carriers.first_carrier(&name.text);
         let carrier = carrier.map(|(body, _)| &self.linkage.bodies[body.0]);
@@ -140,6 +143,7 @@ impl Resolver<'_> {
             kind: given.kind,
             role: given.role,
             redundant,
+            name: given.name.map(|name| name.text.clone()),
             label,
             slug,
             docs: docs.to_vec(),

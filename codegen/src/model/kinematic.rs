@@ -23,6 +23,18 @@ pub(super) struct KinematicTerms {
     pub arms: Vec<Option<[SymbolId; 2]>>,
     /// The place of each mark; only looked up.
     places: HashMap<(BodyId, Vector), usize>,
+    /// The number of the load whose formula is read, which may mention rates; `None` for an equation.
+    load: Option<usize>,
+}
+
+impl KinematicTerms {
+    /// Those of a force or a torque.
+    pub(super) fn of_load(number: usize) -> KinematicTerms {
+        KinematicTerms {
+            load: Some(number),
+            ..KinematicTerms::default()
+        }
+    }
 }
 
 /// What rates are called in other languages.
@@ -57,8 +69,11 @@ impl Resolver<'_> {
         arguments: &[Expression],
         span: Span,
     ) -> Option<Option<Value>> {
-        self.formulas.kinematic.as_ref()?;
+        let is_load = self.formulas.kinematic.as_ref()?.load.is_some();
         let name = function.text.as_str();
+        if is_load && name == "rate" {
+            return Some(self.rate_in_load(arguments, span));
+        }
         if RATES.contains(&name) {
             self.report_rate(function);
             return Some(None);
@@ -309,6 +324,23 @@ impl Resolver<'_> {
     }
 
     fn report_rate(&mut self, name: &Name) {
+        let is_load = self
+            .formulas
+            .kinematic
+            .as_ref()
+            .is_some_and(|it| it.load.is_some());
+        if is_load {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::UnknownFunction,
+                    name.span,
+                    format!("`{}` is no function of this language", name.text),
+                )
+                .label("a rate is the rate of a formula")
+                .help("write `rate(phi(1))`, `rate(K.x)` or `rate(distance(1.P, 2.Q))`"),
+            );
+            return;
+        }
         self.diagnostics.push(
             Diagnostic::error(
                 Code::UnknownFunction,
@@ -379,7 +411,11 @@ impl Resolver<'_> {
             return mark.arm;
         }
         // No coordinate can have such a name: it begins with a digit.
-        let name = format!("{} arm {at}", self.linkage.joints.len());
+        let load = self.formulas.kinematic.as_ref().and_then(|it| it.load);
+        let name = match load {
+            Some(load) => format!("{load} load arm {at}"),
+            None => format!("{} arm {at}", self.linkage.joints.len()),
+        };
         let symbols = ["x", "y"].map(|axis| self.graph.symbol(&format!("{name} {axis}")));
         if let Some(kinematic) = &mut self.formulas.kinematic {
             kinematic.arms[at] = Some(symbols);

@@ -16,12 +16,14 @@ mod declared;
 mod dimension;
 mod equation;
 mod expression;
+mod forces;
 mod formulas;
 mod joints;
 mod kinematic;
 mod law;
 mod lines;
 mod linkage;
+mod loads;
 mod marks;
 mod motions;
 mod namespace;
@@ -30,6 +32,7 @@ mod not_finite;
 mod operands;
 mod parameters;
 mod points;
+mod rates;
 mod request;
 mod resolve;
 mod search;
@@ -39,10 +42,12 @@ mod slug;
 mod synonyms;
 mod table;
 mod transmission;
+mod wanted_forces;
 mod wish;
 
 pub(crate) use bounds::beyond_bounds;
 pub use dimension::Dimension;
+pub use forces::Forces;
 pub use motions::resolve;
 pub use naming::Naming;
 pub(crate) use parameters::field_name;
@@ -89,6 +94,8 @@ pub struct Mechanism {
     /// Along which parameters the motion is differentiated: indices into the parameters, each once, as `sensitivity` statements
     /// name them.
     pub sensitivities: Vec<usize>,
+    /// What bodies weigh, what acts on them, and which forces are wanted.
+    pub forces: Forces,
     /// Whether a `monitor` statement asks how close every loop is to a singular pose.
     pub monitor: bool,
     /// Whether an `unguarded` statement leaves out what shows that frames lie on the path of the last one.
@@ -205,6 +212,8 @@ pub struct Joint {
     pub role: Role,
     /// The word `redundant` before it, which allows its rows to repeat what others say.
     pub redundant: Option<Span>,
+    /// The name behind its word, where it has one.
+    pub name: Option<String>,
     /// How messages name it, as the description does: `revolute P(1, 2)`.
     pub label: String,
     /// What its rows are named after in generated code: `p`, `drive_phi_1`; unique.

@@ -6,6 +6,7 @@ use super::bodies::coordinate_names;
 use super::bounds::beyond_bounds;
 use super::declared::Declared;
 use super::expression::{BUILT_IN, listed};
+use super::forces::Forces;
 use super::formulas::Formulas;
 use super::linkage::Linkage;
 use super::naming::Naming;
@@ -13,6 +14,7 @@ use super::request::Named;
 use super::{Dimension, Mechanism, Motion};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Graph, SymbolId};
+use crate::joint::geometry::Vector;
 use crate::syntax::{self, WishKind};
 
 /// A description that is being read.
@@ -21,6 +23,9 @@ pub(super) struct Resolver<'a> {
     pub declared: Declared<'a>,
     pub formulas: Formulas,
     pub linkage: Linkage,
+    pub forces: Forces,
+    /// The gravity, and where it is given.
+    pub gravity: Option<(Vector, Span)>,
     /// Whether a bound of the graph has been passed and reported.
     exceeded: bool,
     pub diagnostics: &'a mut Diagnostics,
@@ -92,6 +97,7 @@ pub(super) fn resolve_statements<'a>(
     let sensitivities = resolver.sensitivities(statements, &points);
     let monitor = resolver.wishes(WishKind::Monitor, statements);
     let is_unguarded = resolver.wishes(WishKind::Unguarded, statements);
+    let forces = resolver.wanted_forces(statements);
     let end = resolver.diagnostics.mark();
     resolver.note_excess(end, item.name.span);
     resolver.note_used();
@@ -123,6 +129,7 @@ pub(super) fn resolve_statements<'a>(
         requests,
         transmissions,
         sensitivities,
+        forces,
         monitor,
         is_unguarded,
         characteristic_length,
@@ -141,6 +148,8 @@ impl<'a> Resolver<'a> {
             declared: Declared::new(),
             formulas: Formulas::new(time),
             linkage: Linkage::new(&graph, naming),
+            forces: Forces::default(),
+            gravity: None,
             graph,
             exceeded: false,
             diagnostics,
@@ -162,10 +171,16 @@ impl Resolver<'_> {
             syntax::Statement::Joint(joint) => self.add_joint(joint),
             syntax::Statement::Drive(drive) => self.add_driver(drive),
             syntax::Statement::Equation(equation) => self.add_equation(equation),
+            syntax::Statement::Mass(mass) => self.add_mass(mass),
+            syntax::Statement::Gravity(gravity) => self.add_gravity(gravity),
+            syntax::Statement::Element(element) => self.add_element(element),
+            syntax::Statement::Force(force) => self.add_force(force),
+            syntax::Statement::Torque(torque) => self.add_torque(torque),
             // Points are known once all bodies are, and parameters may follow.
             syntax::Statement::Output(_)
             | syntax::Statement::Transmission(_)
             | syntax::Statement::Sensitivity(_)
+            | syntax::Statement::Reaction(_)
             | syntax::Statement::Wish(_) => {}
             // Its statements come by themselves.
             syntax::Statement::Motion(_) => {}

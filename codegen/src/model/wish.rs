@@ -15,20 +15,19 @@ impl Resolver<'_> {
         let Some((first, others)) = spans.split_first() else {
             return false;
         };
-        let what = match wished {
-            WishKind::Monitor => "monitored",
-            WishKind::Unguarded => "unguarded",
+        let message = match wished {
+            WishKind::Monitor => "the mechanism is monitored already",
+            WishKind::Unguarded => "the mechanism is unguarded already",
+            WishKind::Effort => "efforts are asked for already",
+            WishKind::Reactions => "all reactions are asked for already",
+            WishKind::Energy => "energies are asked for already",
         };
         for &span in others {
             self.diagnostics.push(
-                Diagnostic::error(
-                    Code::DuplicateName,
-                    span,
-                    format!("the mechanism is {what} already"),
-                )
-                .label("written again here")
-                .also(*first, "first written here")
-                .help("remove one of them"),
+                Diagnostic::error(Code::DuplicateName, span, message)
+                    .label("written again here")
+                    .also(*first, "first written here")
+                    .help("remove one of them"),
             );
         }
         true

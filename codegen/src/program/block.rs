@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::builder::Builder;
 use super::directional_derivatives::DirectionalDerivatives;
-use super::forms::{DrawnMode, Form, recognize};
+use super::forms::{DrawnMode, Form, Transposed, recognize};
 use super::function::{Function, Level, Statement};
 use super::lengths::Lengths;
 use super::path::{Path, Paths};
@@ -35,6 +35,8 @@ pub struct Block {
     pub newton: Option<NewtonBlock>,
     /// How far its parts are from singular, where a `monitor` statement asks for it, in their order.
     pub measured: Vec<Measured>,
+    /// The Jacobians of its parts, where somebody asks for multipliers.
+    pub(super) transposed: Vec<Option<Transposed>>,
     /// Local values that a page calls otherwise than the code; only looked up.
     pub page_names: HashMap<SymbolId, PageName>,
     /// Local values that a page writes out wherever they occur; only looked up.
@@ -163,6 +165,7 @@ impl Block {
             },
             newton: None,
             measured: Vec::new(),
+            transposed: Vec::new(),
             page_names: HashMap::new(),
             written_out: HashSet::new(),
         }
@@ -259,6 +262,13 @@ impl<'a> Lowering<'a> {
             }
             builder.definition_rates(block, level);
         }
+        let transposed = match builder.system.mechanism.forces.need_multipliers() {
+            true => solved
+                .iter()
+                .map(|it| it.transposed(&mut builder))
+                .collect(),
+            false => Vec::new(),
+        };
         let mut newton = solved.into_iter().find_map(|found| found.newton());
         builder.without_shifts(newton.as_mut());
         let (function, measured, page_names, written_out) = builder.finish();
@@ -271,6 +281,7 @@ impl<'a> Lowering<'a> {
             function,
             newton,
             measured,
+            transposed,
             page_names,
             written_out,
         }

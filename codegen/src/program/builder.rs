@@ -281,6 +281,8 @@ impl<'a> Builder<'a> {
                 let response = self.along(expr, direction);
                 self.rate(response)
             }
+            // Nothing is differentiated for a force.
+            Level::Forces => expr,
         }
     }
 
@@ -309,6 +311,8 @@ impl<'a> Builder<'a> {
             Level::Acceleration => own.acceleration,
             Level::Response(direction) => return self.respond(unknown, direction, value),
             Level::ResponseRate(direction) => return self.respond_rate(unknown, direction, value),
+            // An unknown has no force of its own.
+            Level::Forces => return,
         };
         self.assign(target, value);
     }

@@ -385,7 +385,10 @@ impl Builder<'_> {
 
     /// The levels of a block after its pose, in their order.
     pub(super) fn levels(&self) -> Vec<Level> {
+        // Efforts shift drivers, but ask for no response.
+        let transmits = !self.system.mechanism.transmissions.is_empty();
         let directions = self.derivatives.directions.iter().enumerate();
+        let directions = directions.filter(|(_, along)| along.is_parameter || transmits);
         let derivatives = directions.flat_map(|(place, along)| {
             let rate = along.is_parameter.then_some(Level::ResponseRate(place));
             [Some(Level::Response(place)), rate].into_iter().flatten()

@@ -39,6 +39,8 @@ pub enum Level {
     Response(usize),
     /// The rates of these derivatives, which are the derivatives of the rates; of parameters alone.
     ResponseRate(usize),
+    /// What drivers exert and joints carry, and the work that is stored.
+    Forces,
 }
 
 /// One statement.
@@ -155,6 +157,15 @@ pub enum Statement {
         /// How far these may change, as a function of the sags.
         variation: Box<Function>,
     },
+    /// Solves Jᵀ λ = f for the multipliers of a part that has no closed form.
+    Multipliers {
+        /// What is found: one symbol an equation, none where nothing needs it.
+        targets: Vec<Option<SymbolId>>,
+        /// J, row by row.
+        jacobian: Vec<ExprId>,
+        /// f: one expression an unknown.
+        forces: Vec<ExprId>,
+    },
     /// Factorizes the block's Jacobian at the tears that Newton-Raphson found.
     Factorize,
     /// Solves with the factorized Jacobian.
@@ -194,6 +205,9 @@ impl Statement {
             Statement::Solve {
                 right_hand_side, ..
             } => right_hand_side.clone(),
+            Statement::Multipliers {
+                jacobian, forces, ..
+            } => jacobian.iter().chain(forces).copied().collect(),
             Statement::Require { value, .. } => vec![*value],
             Statement::Isolate {
                 bounds,
@@ -233,6 +247,9 @@ impl Statement {
             Statement::Solve {
                 right_hand_side, ..
             } => right_hand_side.iter_mut().collect(),
+            Statement::Multipliers {
+                jacobian, forces, ..
+            } => jacobian.iter_mut().chain(forces).collect(),
             Statement::Require { value, .. } => vec![value],
             Statement::Isolate {
                 bounds,
@@ -262,7 +279,9 @@ impl Statement {
             Statement::Let { target, .. } | Statement::Angle { target, .. } => vec![*target],
             Statement::SineCosine { sine, cosine, .. } => vec![*sine, *cosine],
             Statement::Lookup { targets, .. } => targets.iter().copied().flatten().collect(),
-            Statement::Solve { targets, .. } => targets.iter().copied().flatten().collect(),
+            Statement::Solve { targets, .. } | Statement::Multipliers { targets, .. } => {
+                targets.iter().copied().flatten().collect()
+            }
             Statement::Signal { found, .. } => found.to_vec(),
             Statement::Isolate {
                 found, variation, ..

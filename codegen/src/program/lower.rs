@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::block::{Block, Lowering, Measured};
+use super::forces::forces;
 use super::forms::{Form, recognize};
 use super::function::{Function, Statement};
 use super::outputs::{Output, outputs};
@@ -55,11 +56,19 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
         transmissions.unwrap_or_default(),
         sensitivities.unwrap_or_default(),
     );
+    let transposed: Vec<_> = blocks.iter().map(|it| it.transposed.clone()).collect();
+    let (forces, exerting) = forces(&mut lowering, plan, &transposed).unzip();
+    let forces = forces.unwrap_or_default();
+    // What is known to be zero carries nothing either.
+    let exerts = exerting.is_some();
+    blocks.extend(exerting);
     propagate(&mut blocks, &mut lowering.system.mechanism.graph);
+    let exerting = blocks.pop_if(|_| exerts);
     // What is asked for beside the coordinates.
     let mut asked = kept.clone();
     asked.extend(transmissions.iter().flat_map(Transmission::fields));
     asked.extend(sensitivities.iter().flat_map(Sensitivity::fields));
+    asked.extend(forces.fields());
     asked.extend(
         blocks
             .iter()
@@ -69,7 +78,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
     let (outputs, last) = wanted.unzip();
     asked.extend(outputs.iter().flatten().flat_map(Output::fields));
     blocks.extend(last);
-    blocks.extend(transmitting.into_iter().chain(sensing));
+    blocks.extend(transmitting.into_iter().chain(sensing).chain(exerting));
     let mut report = Report::default();
     let is_asked = |symbol: SymbolId, asked: &HashSet<SymbolId>, system: &System| {
         asked.contains(&symbol) || outputs.is_none() && system.is_coordinate(symbol)
@@ -126,6 +135,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
     report.operations.copy_from_slice(&levels[..3]);
     report.iterations = iterations(&blocks, system);
     report.transmission = (!transmissions.is_empty()).then_some(levels[3]);
+    report.forces = (!forces.fields().is_empty()).then_some(levels[5]);
     report.sensitivity = (!sensitivities.is_empty()).then_some(levels[4]);
     report.angles_left_out = angles_left_out(&blocks, system);
     report.work = Work::of(&blocks, path.as_ref(), system);
@@ -169,6 +179,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
         outputs,
         transmissions,
         sensitivities,
+        forces,
         report,
     };
     let mut constants = Constants::default();
@@ -181,14 +192,28 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
 
 /// The functions of all blocks with nothing left out, and with a person's words, for whoever reads them or evaluates them without
 /// a compile step. Values that nothing needs are computed too, so that every unknown of the vector form has its position and rate.
+/// Behind the blocks of the plan stands that of the forces, where any are asked for.
 pub fn unpruned(system: &mut System, plan: &SolvedPlan) -> (Vec<Block>, Vec<super::Branch>) {
     let mut lowering = Lowering::new(system, true);
     let blocks = plan.blocks.iter().enumerate();
     let mut blocks: Vec<Block> = blocks
         .map(|(place, block)| lowering.block(place, block))
         .collect();
+    let transposed: Vec<_> = blocks.iter().map(|it| it.transposed.clone()).collect();
+    let (forces, exerting) = forces(&mut lowering, plan, &transposed).unzip();
     let branches = lowering.branches;
+    blocks.extend(exerting);
     propagate(&mut blocks, &mut system.mechanism.graph);
+    if let (Some(forces), Some(block)) = (forces, blocks.last_mut()) {
+        // Loads that nobody asks for are no step of the derivation.
+        let fields: HashSet<SymbolId> = forces.fields().into_iter().collect();
+        let own = std::slice::from_mut(block);
+        prune(
+            own,
+            &|symbol| fields.contains(&symbol),
+            &system.mechanism.graph,
+        );
+    }
     (blocks, branches)
 }
 

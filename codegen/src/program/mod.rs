@@ -10,6 +10,7 @@ mod addends;
 mod block;
 mod builder;
 mod directional_derivatives;
+mod forces;
 pub mod forms;
 mod function;
 mod lengths;
@@ -27,6 +28,7 @@ mod transmissions;
 
 pub use addends::{Addend, Compared, Power, addends, compared};
 pub use block::{Block, Branch, Measured, NewtonBlock, PageName};
+pub use forces::{Effort, Energy, Forces, Reaction};
 pub use forms::DrawnMode;
 pub use function::{Function, Level, Statement};
 pub use lengths::Lengths;
@@ -66,6 +68,8 @@ pub struct Program {
     pub transmissions: Vec<Transmission>,
     /// How the motion depends on parameters, in written order.
     pub sensitivities: Vec<Sensitivity>,
+    /// What drivers exert, what joints carry, and what is stored, as far as it is asked for.
+    pub forces: Forces,
     /// What was kept and left out.
     pub report: Report,
     /// The constants of all functions that are no short decimals, each once.
@@ -130,6 +134,8 @@ pub struct Report {
     pub transmission: Option<Operations>,
     /// What the sensitivities take beside pose and rates; `None` where there are none.
     pub sensitivity: Option<Operations>,
+    /// What the forces take beside pose, rates and accelerations; `None` where none is asked for.
+    pub forces: Option<Operations>,
     /// What one call of `advance` takes at most.
     pub work: Work,
 }

@@ -88,7 +88,7 @@ impl Stretch {
     /// States what a level needs of it.
     pub(super) fn at(&self, level: Level, builder: &mut Builder<'_>) {
         match level {
-            Level::Position => {}
+            Level::Position | Level::Forces => {}
             Level::Velocity => self.assign(0, builder),
             Level::Acceleration => self.assign(1, builder),
             Level::Response(direction) => self.respond(direction, builder),

@@ -49,8 +49,11 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
     plan_of_motion(system)
 }
 
-/// The same for the motion alone, as a person writes it down.
+/// The same for the motion alone, as a person writes it down; efforts are the work along the values of drivers, which are shifted for them.
 pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
+    if system.mechanism.forces.efforts {
+        system.shift_drivers();
+    }
     let coordinates = system.coordinates.len();
     let form = &mut system.vector_form;
     let graph = &mut system.mechanism.graph;

@@ -2,6 +2,7 @@
 //!
 //! The tree does not know joint kinds, quantities, functions or units. Its formulas are those of [`super::formula`].
 
+use super::forces::{Element, Force, Gravity, Mass, Reaction, Torque};
 use super::formula::{Direction, Expression, Name, Pair, Reference};
 use crate::diagnostic::{Attachment, Span};
 
@@ -58,7 +59,19 @@ pub enum Statement {
     Transmission(Transmission),
     /// `sensitivity L2, L3;`
     Sensitivity(Sensitivity),
-    /// `monitor;`, `unguarded;`
+    /// `mass crank = 2kg;`
+    Mass(Mass),
+    /// `gravity = (0, -9.81);`
+    Gravity(Gravity),
+    /// `spring (1.P, 2.Q) = STIFFNESS;`, `damper (1.P, 2.Q) = DAMPING;`
+    Element(Element),
+    /// `force on 1.P = (X, Y);`
+    Force(Force),
+    /// `torque on 1 = VALUE;`
+    Torque(Torque),
+    /// `reaction P;`
+    Reaction(Reaction),
+    /// `monitor;`, `unguarded;`, `effort;`, `reactions;`, `energy;`
     Wish(Wish),
     /// `motion NAME { statements }`
     Motion(Motion),
@@ -93,6 +106,12 @@ impl Statement {
             Statement::Output(statement) => statement.span,
             Statement::Transmission(statement) => statement.span,
             Statement::Sensitivity(statement) => statement.span,
+            Statement::Mass(statement) => statement.span,
+            Statement::Gravity(statement) => statement.span,
+            Statement::Element(statement) => statement.span,
+            Statement::Force(statement) => statement.span,
+            Statement::Torque(statement) => statement.span,
+            Statement::Reaction(statement) => statement.span,
             Statement::Wish(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }
@@ -383,6 +402,12 @@ pub enum WishKind {
     Monitor,
     /// `unguarded`: no frame is shown to lie on the path of the last one.
     Unguarded,
+    /// `effort`: every frame says what the drivers exert.
+    Effort,
+    /// `reactions`: every frame says what every joint carries.
+    Reactions,
+    /// `energy`: every frame says how much work is stored.
+    Energy,
 }
 
 /// One wanted quantity.

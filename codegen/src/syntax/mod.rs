@@ -18,6 +18,7 @@ mod document;
 mod equation;
 mod expression;
 mod files;
+mod forces;
 mod formula;
 mod literal;
 mod motion;
@@ -36,6 +37,7 @@ mod unreadable;
 pub use document::*;
 pub use files::named_files;
 pub(crate) use files::{is_relative, leaves_folder};
+pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Reaction, Torque};
 pub use formula::*;
 pub use output::LEVELS;
 
@@ -49,7 +51,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 16] = [
+pub const KEYWORDS: [&str; 26] = [
     "const",
     "param",
     "input",
@@ -65,6 +67,16 @@ pub const KEYWORDS: [&str; 16] = [
     "sensitivity",
     "monitor",
     "unguarded",
+    "mass",
+    "gravity",
+    "spring",
+    "damper",
+    "force",
+    "torque",
+    "effort",
+    "reaction",
+    "reactions",
+    "energy",
     "motion",
 ];
 

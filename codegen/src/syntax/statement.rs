@@ -10,6 +10,7 @@ use super::curve::curve;
 use super::document::{Constant, DrawnPoint, Drive, Joint, Points, Statement, WishKind};
 use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
+use super::forces::{self, ElementKind};
 use super::formula::Name;
 use super::motion::motion;
 use super::output::{output, sensitivity, transmission, wish};
@@ -43,6 +44,16 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "sensitivity" => sensitivity(tokens, docs, first.span),
         "monitor" => wish(tokens, docs, WishKind::Monitor, first.span),
         "unguarded" => wish(tokens, docs, WishKind::Unguarded, first.span),
+        "mass" => forces::mass(tokens, docs, first.span),
+        "gravity" => forces::gravity(tokens, docs, first.span),
+        "spring" => forces::element(tokens, docs, ElementKind::Spring, first.span),
+        "damper" => forces::element(tokens, docs, ElementKind::Damper, first.span),
+        "force" => forces::force(tokens, docs, first.span),
+        "torque" => forces::torque(tokens, docs, first.span),
+        "effort" => wish(tokens, docs, WishKind::Effort, first.span),
+        "reaction" => forces::reaction(tokens, docs, first.span),
+        "reactions" => wish(tokens, docs, WishKind::Reactions, first.span),
+        "energy" => wish(tokens, docs, WishKind::Energy, first.span),
         "motion" => motion(tokens, docs, first.span),
         _ => joint(tokens, docs, None, first),
     }

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::direction::{directions, rate_jacobian};
+use super::forces::forces;
 use super::length::lengths;
 use super::pressure::pressures;
 use super::row_name::RowNames;
@@ -102,7 +103,8 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
     let rate_jacobian = rate_jacobian(&mut mechanism, &rows, &coordinates);
     let pressures = pressures(&mut mechanism, &coordinates, &contacts);
     let lengths = lengths(&mut mechanism, &rows);
-    let vector_form = VectorForm::new(&mut mechanism, &coordinates, &dropped, &mut watch);
+    let mut vector_form = VectorForm::new(&mut mechanism, &coordinates, &dropped, &mut watch);
+    let forces = forces(&mut mechanism, &mut vector_form);
     watch.is_beyond(&mechanism.graph, mechanism.span);
     let mut roles = roles(&mechanism, &coordinates);
     vector_form.note_roles(&mut roles, coordinates.len());
@@ -115,6 +117,7 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
         directions,
         rate_jacobian,
         pressures,
+        forces,
         vector_form,
         lengths,
         roles,

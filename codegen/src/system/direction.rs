@@ -46,7 +46,7 @@ pub enum Cause {
 }
 
 /// The directions that the mechanism's statements ask for: those of all drivers in written order, where there is a transmission,
-/// then those of the parameters of its sensitivities.
+/// or an effort, then those of the parameters of its sensitivities.
 pub(super) fn directions(
     mechanism: &mut Mechanism,
     rows: &[Row],
@@ -137,9 +137,9 @@ fn parameters(
     directions
 }
 
-/// The directions of all drivers, where there is a transmission.
+/// The directions of all drivers, where there is a transmission or an effort.
 fn drivers(mechanism: &mut Mechanism, rows: &[Row], watch: &mut Watch) -> Vec<Direction> {
-    if mechanism.transmissions.is_empty() {
+    if mechanism.transmissions.is_empty() && !mechanism.forces.efforts {
         return Vec::new();
     }
     let Mechanism { graph, joints, .. } = mechanism;

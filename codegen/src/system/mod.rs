@@ -3,16 +3,19 @@
 //! The textbook view: Φ(q, t) in absolute coordinates, rows in written order, with Φ_q, Φ_t and γ by differentiation alone.
 //! Afterwards the Jacobian lists exactly the entries that are not identically zero, row by row, and every point has its
 //! position, velocity and acceleration as expressions of q, q̇, q̈; every direction that a statement asks for has its column
-//! ∂Φ/∂δ. Deliberately unknown here: joint kinds, and how the
-//! equations are solved.
+//! ∂Φ/∂δ; where forces are wanted, every coordinate has its load. Deliberately unknown here: joint kinds, and how the equations are
+//! solved.
 
 mod assemble;
 mod auxiliary;
+mod carried;
 mod direction;
 mod drawn;
+mod forces;
 mod length;
 mod mark_names;
 mod orientation;
+mod own_columns;
 mod pressure;
 mod row_name;
 mod turned;
@@ -21,7 +24,9 @@ mod vector_sum;
 mod written_order;
 
 pub use assemble::{assemble, assemble_without};
+pub use carried::{Carried, Component};
 pub use direction::{Cause, Direction};
+pub use forces::{Forces, Passing};
 pub use pressure::Pressure;
 pub use vector_form::{Arm, VectorForm};
 pub use vector_sum::VectorTerm;
@@ -52,6 +57,8 @@ pub struct System {
     pub rate_jacobian: Vec<Vec<Entry>>,
     /// The pressure angles of cams and their followers.
     pub pressures: Vec<Pressure>,
+    /// What acts on the bodies, where forces are wanted.
+    pub forces: Option<Forces>,
     /// The same constraints in vector form.
     pub vector_form: VectorForm,
     /// The lengths whose largest is what lengths are judged against, where parameters change one of them; else none, and it is

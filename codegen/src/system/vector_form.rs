@@ -103,7 +103,7 @@ impl VectorForm {
             unknown_of: HashMap::new(),
             mark_names: MarkNames::new(&mechanism.bodies, &mechanism.points),
         };
-        let moved = !mechanism.transmissions.is_empty();
+        let moved = !mechanism.transmissions.is_empty() || mechanism.forces.need_multipliers();
         form.rates.extend(mechanism.explicit_rates());
         let Mechanism {
             graph,
@@ -333,7 +333,12 @@ impl VectorForm {
     }
 
     /// The operands with symbols for all turned vectors.
-    fn with_arms(&mut self, operands: &Resolved, bodies: &[Body], graph: &mut Graph) -> Resolved {
+    pub(super) fn with_arms(
+        &mut self,
+        operands: &Resolved,
+        bodies: &[Body],
+        graph: &mut Graph,
+    ) -> Resolved {
         let marks = operands
             .marks
             .iter()
@@ -369,7 +374,12 @@ impl VectorForm {
         }
     }
 
-    fn mark_with_arm(&mut self, mark: &Mark, bodies: &[Body], graph: &mut Graph) -> Mark {
+    pub(super) fn mark_with_arm(
+        &mut self,
+        mark: &Mark,
+        bodies: &[Body],
+        graph: &mut Graph,
+    ) -> Mark {
         let body = &bodies[mark.frame.body.0];
         let point = self.mark_names.on_body(mark).map_or("arm", String::as_str);
         let name = format!("{point}_{}", body.name).to_lowercase();

@@ -20,6 +20,7 @@ macro_rules! precision {
             pub use crate::contact::pressure_angle;
             pub use crate::linear::Factorization;
             pub use crate::math::angle_near;
+            pub use crate::multipliers::multipliers;
             pub use crate::scale::largest_length;
             pub use crate::span::{isolate, required};
             pub use crate::{

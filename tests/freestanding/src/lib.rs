@@ -7,6 +7,7 @@
 
 #[path = "../../../runtime/tests/exam_equations/mod.rs"]
 mod exam_equations;
+mod forces;
 mod given;
 mod mechanisms;
 mod ring;

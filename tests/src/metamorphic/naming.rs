@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use linkwright_codegen::stages::syntax::{
-    Document, Drive, Expression, ExpressionKind, Joint, Member, Name, Orientation, Origin,
+    Center, Document, Drive, Expression, ExpressionKind, Joint, Member, Name, Orientation, Origin,
     OutputItem, Reference, Shape, Statement,
 };
 
@@ -68,7 +68,13 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
             Statement::Output(_)
             | Statement::Transmission(_)
             | Statement::Sensitivity(_)
+            | Statement::Mass(_)
+            | Statement::Gravity(_)
+            | Statement::Force(_)
+            | Statement::Torque(_)
+            | Statement::Reaction(_)
             | Statement::Wish(_) => {}
+            Statement::Element(it) => found.extend(&it.name),
         }
         names.extend(found.into_iter().map(|name| name.text.clone()));
     }
@@ -128,7 +134,23 @@ impl Renaming {
                 Statement::Output(it) => self.items(&it.items),
                 Statement::Transmission(it) => self.items(&it.items),
                 Statement::Sensitivity(it) => it.names.iter().for_each(|name| self.name(name)),
-                Statement::Wish(_) => {}
+                Statement::Mass(it) => {
+                    self.name(&it.body);
+                    if let Some(Center::Point(point)) = &it.center {
+                        self.name(point);
+                    }
+                }
+                Statement::Element(it) => {
+                    it.name.iter().for_each(|name| self.name(name));
+                    it.operands.iter().for_each(|it| self.reference(it));
+                }
+                Statement::Force(it) => {
+                    self.reference(&it.point);
+                    it.frame.iter().for_each(|name| self.name(name));
+                }
+                Statement::Torque(it) => self.name(&it.body),
+                Statement::Reaction(it) => it.names.iter().for_each(|name| self.name(name)),
+                Statement::Gravity(_) | Statement::Wish(_) => {}
                 Statement::Motion(it) => {
                     self.name(&it.name);
                     self.statements(&it.statements);

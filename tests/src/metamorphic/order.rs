@@ -88,7 +88,15 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
     let is_last = |it: &&Statement| {
         matches!(
             it,
-            Statement::Output(_) | Statement::Transmission(_) | Statement::Sensitivity(_)
+            Statement::Output(_)
+                | Statement::Transmission(_)
+                | Statement::Sensitivity(_)
+                | Statement::Mass(_)
+                | Statement::Gravity(_)
+                | Statement::Element(_)
+                | Statement::Force(_)
+                | Statement::Torque(_)
+                | Statement::Reaction(_)
         )
     };
     statements.iter().filter(is_last).for_each(&mut write);

@@ -4,8 +4,8 @@
 //! Everything between the two is left alone, so a rewriting needs to know nothing about constants, laws, tables and units.
 
 use linkwright_codegen::stages::syntax::{
-    Body, Curve, Document, Drive, Equation, Expression, ExpressionKind, Joint, Member, Orientation,
-    Origin, Pair, Shape, Statement,
+    Body, Center, Curve, Document, Drive, Equation, Expression, ExpressionKind, Joint, Member,
+    Orientation, Origin, Pair, Shape, Statement,
 };
 
 /// What a formula gives to the mechanism.
@@ -70,6 +70,12 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Output(_)
             | Statement::Transmission(_)
             | Statement::Sensitivity(_)
+            | Statement::Mass(_)
+            | Statement::Gravity(_)
+            | Statement::Element(_)
+            | Statement::Force(_)
+            | Statement::Torque(_)
+            | Statement::Reaction(_)
             | Statement::Wish(_) => {}
         }
     }
@@ -259,11 +265,33 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
                 }
             }
             Statement::Motion(motion) => each_formula(&motion.statements, visit),
+            Statement::Mass(mass) => {
+                visit(&mass.mass, false);
+                if let Some(Center::Local(place)) = &mass.center {
+                    pair(place, visit);
+                }
+                mass.inertia.iter().for_each(|it| visit(it, false));
+            }
+            Statement::Gravity(gravity) => pair(&gravity.acceleration, visit),
+            Statement::Element(element) => {
+                let given = [
+                    Some(&element.value),
+                    element.free.as_ref(),
+                    element.preload.as_ref(),
+                ];
+                given.into_iter().flatten().for_each(|it| visit(it, false));
+            }
+            Statement::Force(force) => {
+                visit(&force.components.x, true);
+                visit(&force.components.y, true);
+            }
+            Statement::Torque(torque) => visit(&torque.value, true),
             // Their points are numbers.
             Statement::Table(_)
             | Statement::Output(_)
             | Statement::Transmission(_)
             | Statement::Sensitivity(_)
+            | Statement::Reaction(_)
             | Statement::Wish(_) => {}
         }
     }

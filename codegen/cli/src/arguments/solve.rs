@@ -75,6 +75,9 @@ pub struct Solve {
     /// Which equations are solved
     #[arg(long, value_enum, default_value_t = Equations::Blocks, conflicts_with_all = ["branch", "monitor"])]
     pub view: Equations,
+    /// Efforts and reactions of a mechanism that rests at every instant: its rates and accelerations count as zero for them
+    #[arg(long = "static")]
+    pub at_rest: bool,
     /// Add columns to the frames that say how close each block is to a singular pose, from 0, singular, to 1, and the smallest
     /// value to the summary; `linkwright check` locates it between frames
     #[arg(long, conflicts_with = "json")]

@@ -45,6 +45,15 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     for assignment in &arguments.set {
         set(&mut system.mechanism, assignment).map_err(Problem)?;
     }
+    if arguments.at_rest {
+        if !system.mechanism.forces.are_wanted() {
+            return Err(Problem(format!(
+                "error: `--static` needs something that is asked for\n  = help: write `effort;` or `reactions;` into `{}`",
+                arguments.file.display()
+            )));
+        }
+        system.rest();
+    }
     let schedule = schedule(arguments)?;
     let [points, coordinates] = shown(arguments, &system)?;
     let files = Files::new(arguments, &source, &system, &points, &schedule)?;

@@ -23,6 +23,7 @@ pub struct Files {
     pub frames: Option<Output>,
     points: Vec<Picture>,
     coordinates: Vec<Picture>,
+    forces: Vec<Picture>,
     paths: Option<Picture>,
     folder: PathBuf,
 }
@@ -62,6 +63,7 @@ impl Files {
             frames,
             points: Vec::new(),
             coordinates: Vec::new(),
+            forces: Vec::new(),
             paths: None,
             folder: arguments.plot.clone().or(default).unwrap_or_default(),
         };
@@ -72,7 +74,9 @@ impl Files {
         let names = points.iter().map(|&it| system.outputs[it].name.as_str());
         let shown = arguments.show.iter().map(String::as_str);
         let paths = (!points.is_empty()).then_some("paths");
-        let names = distinct(names.chain(shown).chain(paths));
+        let forces = linkwright_solver::forces::names(system);
+        let forces = forces.iter().map(|(name, _)| name.as_str());
+        let names = distinct(names.chain(shown).chain(forces).chain(paths));
         let is_asked = arguments.plot.is_some() || arguments.out.is_some();
         let mut pictures = Vec::with_capacity(names.len());
         for name in names {
@@ -81,6 +85,7 @@ impl Files {
             pictures.push(Picture { name, output });
         }
         files.paths = paths.and(pictures.pop());
+        files.forces = pictures.split_off(points.len() + arguments.show.len());
         files.coordinates = pictures.split_off(points.len());
         files.points = pictures;
         Ok(files)
@@ -108,9 +113,11 @@ impl Files {
         let points = plot::points(motion, course).map_err(refused)?;
         let is_drawn: Vec<bool> = points.iter().map(Option::is_some).collect();
         let coordinates = plot::coordinates(motion, course, angles).map_err(refused)?;
+        let forces = plot::forces(motion, course).map_err(refused)?;
         let paths = paths::paths(motion, course, &is_drawn).map_err(refused)?;
         let pictures = self.points.into_iter().zip(points);
         let pictures = pictures.chain(self.coordinates.into_iter().zip(coordinates));
+        let pictures = pictures.chain(self.forces.into_iter().zip(forces));
         let pictures = pictures.chain(self.paths.into_iter().zip([paths]));
         let mut names = Vec::new();
         for (Picture { name, output }, text) in pictures {

@@ -23,6 +23,7 @@ use linkwright_solver::approach::Watch;
 use linkwright_solver::condition::{Condition, dimensionless, jacobian};
 use linkwright_solver::instant::Instant;
 use linkwright_solver::measures::MeasuredPart;
+use linkwright_solver::number::time;
 use linkwright_solver::pressure::PressureCheck;
 use linkwright_solver::residuals::ResidualCheck;
 use linkwright_solver::schedule::Schedule;
@@ -57,6 +58,8 @@ pub struct Shown<'a> {
     pub motions: &'a [PointMotion],
     /// What transmissions and sensitivities ask for, in the order of their names; `None` where the equations are singular.
     pub derivatives: Option<&'a [f64]>,
+    /// What drivers exert, joints carry and bodies store, in the order of their names; `None` where the equations are singular.
+    pub forces: Option<&'a [f64]>,
     /// How close each part is to a singular pose, where that is wanted.
     pub measures: &'a [f64],
 }
@@ -98,6 +101,12 @@ pub struct Followed<V: View> {
     pub pressure: PressureCheck,
     /// The names of what transmissions and sensitivities ask for.
     pub derivative_names: Vec<String>,
+    /// The names of the forces that are asked for, each with its unit.
+    pub force_names: Vec<(String, &'static str)>,
+    /// The largest size of each force, and when.
+    pub largest_forces: Vec<(f64, f64)>,
+    /// When bodies that press on one another would first have to pull, by the place of the force.
+    pub pulls: Vec<Option<f64>>,
     /// The names of the measures, where they are wanted.
     pub measure_names: Vec<String>,
     /// The smallest measure: its place among the names, when, and itself.
@@ -143,7 +152,10 @@ impl<V: View> Followed<V> {
         };
         let textbook = TextbookEquations::new(system);
         let matrix = jacobian(&textbook, &q, start);
-        let course = wanted.curves.then(|| Course::of(&wanted));
+        let force_names = linkwright_solver::forces::names(system);
+        let course = wanted
+            .curves
+            .then(|| Course::of(&wanted, force_names.len()));
         let measures = view.measures();
         let measured = measures
             .as_ref()
@@ -167,6 +179,9 @@ impl<V: View> Followed<V> {
             residuals: ResidualCheck::new(system, view.layout()),
             pressure: PressureCheck::new(system, view.layout()),
             derivative_names: linkwright_solver::derivatives::names(system),
+            largest_forces: vec![(0.0, start); force_names.len()],
+            pulls: vec![None; force_names.len()],
+            force_names,
             measure_names: monitored.map(name).collect(),
             smallest_measure: None,
             warnings: Vec::new(),
@@ -237,9 +252,18 @@ impl<V: View> Followed<V> {
             approaches.extend(watch.map_or(Vec::new(), |watch| watch.finish(&shell)));
         }
         self.warnings = warnings(&approaches, self.view.singular_poses(), CLOSE);
+        let pulls = self.force_names.iter().zip(&self.pulls);
+        let pulls = pulls.filter_map(|((name, _), t)| Some((name, (*t)?)));
+        let parted = pulls.map(|(name, t)| {
+            let t = time(t);
+            format!(
+                "{name} is negative at t = {t} s: the bodies would have to pull there, and part"
+            )
+        });
+        self.warnings.extend(parted);
         self.error = end.map(|end| self.view.ended(&end.failure, &end.last));
         if let (Some(last), Some(number)) = (&self.last, self.count.checked_sub(1)) {
-            let row = self.row(number, last, self.motions(last));
+            let row = self.row(number, last, self.motions(last), self.forces(last));
             self.rows.end(row);
         }
         self.view = shell.blocks().clone();
@@ -271,10 +295,23 @@ impl<V: View> Followed<V> {
                 self.smallest_measure = Some((place, instant.t(), *measure));
             }
         }
+        let forces = self.forces(instant);
+        for (largest, force) in self.largest_forces.iter_mut().zip(forces.iter().flatten()) {
+            if force.abs() > largest.0.abs() {
+                *largest = (*force, instant.t());
+            }
+        }
+        let pressures = self.force_names.iter().zip(forces.iter().flatten());
+        for (pulls, ((name, _), force)) in self.pulls.iter_mut().zip(pressures) {
+            if name.ends_with("_pressure") && *force < 0.0 {
+                pulls.get_or_insert(instant.t());
+            }
+        }
         if is_row || self.course.is_some() || !sinks.is_empty() {
             let motions = self.motions(instant);
             if let Some(course) = &mut self.course {
-                course.push(instant, &motions, &self.wanted.coordinates);
+                let forces = forces.as_deref().unwrap_or_default();
+                course.push(instant, &motions, &self.wanted.coordinates, forces);
             }
             if !sinks.is_empty() {
                 let asked = !self.derivative_names.is_empty();
@@ -287,6 +324,7 @@ impl<V: View> Followed<V> {
                     instant,
                     motions: &motions,
                     derivatives: derivatives.as_deref(),
+                    forces: forces.as_deref(),
                     measures: &measures,
                 };
                 for sink in sinks.iter_mut() {
@@ -294,7 +332,7 @@ impl<V: View> Followed<V> {
                 }
             }
             if is_row {
-                let row = self.row(self.count, instant, motions);
+                let row = self.row(self.count, instant, motions, forces);
                 self.rows.push(row);
             }
         }
@@ -314,13 +352,28 @@ impl<V: View> Followed<V> {
         self.wanted.points.iter().map(|&point| all[point]).collect()
     }
 
-    fn row(&self, number: usize, instant: &Instant, motions: Vec<PointMotion>) -> Row {
+    /// The forces that are asked for; `None` where they are not known.
+    fn forces(&self, instant: &Instant) -> Option<Vec<f64>> {
+        match self.force_names.is_empty() {
+            true => Some(Vec::new()),
+            false => self.view.forces(instant),
+        }
+    }
+
+    fn row(
+        &self,
+        number: usize,
+        instant: &Instant,
+        motions: Vec<PointMotion>,
+        forces: Option<Vec<f64>>,
+    ) -> Row {
         let coordinates = self.wanted.coordinates.iter();
         Row {
             number,
             t: instant.t(),
             motions,
             coordinates: coordinates.map(|it| of_coordinate(instant, *it)).collect(),
+            forces: forces.unwrap_or_else(|| vec![f64::NAN; self.force_names.len()]),
         }
     }
 

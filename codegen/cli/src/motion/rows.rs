@@ -16,6 +16,8 @@ pub struct Row {
     pub motions: Vec<PointMotion>,
     /// Each shown coordinate with its rate and its acceleration.
     pub coordinates: Vec<[f64; 3]>,
+    /// The forces that are asked for; NaN where they are not known.
+    pub forces: Vec<f64>,
 }
 
 /// Every instant of a short motion; of a long one every tenth, every hundredth, …

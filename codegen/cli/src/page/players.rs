@@ -34,6 +34,9 @@ pub struct Players {
     points: Vec<Point>,
     joints: Vec<Joint>,
     measures: Vec<String>,
+    /// The forces that are asked for, each with its unit.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    forces: Vec<(String, &'static str)>,
     columns: Columns,
     /// The first is that of the drawing.
     pub assemblies: Vec<Player>,
@@ -140,6 +143,7 @@ impl Players {
                     bodies: moved(joint),
                 })
                 .collect(),
+            forces: linkwright_solver::forces::names(system),
             measures: view.measures().map_or(Vec::new(), |measures| {
                 let parts = measures.parts();
                 let several = |block| parts.iter().filter(|it| it.block == block).count() > 1;

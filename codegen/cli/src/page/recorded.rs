@@ -1,6 +1,6 @@
 //! *The motion of each assembly* → *columns of numbers that a page plays back*.
 //!
-//! A column is what one coordinate, rate, acceleration or measure is at all kept instants. What assemblies have in common, and what
+//! A column is what one coordinate, rate, acceleration, measure or force is at all kept instants. What assemblies have in common, and what
 //! stands still, is written once.
 
 use std::collections::HashMap;
@@ -44,6 +44,9 @@ pub struct Recorded {
     pub coordinates: Vec<[usize; 3]>,
     /// The columns of what says how close each part is to a singular pose.
     pub measures: Vec<usize>,
+    /// The columns of the forces that are asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub forces: Vec<usize>,
     /// Why it ends early, if it does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
@@ -100,33 +103,36 @@ pub fn recorded(
     let followed = motion.follow(schedule, &mut [&mut kept], |_| {});
     followed.map_err(|error| error.to_string())?;
     kept.instants.extend(kept.last.take());
-    let Some((first, measures)) = kept.instants.first() else {
+    let Some((first, measures, forces)) = kept.instants.first() else {
         return Err(motion.error.unwrap_or_default());
     };
-    let (count, measured) = (first.q().len(), measures.len());
+    let (count, measured, exerted) = (first.q().len(), measures.len(), forces.len());
     let mut column = |of: &dyn Fn(&KeptInstant) -> f64| columns.place(kept.instants.iter().map(of));
     let coordinates = (0..count).map(|index| {
         [
-            column(&|(it, _)| it.q()[index]),
-            column(&|(it, _)| it.qd()[index]),
-            column(&|(it, _)| it.qdd()[index]),
+            column(&|(it, ..)| it.q()[index]),
+            column(&|(it, ..)| it.qd()[index]),
+            column(&|(it, ..)| it.qdd()[index]),
         ]
     });
     let coordinates = coordinates.collect();
-    let measures = (0..measured).map(|part| column(&|(_, measures)| measures[part]));
+    let measures = (0..measured).map(|part| column(&|(_, measures, _)| measures[part]));
     let measures = measures.collect();
+    let forces = (0..exerted).map(|place| column(&|(.., forces)| forces[place]));
+    let forces = forces.collect();
     Ok(Recorded {
-        times: kept.instants.iter().map(|(it, _)| it.t()).collect(),
+        times: kept.instants.iter().map(|(it, ..)| it.t()).collect(),
         coordinates,
         measures,
+        forces,
         error: motion.error,
         warnings: motion.warnings,
-        instants: kept.instants.into_iter().map(|(it, _)| it).collect(),
+        instants: kept.instants.into_iter().map(|(it, ..)| it).collect(),
     })
 }
 
-/// An instant and its measures.
-type KeptInstant = (Instant, Vec<f64>);
+/// An instant, its measures and its forces.
+type KeptInstant = (Instant, Vec<f64>, Vec<f64>);
 
 /// Every so manieth instant, and the last.
 struct Kept {
@@ -138,7 +144,12 @@ struct Kept {
 
 impl Sink for Kept {
     fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
-        let own = (shown.instant.clone(), shown.measures.to_vec());
+        let forces = shown.forces.unwrap_or_default();
+        let own = (
+            shown.instant.clone(),
+            shown.measures.to_vec(),
+            forces.to_vec(),
+        );
         match self.count.is_multiple_of(self.every) {
             true => {
                 self.instants.push(own);

@@ -2,7 +2,8 @@
 //!
 //! The columns are `t`; the coordinates by name (`x1`), their rates (`x1_d`) and accelerations (`x1_dd`); for each point `K`
 //! its position, velocity and acceleration `K_x, K_y, K_vx, K_vy, K_ax, K_ay`. Units are m, rad and s. What `transmission` and
-//! `sensitivity` statements ask for follows, `K_x per phi(1)`, empty where Φ_q is singular. Where it is asked for,
+//! `sensitivity` statements ask for follows, `K_x per phi(1)`, empty where Φ_q is singular, and then what `effort`, `reaction` and
+//! `energy` statements do, `effort_crank`, in N, N·m, W and J. Where it is asked for,
 //! `normalized_determinant_phi2` and the like follow, dimensionless. On request each name is followed by its unit, `phi1_d (rad/s)`;
 //! what is dimensionless, or measured in units of two quantities, has none.
 
@@ -22,12 +23,23 @@ const RATES: [&str; 3] = ["", "_d", "_dd"];
 const OF_POINT: [&str; 6] = ["_x", "_y", "_vx", "_vy", "_ax", "_ay"];
 
 /// What columns are measured in.
-const UNITS: [&str; 9] = [
-    "s", "m", "m/s", "m/s²", "rad", "rad/s", "rad/s²", "1/s", "1/s²",
+const UNITS: [&str; 13] = [
+    "s", "m", "m/s", "m/s²", "rad", "rad/s", "rad/s²", "1/s", "1/s²", "N", "N*m", "W", "J",
 ];
 
 /// How many bytes a number takes, about, with what separates it from the next one.
 const BYTES: u64 = 20;
+
+/// What the names of columns begin with that follow those of coordinates and points.
+const OTHERS: [&str; 7] = [
+    "normalized_determinant_",
+    "effort_",
+    "power_",
+    "reaction_",
+    "kinetic_energy",
+    "potential_energy",
+    "added_power",
+];
 
 /// How such a table is known again, also that of another mechanism.
 pub const SIGNATURE: Signature = Signature {
@@ -40,6 +52,7 @@ pub struct Table<'a> {
     writer: csv::Writer<&'a mut dyn Write>,
     fields: Vec<String>,
     derivatives: usize,
+    forces: usize,
 }
 
 impl<'a> Table<'a> {
@@ -63,6 +76,7 @@ impl<'a> Table<'a> {
             writer,
             fields: Vec::new(),
             derivatives: motion.derivative_names.len(),
+            forces: motion.force_names.len(),
         })
     }
 
@@ -91,6 +105,10 @@ impl Sink for Table<'_> {
             Some(values) => fields.extend(values.iter().map(|value| number(*value))),
             None => fields.extend((0..self.derivatives).map(|_| String::new())),
         }
+        match shown.forces {
+            Some(values) => fields.extend(values.iter().map(|value| number(*value))),
+            None => fields.extend((0..self.forces).map(|_| String::new())),
+        }
         fields.extend(shown.measures.iter().map(|value| number(*value)));
         self.writer.write_record(fields).map_err(cause)
     }
@@ -118,8 +136,10 @@ fn header<V: View>(motion: &Followed<V>) -> Vec<(String, &'static str)> {
             .zip(["m", "m", "m/s", "m/s", "m/s²", "m/s²"]);
         names.extend(columns.map(|(suffix, unit)| (format!("{name}{suffix}"), unit)));
     }
-    let others = motion.derivative_names.iter().chain(&motion.measure_names);
-    names.extend(others.map(|name| (name.clone(), "")));
+    let plain = |name: &String| (name.clone(), "");
+    names.extend(motion.derivative_names.iter().map(plain));
+    names.extend(motion.force_names.iter().cloned());
+    names.extend(motion.measure_names.iter().map(plain));
     names
 }
 
@@ -156,7 +176,7 @@ fn is_header(line: &str) -> bool {
     let others = &names[OF_POINT.len() * points.count()..];
     others
         .iter()
-        .all(|name| name.contains(" per ") || name.starts_with("normalized_determinant_"))
+        .all(|name| name.contains(" per ") || OTHERS.iter().any(|begin| name.starts_with(begin)))
 }
 
 /// `phi1_d` of `phi1_d (rad/s)`.

@@ -10,7 +10,8 @@
 //! | `det`, `rcond` | determinant and reciprocal condition (1-norm) of Φ_q at the start, in SI units |
 //! | `rcond_dimensionless` | the latter with lengths divided by the characteristic length |
 //! | `derivatives` | the names of what `transmission` and `sensitivity` statements ask for, if any |
-//! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y); and `derivatives`, null where Φ_q is singular |
+//! | `forces` | the names of what `effort`, `reaction` and `energy` statements ask for, each with its unit, if any |
+//! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y); and `derivatives` and `forces`, null where Φ_q is singular |
 //! | `residuals` | the largest over all frames: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` where equations are redundant |
 //! | `pressure_angles` | where bodies touch along curves: `{joint, angle, t}` each, the largest angle in rad and when; null at rest |
 //! | `newton_steps` | how many were taken in all |
@@ -47,6 +48,8 @@ struct Head<'a> {
     rcond_dimensionless: f64,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     derivatives: &'a [String],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    forces: &'a [(String, &'static str)],
 }
 
 #[derive(Serialize)]
@@ -128,6 +131,8 @@ struct Frame<'a> {
     /// None where nothing is asked for; the inner one where there is no answer.
     #[serde(skip_serializing_if = "Option::is_none")]
     derivatives: Option<Option<&'a [f64]>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    forces: Option<Option<&'a [f64]>>,
 }
 
 struct Points<'a>(&'a [String], &'a [PointMotion]);
@@ -164,6 +169,7 @@ pub struct Object<'a> {
     output: &'a mut dyn Write,
     points: Vec<String>,
     has_derivatives: bool,
+    has_forces: bool,
     is_first: bool,
 }
 
@@ -185,6 +191,7 @@ impl<'a> Object<'a> {
             rcond: motion.condition.reciprocal,
             rcond_dimensionless: motion.dimensionless_condition.reciprocal,
             derivatives: &motion.derivative_names,
+            forces: &motion.force_names,
         })?;
         // The object goes on.
         write!(output, "{},\"frames\":[", head.trim_end_matches('}'))?;
@@ -192,6 +199,7 @@ impl<'a> Object<'a> {
             output,
             points: motion.point_names().map(str::to_string).collect(),
             has_derivatives: !motion.derivative_names.is_empty(),
+            has_forces: !motion.force_names.is_empty(),
             is_first: true,
         })
     }
@@ -239,6 +247,7 @@ impl Sink for Object<'_> {
             qdd: shown.instant.qdd(),
             points: Points(&self.points, shown.motions),
             derivatives: self.has_derivatives.then_some(shown.derivatives),
+            forces: self.has_forces.then_some(shown.forces),
         };
         Ok(serde_json::to_writer(&mut *self.output, &frame)?)
     }

@@ -8,6 +8,7 @@ pub mod check_text;
 pub mod comma_separated;
 pub mod drawing;
 pub mod first_step;
+pub mod forces;
 pub mod json;
 pub mod motion_table;
 pub mod paths;

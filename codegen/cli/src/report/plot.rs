@@ -148,6 +148,36 @@ pub fn coordinates<V: View>(
     pictures.collect()
 }
 
+/// The picture of each force that is asked for; `None` for powers, which the efforts show, and for what never changes.
+///
+/// # Errors
+/// What the drawing library refuses.
+pub fn forces<V: View>(
+    motion: &Followed<V>,
+    course: &Course,
+) -> Result<Vec<Option<String>>, String> {
+    let pictures = course.forces.iter().zip(&motion.force_names);
+    let pictures = pictures.map(|(curve, (name, unit))| {
+        let values = curve.component(0);
+        let most = values.iter().fold(0.0_f64, |most, it| most.max(it.1.abs()));
+        let panel = Panel {
+            title: name.clone(),
+            unit,
+            curves: vec![("", values)],
+            reference: or(most, 1.0),
+        };
+        if name.starts_with("power_") || rests(&panel) {
+            return Ok(None);
+        }
+        let title = format!("{name} of {}", motion.title());
+        let drawn = picture(&title, &[panel]);
+        drawn
+            .map(Some)
+            .map_err(|error| format!("cannot draw `{name}`: {error}"))
+    });
+    pictures.collect()
+}
+
 /// Whether what a panel shows varies by rounding alone.
 fn rests(panel: &Panel<'_>) -> bool {
     panel.curves.iter().all(|(_, curve)| {

@@ -11,6 +11,7 @@ use linkwright_solver::diagnosis::unit;
 use linkwright_solver::number::{counted, fixed, scientific, time};
 use linkwright_solver::view::View;
 
+use super::forces;
 use super::motion_table::Column;
 use super::units::Units;
 use super::{first_step, motion_table};
@@ -57,6 +58,7 @@ pub fn write<V: View>(motion: &Followed<V>, how: &How, output: &mut dyn Write) -
         return Ok(());
     }
     motions(motion, how, output)?;
+    forces::write(motion, output)?;
     writeln!(output)?;
     pressure_angles(motion, output)?;
     closest(motion, output)?;

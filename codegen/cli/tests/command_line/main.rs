@@ -6,6 +6,7 @@ mod derivatives;
 mod draw;
 mod files;
 mod folder;
+mod forces;
 mod generate_and_inspect;
 mod generate_c;
 mod guide;

@@ -4,8 +4,9 @@ use super::printer::Printer;
 use super::text::Text;
 use super::words::WORDS;
 use super::{
-    api, assembly, block, block_names, coordinates, equations, frame, normalized_determinant,
-    parameters, path, points, runtime, sensitivity, shell, tables, textbook, transmission,
+    api, assembly, block, block_names, coordinates, equations, forces, frame,
+    normalized_determinant, parameters, path, points, runtime, sensitivity, shell, tables,
+    textbook, transmission,
 };
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
@@ -44,6 +45,7 @@ fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
     all.extend(assembly::drawn_pose(printer));
     all.extend(points::offered(printer));
     all.extend(transmission::offered(printer));
+    all.extend(forces::offered(printer));
     all.extend(sensitivity::offered(printer));
     all.extend(normalized_determinant::offered(printer));
     all.extend(textbook::offered(printer));

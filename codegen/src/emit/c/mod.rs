@@ -13,6 +13,7 @@ mod coordinates;
 mod equations;
 mod expression;
 mod file;
+mod forces;
 mod frame;
 mod newton;
 mod normalized_determinant;

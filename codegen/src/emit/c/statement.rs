@@ -136,6 +136,16 @@ impl Printer<'_> {
             Statement::Newton { .. } | Statement::Factorize | Statement::Solve { .. } => {
                 iterated(statement, text);
             }
+            Statement::Multipliers {
+                targets,
+                jacobian,
+                forces,
+            } => {
+                let order = forces.len();
+                let jacobian = jacobian.iter().map(write).collect::<Vec<_>>().join(", ");
+                let forces = forces.iter().map(write).collect::<Vec<_>>().join(", ");
+                self.multipliers(targets, [&jacobian, &forces], (order, block), scope, text);
+            }
             Statement::Signal { input, found } => self.signal(*input, found, scope, text),
             Statement::Require { value, block } => {
                 let number = self.module.block_number(*block);
@@ -190,6 +200,39 @@ impl Printer<'_> {
             text.line(format!("{} {name};", self.real()));
         }
         name
+    }
+
+    /// The multipliers of a part without a closed form, in arrays of their own: several parts may stand in one function.
+    fn multipliers(
+        &self,
+        targets: &[Option<SymbolId>],
+        [jacobian, forces]: [&str; 2],
+        (order, block): (usize, usize),
+        scope: &Scope<'_>,
+        text: &mut Text,
+    ) {
+        let first = targets.iter().copied().flatten().next();
+        let first = first.map_or(String::new(), |it| self.symbol(it, scope));
+        let name = first.rsplit(['>', '.']).next().unwrap_or_default();
+        let (real, call) = (self.real(), self.runtime("multipliers"));
+        let (square, room) = (order * order, order * order + 3 * order);
+        text.line(format!(
+            "const {real} {name}_jacobian[{square}] = {{{jacobian}}};"
+        ));
+        text.line(format!("{real} {name}_found[{order}] = {{{forces}}};"));
+        text.line(format!("{real} {name}_reals[{room}];"));
+        text.line(format!("uint16_t {name}_exchanges[{order}];"));
+        text.line(format!(
+            "const linkwright_status {name}_status = {call}({order}U, {name}_jacobian, {name}_found, {name}_reals, {name}_exchanges, conditions, {block}U);"
+        ));
+        text.open(format!("if ({name}_status != LINKWRIGHT_OK) {{"));
+        text.line(format!("return {name}_status;"));
+        text.close("}");
+        for (place, target) in targets.iter().enumerate() {
+            if let Some(target) = target {
+                self.assign(*target, &format!("{name}_found[{place}]"), scope, text);
+            }
+        }
     }
 
     /// How far an input goes between the frames and beyond.

@@ -45,8 +45,17 @@ impl<'a> Writer<'a> {
         let blocks = std::mem::take(&mut self.blocks);
         let forms: Vec<Vec<Arc<dyn Form>>> = blocks.iter().map(|it| it.forms.clone()).collect();
         let script = self.spelling.script;
-        let summary = summary(&self.spelling.system, self.plan, &forms);
-        let outline = outline(&self.spelling.system, self.plan, &forms, script);
+        let summary = summary(
+            &self.spelling.system,
+            self.plan,
+            &forms[..self.plan.blocks.len()],
+        );
+        let outline = outline(
+            &self.spelling.system,
+            self.plan,
+            &forms[..self.plan.blocks.len()],
+            script,
+        );
         for branch in std::mem::take(&mut self.branches) {
             let graph = self.spelling.graph();
             let one = graph.one();
@@ -57,6 +66,19 @@ impl<'a> Writer<'a> {
             };
             self.spelling.replace(branch.symbol, sign);
         }
+        // Where the values of drivers are shifted, they are so by nothing.
+        let shifts: Vec<SymbolId> = self
+            .spelling
+            .system
+            .directions
+            .iter()
+            .filter(|it| !it.is_parameter())
+            .map(|it| it.symbol)
+            .collect();
+        let zero = self.spelling.graph().zero();
+        for shift in shifts {
+            self.spelling.replace(shift, zero);
+        }
         let plan = self.plan;
         let mut sections: Vec<Section> = Vec::new();
         for (block, solved) in blocks.iter().zip(&plan.blocks) {
@@ -65,7 +87,17 @@ impl<'a> Writer<'a> {
             let items = std::mem::take(&mut self.items);
             sections.push(Section { heading, items });
         }
-        sections.extend(self.singular_section(&forms));
+        let nothing = SolvedBlock {
+            joints: Vec::new(),
+            parts: Vec::new(),
+            definitions: Vec::new(),
+        };
+        for block in blocks.iter().skip(plan.blocks.len()) {
+            let heading = format!("Forces: {}", self.block(block, &nothing));
+            let items = std::mem::take(&mut self.items);
+            sections.push(Section { heading, items });
+        }
+        sections.extend(self.singular_section(&forms[..plan.blocks.len()]));
         let title = self.spelling.system.mechanism.title();
         Document {
             name: script.word(&title),
@@ -84,7 +116,7 @@ impl<'a> Writer<'a> {
         for statement in &block.function.statements {
             if let Statement::Section(level) = statement {
                 // What drivers and parameters do is not derived by hand.
-                is_asked = matches!(level, Level::Velocity | Level::Acceleration);
+                is_asked = matches!(level, Level::Velocity | Level::Acceleration | Level::Forces);
             }
             if !is_asked {
                 continue;

@@ -283,6 +283,7 @@ pub(in crate::emit) fn of_statement(statement: &Statement, module: &Module<'_>) 
             }
         },
         Level::ResponseRate(_) => "Rate of this sensitivity.".to_string(),
+        Level::Forces => "Forces.".to_string(),
     })
 }
 

@@ -27,7 +27,12 @@ impl Needs {
         let reads = scope.reads();
         let newton = block.newton.is_some();
         let has = |wanted: fn(&Statement) -> bool| block.function.statements.iter().any(wanted);
-        let checks = has(|it| matches!(it, Statement::Reach { .. } | Statement::Nonzero { .. }));
+        let checks = has(|it| {
+            matches!(
+                it,
+                Statement::Reach { .. } | Statement::Nonzero { .. } | Statement::Multipliers { .. }
+            )
+        });
         let fails = newton || checks || module.is_large();
         Needs {
             last: newton || has(|it| matches!(it, Statement::Angle { .. })),

@@ -165,6 +165,26 @@ impl Scope<'_> {
                 let bounds = quote!([#(#blocks),*], [#(#bounds),*], #sizes);
                 self.isolation(found, bounds, jacobian, (varied, variation))
             }
+            Statement::Multipliers {
+                targets,
+                jacobian,
+                forces,
+            } => {
+                let rows = jacobian.chunks(forces.len()).map(|row| {
+                    let row = row.iter().map(write);
+                    quote!([#(#row),*])
+                });
+                let forces = forces.iter().map(write);
+                let found = targets.iter().enumerate();
+                let assignments = found.filter_map(|(place, target)| {
+                    let place = count(place);
+                    Some(self.assignment((*target)?, quote!(balance[#place])))
+                });
+                quote! {
+                    let balance = multipliers([#(#rows),*], [#(#forces),*], t, #number)?;
+                    #(#assignments)*
+                }
+            }
             Statement::Solve {
                 targets,
                 right_hand_side,

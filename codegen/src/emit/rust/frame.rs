@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::docs::docs;
+use super::forces::forces;
 use super::layout::Verbatim;
 use super::lints;
 use super::module::{derives, only};
@@ -30,6 +31,7 @@ pub(super) fn frame(module: &Module<'_>) -> TokenStream {
         methods,
         transmissions(module),
         sensitivities(module),
+        forces(module),
         smallest_determinant(module),
     ];
     let structure = structure(module);

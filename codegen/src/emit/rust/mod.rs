@@ -8,6 +8,7 @@ mod docs;
 mod explained;
 mod expression;
 mod file;
+mod forces;
 mod frame;
 mod functions;
 mod layout;

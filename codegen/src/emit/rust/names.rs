@@ -98,6 +98,7 @@ const ITEMS: &[&str] = &[
     "required",
     "largest_length",
     "singular_divisor",
+    "multipliers",
     "drawn",
     "describe",
     "monitored",
@@ -122,6 +123,7 @@ const PREFIXES: &[&str] = &[
 
 /// What functions are given, and what they call the runtime's answers: no local value has one of these names.
 const LOCAL_VALUES: &[&str] = &[
+    "balance",
     "at",
     "last",
     "branches",

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Candidate, Determinant, Form, Solved};
+use super::{Candidate, Determinant, Form, Solved, Transposed};
 use crate::expr::{ExprId, Graph};
 use crate::program::builder::Builder;
 use crate::program::function::Level;
@@ -96,6 +96,10 @@ struct Found {
 impl Solved for Found {
     fn determinant(&self) -> Option<ExprId> {
         Some(self.coefficient)
+    }
+
+    fn transposed(&self, _builder: &mut Builder<'_>) -> Option<Transposed> {
+        Some(Transposed::One(self.coefficient))
     }
 
     fn prepare(&mut self, builder: &mut Builder<'_>) {

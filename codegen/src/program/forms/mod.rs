@@ -12,12 +12,14 @@ mod newton;
 mod one_angle;
 mod rotation_and_slide;
 mod torn;
+mod transposed;
 mod turning_slide;
 mod two_rotations;
 mod two_slides;
 
 pub use determinant::Determinant;
 pub use drawn_mode::DrawnMode;
+pub use transposed::Transposed;
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -59,6 +61,10 @@ pub trait Solved {
     fn prepare(&mut self, _builder: &mut Builder<'_>) {}
     /// States the rates, the accelerations or a response.
     fn rates(&self, level: Level, builder: &mut Builder<'_>);
+    /// Its Jacobian, for the multipliers of its equations; `None` where the runtime solves it as one dense system.
+    fn transposed(&self, _builder: &mut Builder<'_>) -> Option<Transposed> {
+        None
+    }
     /// The equations of its Newton-Raphson, where it has one.
     fn newton(self: Box<Self>) -> Option<NewtonBlock> {
         None
@@ -174,6 +180,7 @@ impl Candidate<'_> {
     }
 
     /// The two equations as the x and the y component of a vector equation: as they are, exchanged, or with one sign changed.
+    /// [`Transposed`] undoes them by their places.
     fn arrangements(&mut self, [first, second]: [ExprId; 2]) -> [[ExprId; 2]; 4] {
         let minus_second = self.graph.negate(second);
         [

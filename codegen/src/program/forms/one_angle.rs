@@ -10,7 +10,7 @@ use linkwright_math::double;
 
 use super::determinant::{length, of_one_angle};
 use super::linear::say_again;
-use super::{Candidate, Determinant, Form, Solved};
+use super::{Candidate, Determinant, Form, Solved, Transposed};
 use crate::expr::{ExprId, Graph};
 use crate::program::builder::{Builder, Direction};
 use crate::program::function::Level;
@@ -278,6 +278,10 @@ struct Found {
 impl Solved for Found {
     fn determinant(&self) -> Option<ExprId> {
         Some(self.root)
+    }
+
+    fn transposed(&self, builder: &mut Builder<'_>) -> Option<Transposed> {
+        Some(Transposed::One(builder.graph().negate(self.root)))
     }
 
     fn prepare(&mut self, builder: &mut Builder<'_>) {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::closing::Closing;
 use super::determinant::{crossed, orientation, sizes};
 use super::two_rotations::turning;
-use super::{Candidate, Determinant, Form, Solved};
+use super::{Candidate, Determinant, Form, Solved, Transposed};
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Vector, perpendicular};
 use crate::program::builder::Builder;
@@ -27,6 +27,8 @@ struct RotationAndSlide {
     direction: Vector,
     /// c, the known vector that closes the loop.
     closure: Vector,
+    /// How the equations became its components.
+    arrangement: usize,
 }
 
 pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
@@ -34,7 +36,8 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
     let form = candidate.form;
     let symbol = form.unknowns[slide].position;
     let zero = candidate.graph.zero();
-    for arranged in candidate.arrangements(equations) {
+    let arrangements = candidate.arrangements(equations).into_iter().enumerate();
+    for (arrangement, arranged) in arrangements {
         let graph = &mut *candidate.graph;
         let direction = arranged.map(|equation| graph.derivative(equation, symbol));
         let without = arranged.map(|equation| graph.substitute(equation, &[(symbol, zero)]));
@@ -51,6 +54,7 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
                 link,
                 direction,
                 closure,
+                arrangement,
             }));
         }
     }
@@ -152,6 +156,7 @@ impl Form for RotationAndSlide {
             w,
             d,
             k,
+            (self.arrangement, false),
             &chain,
             stretch,
             builder,
@@ -220,16 +225,20 @@ impl RotationAndSlide {
 pub(super) struct Found {
     columns: [Vector; 2],
     k: ExprId,
+    /// How the equations became components, and whether the loop was gone round the other way.
+    arranged: (usize, bool),
     inverse: Option<ExprId>,
     closing: Closing,
 }
 
 impl Found {
+    #[expect(clippy::too_many_arguments, reason = "the parts of one loop")]
     pub(super) fn new(
         unknowns: [usize; 2],
         w: Vector,
         d: Vector,
         k: ExprId,
+        arranged: (usize, bool),
         chain: &[Vector],
         stretch: Option<crate::program::stretch::Stretch>,
         builder: &mut Builder<'_>,
@@ -237,6 +246,7 @@ impl Found {
         Found {
             columns: [builder.across(w), d],
             k,
+            arranged,
             inverse: None,
             closing: Closing::new(unknowns, chain, stretch, builder),
         }
@@ -247,6 +257,16 @@ impl Solved for Found {
     /// w · d, minus the determinant.
     fn determinant(&self) -> Option<ExprId> {
         Some(self.k)
+    }
+
+    fn transposed(&self, builder: &mut Builder<'_>) -> Option<Transposed> {
+        let (arrangement, reversed) = self.arranged;
+        Some(Transposed::Two {
+            columns: self.columns,
+            determinant: builder.graph().negate(self.k),
+            arrangement,
+            reversed,
+        })
     }
 
     fn prepare(&mut self, builder: &mut Builder<'_>) {

@@ -27,6 +27,8 @@ struct TurningSlide {
     direction: Vector,
     /// c, the known vector that closes the loop.
     closure: Vector,
+    /// How the equations became its components.
+    arrangement: usize,
 }
 
 pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
@@ -34,7 +36,8 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
     let form = candidate.form;
     let symbol = form.unknowns[slide].position;
     let zero = candidate.graph.zero();
-    for arranged in candidate.arrangements(equations) {
+    let arrangements = candidate.arrangements(equations).into_iter().enumerate();
+    for (arrangement, arranged) in arrangements {
         let graph = &mut *candidate.graph;
         let slope = arranged.map(|equation| graph.derivative(equation, symbol));
         let without = arranged.map(|equation| graph.substitute(equation, &[(symbol, zero)]));
@@ -56,6 +59,7 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
                 start,
                 direction,
                 closure,
+                arrangement,
             }));
         }
     }
@@ -175,7 +179,17 @@ impl Form for TurningSlide {
         let length = builder.position(slide);
         let slid = d.map(|part| builder.graph().multiply(length, part));
         let chain = [start, slid, c];
-        Box::new(Found::new([angle, slide], m, d, k, &chain, None, builder))
+        let arranged = (self.arrangement, is_backward);
+        Box::new(Found::new(
+            [angle, slide],
+            m,
+            d,
+            k,
+            arranged,
+            &chain,
+            None,
+            builder,
+        ))
     }
 }
 

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use super::closing::Closing;
 use super::determinant::{crossed, sizes};
-use super::{Candidate, Determinant, Form, Solved};
+use super::{Candidate, Determinant, Form, Solved, Transposed};
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::Vector;
 use crate::program::builder::{Builder, Direction};
@@ -27,11 +27,14 @@ struct TwoRotations {
     links: [Vector; 2],
     /// c, the known vector that closes the triangle.
     closure: Vector,
+    /// How the equations became its components.
+    arrangement: usize,
 }
 
 pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
     let (equations, angles) = candidate.pair_of([true, true])?;
-    for arranged in candidate.arrangements(equations) {
+    let arrangements = candidate.arrangements(equations).into_iter().enumerate();
+    for (arrangement, arranged) in arrangements {
         let form = candidate.form;
         let split = |pair, angle, candidate: &mut Candidate<'_>| {
             form.turned_vector(pair, angle, candidate.graph)
@@ -49,6 +52,7 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
                 angles,
                 links: [p, q],
                 closure,
+                arrangement,
             }));
         }
     }
@@ -200,6 +204,7 @@ impl Form for TwoRotations {
             angles,
             names: names.links,
             links: [w, u],
+            arranged: (self.arrangement, is_backward),
             stretches,
             c,
             h,
@@ -417,6 +422,8 @@ struct Found {
     angles: [usize; 2],
     names: [String; 2],
     links: [Vector; 2],
+    /// How the equations became components, and whether the loop was gone round the other way.
+    arranged: (usize, bool),
     stretches: [Option<crate::program::stretch::Stretch>; 2],
     c: Vector,
     h: ExprId,
@@ -427,6 +434,16 @@ struct Found {
 impl Solved for Found {
     fn determinant(&self) -> Option<ExprId> {
         Some(self.h)
+    }
+
+    fn transposed(&self, builder: &mut Builder<'_>) -> Option<Transposed> {
+        let (arrangement, reversed) = self.arranged;
+        Some(Transposed::Two {
+            columns: self.links.map(|link| builder.across(link)),
+            determinant: self.h,
+            arrangement,
+            reversed,
+        })
     }
 
     fn prepare(&mut self, builder: &mut Builder<'_>) {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::closing::Closing;
 use super::determinant::{crossed, orientation, sizes};
-use super::{Candidate, Determinant, Form, Solved};
+use super::{Candidate, Determinant, Form, Solved, Transposed};
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::Vector;
 use crate::program::builder::Builder;
@@ -124,6 +124,15 @@ struct Found {
 impl Solved for Found {
     fn determinant(&self) -> Option<ExprId> {
         Some(self.determinant)
+    }
+
+    fn transposed(&self, _builder: &mut Builder<'_>) -> Option<Transposed> {
+        Some(Transposed::Two {
+            columns: self.columns,
+            determinant: self.determinant,
+            arrangement: 0,
+            reversed: false,
+        })
     }
 
     fn prepare(&mut self, builder: &mut Builder<'_>) {

@@ -335,9 +335,9 @@ pub(in crate::program) fn of_function(function: &Function, system: &System) -> O
     operations
 }
 
-/// The operations of each level in all blocks, the last two those of all responses to drivers and to parameters.
-pub(in crate::program) fn by_level(blocks: &[Block], system: &System) -> [Operations; 5] {
-    let mut levels = [Operations::default(); 5];
+/// The operations of each level in all blocks, then those of all responses to drivers and to parameters, and of forces.
+pub(in crate::program) fn by_level(blocks: &[Block], system: &System) -> [Operations; 6] {
+    let mut levels = [Operations::default(); 6];
     for block in blocks {
         let mut level = 0;
         let function = &block.function;
@@ -351,6 +351,7 @@ pub(in crate::program) fn by_level(blocks: &[Block], system: &System) -> [Operat
                     Level::Response(direction) | Level::ResponseRate(direction) => {
                         3 + usize::from(system.directions[*direction].is_parameter())
                     }
+                    Level::Forces => 5,
                 };
             }
             levels[level] += computed.statement(statement);

@@ -60,7 +60,9 @@ fn needed(
     let (mut remains, mut followed) = (false, false);
     for mut statement in statements.into_iter().rev() {
         let wanted = |symbol: SymbolId| live.contains(&symbol) || kept(symbol);
-        if let Statement::Solve { targets, .. } = &mut statement {
+        if let Statement::Solve { targets, .. } | Statement::Multipliers { targets, .. } =
+            &mut statement
+        {
             for target in targets {
                 *target = target.filter(|&symbol| wanted(symbol));
             }

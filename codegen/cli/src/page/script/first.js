@@ -21,6 +21,7 @@ setTimeout(() => {
   choose("lengths", 4);
   for (const index of traced) for (const curve of curves) if (curve.is === `p${index}`) shown.add(curve);
   choose("contacts", 3);
+  for (const kind of ["forces", "torques", "energies"]) choose(kind, 7);
   choose("determinants", 7);
   chips();
   thumbnails();

@@ -29,6 +29,11 @@ data.points.forEach((own, index) => {
     });
   });
 });
+const between = (column, time) => {
+  const [k, s] = interval(player.times, time);
+  const here = at(column, k);
+  return s === 0 ? here : here + s * (at(column, k + 1) - here);
+};
 data.measures.forEach((name, index) => {
   curves.push({
     is: `m${index}`,
@@ -36,15 +41,21 @@ data.measures.forEach((name, index) => {
     letter: name,
     index: "",
     kind: "determinants",
-    value: (it) => {
-      const [k, s] = interval(player.times, it.t);
-      const here = at(player.measures[index], k);
-      return s === 0 ? here : here + s * (at(player.measures[index], k + 1) - here);
-    },
+    value: (it) => between(player.measures[index], it.t),
   });
 });
-const UNITS = { angles: ["rad", "rad/s", "rad/s²"], lengths: ["m", "m/s", "m/s²"], points: ["m", "m/s", "m/s²"], contacts: ["", "1/s", "1/s²"], determinants: ["0 is singular"] };
-const TITLES = { angles: "Angles", lengths: "Coordinates x and y", points: "Points", contacts: "Contacts", determinants: "Determinants, normalized" };
+(data.forces ?? []).forEach(([name, unit], index) => {
+  curves.push({
+    is: `f${index}`,
+    of: "",
+    letter: name,
+    index: "",
+    kind: { N: "forces", "N*m": "torques", W: "powers" }[unit] ?? "energies",
+    value: (it) => between(player.forces[index], it.t),
+  });
+});
+const UNITS = { angles: ["rad", "rad/s", "rad/s²"], lengths: ["m", "m/s", "m/s²"], points: ["m", "m/s", "m/s²"], contacts: ["", "1/s", "1/s²"], forces: ["N"], torques: ["N m"], powers: ["W"], energies: ["J"], determinants: ["0 is singular"] };
+const TITLES = { angles: "Angles", lengths: "Coordinates x and y", points: "Points", contacts: "Contacts", forces: "Forces", torques: "Torques", powers: "Powers", energies: "Energies", determinants: "Determinants, normalized" };
 const shown = new Set();
 const choose = (kind, most) => {
   const moving = curves.filter((it) => it.kind === kind && moves(samples.map((sampled) => it.value(sampled, 0))));

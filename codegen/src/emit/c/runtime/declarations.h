@@ -330,6 +330,9 @@ linkwright_status linkwright$f_solve_torn(const linkwright$f_tearing *tearing, c
 /* Factorizes their Jacobian at a pose that is solved, and solves with it; notes a failure. */
 linkwright_status linkwright$f_factorize(const linkwright$f_equations *equations, const $real q[],
     linkwright$f_factorization *factorization, const linkwright$f_conditions *conditions);
+/* The multipliers of a transposed Jacobian, in the place of the forces, in room for n × n + 3 n numbers and n exchanges. */
+linkwright_status linkwright$f_multipliers(uint16_t n, const $real jacobian[], $real forces[], $real reals[],
+    uint16_t exchanges[], const linkwright$f_conditions *conditions, uint16_t block);
 void linkwright$f_solve_factorized(const linkwright$f_factorization *factorization, $real right_hand_side[]);
 
 /* How close blocks in closed form are to a singular pose, and the closest of all. */

@@ -1,0 +1,79 @@
+//! *What drivers exert and joints carry along a motion* → *tables, and the largest of each*.
+
+use std::io::{self, Write};
+
+use linkwright_solver::number::time;
+use linkwright_solver::view::View;
+
+use super::motion_table::{self, Column};
+use crate::motion::Followed;
+
+/// How wide a table may be, in characters.
+const WIDEST: usize = 100;
+
+/// So many forces are printed as tables; of more only the largest values.
+const TABLED: usize = 12;
+
+/// Writes what is asked for; nothing where nothing is.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    if motion.force_names.is_empty() {
+        return Ok(());
+    }
+    if motion.force_names.len() <= TABLED {
+        tables(motion, output)?;
+    }
+    writeln!(output, "\nlargest forces")?;
+    let width = motion.force_names.iter().map(|(name, _)| name.len()).max();
+    let width = width.unwrap_or(0);
+    for ((name, unit), (value, t)) in motion.force_names.iter().zip(&motion.largest_forces) {
+        let t = time(*t);
+        writeln!(
+            output,
+            "  {name:width$}  {} {unit} at t = {t} s",
+            short(*value)
+        )?;
+    }
+    Ok(())
+}
+
+/// As many columns beside one another as fit on a line.
+fn tables<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let rows = motion.rows.numbered(&motion_table::shown(motion.count));
+    let times: Vec<f64> = rows.iter().map(|row| row.t).collect();
+    let times = Column::of_times(&times);
+    let columns = motion
+        .force_names
+        .iter()
+        .enumerate()
+        .map(|(place, (name, unit))| {
+            let values: Vec<f64> = rows.iter().map(|row| row.forces[place]).collect();
+            let (largest, _) = motion.largest_forces[place];
+            Column::new(format!("{name} ({unit})"), &values, largest.abs())
+        });
+    let columns: Vec<Column> = columns.collect();
+    let mut rest = &columns[..];
+    while !rest.is_empty() {
+        let mut width = 2 + times.width();
+        let fitting = rest.iter().take_while(|column| {
+            width += 2 + column.width();
+            width <= WIDEST
+        });
+        let fitting = fitting.count().max(1);
+        let (own, others) = rest.split_at(fitting);
+        let table = motion_table::table([&times].into_iter().chain(own));
+        write!(output, "\n{table}")?;
+        rest = others;
+    }
+    Ok(())
+}
+
+/// A value with five digits.
+fn short(value: f64) -> String {
+    match value == 0.0 {
+        true => "0".to_string(),
+        false => format!("{value:.4e}"),
+    }
+}

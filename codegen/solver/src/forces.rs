@@ -1,0 +1,226 @@
+//! *What `effort`, `reaction` and `energy` statements ask for* → *named columns of numbers*, in SI units.
+//!
+//! The names are those of the functions of generated code: `effort_crank`, `reaction_p_x`, `kinetic_energy`. The module does not know
+//! how columns are written.
+
+use linkwright::multipliers;
+use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::program::Program;
+use linkwright_codegen::stages::system::{Component, System};
+use nalgebra::{DMatrix, DVector};
+
+use crate::instant::{Instant, Layout};
+use crate::reader::Reader;
+
+/// The columns, each with its unit: efforts with their powers, then reactions, then energies. Nothing where none is asked for.
+pub fn names(system: &System) -> Vec<(String, &'static str)> {
+    let wanted = &system.mechanism.forces;
+    let mut names = Vec::new();
+    if wanted.efforts {
+        for (_, joint, quantity) in system.driven() {
+            let slug = &system.mechanism.joints[joint].slug;
+            let unit = match quantity.power_of_length() {
+                0 => "N*m",
+                _ => "N",
+            };
+            names.push((format!("effort_{slug}"), unit));
+            names.push((format!("power_{slug}"), "W"));
+        }
+    }
+    if !wanted.reactions.is_empty() {
+        // What a joint carries is said in terms of expressions that nothing else needs.
+        let mut asked = system.clone();
+        for &joint in &wanted.reactions {
+            let components = asked.passing(joint).carried.components();
+            let slug = &system.mechanism.joints[joint].slug;
+            let own = components.iter();
+            names.extend(own.map(|it| (format!("reaction_{slug}_{}", it.suffix()), it.unit())));
+        }
+    }
+    if wanted.energy {
+        names.extend([
+            ("kinetic_energy".to_string(), "J"),
+            ("potential_energy".to_string(), "J"),
+            ("added_power".to_string(), "W"),
+        ]);
+    }
+    names
+}
+
+/// Where instants of a program keep the columns.
+pub(crate) fn of_program(program: &Program, layout: &Layout) -> Vec<Option<usize>> {
+    let fields = program.forces.fields().into_iter();
+    fields.map(|field| layout.slot(field)).collect()
+}
+
+/// The same from the textbook's equations: Φ_qᵀ λ = Q − M q̈ as one dense system. Every column is a sum of multipliers with factors,
+/// or a value of its own.
+#[derive(Clone, Debug)]
+pub(crate) struct DenseForces {
+    /// The entries of Φ_q, then Q − M q̈, then the factors of the terms, then the values of columns.
+    values: Reader,
+    /// The row and the column of each entry.
+    entries: Vec<(usize, usize)>,
+    /// The column and the row of each term.
+    terms: Vec<(usize, usize)>,
+    columns: usize,
+    rows: usize,
+}
+
+/// What a column is made of.
+#[derive(Default)]
+struct Column {
+    terms: Vec<(usize, ExprId)>,
+    value: Option<ExprId>,
+}
+
+impl DenseForces {
+    /// The columns in the order of [`names`]; `None` where none is asked for.
+    pub(crate) fn new(system: &System, layout: &Layout) -> Option<DenseForces> {
+        let loads = system.forces.clone()?;
+        let mut system = system.clone();
+        let columns = columns(&mut system);
+        let (mut entries, mut roots) = (Vec::new(), Vec::new());
+        for (row, own) in system.rows.iter().enumerate() {
+            for entry in &own.jacobian {
+                entries.push((row, entry.coordinate));
+                roots.push(entry.value);
+            }
+        }
+        let zero = system.mechanism.graph.zero();
+        let own = loads.loads.iter().copied().chain(std::iter::repeat(zero));
+        roots.extend(own.take(system.coordinates.len()));
+        let mut terms = Vec::new();
+        for (place, column) in columns.iter().enumerate() {
+            terms.extend(column.terms.iter().map(|(row, _)| (place, *row)));
+            roots.extend(column.terms.iter().map(|(_, factor)| *factor));
+        }
+        roots.extend(columns.iter().map(|it| it.value.unwrap_or(zero)));
+        let form = &system.vector_form;
+        let graph = &mut system.mechanism.graph;
+        let roots: Vec<ExprId> = roots
+            .into_iter()
+            .map(|root| {
+                let root = graph.substitute(root, &loads.lengths);
+                form.written_out(root, graph)
+            })
+            .collect();
+        Some(DenseForces {
+            values: Reader::new(graph, layout, &roots),
+            entries,
+            terms,
+            columns: columns.len(),
+            rows: system.coordinates.len(),
+        })
+    }
+
+    /// The columns at an instant; `None` where Φ_q is singular.
+    pub(crate) fn at(&self, instant: &Instant) -> Option<Vec<f64>> {
+        let values = self.values.values(instant);
+        let (entries, rest) = values.split_at(self.entries.len());
+        let (loads, rest) = rest.split_at(self.rows);
+        let (factors, own) = rest.split_at(self.terms.len());
+        let mut jacobian = DMatrix::zeros(self.rows, self.rows);
+        for (place, value) in self.entries.iter().zip(entries) {
+            jacobian[*place] = *value;
+        }
+        let mut found = DVector::from_column_slice(loads);
+        multipliers::solve(&jacobian, &mut found).ok()?;
+        let mut columns = own.to_vec();
+        columns.truncate(self.columns);
+        for ((column, row), factor) in self.terms.iter().zip(factors) {
+            columns[*column] += factor * found[*row];
+        }
+        Some(columns)
+    }
+}
+
+/// What every column is made of.
+fn columns(system: &mut System) -> Vec<Column> {
+    let wanted = system.mechanism.forces.clone();
+    let mut columns = Vec::new();
+    if wanted.efforts {
+        let driven: Vec<(usize, usize)> = system
+            .driven()
+            .map(|(place, joint, _)| (place, joint))
+            .collect();
+        for (direction, joint) in driven {
+            let column = system.directions[direction].column.clone();
+            let value = system.mechanism.joints[joint].operands.value;
+            let graph = &mut system.mechanism.graph;
+            let value = value.filter(|_| !wanted.at_rest);
+            let rate = value.map_or(graph.zero(), |value| system.vector_form.rate(value, graph));
+            let zero = graph.zero();
+            let terms: Vec<(usize, ExprId)> = column
+                .into_iter()
+                .enumerate()
+                .filter(|(_, factor)| *factor != zero)
+                .collect();
+            let powers = terms.iter();
+            let powers = powers.map(|&(row, factor)| (row, graph.multiply(factor, rate)));
+            let powers = powers.collect();
+            columns.push(Column { terms, value: None });
+            columns.push(Column {
+                terms: powers,
+                value: None,
+            });
+        }
+    }
+    for joint in wanted.reactions {
+        let passing = system.passing(joint);
+        let direction = passing.carried.direction();
+        let graph = &mut system.mechanism.graph;
+        let own = system.rows.iter().enumerate();
+        let own: Vec<_> = own.filter(|(_, row)| row.joint == joint).collect();
+        // What one unit of each multiplier exerts: forces, and a moment about the place of the joint.
+        let mut wrenches = Vec::new();
+        for (row, stated) in own {
+            let mut wrench = [0, 1, 2].map(|axis| {
+                let wanted = (3 * passing.body.0 + axis).checked_sub(3);
+                let mut entries = stated.jacobian.iter();
+                let entry = entries.find(|it| Some(it.coordinate) == wanted);
+                let value = entry.map_or(graph.zero(), |it| it.value);
+                match passing.is_opposite {
+                    true => value,
+                    false => graph.negate(value),
+                }
+            });
+            let parts = [(0, 1, false), (1, 0, true)];
+            for (arm, force, adds) in parts {
+                let moment = graph.multiply(passing.arm[arm], wrench[force]);
+                wrench[2] = match adds {
+                    true => graph.add(wrench[2], moment),
+                    false => graph.subtract(wrench[2], moment),
+                };
+            }
+            wrenches.push((row, wrench));
+        }
+        for component in passing.carried.components() {
+            let terms = wrenches.iter().map(|&(row, [x, y, moment])| {
+                let factor = match (component, direction) {
+                    (Component::X, _) => x,
+                    (Component::Y, _) => y,
+                    (Component::Moment, _) => moment,
+                    (Component::Multiplier, _) | (_, None) => graph.one(),
+                    (_, Some([along_x, along_y])) => {
+                        let parts = [graph.multiply(x, along_x), graph.multiply(y, along_y)];
+                        graph.sum(&parts)
+                    }
+                };
+                (row, factor)
+            });
+            columns.push(Column {
+                terms: terms.collect(),
+                value: None,
+            });
+        }
+    }
+    if let (true, Some(forces)) = (wanted.energy, &system.forces) {
+        let values = [forces.kinetic, forces.potential, forces.added];
+        columns.extend(values.map(|value| Column {
+            terms: Vec::new(),
+            value: Some(value),
+        }));
+    }
+    columns
+}

@@ -1,0 +1,130 @@
+//! The forces that are asked for → the functions of a frame that give them.
+//!
+//! Every language offers the same functions under the same names; how a pair of numbers is returned is its own matter.
+
+use super::Module;
+use crate::expr::SymbolId;
+use crate::joint::Quantity;
+use crate::program::{Effort, Energy, Reaction};
+use crate::system::Component;
+
+/// A function of a frame that gives one field, or x and y.
+#[derive(Clone, Debug)]
+pub(in crate::emit) struct ForceFunction {
+    /// `effort_crank`, `reaction_p`.
+    pub name: String,
+    /// One field or two.
+    pub fields: Vec<SymbolId>,
+    /// What it gives.
+    pub lines: Vec<String>,
+}
+
+/// All of them: of each driver the effort and its power, of each joint what it carries, then the energies.
+pub(in crate::emit) fn force_functions(module: &Module<'_>) -> Vec<ForceFunction> {
+    let forces = &module.program.forces;
+    let efforts = forces.efforts.iter().flat_map(|it| of_effort(it, module));
+    let reactions = forces.reactions.iter();
+    let reactions = reactions.flat_map(|it| of_reaction(it, module));
+    let energy = forces.energy.iter().flat_map(of_energy);
+    efforts.chain(reactions).chain(energy).collect()
+}
+
+fn of_effort(effort: &Effort, module: &Module<'_>) -> [ForceFunction; 2] {
+    let label = &module.system.mechanism.joints[effort.joint].label;
+    let what = match effort.quantity {
+        Quantity::Angle => format!(
+            "The torque (N·m) that `{label}` exerts, positive where it turns the angle forward."
+        ),
+        _ => format!(
+            "The force (N) that `{label}` exerts along what it drives, positive where it makes that larger."
+        ),
+    };
+    let function = |word: &str, field, line| ForceFunction {
+        name: format!("{word}_{}", effort.name),
+        fields: vec![field],
+        lines: vec![line],
+    };
+    [
+        function("effort", effort.effort, what),
+        function(
+            "power",
+            effort.power,
+            format!("The power (W) that `{label}` brings in."),
+        ),
+    ]
+}
+
+fn of_reaction(reaction: &Reaction, module: &Module<'_>) -> Vec<ForceFunction> {
+    let label = &module.system.mechanism.joints[reaction.joint].label;
+    let mut functions = Vec::new();
+    let mut components = &reaction.components[..];
+    if let [(Component::X, x), (Component::Y, y), rest @ ..] = components {
+        functions.push(ForceFunction {
+            name: format!("reaction_{}", reaction.name),
+            fields: vec![*x, *y],
+            lines: vec![format!(
+                "The force (N) of `{label}` on its second body, along x and y."
+            )],
+        });
+        components = rest;
+    }
+    for (component, field) in components {
+        functions.push(ForceFunction {
+            name: format!("reaction_{}_{}", reaction.name, component.suffix()),
+            fields: vec![*field],
+            lines: vec![said(*component, label)],
+        });
+    }
+    functions
+}
+
+/// What a component is.
+fn said(component: Component, label: &str) -> String {
+    match component {
+        Component::X => format!("The force (N) of `{label}` on its second body along x."),
+        Component::Y => format!("The force (N) of `{label}` on its second body along y."),
+        Component::Normal => {
+            format!("The force (N) of `{label}` on its second body to the left of its line.")
+        }
+        Component::Tension => format!(
+            "The force (N) with which `{label}` pulls its points together; it pushes where that is negative."
+        ),
+        Component::Tooth => {
+            format!("The force (N) of `{label}` on its second body along its line.")
+        }
+        Component::Pressure => format!(
+            "The force (N) with which the bodies of `{label}` press on one another; where it is negative they would have to pull, and part."
+        ),
+        Component::Moment => format!(
+            "The moment (N·m) of `{label}` on its second body, about the point of the joint on that body."
+        ),
+        Component::Multiplier => {
+            format!("The multiplier of `{label}`: its work (J) per unit of its residual.")
+        }
+    }
+}
+
+fn of_energy(energy: &Energy) -> [ForceFunction; 3] {
+    let function = |name: &str, field, line: &str| ForceFunction {
+        name: name.to_string(),
+        fields: vec![field],
+        lines: vec![line.to_string()],
+    };
+    [
+        function(
+            "kinetic_energy",
+            energy.kinetic,
+            "The kinetic energy (J) of all bodies.",
+        ),
+        function(
+            "potential_energy",
+            energy.potential,
+            "The potential energy (J) of gravity and springs; zero where all centers of mass are at the origin and all springs at rest.",
+        ),
+        function(
+            "added_power",
+            energy.added,
+            "The power (W) that dampers, forces and torques add: negative where they take it.",
+        ),
+    ]
+}

@@ -1,0 +1,55 @@
+//! A spring between two points: it pulls with stiffness · (ℓ − free) + preload along the line between them.
+
+use super::{Element, Exerted, Place, opposite, scaled};
+use crate::expr::{ExprId, Graph, Number, Rational};
+use crate::joint::geometry::{Mark, dot, subtract};
+
+/// The work stored in it is stiffness (ℓ − free)²/2 + preload (ℓ − free). One that rests at zero length without a preload pulls with
+/// stiffness · (r_j − r_i), which needs neither a length nor a direction.
+#[derive(Clone, Debug)]
+pub struct Spring {
+    /// Its ends.
+    pub ends: [Mark; 2],
+    /// In N/m.
+    pub stiffness: ExprId,
+    /// The length at which it pulls with its preload, in m.
+    pub free: ExprId,
+    /// In N.
+    pub preload: ExprId,
+}
+
+impl Element for Spring {
+    fn marks(&self) -> Vec<Mark> {
+        self.ends.to_vec()
+    }
+
+    fn exerted(&self, places: &[Place], length: ExprId, graph: &mut Graph) -> Exerted {
+        let [from, to] = [0, 1].map(|end| places[end].mark);
+        let positions = [from, to].map(|mark| mark.position(graph));
+        let gap = subtract(positions[1], positions[0], graph);
+        let square = dot(gap, gap, graph);
+        let half = Number::rational(Rational::HALF);
+        let zero = graph.zero();
+        let (pull, stored, own) = if [self.free, self.preload] == [zero; 2] {
+            let work = graph.multiply(self.stiffness, square);
+            let pull = scaled(gap, self.stiffness, graph);
+            (pull, graph.scale(half, work), None)
+        } else {
+            let longer = graph.subtract(length, self.free);
+            let elastic = graph.multiply(self.stiffness, longer);
+            let tension = graph.add(elastic, self.preload);
+            let work = graph.multiply(elastic, longer);
+            let work = graph.scale(half, work);
+            let before = graph.multiply(self.preload, longer);
+            let share = graph.divide(tension, length);
+            let pull = scaled(gap, share, graph);
+            (pull, graph.add(work, before), Some(graph.sqrt(square)))
+        };
+        Exerted {
+            forces: vec![(from, pull), (to, opposite(pull, graph))],
+            stored: Some(stored),
+            length: own,
+            ..Exerted::default()
+        }
+    }
+}

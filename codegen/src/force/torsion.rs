@@ -1,0 +1,67 @@
+//! Springs and dampers about a joint: what turns two bodies against one another.
+
+use super::{Element, Exerted, Place};
+use crate::expr::{ExprId, Graph, Number, Rational};
+use crate::joint::geometry::Mark;
+
+/// It turns the second body back by stiffness · (φ_j − φ_i − free) + preload, and the first one as much the other way.
+#[derive(Clone, Debug)]
+pub struct TorsionSpring {
+    /// The origins of the bodies' frames.
+    pub bodies: [Mark; 2],
+    /// In N·m/rad.
+    pub stiffness: ExprId,
+    /// The angle φ_j − φ_i at which it turns with its preload, in rad.
+    pub free: ExprId,
+    /// In N·m.
+    pub preload: ExprId,
+}
+
+impl Element for TorsionSpring {
+    fn marks(&self) -> Vec<Mark> {
+        self.bodies.to_vec()
+    }
+
+    fn exerted(&self, places: &[Place], _length: ExprId, graph: &mut Graph) -> Exerted {
+        let [first, second] = [0, 1].map(|side| places[side].mark.frame);
+        let relative = graph.subtract(second.angle, first.angle);
+        let further = graph.subtract(relative, self.free);
+        let elastic = graph.multiply(self.stiffness, further);
+        let torque = graph.add(elastic, self.preload);
+        let work = graph.multiply(elastic, further);
+        let work = graph.scale(Number::rational(Rational::HALF), work);
+        let before = graph.multiply(self.preload, further);
+        Exerted {
+            torques: vec![(first.body, torque), (second.body, graph.negate(torque))],
+            stored: Some(graph.add(work, before)),
+            ..Exerted::default()
+        }
+    }
+}
+
+/// It turns the second body back by damping · (φ̇_j − φ̇_i), and the first one as much the other way.
+#[derive(Clone, Debug)]
+pub struct TorsionDamper {
+    /// The origins of the bodies' frames.
+    pub bodies: [Mark; 2],
+    /// In N·m·s/rad.
+    pub damping: ExprId,
+}
+
+impl Element for TorsionDamper {
+    fn marks(&self) -> Vec<Mark> {
+        self.bodies.to_vec()
+    }
+
+    fn exerted(&self, places: &[Place], _length: ExprId, graph: &mut Graph) -> Exerted {
+        let [first, second] = [0, 1].map(|side| places[side].mark.frame.body);
+        let rate = graph.subtract(places[1].turning, places[0].turning);
+        let torque = graph.multiply(self.damping, rate);
+        let lost = graph.multiply(torque, rate);
+        Exerted {
+            torques: vec![(first, torque), (second, graph.negate(torque))],
+            added: Some(graph.negate(lost)),
+            ..Exerted::default()
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! `rate(FORMULA)` in forces and torques → the formula's rate.
+//!
+//! Coordinates have rates of their own, arms turn with their bodies, inputs bring their rates along, t goes on by one a second.
+
+use super::Dimension;
+use super::expression::Value;
+use super::resolve::Resolver;
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::{ExprId, SymbolId};
+use crate::syntax::Expression;
+
+impl Resolver<'_> {
+    /// The rate of the one argument.
+    pub(super) fn rate_in_load(&mut self, arguments: &[Expression], span: Span) -> Option<Value> {
+        let [argument] = arguments else {
+            let given = arguments.len();
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongArgumentCount,
+                    span,
+                    format!("`rate` takes 1 argument, not {given}"),
+                )
+                .label(format!("{given} given"))
+                .help("write `rate(…)` with one formula, such as `rate(phi(1))`"),
+            );
+            return None;
+        };
+        let (value, _) = self.value(argument)?;
+        let symbols = self.graph.symbols(value).to_vec();
+        let mut terms = Vec::with_capacity(symbols.len());
+        for symbol in symbols {
+            if self.graph.nominal(symbol).is_some() {
+                continue;
+            }
+            let Some(rate) = self.rate_of_symbol(symbol) else {
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        Code::OutsideGrammar,
+                        argument.span,
+                        "the rate of a rate is not known where forces are",
+                    )
+                    .label("mentions a rate")
+                    .help("forces depend on places and velocities, not on accelerations"),
+                );
+                return None;
+            };
+            let partial = self.graph.derivative(value, symbol);
+            terms.push(self.graph.multiply(partial, rate));
+        }
+        // What multiplies a rate is seldom written with its unit, as what multiplies t is.
+        Some((self.graph.sum(&terms), Dimension::OfTime))
+    }
+
+    /// The rate of what a formula mentions; `None` for a rate itself.
+    fn rate_of_symbol(&mut self, symbol: SymbolId) -> Option<ExprId> {
+        if symbol == self.formulas.time {
+            return Some(self.graph.one());
+        }
+        if self.linkage.coordinate_places.contains_key(&symbol) {
+            return Some(self.rate_of_coordinate(symbol));
+        }
+        if let Some(&input) = self.declared.input_places.get(&symbol) {
+            let rate = self.declared.inputs[input].symbols[1];
+            return Some(self.graph.variable(rate));
+        }
+        let kinematic = self.formulas.kinematic.as_ref()?;
+        let arms = kinematic.marks.iter().zip(&kinematic.arms);
+        let mut arms = arms.filter_map(|(mark, arm)| Some((*mark, (*arm)?)));
+        let (mark, [x, y]) = arms.find(|(_, arm)| arm.contains(&symbol))?;
+        let [_, _, angle] = self.linkage.bodies[mark.frame.body.0].coordinates?;
+        let turning = self.rate_of_coordinate(angle);
+        let other = self.graph.variable(if symbol == x { y } else { x });
+        let turned = self.graph.multiply(turning, other);
+        Some(if symbol == x {
+            self.graph.negate(turned)
+        } else {
+            turned
+        })
+    }
+
+    /// The symbol that the equations have for the rate of a coordinate.
+    fn rate_of_coordinate(&mut self, coordinate: SymbolId) -> ExprId {
+        let name = format!("{}'", self.graph.symbol_name(coordinate));
+        let rate = self.graph.symbol(&name);
+        self.graph.variable(rate)
+    }
+}

@@ -1,0 +1,181 @@
+//! `effort`, `reaction`, `reactions` and `energy` statements → which forces are wanted.
+//!
+//! Deliberately unknown here: how they are found.
+
+use std::collections::BTreeMap;
+
+use super::Role;
+use super::forces::Forces;
+use super::resolve::Resolver;
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::syntax::{Name, Statement, WishKind};
+
+impl Resolver<'_> {
+    /// What bodies weigh, what acts on them, and what is wanted of it.
+    pub(super) fn wanted_forces(&mut self, statements: &[&Statement]) -> Forces {
+        let mut forces = std::mem::take(&mut self.forces);
+        if let Some((gravity, span)) = self.gravity {
+            if forces.masses.is_empty() && !self.diagnostics.has_errors() {
+                self.diagnostics.push(
+                    Diagnostic::error(Code::WrongForm, span, "no body has a mass")
+                        .label("acts on nothing")
+                        .help("say what a body weighs: `mass 1 = 2kg;`"),
+                );
+            }
+            forces.gravity = Some(gravity);
+        }
+        forces.efforts = self.wishes(WishKind::Effort, statements);
+        forces.energy = self.wishes(WishKind::Energy, statements);
+        let every = self.wishes(WishKind::Reactions, statements);
+        forces.reactions = self.reactions(statements, every);
+        let asked = asking(statements);
+        if let Some((word, span)) = asked.first() {
+            let word = *word;
+            let acts = !forces.masses.is_empty() || !forces.loads.is_empty();
+            if !acts && !self.diagnostics.has_errors() {
+                self.diagnostics.push(
+                    Diagnostic::error(
+                        Code::WrongForm,
+                        *span,
+                        "no body has a mass, and nothing acts on one",
+                    )
+                    .label("would always be zero")
+                    .help(format!(
+                        "say what bodies weigh, `mass 1 = 2kg;`, or what acts on them, or remove `{word}`"
+                    )),
+                );
+            }
+        }
+        if let Some((_, span)) = asked.iter().find(|(word, _)| *word == "effort") {
+            self.require_drivers_of_quantities(*span);
+        }
+        if let Some((_, span)) = asked.iter().find(|(word, _)| word.starts_with("reaction")) {
+            self.refuse_redundant(*span);
+        }
+        forces
+    }
+
+    /// The joints whose reactions are wanted.
+    fn reactions(&mut self, statements: &[&Statement], every: bool) -> Vec<usize> {
+        let joints = self.linkage.joints.iter().enumerate();
+        let constraints = joints.filter(|(_, (joint, _))| joint.role == Role::Constraint);
+        let constraints: Vec<usize> = constraints.map(|(place, _)| place).collect();
+        let mut named: BTreeMap<String, Span> = BTreeMap::new();
+        let mut found: Vec<usize> = Vec::new();
+        for statement in statements {
+            let Statement::Reaction(reaction) = statement else {
+                continue;
+            };
+            for name in &reaction.names {
+                if let Some(&earlier) = named.get(&name.text) {
+                    self.diagnostics.push(
+                        Diagnostic::error(
+                            Code::DuplicateName,
+                            name.span,
+                            format!("the reaction of `{}` is asked for twice", name.text),
+                        )
+                        .label("named again here")
+                        .also(earlier, "first named here")
+                        .help("remove one of them"),
+                    );
+                    continue;
+                }
+                named.insert(name.text.clone(), name.span);
+                let own = constraints.iter().filter(|&&place| {
+                    self.linkage.joints[place].0.name.as_deref() == Some(name.text.as_str())
+                });
+                let own: Vec<usize> = own.copied().collect();
+                if own.is_empty() {
+                    self.report_unknown_joint(name, &constraints);
+                }
+                found.extend(own);
+            }
+        }
+        if every {
+            return constraints;
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    fn report_unknown_joint(&mut self, name: &Name, constraints: &[usize]) {
+        let message = format!("no joint is named `{}`", name.text);
+        let finding = Diagnostic::error(Code::UnknownName, name.span, message)
+            .label("not a joint of this mechanism");
+        let known: Vec<&str> = constraints
+            .iter()
+            .filter_map(|&place| self.linkage.joints[place].0.name.as_deref())
+            .collect();
+        let finding = match self.declared.nearest_known(&name.text, known) {
+            Some(meant) => finding.help(format!("did you mean `{meant}`?")),
+            None => finding.help("a joint is called by the name behind its word, `revolute P(1, 2);`; `reactions;` asks for all of them"),
+        };
+        self.diagnostics.push(finding);
+    }
+
+    /// An effort belongs to a quantity that a driver prescribes.
+    fn require_drivers_of_quantities(&mut self, span: Span) {
+        let joints = self.linkage.joints.iter().map(|(joint, _)| joint);
+        let mut drivers = joints.filter(|joint| joint.role == Role::Driver);
+        if let Some(equation) = drivers.clone().find(|it| it.operands.value.is_none()) {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    span,
+                    format!(
+                        "`{}` moves with time and drives no one quantity",
+                        equation.label
+                    ),
+                )
+                .label("has no effort along it")
+                .also(equation.span, "moves with time")
+                .help("write what moves as a `drive` statement, and the equation without it"),
+            );
+            return;
+        }
+        if drivers.next().is_none() && !self.diagnostics.has_errors() {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    span,
+                    "there is no driver that could exert anything",
+                )
+                .help("add a driver, for example `drive phi(1) = t;`, or remove the statement"),
+            );
+        }
+    }
+
+    /// Where joints repeat one another, what each carries is not determined.
+    fn refuse_redundant(&mut self, span: Span) {
+        let joints = self.linkage.joints.iter().map(|(joint, _)| joint);
+        let redundant = joints.filter_map(|joint| Some((joint.redundant?, joint.label.clone())));
+        if let Some((place, label)) = redundant.into_iter().next() {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    span,
+                    format!("`{label}` repeats other joints, so what each of them carries is not determined by rigid bodies"),
+                )
+                .label("has no unique answer")
+                .also(place, "repeats what others say")
+                .help("remove the redundant joint, or ask for `effort;`, which does not depend on it"),
+            );
+        }
+    }
+}
+
+/// The statements that ask for forces, each with its word.
+fn asking(statements: &[&Statement]) -> Vec<(&'static str, Span)> {
+    let asked = statements.iter().filter_map(|statement| match statement {
+        Statement::Reaction(it) => Some(("reaction", it.span)),
+        Statement::Wish(it) => match it.kind {
+            WishKind::Effort => Some(("effort", it.span)),
+            WishKind::Reactions => Some(("reactions", it.span)),
+            WishKind::Energy => Some(("energy", it.span)),
+            WishKind::Monitor | WishKind::Unguarded => None,
+        },
+        _ => None,
+    });
+    asked.collect()
+}

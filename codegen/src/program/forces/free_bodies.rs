@@ -1,0 +1,208 @@
+//! What the equations of parts carry → what every equation carries, body by body.
+//!
+//! Column u of Φ_qᵀ λ = Q − M q̈ is the balance of forces along x or y, or of moments, of one body cut free. With the multipliers
+//! of the parts known, most columns have one unknown multiplier left, as a person finds when drawing one free body after the other;
+//! where none has, one multiplier is expressed by others. Every body turns by itself here, so the moments that tied bodies pass to
+//! one another are found too. A multiplier of a part whose equation ties angles is found anew: the parts know only one of such bodies.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::virtual_work::Carried;
+use crate::expr::{ExprId, Node};
+use crate::joint::Quantity;
+use crate::program::builder::Builder;
+use crate::structure::SolvedPlan;
+
+/// One balance: the multipliers that are still unknown in it, with their factors, and what they add up to.
+struct Balance {
+    factors: BTreeMap<usize, ExprId>,
+    sum: Vec<ExprId>,
+}
+
+/// The multiplier of every row of the vector form.
+pub(super) fn multipliers(
+    plan: &SolvedPlan,
+    loads: &[ExprId],
+    carried: &Carried,
+    builder: &mut Builder<'_>,
+) -> Vec<ExprId> {
+    let zero = builder.graph().zero();
+    let rows = builder.system.vector_form.rows.len();
+    let mut found: Vec<Option<ExprId>> = vec![None; rows];
+    for (&row, &multiplier) in &carried.multipliers {
+        // Angles of tied bodies are one unknown to the parts.
+        if builder.system.vector_form.rows[row].quantity != Quantity::Angle {
+            found[row] = Some(multiplier);
+        }
+    }
+    let mut balances = balances(loads, builder);
+    for (row, multiplier) in found.iter().enumerate() {
+        if let Some(multiplier) = multiplier {
+            settle(row, *multiplier, &mut balances, builder);
+        }
+    }
+    let order = order(plan, balances.len());
+    builder.say(|_| {
+        "One body after the other is cut free: its forces along x and y and its moments add up to nothing, which gives what its other joints carry:".into()
+    });
+    let mut expressed: Vec<(usize, Balance)> = Vec::new();
+    let mut open: BTreeSet<usize> = order.iter().copied().collect();
+    while found.iter().any(Option::is_none) && !open.is_empty() {
+        let alone = order
+            .iter()
+            .copied()
+            .find(|column| open.contains(column) && is_solvable(&balances[*column], 1, builder));
+        if let Some(column) = alone {
+            open.remove(&column);
+            let Some((row, factor)) = only(&balances[column]) else {
+                continue;
+            };
+            let sum = builder.graph().sum(&balances[column].sum);
+            let value = builder.graph().divide(sum, factor);
+            let value = builder.value(&name(row, builder), value);
+            found[row] = Some(value);
+            settle(row, value, &mut balances, builder);
+            continue;
+        }
+        // A loop of bodies: the shortest balance says one multiplier by the others, which are found from what is left.
+        let shortest = order
+            .iter()
+            .copied()
+            .filter(|column| {
+                open.contains(column) && is_solvable(&balances[*column], usize::MAX, builder)
+            })
+            .min_by_key(|&column| balances[column].factors.len());
+        let Some(column) = shortest else {
+            break;
+        };
+        open.remove(&column);
+        let balance = std::mem::replace(
+            &mut balances[column],
+            Balance {
+                factors: BTreeMap::new(),
+                sum: Vec::new(),
+            },
+        );
+        let constant =
+            |value: &ExprId| matches!(builder.system.mechanism.graph.node(*value), Node::Number(_));
+        let Some((&row, &factor)) = balance.factors.iter().find(|(_, value)| constant(value))
+        else {
+            continue;
+        };
+        eliminate(row, factor, &balance, &mut balances, builder);
+        expressed.push((row, balance));
+    }
+    for (row, balance) in expressed.into_iter().rev() {
+        let mut terms = balance.sum.clone();
+        let mut own = None;
+        for (&other, &factor) in &balance.factors {
+            if other == row {
+                own = Some(factor);
+                continue;
+            }
+            let value = found[other].unwrap_or(zero);
+            let graph = builder.graph();
+            let product = graph.multiply(factor, value);
+            terms.push(graph.negate(product));
+        }
+        let (sum, one) = (builder.graph().sum(&terms), builder.graph().one());
+        let value = builder.graph().divide(sum, own.unwrap_or(one));
+        let value = builder.value(&name(row, builder), value);
+        found[row] = Some(value);
+    }
+    found.into_iter().map(|it| it.unwrap_or(zero)).collect()
+}
+
+/// The balance of every unknown.
+fn balances(loads: &[ExprId], builder: &mut Builder<'_>) -> Vec<Balance> {
+    let unknowns = builder.system.vector_form.unknowns.len();
+    let mut balances: Vec<Balance> = (0..unknowns)
+        .map(|unknown| Balance {
+            factors: BTreeMap::new(),
+            sum: loads.get(unknown).copied().into_iter().collect(),
+        })
+        .collect();
+    for joint in 0..builder.system.mechanism.joints.len() {
+        for (row, columns) in builder.system.passing(joint).rows {
+            for (unknown, factor) in columns {
+                balances[unknown].factors.insert(row, factor);
+            }
+        }
+    }
+    balances
+}
+
+/// The columns from the last that is solved for to the first: free bodies are cut from the end of the chain.
+fn order(plan: &SolvedPlan, count: usize) -> Vec<usize> {
+    let mut order = Vec::with_capacity(count);
+    for block in plan.blocks.iter().rev() {
+        order.extend(block.definitions.iter().rev().map(|it| it.unknown));
+        order.extend(block.parts.iter().rev().flat_map(|part| &part.unknowns));
+    }
+    order
+}
+
+/// Puts a multiplier that was found into all balances.
+fn settle(row: usize, value: ExprId, balances: &mut [Balance], builder: &mut Builder<'_>) {
+    for balance in balances {
+        if let Some(factor) = balance.factors.remove(&row) {
+            let graph = builder.graph();
+            let product = graph.multiply(factor, value);
+            balance.sum.push(graph.negate(product));
+        }
+    }
+}
+
+/// Puts a multiplier that others express into all balances.
+fn eliminate(
+    row: usize,
+    factor: ExprId,
+    by: &Balance,
+    balances: &mut [Balance],
+    builder: &mut Builder<'_>,
+) {
+    for balance in balances {
+        let Some(own) = balance.factors.remove(&row) else {
+            continue;
+        };
+        let graph = builder.graph();
+        let share = graph.divide(own, factor);
+        let share = graph.negate(share);
+        let zero = graph.zero();
+        for (&other, &value) in by.factors.iter().filter(|(other, _)| **other != row) {
+            let added = graph.multiply(share, value);
+            let before = balance.factors.get(&other).copied().unwrap_or(zero);
+            let after = graph.add(before, added);
+            if after == zero {
+                balance.factors.remove(&other);
+            } else {
+                balance.factors.insert(other, after);
+            }
+        }
+        let sum = graph.sum(&by.sum);
+        balance.sum.push(graph.multiply(share, sum));
+    }
+}
+
+/// Whether a balance has at most so many unknown multipliers, and a number as the factor of one.
+fn is_solvable(balance: &Balance, most: usize, builder: &Builder<'_>) -> bool {
+    let graph = &builder.system.mechanism.graph;
+    let mut factors = balance.factors.values();
+    let has_constant = factors.any(|value| matches!(graph.node(*value), Node::Number(_)));
+    has_constant && balance.factors.len() <= most
+}
+
+fn only(balance: &Balance) -> Option<(usize, ExprId)> {
+    let (&row, &factor) = balance.factors.iter().next()?;
+    Some((row, factor))
+}
+
+/// What a multiplier is called: `carried_p_x`.
+fn name(row: usize, builder: &Builder<'_>) -> String {
+    let row = &builder.system.vector_form.rows[row];
+    let slug = &builder.system.mechanism.joints[row.joint].slug;
+    match row.component {
+        "" => format!("carried_{slug}"),
+        component => format!("carried_{slug}_{component}"),
+    }
+}

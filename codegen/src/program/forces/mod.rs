@@ -1,0 +1,203 @@
+//! What `effort`, `reaction` and `energy` statements ask for → a last block that computes it.
+//!
+//! Φ_qᵀ λ = Q − M q̈ is solved block by block in reverse order: each part of the plan has its own transposed Jacobian, and what an
+//! equation carries is passed on to what is solved before it (Haug 1989, section 11.2; the blocks are those of the block triangular
+//! form, transposed). What no statement asks for is pruned like everything else. Deliberately unknown here: what acts on bodies.
+
+mod free_bodies;
+mod reaction;
+mod virtual_work;
+
+pub use reaction::Reaction;
+
+use super::block::{Block, Lowering};
+use super::builder::Builder;
+use super::forms::Transposed;
+use super::function::{Level, Statement};
+use crate::expr::{ExprId, Number, SymbolId};
+use crate::joint::Quantity;
+use crate::structure::SolvedPlan;
+use crate::system::System;
+
+/// The forces that are asked for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Forces {
+    /// Of every driver in written order; nothing where nobody asks.
+    pub efforts: Vec<Effort>,
+    /// Of the joints that are asked for, in written order.
+    pub reactions: Vec<Reaction>,
+    /// The fields of the energies, where they are asked for.
+    pub energy: Option<Energy>,
+}
+
+/// What a driver exerts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Effort {
+    /// An index into the mechanism's joints.
+    pub joint: usize,
+    /// What its functions are named after: `crank`, `drive_length_n_m`.
+    pub name: String,
+    /// What the driven quantity is measured in: a force along a length, a torque about an angle.
+    pub quantity: Quantity,
+    /// The effort, in N or N·m.
+    pub effort: SymbolId,
+    /// Its power, in W.
+    pub power: SymbolId,
+}
+
+/// The energies of the whole mechanism.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Energy {
+    /// In J.
+    pub kinetic: SymbolId,
+    /// Of gravity and springs, in J.
+    pub potential: SymbolId,
+    /// What dampers, forces and torques add, in W.
+    pub added: SymbolId,
+}
+
+impl Forces {
+    /// The fields of everything.
+    pub fn fields(&self) -> Vec<SymbolId> {
+        let efforts = self.efforts.iter().flat_map(|it| [it.effort, it.power]);
+        let reactions = self.reactions.iter().flat_map(Reaction::fields);
+        let energy = self.energy.iter();
+        let energy = energy.flat_map(|it| [it.kinetic, it.potential, it.added]);
+        efforts.chain(reactions).chain(energy).collect()
+    }
+}
+
+/// The forces that are asked for, and the block that computes them; `None` where there are none. `transposed` holds the Jacobians of
+/// the parts of every block of the plan.
+pub(super) fn forces(
+    lowering: &mut Lowering<'_>,
+    plan: &SolvedPlan,
+    transposed: &[Vec<Option<Transposed>>],
+) -> Option<(Forces, Block)> {
+    let loads = lowering.system.forces.clone()?;
+    let shifts = lowering.derivatives.shifts();
+    let wanted = lowering.system.mechanism.forces.clone();
+    let mut builder = Builder::new(lowering, plan.blocks.len());
+    builder.section(Level::Forces);
+    let scale = characteristic(builder.system);
+    for &(symbol, length) in &loads.lengths {
+        builder.assign(symbol, length);
+        let length = builder.graph().variable(symbol);
+        builder.nonzero(length, scale);
+    }
+    let mut found = Forces::default();
+    builder.heading(headline(&wanted));
+    if wanted.need_multipliers() {
+        builder.say(|_| {
+            "What acts on every body beside joints and drivers, less what moves its mass, moments about the origin of its frame:".into()
+        });
+        let loads = named_loads(&loads.loads, &mut builder);
+        let carried = virtual_work::sweep(plan, transposed, &loads, &mut builder);
+        if wanted.efforts {
+            found.efforts = efforts(&carried, &mut builder);
+        }
+        if !wanted.reactions.is_empty() {
+            let multipliers = free_bodies::multipliers(plan, &loads, &carried, &mut builder);
+            let joints = wanted.reactions.iter();
+            let reactions =
+                joints.map(|&joint| reaction::reaction(joint, &multipliers, &mut builder));
+            found.reactions = reactions.collect();
+        }
+    }
+    if wanted.energy {
+        builder.say(|_| "The work that is stored, and the power of what else acts:".into());
+        let values = [
+            ("kinetic_energy", loads.kinetic),
+            ("potential_energy", loads.potential),
+            ("added_power", loads.added),
+        ];
+        let [kinetic, potential, added] = values.map(|(name, value)| {
+            let target = builder.system.intermediate(name);
+            builder.assign(target, value);
+            target
+        });
+        found.energy = Some(Energy {
+            kinetic,
+            potential,
+            added,
+        });
+    }
+    let mut statements = builder.finish().0.statements;
+    let mut at_zero = |expr: ExprId| {
+        let graph = &mut lowering.system.mechanism.graph;
+        let zero = graph.zero();
+        let replaced: Vec<_> = shifts.iter().map(|&shift| (shift, zero)).collect();
+        graph.substitute(expr, &replaced)
+    };
+    statements
+        .iter_mut()
+        .for_each(|statement: &mut Statement| statement.change_values(&mut at_zero));
+    let title = "What drivers exert, what joints carry, and what is stored.";
+    Some((found, Block::following("forces", title, statements)))
+}
+
+/// What the block finds.
+fn headline(wanted: &crate::model::Forces) -> String {
+    let parts = [
+        (wanted.efforts, "what drivers exert"),
+        (!wanted.reactions.is_empty(), "what joints carry"),
+        (wanted.energy, "what is stored"),
+    ];
+    let parts = parts.into_iter().filter(|(is_wanted, _)| *is_wanted);
+    let parts: Vec<&str> = parts.map(|(_, words)| words).collect();
+    parts.join(", ")
+}
+
+/// The length that lengths are judged against.
+fn characteristic(system: &mut System) -> ExprId {
+    let length = system.mechanism.characteristic_length;
+    let graph = &mut system.mechanism.graph;
+    match Number::parse(&format!("{length:e}")) {
+        Some(number) => graph.number(number),
+        None => graph.one(),
+    }
+}
+
+/// Q − M q̈ of every coordinate under names: `load_x_c1`.
+fn named_loads(loads: &[ExprId], builder: &mut Builder<'_>) -> Vec<ExprId> {
+    let named = loads.iter().enumerate().map(|(coordinate, &load)| {
+        let name = builder.system.unknown_name(coordinate).to_string();
+        builder.value(&format!("load_{name}"), load)
+    });
+    named.collect()
+}
+
+/// What every driver exerts: the opposite of the work that everything else does along its value.
+fn efforts(carried: &virtual_work::Carried, builder: &mut Builder<'_>) -> Vec<Effort> {
+    let driven: Vec<(usize, usize, Quantity)> = builder.system.driven().collect();
+    let mut efforts = Vec::with_capacity(driven.len());
+    builder.say(|_| {
+        "A driver exerts the opposite of the work that all of this does along its value, and its power is that times the rate of the value:".into()
+    });
+    for (direction, joint, quantity) in driven {
+        let symbol = builder.system.directions[direction].symbol;
+        let own = &builder.system.mechanism.joints[joint];
+        let (name, value) = (own.slug.clone(), own.operands.value);
+        let work = carried.along(symbol, builder);
+        let [effort, power] =
+            ["effort", "power"].map(|what| builder.system.intermediate(&format!("{what}_{name}")));
+        let value = value.unwrap_or(builder.graph().zero());
+        let opposite = builder.graph().negate(work);
+        builder.assign(effort, opposite);
+        let rate = match builder.system.mechanism.forces.at_rest {
+            true => builder.graph().zero(),
+            false => builder.rate(value),
+        };
+        let exerted = builder.graph().variable(effort);
+        let product = builder.graph().multiply(exerted, rate);
+        builder.assign(power, product);
+        efforts.push(Effort {
+            joint,
+            name,
+            quantity,
+            effort,
+            power,
+        });
+    }
+    efforts
+}

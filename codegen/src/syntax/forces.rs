@@ -1,0 +1,271 @@
+//! *Tokens → what bodies weigh and what acts on them:* `mass 1 = 2kg at S inertia 0.03;`, `gravity = (0, -9.81);`,
+//! `spring (1.P, 2.Q) = 4530 free 78mm;`, `force on 1.P = (0, -20N);`, `reaction P;`.
+//!
+//! Which points bodies carry, and which joints there are, is not known here.
+
+use proc_macro2::Delimiter;
+
+use super::document::Statement;
+use super::expression::{coordinates, expression};
+use super::formula::{Expression, Name, Pair, Reference};
+use super::reference::{body_name, identifier, operands, reference};
+use super::statement::{equals, semicolon, semicolon_after_operands};
+use super::tokens::{Outcome, Tokens};
+use crate::diagnostic::Span;
+
+/// `mass BODY = MASS [at PLACE] [inertia MOMENT];`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mass {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// The body.
+    pub body: Name,
+    /// Its mass.
+    pub mass: Expression,
+    /// Its center of mass, where that is not the origin of its frame.
+    pub center: Option<Center>,
+    /// Its moment of inertia about the center of mass, where it has one.
+    pub inertia: Option<Expression>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// A center of mass.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Center {
+    /// A point that the body carries.
+    Point(Name),
+    /// `(X, Y)` in the body's frame.
+    Local(Pair),
+}
+
+/// `gravity = (X, Y);`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gravity {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// The acceleration of what falls.
+    pub acceleration: Pair,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// Whether an element stores work or loses it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ElementKind {
+    /// `spring`.
+    Spring,
+    /// `damper`.
+    Damper,
+}
+
+/// `spring [NAME](POINT, POINT) = STIFFNESS [free LENGTH] [preload FORCE];`, `spring [NAME] about (BODY, BODY) = …`, and `damper`
+/// in the same form without a free length and a preload.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Element {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// What it is.
+    pub kind: ElementKind,
+    /// Its own name.
+    pub name: Option<Name>,
+    /// The word `about`, where it turns bodies instead of pulling points.
+    pub about: Option<Span>,
+    /// What stands in the parentheses.
+    pub operands: Vec<Reference>,
+    /// The stiffness of a spring, the damping of a damper.
+    pub value: Expression,
+    /// The length or the angle at which a spring without a preload rests.
+    pub free: Option<Expression>,
+    /// What a spring pulls with at that length or angle.
+    pub preload: Option<Expression>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `force on BODY.POINT = (X, Y) [in BODY];`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Force {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// Where it acts.
+    pub point: Reference,
+    /// Its components.
+    pub components: Pair,
+    /// The body in whose frame these are; the global frame where none is named.
+    pub frame: Option<Name>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `torque on BODY = VALUE;`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Torque {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// The body.
+    pub body: Name,
+    /// Its value, positive counterclockwise.
+    pub value: Expression,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// `reaction P, Q;`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reaction {
+    /// The `///` lines above it.
+    pub docs: Vec<String>,
+    /// The names of joints; at least one.
+    pub names: Vec<Name>,
+    /// The whole statement with its semicolon.
+    pub span: Span,
+}
+
+/// The statement after its first word.
+pub(super) fn mass(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
+    let body = body_name(tokens, "the name of a body")?;
+    equals(tokens)?;
+    let mass = expression(tokens)?;
+    let center = match tokens.keyword("at") {
+        None => None,
+        Some(_) if tokens.peek_group(Delimiter::Parenthesis) => {
+            Some(Center::Local(coordinates(tokens, 2)?.0))
+        }
+        Some(_) => Some(Center::Point(identifier(
+            tokens,
+            "a point of the body or `(X, Y)`",
+        )?)),
+    };
+    let inertia = valued(tokens, "inertia")?;
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Mass(Mass {
+        docs,
+        body,
+        mass,
+        center,
+        inertia,
+        span,
+    }))
+}
+
+/// The statement after its first word.
+pub(super) fn gravity(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+) -> Outcome<Statement> {
+    equals(tokens)?;
+    let (acceleration, _) = coordinates(tokens, 2)?;
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Gravity(Gravity {
+        docs,
+        acceleration,
+        span,
+    }))
+}
+
+/// The statement after its first word.
+pub(super) fn element(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    kind: ElementKind,
+    start: Span,
+) -> Outcome<Statement> {
+    let mut about = tokens.keyword("about");
+    let mut name = None;
+    if about.is_none() && !tokens.peek_group(Delimiter::Parenthesis) {
+        name = Some(identifier(tokens, "a name, `about` or `(`")?);
+        about = tokens.keyword("about");
+    }
+    let operands = operands(tokens)?;
+    equals(tokens)?;
+    let value = expression(tokens)?;
+    let (free, preload) = match kind {
+        ElementKind::Spring => (valued(tokens, "free")?, valued(tokens, "preload")?),
+        ElementKind::Damper => (None, None),
+    };
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Element(Element {
+        docs,
+        kind,
+        name,
+        about,
+        operands,
+        value,
+        free,
+        preload,
+        span,
+    }))
+}
+
+/// The statement after its first word.
+pub(super) fn force(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
+    on(tokens, "a force acts on a point: `force on 1.P = (X, Y);`")?;
+    let point = reference(tokens, "a point of a body")?;
+    equals(tokens)?;
+    let (components, _) = coordinates(tokens, 2)?;
+    let frame = match tokens.keyword("in") {
+        Some(_) => Some(body_name(tokens, "the name of a body")?),
+        None => None,
+    };
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Force(Force {
+        docs,
+        point,
+        components,
+        frame,
+        span,
+    }))
+}
+
+/// The statement after its first word.
+pub(super) fn torque(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+) -> Outcome<Statement> {
+    on(tokens, "a torque acts on a body: `torque on 1 = 5Nm;`")?;
+    let body = body_name(tokens, "the name of a body")?;
+    equals(tokens)?;
+    let value = expression(tokens)?;
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Torque(Torque {
+        docs,
+        body,
+        value,
+        span,
+    }))
+}
+
+/// The statement after its first word.
+pub(super) fn reaction(
+    tokens: &mut Tokens<'_>,
+    docs: Vec<String>,
+    start: Span,
+) -> Outcome<Statement> {
+    let mut names = vec![body_name(tokens, "the name of a joint")?];
+    while tokens.mark(',').is_some() {
+        if tokens.peek_mark(';') {
+            break;
+        }
+        names.push(body_name(tokens, "the name of a joint")?);
+    }
+    let span = start.to(semicolon_after_operands(tokens, start)?);
+    Ok(Statement::Reaction(Reaction { docs, names, span }))
+}
+
+/// The expression after a word, where that is written.
+fn valued(tokens: &mut Tokens<'_>, word: &str) -> Outcome<Option<Expression>> {
+    match tokens.keyword(word) {
+        Some(_) => expression(tokens).map(Some),
+        None => Ok(None),
+    }
+}
+
+fn on(tokens: &mut Tokens<'_>, help: &str) -> Outcome<()> {
+    match tokens.keyword("on") {
+        Some(_) => Ok(()),
+        None => Err(tokens.unexpected("`on`", help)),
+    }
+}

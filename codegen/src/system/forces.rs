@@ -1,0 +1,276 @@
+//! What bodies weigh and what acts on them → generalized forces, energies, and how joints pass forces on.
+//!
+//! With the mass matrix M and the generalized forces Q of everything but joints and drivers, Q − M q̈ is what joints and drivers hold:
+//! Φ_qᵀ λ = Q − M q̈ (Haug 1989, section 11.2), for every body about the origin of its frame. Everything is in terms of the vector
+//! form, whose arms the solved view has anyway. Afterwards every load is a sum over bodies; nothing is solved here. Where no force is
+//! wanted, nothing is stated.
+
+use std::collections::BTreeMap;
+
+use super::carried::Carried;
+use super::{SymbolRole, System, VectorForm};
+use crate::expr::{ExprId, Number, Rational, SymbolId};
+use crate::force::{Place, moment};
+use crate::joint::Feature;
+use crate::joint::geometry::{BodyId, Mark, Vector, add, dot, length, perpendicular, subtract};
+use crate::model::Mechanism;
+
+/// The forces of a mechanism in terms of its vector form.
+#[derive(Clone, Debug)]
+pub struct Forces {
+    /// Q − M q̈ of every coordinate of a pose, in N and N·m.
+    pub loads: Vec<ExprId>,
+    /// In J.
+    pub kinetic: ExprId,
+    /// Of gravity and springs, in J.
+    pub potential: ExprId,
+    /// What dampers, forces and torques add, in W.
+    pub added: ExprId,
+    /// The lengths of springs and dampers, which must not vanish, in m: what stands for each in all of this, and what it is.
+    pub lengths: Vec<(SymbolId, ExprId)>,
+}
+
+/// What a joint passes on to the bodies that it joins.
+#[derive(Clone, Debug)]
+pub struct Passing {
+    /// Of each of its rows of the vector form the derivatives in unknowns, every body turning by itself.
+    pub rows: Vec<(usize, BTreeMap<usize, ExprId>)>,
+    /// The body on which the joint's force is taken: the second one, or the first where the second is the ground.
+    pub body: BodyId,
+    /// Whether the second body is the ground, so that the reaction is opposite to what acts on `body`.
+    pub is_opposite: bool,
+    /// The vector from the origin of the body's frame to where moments are taken.
+    pub arm: Vector,
+    /// What is said of the force.
+    pub carried: Carried,
+}
+
+/// The loads and energies, where they are wanted.
+pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option<Forces> {
+    if !mechanism.forces.are_wanted() {
+        return None;
+    }
+    let zero = mechanism.graph.zero();
+    let mut loads = vec![zero; 3 * mechanism.moving_bodies().len()];
+    let mut exert = |body: BodyId, parts: [ExprId; 3], mechanism: &mut Mechanism| {
+        if body == BodyId::GROUND {
+            return;
+        }
+        for (axis, part) in parts.into_iter().enumerate() {
+            let own = &mut loads[3 * (body.0 - 1) + axis];
+            *own = mechanism.graph.add(*own, part);
+        }
+    };
+    let [mut kinetic, mut potential, mut added] = [zero; 3];
+    let half = Number::rational(Rational::HALF);
+    let gravity = mechanism.forces.gravity;
+    for mass in mechanism.forces.masses.clone() {
+        let body = BodyId(mass.body);
+        let center = form.mark_with_arm(&mass.center, &mechanism.bodies, &mut mechanism.graph);
+        let graph = &mut mechanism.graph;
+        let angle = form.angle_of(mass.body);
+        let of_body = [angle - 2, angle - 1, angle].map(|at| &form.unknowns[at]);
+        let [vx, vy, turning] = of_body.map(|it| graph.variable(it.rate));
+        let [ax, ay, spin] = of_body.map(|it| graph.variable(it.acceleration));
+        // About the origin (Steiner): I + m s².
+        let offset = dot(mass.center.local, mass.center.local, graph);
+        let offset = graph.multiply(mass.mass, offset);
+        let inertia = graph.add(mass.inertia, offset);
+        let falling = match gravity {
+            Some(gravity) => subtract(gravity, [ax, ay], graph),
+            None => [graph.negate(ax), graph.negate(ay)],
+        };
+        let square = graph.multiply(turning, turning);
+        let across = perpendicular(center.arm, graph);
+        let force = [0, 1].map(|axis| {
+            let radial = graph.multiply(square, center.arm[axis]);
+            let tangential = graph.multiply(spin, across[axis]);
+            let turned = graph.subtract(radial, tangential);
+            let total = graph.add(falling[axis], turned);
+            graph.multiply(mass.mass, total)
+        });
+        let about_origin = moment(center.arm, falling, graph);
+        let about_origin = graph.multiply(mass.mass, about_origin);
+        let turned = graph.multiply(inertia, spin);
+        let torque = graph.subtract(about_origin, turned);
+        // v² of the center is ṙ² + 2 φ̇ (R s × ṙ) + s² φ̇².
+        let moving = dot([vx, vy], [vx, vy], graph);
+        let mixed = moment(center.arm, [vx, vy], graph);
+        let mixed = graph.multiply(turning, mixed);
+        let moving = graph.sum(&[moving, mixed, mixed]);
+        let moving = graph.multiply(mass.mass, moving);
+        let spinning = graph.multiply(inertia, square);
+        let twice = graph.add(moving, spinning);
+        let own = graph.scale(half, twice);
+        kinetic = graph.add(kinetic, own);
+        if let Some(gravity) = gravity {
+            let place = center.position(graph);
+            let height = dot(gravity, place, graph);
+            let work = graph.multiply(mass.mass, height);
+            potential = graph.subtract(potential, work);
+        }
+        exert(body, [force[0], force[1], torque], mechanism);
+    }
+    let mut lengths = Vec::new();
+    for (number, load) in mechanism.forces.loads.clone().into_iter().enumerate() {
+        let marks = load.element.marks();
+        let places: Vec<Place> = marks
+            .iter()
+            .map(|mark| {
+                let mark = form.mark_with_arm(mark, &mechanism.bodies, &mut mechanism.graph);
+                placed(mark, form, mechanism)
+            })
+            .collect();
+        // What follows the space only tells equal names apart.
+        let symbol = mechanism
+            .graph
+            .symbol(&format!("distance of load {number}"));
+        let length = mechanism.graph.variable(symbol);
+        let exerted = load.element.exerted(&places, length, &mut mechanism.graph);
+        for (mark, force) in exerted.forces {
+            let torque = moment(mark.arm, force, &mut mechanism.graph);
+            exert(mark.frame.body, [force[0], force[1], torque], mechanism);
+        }
+        for (body, torque) in exerted.torques {
+            exert(body, [zero, zero, torque], mechanism);
+        }
+        let graph = &mut mechanism.graph;
+        potential = exerted
+            .stored
+            .map_or(potential, |it| graph.add(potential, it));
+        added = exerted.added.map_or(added, |it| graph.add(added, it));
+        lengths.extend(exerted.length.map(|length| (symbol, length)));
+    }
+    Some(Forces {
+        loads,
+        kinetic,
+        potential,
+        added,
+        lengths,
+    })
+}
+
+/// A point with its velocity.
+fn placed(mark: Mark, form: &VectorForm, mechanism: &mut Mechanism) -> Place {
+    let graph = &mut mechanism.graph;
+    let body = mark.frame.body;
+    let zero = graph.zero();
+    if body == BodyId::GROUND {
+        return Place {
+            mark,
+            velocity: [zero; 2],
+            turning: zero,
+        };
+    }
+    let angle = form.angle_of(body.0);
+    let [x, y, turning] =
+        [angle - 2, angle - 1, angle].map(|at| graph.variable(form.unknowns[at].rate));
+    let across = perpendicular(mark.arm, graph);
+    let turned = across.map(|part| graph.multiply(turning, part));
+    Place {
+        mark,
+        velocity: add([x, y], turned, graph),
+        turning,
+    }
+}
+
+impl System {
+    /// Has forces computed as if the mechanism rested at every instant: with rates and accelerations that are zero.
+    pub fn rest(&mut self) {
+        self.mechanism.forces.at_rest = true;
+        let Some(forces) = &mut self.forces else {
+            return;
+        };
+        let graph = &mut self.mechanism.graph;
+        let zero = graph.zero();
+        let moving = self.coordinates.iter();
+        let moving = moving.flat_map(|it| [it.rate, it.acceleration]);
+        let inputs = self.mechanism.inputs.iter();
+        let inputs = inputs.flat_map(|it| [it.symbols[1], it.symbols[2]]);
+        let still: Vec<(SymbolId, ExprId)> = moving.chain(inputs).map(|it| (it, zero)).collect();
+        for value in forces
+            .loads
+            .iter_mut()
+            .chain([&mut forces.kinetic, &mut forces.added])
+        {
+            *value = graph.substitute(*value, &still);
+        }
+    }
+
+    /// What a joint or driver passes on, in terms of the vector form.
+    pub fn passing(&mut self, joint: usize) -> Passing {
+        let System {
+            mechanism,
+            vector_form: form,
+            roles,
+            ..
+        } = self;
+        let rows = form.own_columns(joint, mechanism);
+        let own = &mechanism.joints[joint];
+        let operands = form.with_arms(&own.operands, &mechanism.bodies, &mut mechanism.graph);
+        let graph = &mut mechanism.graph;
+        let feature = own.kind.feature(&own.operands, graph);
+        let marks = &operands.marks;
+        let across = |graph: &mut crate::expr::Graph| {
+            let turned = operands.axis.map(|axis| axis.turned);
+            turned.map(|turned| perpendicular(turned, graph))
+        };
+        let between = |graph: &mut crate::expr::Graph| {
+            let [from, to] = [1, 0].map(|at| marks[at].position(graph));
+            let gap = subtract(to, from, graph);
+            let length = length(gap, graph);
+            gap.map(|part| graph.divide(part, length))
+        };
+        let carried = match feature {
+            Some(Feature::Pin) => Carried::Force,
+            Some(Feature::Weld) => Carried::ForceAndMoment,
+            Some(Feature::Slide) => {
+                across(graph).map_or(Carried::ForceAndMoment, Carried::NormalAndMoment)
+            }
+            Some(Feature::Slot(_)) => across(graph).map_or(Carried::Force, Carried::Normal),
+            Some(Feature::Coordinate(axis) | Feature::Offset(axis)) => Carried::Component(axis),
+            Some(Feature::Orientation | Feature::RelativeOrientation | Feature::Wheels(..)) => {
+                Carried::Moment
+            }
+            Some(Feature::Link) => Carried::Tension(between(graph)),
+            Some(Feature::Pinion(_)) => operands
+                .axis
+                .map_or(Carried::Force, |axis| Carried::Tooth(axis.turned)),
+            Some(Feature::Contact(_)) => operands.curve.map_or(Carried::Force, |curve| {
+                let normal = curve.normal(graph);
+                Carried::Pressure(curve.rotate(normal, graph))
+            }),
+            Some(Feature::Written) | None => Carried::Multiplier,
+        };
+        // What presses on a curve is what the curve carries; everywhere else the second body is meant.
+        let [first, second] = match (&marks[..], carried) {
+            ([], _) => [None; 2],
+            ([only], _) => [None, Some(*only)],
+            ([follower, curve, ..], Carried::Pressure(_)) => [Some(*curve), Some(*follower)],
+            ([first, second, ..], _) => [Some(*first), Some(*second)],
+        };
+        let is_ground = |mark: Option<Mark>| mark.is_none_or(|it| it.frame.body == BodyId::GROUND);
+        let is_opposite = is_ground(second);
+        let meant = if is_opposite { first } else { second };
+        let body = meant.map_or(BodyId::GROUND, |it| it.frame.body);
+        let zero = graph.zero();
+        let arm = match (second, meant) {
+            (Some(place), Some(mark)) => {
+                let place = place.position(graph);
+                match body == mark.frame.body && !is_opposite {
+                    true => mark.arm,
+                    false => subtract(place, mark.frame.origin, graph),
+                }
+            }
+            _ => [zero; 2],
+        };
+        roles.resize(graph.symbol_count(), SymbolRole::Intermediate);
+        Passing {
+            rows,
+            body,
+            is_opposite,
+            arm,
+            carried,
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! Generated code has the forces of the interpreter, in both precisions, in closed form and by a linear system; its cost is bounded.
+
+use linkwright::{Mechanism, Signal};
+use linkwright_codegen::report;
+use linkwright_mechanisms::andrews;
+use linkwright_tests::description;
+use linkwright_tests::forces::{Followed, systems};
+
+mod forced_linkage {
+    linkwright::include_mechanism!(forced_linkage);
+}
+mod forced_platform {
+    linkwright::include_mechanism!(forced_platform);
+}
+mod forced_slider {
+    linkwright::include_mechanism!(forced_slider);
+}
+
+/// What rounding may make of a force, beside the largest of the instant.
+const LIMIT: f64 = 1e-12;
+
+/// Compares named values with those of the interpreter.
+fn compare(followed: &Followed, found: &[(&str, f64)], limit: f64, t: f64) {
+    let all = followed.all();
+    assert_eq!(found.len(), all.len());
+    let size = all
+        .iter()
+        .fold(1.0_f64, |most, (_, value)| most.max(value.abs()));
+    for (name, value) in found {
+        let expected = followed.value(name);
+        assert!(
+            (value - expected).abs() <= limit * size,
+            "{name} at t = {t}: generated {value}, interpreted {expected}"
+        );
+    }
+}
+
+fn interpreted(name: &str) -> Followed {
+    let text = description::source(name).text;
+    Followed::new(&systems(name, &text)[0], 0.0).expect("as drawn")
+}
+
+#[test]
+fn a_linkage_with_every_load_has_the_forces_of_the_interpreter() {
+    let mut followed = interpreted("forced_linkage");
+    let inputs = forced_linkage::Inputs {
+        push: Signal {
+            value: 3.0,
+            rate: 0.0,
+            acceleration: 0.0,
+        },
+    };
+    let mut mechanism = forced_linkage::ForcedLinkage::assemble(0.0, &inputs).expect("as drawn");
+    for step in 0..200 {
+        let t = 0.02 * f64::from(step);
+        assert!(followed.advance(t));
+        let frame = mechanism.advance(t, &inputs).expect("a crank");
+        let pins = [
+            frame.reaction_a(),
+            frame.reaction_b(),
+            frame.reaction_c(),
+            frame.reaction_d(),
+        ];
+        let mut found = vec![
+            ("effort_crank", frame.effort_crank()),
+            ("power_crank", frame.power_crank()),
+            ("kinetic_energy", frame.kinetic_energy()),
+            ("potential_energy", frame.potential_energy()),
+            ("added_power", frame.added_power()),
+        ];
+        let names = [
+            ["reaction_a_x", "reaction_a_y"],
+            ["reaction_b_x", "reaction_b_y"],
+            ["reaction_c_x", "reaction_c_y"],
+            ["reaction_d_x", "reaction_d_y"],
+        ];
+        for (names, pin) in names.into_iter().zip(pins) {
+            found.extend(names.into_iter().zip(pin));
+        }
+        compare(&followed, &found, LIMIT, t);
+    }
+}
+
+/// The powers of the driver and of the loads are the rate of both energies: a central difference of those, to its own error.
+#[test]
+fn powers_of_generated_code_are_the_rate_of_its_energies() {
+    const STEP: f64 = 1e-4;
+    let inputs = forced_linkage::Inputs {
+        push: Signal {
+            value: 3.0,
+            rate: 0.0,
+            acceleration: 0.0,
+        },
+    };
+    let mut mechanism = forced_linkage::ForcedLinkage::assemble(0.0, &inputs).expect("as drawn");
+    let (mut before, mut now) = (f64::NAN, [f64::NAN; 2]);
+    for step in 0..2000 {
+        let frame = mechanism
+            .advance(STEP * f64::from(step), &inputs)
+            .expect("a crank");
+        let energy = frame.kinetic_energy() + frame.potential_energy();
+        let rate = (energy - before) / (2.0 * STEP);
+        if rate.is_finite() {
+            assert!(
+                (rate - now[1]).abs() < 1e-4 * now[1].abs().max(10.0),
+                "{rate} {now:?}"
+            );
+        }
+        before = now[0];
+        now = [energy, frame.power_crank() + frame.added_power()];
+    }
+}
+
+#[test]
+fn a_platform_that_is_iterated_has_the_forces_of_the_interpreter() {
+    let mut followed = interpreted("forced_platform");
+    let mut mechanism = forced_platform::ForcedPlatform::assemble(0.0).expect("as drawn");
+    for step in 0..100 {
+        let t = 0.02 * f64::from(step);
+        assert!(followed.advance(t));
+        let frame = mechanism.advance(t).expect("within reach");
+        let [px, py] = frame.reaction_p();
+        let [cx, cy] = frame.reaction_c();
+        let found = [
+            ("effort_drive_length_a_p", frame.effort_drive_length_a_p()),
+            ("power_drive_length_a_p", frame.power_drive_length_a_p()),
+            ("effort_drive_length_b_q", frame.effort_drive_length_b_q()),
+            ("power_drive_length_b_q", frame.power_drive_length_b_q()),
+            ("effort_drive_length_c_r", frame.effort_drive_length_c_r()),
+            ("power_drive_length_c_r", frame.power_drive_length_c_r()),
+            ("reaction_p_x", px),
+            ("reaction_p_y", py),
+            ("reaction_c_x", cx),
+            ("reaction_c_y", cy),
+            ("kinetic_energy", frame.kinetic_energy()),
+            ("potential_energy", frame.potential_energy()),
+            ("added_power", frame.added_power()),
+        ];
+        // Poses of Newton-Raphson are those of rounding, magnified by the platform's condition.
+        compare(&followed, &found, 1e-10, t);
+    }
+}
+
+#[test]
+fn a_slider_crank_has_the_forces_of_the_interpreter() {
+    let mut followed = interpreted("forced_slider");
+    let mut mechanism = forced_slider::ForcedSlider::assemble(0.0).expect("as drawn");
+    for step in 0..100 {
+        let t = 0.01 * f64::from(step);
+        assert!(followed.advance(t));
+        let frame = mechanism.advance(t).expect("a crank");
+        let [ox, oy] = frame.reaction_o();
+        let [bx, by] = frame.reaction_b();
+        let [px, py] = frame.reaction_p();
+        let found = [
+            ("effort_drive_phi_crank", frame.effort_drive_phi_crank()),
+            ("power_drive_phi_crank", frame.power_drive_phi_crank()),
+            ("reaction_o_x", ox),
+            ("reaction_o_y", oy),
+            ("reaction_b_x", bx),
+            ("reaction_b_y", by),
+            ("reaction_p_x", px),
+            ("reaction_p_y", py),
+            ("reaction_guide_normal", frame.reaction_guide_normal()),
+            ("reaction_guide_moment", frame.reaction_guide_moment()),
+            ("kinetic_energy", frame.kinetic_energy()),
+            ("potential_energy", frame.potential_energy()),
+            ("added_power", frame.added_power()),
+        ];
+        compare(&followed, &found, LIMIT, t);
+    }
+}
+
+#[test]
+fn single_precision_has_the_forces_of_double_precision() {
+    let mut double = andrews::Andrews::assemble(0.0).expect("as drawn");
+    let mut single = linkwright_tests::single::andrews::Andrews::assemble(0.0).expect("as drawn");
+    for step in 0..20 {
+        let t = 5e-4 * f64::from(step);
+        let exact = double.advance(t).expect("in reach");
+        let rounded = single.advance(t as f32).expect("in reach");
+        let [x, y] = exact.reaction_e();
+        let [rx, ry] = rounded.reaction_e().map(f64::from);
+        let size = x.hypot(y).max(1.0);
+        assert!(
+            (x - rx).hypot(y - ry) < 2e-3 * size,
+            "{t}: {x} {y} {rx} {ry}"
+        );
+        let torque = f64::from(rounded.effort_motor());
+        assert!(
+            (exact.effort_motor() - torque).abs() < 2e-3 * exact.effort_motor().abs().max(0.033)
+        );
+    }
+}
+
+/// What forces cost beside the frame, in operations: those of the excavator with a mass on every body.
+#[test]
+fn forces_cost_less_than_the_frame() {
+    let text = description::source("excavator").text;
+    let bodies: Vec<String> = (1..=10)
+        .map(|body| format!("mass c{body} = {body}kg inertia 0.5;\n"))
+        .collect();
+    let with = |asked: &str| {
+        let end = text.rfind('}').expect("its end");
+        let all = format!(
+            "{}{}gravity = (0, -9.81);\n{asked}\n}}",
+            &text[..end],
+            bodies.concat()
+        );
+        report(&systems("excavator", &all)[0]).expect("a plan")
+    };
+    let frame: usize = with("energy;").operations.iter().map(|it| it.total()).sum();
+    let efforts = with("effort;").forces.expect("asked for").total();
+    let reactions = with("effort; reactions;")
+        .forces
+        .expect("asked for")
+        .total();
+    assert!(2 * efforts <= frame, "{efforts} beside {frame}");
+    assert!(2 * reactions <= 3 * frame, "{reactions} beside {frame}");
+    // What does not weigh and is not asked for is not computed.
+    assert!(with("energy;").forces.expect("asked for").total() < efforts);
+    assert!(
+        report(&systems("excavator", &text)[0])
+            .expect("a plan")
+            .forces
+            .is_none()
+    );
+}
