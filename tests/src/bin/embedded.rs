@@ -63,7 +63,7 @@ fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
         compare_hosts(&wanted, &mut faults)?;
         find_planted(&mut faults)?;
     }
-    let mut known = measured(&programs)?;
+    let mut known = measured(&programs, &mut faults)?;
     known.sort_by_key(|it| it.program);
     let mut figures = Figures::new();
     for known in &known {
@@ -101,45 +101,52 @@ fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
     Ok(faults)
 }
 
-/// Builds and runs programs; the C ones beside those in Rust, and what is built while the next one is.
-fn measured(programs: &[Program]) -> io::Result<Vec<Known>> {
+/// Builds and runs programs, the C ones beside those in Rust, and what is built while the next one is; what does not succeed is a fault.
+fn measured(programs: &[Program], faults: &mut Vec<String>) -> io::Result<Vec<Known>> {
     let (in_rust, in_c): (Vec<Program>, Vec<Program>) = programs
         .iter()
         .partition(|it| it.language == Language::Rust);
-    let look = |program: Program, built: build::Built| {
-        let text = build::run(&built.elf, program.processor)?;
-        Known::of(program, &built, &text)
+    let look = |program: Program, built: io::Result<build::Built>| {
+        let known = built.and_then(|built| {
+            let text = build::run(&built.elf, program.processor)?;
+            Known::of(program, &built, &text)
+        });
+        known.map_err(|error| format!("{program}: {error}"))
     };
-    thread::scope(|scope| {
+    let found: Vec<Result<Known, String>> = thread::scope(|scope| {
         let (send, receive) = mpsc::channel();
         let runner = scope.spawn(move || {
             let built = receive.into_iter();
             built
                 .map(|(program, built)| look(program, built))
-                .collect::<io::Result<Vec<Known>>>()
+                .collect::<Vec<_>>()
         });
         let builder = scope.spawn(move || {
             in_c.into_iter()
-                .map(|it| look(it, build::c(&it)?))
-                .collect::<io::Result<Vec<Known>>>()
+                .map(|it| look(it, build::c(&it)))
+                .collect::<Vec<_>>()
         });
         for program in in_rust {
-            let built = build::rust(&program, None)?;
+            let built = build::rust(&program, None);
             if send.send((program, built)).is_err() {
                 break;
             }
         }
         drop(send);
-        let joined = [runner, builder].map(|it| {
-            it.join()
-                .unwrap_or_else(|_| Err(io::Error::other("a thread panicked")))
-        });
-        let [mut known, others] = joined;
-        if let Ok(known) = &mut known {
-            known.extend(others?);
+        let joined = [runner.join(), builder.join()].map(|it| it.ok());
+        let [Some(rust), Some(c)] = joined else {
+            return Err(io::Error::other("a thread panicked"));
+        };
+        Ok(rust.into_iter().chain(c).collect())
+    })?;
+    let mut known = Vec::new();
+    for found in found {
+        match found {
+            Ok(found) => known.push(found),
+            Err(fault) => faults.push(fault),
         }
-        known
-    })
+    }
+    Ok(known)
 }
 
 /// Compares programs of the host: without the standard library, as WebAssembly, in C.

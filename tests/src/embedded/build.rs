@@ -69,15 +69,21 @@ pub fn rust(program: &Program, planted: Option<&str>) -> io::Result<Built> {
     let processor = program.processor.name();
     let flags = format!("-C link-arg=-Tlink.x -C target-cpu={processor}");
     let mut command = cargo_for("build", TARGET, &flags)?;
-    let profile = if program.is_small { "small" } else { "release" };
-    let features = planted.map_or("firmware".to_string(), |it| format!("firmware,{it}"));
+    let mut features = "firmware".to_string();
+    if program.is_small {
+        // Not by a profile of its own, for which everything that generates the modules would be built again.
+        command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s");
+        features += ",may_panic";
+    }
+    if let Some(feature) = planted {
+        features += &format!(",{feature}");
+    }
     command.env("VARIANT", program.variant());
     command.args([
         "--quiet",
+        "--release",
         "--bin",
         "firmware",
-        "--profile",
-        profile,
         "--features",
         &features,
     ]);
@@ -85,8 +91,7 @@ pub fn rust(program: &Program, planted: Option<&str>) -> io::Result<Built> {
     let built = folder()
         .join("target")
         .join(TARGET)
-        .join(profile)
-        .join("firmware");
+        .join("release/firmware");
     let name = format!("{program} {}", planted.unwrap_or_default());
     let elf = folder()
         .join("programs")

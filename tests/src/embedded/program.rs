@@ -135,17 +135,23 @@ impl Program {
                     if *name == "four_bar" {
                         programs.push(program(Language::ByHand, false));
                     }
-                    if (*name, scalar, processor)
-                        == ("platform_3rpr", Scalar::F32, Processor::CortexM4F)
-                    {
-                        programs.extend([true, false].map(|it| Program {
-                            is_small: true,
-                            ..program(Language::Rust, it)
-                        }));
-                    }
                 }
             }
         }
+        let is_meant = |it: &&Program| {
+            (it.processor, it.scalar, it.language)
+                == (Processor::CortexM4F, Scalar::F32, Language::Rust)
+                && it.mechanism() == "platform_3rpr"
+        };
+        let small: Vec<Program> = programs
+            .iter()
+            .filter(is_meant)
+            .map(|it| Program {
+                is_small: true,
+                ..*it
+            })
+            .collect();
+        programs.extend(small);
         programs
     }
 }

@@ -81,7 +81,8 @@ const GUARANTEES: &str = "
 The panic handler of the firmware calls a symbol that nothing defines, so that a program with a panic path does not link, and there is no
 allocator. Neither formatting nor a function of the textbook view is among the symbols. In Rust no function that `assemble` or `advance`
 reaches can be on the stack twice: the calls are read from the instructions, and a call through a pointer may lead to every function
-whose address is in the program. A program with each of these planted is found.
+whose address is in the program. A program with each of these planted is found. At opt-level s alone, checks are left that cannot fail, and
+with them a panic path; that is why speed is what the others are compiled for.
 ";
 
 fn select(known: &[Known], processor: Processor, scalar: Scalar) -> impl Iterator<Item = &Known> {

@@ -16,15 +16,15 @@ unsafe extern "C" {
     fn PANIC_PATH() -> !;
 }
 
-#[cfg(not(feature = "planted_formatting"))]
+#[cfg(not(feature = "may_panic"))]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     // SAFETY: the symbol is never defined, so a program that still contains this call does not link.
     unsafe { PANIC_PATH() }
 }
 
-/// Formatting can panic, so that its firmware would not link.
-#[cfg(feature = "planted_formatting")]
+/// A program with a panic path that is to be linked nevertheless.
+#[cfg(feature = "may_panic")]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     loop {}
