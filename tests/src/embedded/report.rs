@@ -27,7 +27,7 @@ const FLASH: [(&str, bool, u64); 4] = [
 const BEGINNING: &str = "\
 # Mechanisms as firmware
 
-Written by `cargo run --release -p linkwright-tests --bin embedded -- --write`; without `--write` it compares with what is committed,
+Written by `cargo run -p linkwright-tests --bin embedded -- --write`; without `--write` it compares with what is committed,
 and fails where a figure has grown by more than 5 %. The programs are in `tests/embedded`: firmware of one mechanism each, for the boards
 mps2-an386 (Cortex-M4F) and mps2-an500 (Cortex-M7) of QEMU, which counts instructions. It has no model of cycles.
 
@@ -45,7 +45,13 @@ Operations are those that the header of the module states for one attempt of `ad
 
 /// The whole report.
 pub fn text(versions: &[String], known: &[Known]) -> String {
-    let mut text = format!("{BEGINNING}\nCompilers: {}.\n", versions.join("; "));
+    let mut text = format!(
+        "{BEGINNING}\nCompilers:\n\n{}",
+        versions
+            .iter()
+            .map(|it| format!("- {it}\n"))
+            .collect::<String>()
+    );
     text += "\n## The same bits everywhere\n\n";
     let frames = known.first().map_or(0, |it| it.printed.advance.calls);
     let _ = writeln!(
