@@ -1,4 +1,4 @@
-//! The front end for build scripts: a folder of descriptions → generated modules in `OUT_DIR`.
+//! The front end for build scripts: a folder of descriptions → generated modules in `OUT_DIR`, each with the page that `rustdoc` shows.
 //!
 //! The only module that touches the environment and the standard output. Errors become `cargo::error` lines, so a mistake in a
 //! description reads like a compiler error; it never panics on bad input. A module is written only if it changes.
@@ -8,10 +8,11 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 use crate::diagnostic::Source;
-use crate::{Options, files, generate_with, syntax};
+use crate::{Generated, Options, files, generate_with_page, syntax};
 
-/// Generates the module of every `.mech` file in `folder` (relative to the package) for `linkwright::include_mechanism!`; files
-/// whose names begin with a dot are left alone.
+/// Generates the module of every `.mech` file in `folder` (relative to the package) for `linkwright::include_mechanism!`, and beside
+/// it a page with the drawing and the derivation, which `rustdoc` shows with the module; files whose names begin with a dot are left
+/// alone.
 ///
 /// Called from `build.rs`. Prints what cargo needs to know: when to run again, and every error with its place. After an error
 /// it returns normally and cargo stops the build.
@@ -75,7 +76,7 @@ fn write_modules(
         .map_err(|error| format!("cannot create `{}`: {error}", output.display()))?;
     let mut names: Vec<(String, PathBuf)> = Vec::new();
     for file in descriptions {
-        let Some((name, code)) = generate_file(&file, options, say) else {
+        let Some((Generated { name, code, .. }, page)) = generate_file(&file, options, say) else {
             continue;
         };
         // Some file systems cannot tell names apart that differ in case only.
@@ -93,11 +94,13 @@ fn write_modules(
             say_error(&problem, say);
             continue;
         }
-        let target = output.join(format!("{name}.rs"));
-        write_if_changed(&target, &code).map_err(|error| {
-            let reason = files::reason(&error);
-            format!("cannot write `{}`: {reason}", target.display())
-        })?;
+        for (ending, text) in [("rs", &code), ("md", &page)] {
+            let target = output.join(format!("{name}.{ending}"));
+            write_if_changed(&target, text).map_err(|error| {
+                let reason = files::reason(&error);
+                format!("cannot write `{}`: {reason}", target.display())
+            })?;
+        }
         names.push((name, file));
     }
     Ok(())
@@ -110,8 +113,8 @@ fn is_description(path: &Path) -> bool {
     path.extension() == Some(OsStr::new("mech")) && name.is_some_and(|it| !it.starts_with(b"."))
 }
 
-/// The name and the module of one file; its errors are said.
-fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(String, String)> {
+/// The module of one file and its page; its errors are said.
+fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Generated, String)> {
     let name = file.display().to_string();
     let bytes = match files::read(file, Source::LARGEST) {
         Ok(bytes) => bytes,
@@ -135,12 +138,12 @@ fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(String
         let path = folder.join(&attachment.path);
         say(&format!("cargo::rerun-if-changed={}", path.display()));
     }
-    match generate_with(&source, options) {
-        Ok(generated) => {
+    match generate_with_page(&source, options) {
+        Ok((generated, page)) => {
             for line in generated.warnings.render(&source).lines() {
                 say(&format!("cargo::warning={line}"));
             }
-            Some((generated.name, generated.code))
+            Some((generated, page))
         }
         Err(diagnostics) => {
             say_error(&diagnostics.render(&source), say);
@@ -259,7 +262,7 @@ mod tests {
             io::read_to_string(open).expect("it is still there"),
             written
         );
-        assert_eq!(folders.modules(), ["crank.rs"]);
+        assert_eq!(folders.modules(), ["crank.md", "crank.rs"]);
     }
 
     #[test]
@@ -285,7 +288,7 @@ mod tests {
             );
         }
         assert!(!said.iter().any(|line| line.contains('#')), "{said:#?}");
-        assert_eq!(folders.modules(), ["crank.rs"]);
+        assert_eq!(folders.modules(), ["crank.md", "crank.rs"]);
     }
 
     #[cfg(unix)]

@@ -117,6 +117,17 @@ pub struct Generated {
     pub warnings: Diagnostics,
 }
 
+impl Generated {
+    fn of(files: GeneratedFiles) -> Generated {
+        let code = files.files.into_iter().next().map(|file| file.text);
+        Generated {
+            name: files.name,
+            code: code.unwrap_or_default(),
+            warnings: files.warnings,
+        }
+    }
+}
+
 /// The files that a mechanism becomes in a language.
 #[derive(Clone, Debug)]
 pub struct GeneratedFiles {
@@ -238,17 +249,20 @@ pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
 /// # Errors
 /// Every error of the description; nothing is written then.
 pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Diagnostics> {
-    let GeneratedFiles {
-        name,
-        files,
-        warnings,
-    } = generate_files(source, Language::Rust, "", options)?;
-    let code = files.into_iter().next().map(|file| file.text);
-    Ok(Generated {
-        name,
-        code: code.unwrap_or_default(),
-        warnings,
-    })
+    let files = generate_files(source, Language::Rust, "", options)?;
+    Ok(Generated::of(files))
+}
+
+/// The same with the page that `rustdoc` shows with the module.
+pub(crate) fn generate_with_page(
+    source: &Source,
+    options: &Options,
+) -> Result<(Generated, String), Diagnostics> {
+    let read = read(source)?;
+    check_all(&read.motions)?;
+    let page = emit::rust::page(&read.motions);
+    let files = files_of(read, Language::Rust, "", options)?;
+    Ok((Generated::of(files), page))
 }
 
 /// Writes the files of a description in a language, as the options say. The first file is called `stem`, and by what the language
@@ -262,11 +276,21 @@ pub fn generate_files(
     stem: &str,
     options: &Options,
 ) -> Result<GeneratedFiles, Diagnostics> {
+    let read = read_for(source, language)?;
+    check_all(&read.motions)?;
+    files_of(read, language, stem, options)
+}
+
+fn files_of(
+    read: Read,
+    language: Language,
+    stem: &str,
+    options: &Options,
+) -> Result<GeneratedFiles, Diagnostics> {
     let Read {
         motions,
         mut warnings,
-    } = read_for(source, language)?;
-    check_all(&motions)?;
+    } = read;
     let range = match options.scalar {
         Scalar::F64 => finiteness::Range::F64,
         Scalar::F32 => finiteness::Range::F32,

@@ -40,8 +40,9 @@ pub mod structure {
 /// What is computed, statement by statement.
 pub mod program {
     pub use crate::program::{
-        Block, Branch, Effort, Energy, Forces, Found, Function, Lengths, Level, NewtonBlock,
-        Operations, Program, Reaction, Statement, forms_of, lower, lower_with_unknowns, unpruned,
+        Block, Branch, EVALUATIONS, Effort, Energy, Forces, Found, Function, Lengths, Level,
+        NewtonBlock, Operations, Program, Reaction, STEPS, Statement, Tearing, Work, forms_of,
+        lower, lower_with_unknowns, unpruned, work,
     };
 }
 

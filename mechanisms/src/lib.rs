@@ -14,114 +14,114 @@
 //! ```
 #![no_std]
 
-/// The two-body mechanism of the ME 451 midterm.
-pub mod two_body {
-    linkwright::include_mechanism!(two_body);
+linkwright::include_mechanism! {
+    /// The two-body mechanism of the ME 451 midterm.
+    pub mod two_body;
 }
 
-/// The excavator-like arm with ten bodies and two actuators, frames at the centers of mass.
-pub mod excavator {
-    linkwright::include_mechanism!(excavator);
+linkwright::include_mechanism! {
+    /// The excavator-like arm with ten bodies and two actuators, frames at the centers of mass.
+    pub mod excavator;
 }
 
-/// The same arm with every body's frame at one of its pins.
-pub mod excavator_pins {
-    linkwright::include_mechanism!(excavator_pins);
+linkwright::include_mechanism! {
+    /// The same arm with every body's frame at one of its pins.
+    pub mod excavator_pins;
 }
 
-/// The same arm, asked for the motion of its tool alone.
-pub mod excavator_tool {
-    linkwright::include_mechanism!(excavator_tool);
+linkwright::include_mechanism! {
+    /// The same arm, asked for the motion of its tool alone.
+    pub mod excavator_tool;
 }
 
-/// The same arm driven from either end: from its actuators, or from its tool.
-pub mod excavator_motions {
-    linkwright::include_mechanism!(excavator_motions);
+linkwright::include_mechanism! {
+    /// The same arm driven from either end: from its actuators, or from its tool.
+    pub mod excavator_motions;
 }
 
-/// The ten-body arm whose motion MSC ADAMS has computed.
-pub mod arm {
-    linkwright::include_mechanism!(arm);
+linkwright::include_mechanism! {
+    /// The ten-body arm whose motion MSC ADAMS has computed.
+    pub mod arm;
 }
 
-/// A four-bar linkage whose crank turns all the way round.
-pub mod four_bar {
-    linkwright::include_mechanism!(four_bar);
+linkwright::include_mechanism! {
+    /// A four-bar linkage whose crank turns all the way round.
+    pub mod four_bar;
 }
 
-/// An offset slider-crank.
-pub mod slider_crank {
-    linkwright::include_mechanism!(slider_crank);
+linkwright::include_mechanism! {
+    /// An offset slider-crank.
+    pub mod slider_crank;
 }
 
-/// A rod on a crank that slides through a turning sleeve.
-pub mod inverted_slider_crank {
-    linkwright::include_mechanism!(inverted_slider_crank);
+linkwright::include_mechanism! {
+    /// A rod on a crank that slides through a turning sleeve.
+    pub mod inverted_slider_crank;
 }
 
-/// A platform on three legs of driven length, whose pose no construction with two circles gives.
-pub mod platform_3rpr {
-    linkwright::include_mechanism!(platform_3rpr);
+linkwright::include_mechanism! {
+    /// A platform on three legs of driven length, whose pose no construction with two circles gives.
+    pub mod platform_3rpr;
 }
 
-/// A scissor lift of six stages.
-pub mod scissor {
-    linkwright::include_mechanism!(scissor);
+linkwright::include_mechanism! {
+    /// A scissor lift of six stages.
+    pub mod scissor;
 }
 
-/// A six-bar driven at its far link, which keeps four links coupled.
-pub mod stephenson {
-    linkwright::include_mechanism!(stephenson);
+linkwright::include_mechanism! {
+    /// A six-bar driven at its far link, which keeps four links coupled.
+    pub mod stephenson;
 }
 
-/// Theo Jansen's walking leg.
-pub mod jansen {
-    linkwright::include_mechanism!(jansen);
+linkwright::include_mechanism! {
+    /// Theo Jansen's walking leg.
+    pub mod jansen;
 }
 
-/// Peaucellier's cell, whose point R moves on a straight line.
-pub mod peaucellier {
-    linkwright::include_mechanism!(peaucellier);
+linkwright::include_mechanism! {
+    /// Peaucellier's cell, whose point R moves on a straight line.
+    pub mod peaucellier;
 }
 
-/// The quick return of a shaping machine.
-pub mod quick_return {
-    linkwright::include_mechanism!(quick_return);
+linkwright::include_mechanism! {
+    /// The quick return of a shaping machine.
+    pub mod quick_return;
 }
 
-/// A Scotch yoke, whose motion is exactly harmonic.
-pub mod scotch_yoke {
-    linkwright::include_mechanism!(scotch_yoke);
+linkwright::include_mechanism! {
+    /// A Scotch yoke, whose motion is exactly harmonic.
+    pub mod scotch_yoke;
 }
 
-/// A double wishbone suspension, moved at the wheel.
-pub mod double_wishbone {
-    linkwright::include_mechanism!(double_wishbone);
+linkwright::include_mechanism! {
+    /// A double wishbone suspension, moved at the wheel.
+    pub mod double_wishbone;
 }
 
-/// A pantograph, traced by its two coordinates.
-pub mod pantograph {
-    linkwright::include_mechanism!(pantograph);
+linkwright::include_mechanism! {
+    /// A pantograph, traced by its two coordinates.
+    pub mod pantograph;
 }
 
-/// A planetary gear with its ring held.
-pub mod planetary_gear {
-    linkwright::include_mechanism!(planetary_gear);
+linkwright::include_mechanism! {
+    /// A planetary gear with its ring held.
+    pub mod planetary_gear;
 }
 
-/// Rack and pinion steering.
-pub mod rack_steering {
-    linkwright::include_mechanism!(rack_steering);
+linkwright::include_mechanism! {
+    /// Rack and pinion steering.
+    pub mod rack_steering;
 }
 
-/// A disc cam with a roller follower.
-pub mod disc_cam {
-    linkwright::include_mechanism!(disc_cam);
+linkwright::include_mechanism! {
+    /// A disc cam with a roller follower.
+    pub mod disc_cam;
 }
 
-/// A cam designed from the motion of its follower.
-pub mod cam_dwell {
-    linkwright::include_mechanism!(cam_dwell);
+linkwright::include_mechanism! {
+    /// A cam designed from the motion of its follower.
+    pub mod cam_dwell;
 }
 
 /// Andrews' squeezing mechanism, with its masses and its spring.

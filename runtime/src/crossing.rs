@@ -198,7 +198,7 @@ where
         Some(self.sum_of_squares(|value| Some(value(&first)? - value(&second)?)))
     }
 
-    /// The sum of the squares of what is made of each coordinate, or else of each component of the points.
+    /// The sum of the squares of what is made of each coordinate, or where frames hold none, of each component of the points.
     fn sum_of_squares(
         &self,
         combine: impl Fn(&dyn Fn(&B::Frame) -> Option<B::Scalar>) -> Option<B::Scalar>,
@@ -209,7 +209,10 @@ where
             sum += part * part;
             index += 1;
         }
-        let mut index = 0;
+        // Points follow from coordinates.
+        if index > 0 {
+            return sum;
+        }
         while let Some(part) = combine(&|frame| {
             let point = self.blocks.point(frame, index / 2)?;
             point.position.get(index % 2).copied()

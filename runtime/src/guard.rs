@@ -12,7 +12,7 @@ use crate::math::Real;
 use crate::signal::Signal;
 use crate::span::Span;
 
-/// How many steps a guard looks ahead at first, at least and at most.
+/// How many steps a guard looks ahead at first, at least and at most. It does not look ahead where it would be less.
 const AHEAD: [f64; 3] = [16.0, 2.0, 1024.0];
 
 /// By how much it looks farther after a success, and less far after a failure.
@@ -110,7 +110,12 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
             }
             stretch *= T::from_f64(SHRINKING);
         }
-        self.stretch = if stretch > least { stretch } else { least };
+        // Where it could not look beyond the frames at all, some frames go by before it tries again.
+        let is_pausing = self.stretch < least;
+        self.stretch = match is_pausing {
+            true => stretch * T::from_f64(GROWTH),
+            false => stretch,
+        };
         let between = Span::between(step);
         let kept = blocks.keeps_to_path(pair, &between, &mut tubes);
         kept.map_err(|block| failed(FailureKind::StepTooLarge, t, block))

@@ -106,6 +106,7 @@ pub mod span;
 pub mod substeps;
 pub mod table;
 pub mod thresholds;
+pub mod torn;
 mod vector;
 mod watch;
 mod way;
@@ -136,10 +137,40 @@ pub use signal::Signal;
 pub use span::{Span, Tube, isolate};
 pub use substeps::{Broken, in_steps};
 pub use table::Table;
+pub use torn::Torn;
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
+///
+/// As a module with a name, `rustdoc` shows the drawing and the derivation below what stands above it:
+/// ```ignore
+/// linkwright::include_mechanism! {
+///     /// The arm.
+///     pub mod excavator;
+/// }
+/// ```
+/// The name of the mechanism alone includes what stands in the module, wherever that is to be:
+/// ```ignore
+/// mod arm {
+///     linkwright::include_mechanism!(excavator);
+/// }
+/// ```
 #[macro_export]
 macro_rules! include_mechanism {
+    ($(#[$attribute:meta])* $visibility:vis mod $name:ident;) => {
+        $(#[$attribute])*
+        #[cfg_attr(
+            doc,
+            doc = include_str!(concat!(
+                env!("OUT_DIR"),
+                "/linkwright/",
+                stringify!($name),
+                ".md"
+            ))
+        )]
+        $visibility mod $name {
+            $crate::include_mechanism!($name);
+        }
+    };
     ($name:ident) => {
         include!(concat!(
             env!("OUT_DIR"),

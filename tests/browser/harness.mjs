@@ -49,7 +49,13 @@ export const open = async () => {
     await page.waitForSelector("body[data-ready], #problem");
     return page;
   };
-  return { visit, said, close: () => browser.close() };
+  /// A page that somebody else has written, which may ask for what it needs.
+  const show = async (url, options = {}) => {
+    const page = await browser.newPage(options);
+    await page.goto(url, { waitUntil: "load" });
+    return page;
+  };
+  return { visit, show, said, close: () => browser.close() };
 };
 
 /// Moves the slider of a page.

@@ -194,6 +194,58 @@ for (const [name, label, modes] of [
   });
 }
 
+/// What the dots of the shown points' curves say: for each chart, by the label of the curve, the value that its axis gives to the dot,
+/// and what a pixel is worth there.
+const read = (page) =>
+  page.$$eval("#charts .chart", (charts) =>
+    charts
+      .filter((chart) => chart.querySelector("figcaption").textContent.startsWith("Points"))
+      .map((chart) => {
+        const ticks = [...chart.querySelectorAll(".grid text[text-anchor=end]")].map((it) => [
+          Number(it.textContent.replace("−", "-")),
+          Number(it.getAttribute("y")) - 4,
+        ]);
+        const [[low, under], [high, above]] = [ticks[0], ticks.at(-1)];
+        const pixel = (low - high) / (under - above);
+        const dots = [...chart.querySelectorAll(".curve")].map((curve) => [
+          curve.querySelector(".label").textContent,
+          low + pixel * (Number(curve.querySelector("circle").getAttribute("cy")) - under),
+        ]);
+        return { caption: chart.querySelector("figcaption").textContent, pixel: Math.abs(pixel), dots: Object.fromEntries(dots) };
+      }),
+  );
+
+// Displacement, velocity and acceleration of both points, by x and y.
+test("the curves of A and G of the excavator are those of the solver", async () => {
+  const page = await visit("excavator");
+  const labels = ["xA", "xG", "yA", "yG"];
+  // Of all curves of points those four are left.
+  const chips = await page.$$("#chips p:has-text('Points: ') .chip");
+  for (const chip of chips) {
+    const isWanted = labels.includes(await chip.textContent());
+    if ((await chip.getAttribute("aria-pressed")) !== String(isWanted)) await chip.click();
+  }
+  let most = 0;
+  for (const t of [0, 0.8, 2.1, 3.7]) {
+    await seek(page, t);
+    const { points } = solved(mechanism("excavator"), t);
+    const charts = await read(page);
+    assert.deepEqual(charts.map((it) => it.caption), ["Points, m", "Points: rate, m/s", "Points: acceleration, m/s²"]);
+    for (const [level, { pixel, dots }] of charts.entries()) {
+      assert.deepEqual(Object.keys(dots).sort(), labels);
+      for (const label of labels) {
+        const own = points[label.slice(1)];
+        const value = [own.position, own.velocity, own.acceleration][level]["xy".indexOf(label[0])];
+        const off = Math.abs(dots[label] - value) / pixel;
+        assert.ok(off < 1, `${label}, ${charts[level].caption}: ${off} pixels off at ${t}`);
+        most = Math.max(most, Math.abs(value));
+      }
+    }
+  }
+  assert.ok(most > 0.5, "nothing moves");
+  await page.close();
+});
+
 test("an assembly whose motion ends says so", async () => {
   const page = await visit("excavator");
   const ending = await page.$("#thumbnails button:has(small)");

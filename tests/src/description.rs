@@ -80,3 +80,14 @@ pub fn system(name: &str) -> System {
         .unwrap_or_else(|several| panic!("{name} has {} motions", several.len()));
     only
 }
+
+/// The equations of a description with one motion, which need not determine it.
+///
+/// # Panics
+/// If the description has errors or several motions.
+pub fn written(text: &str) -> System {
+    let source = Source::new("written.mech", text.to_string());
+    let read = linkwright_codegen::read(&source)
+        .unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
+    read.only().expect("one motion")
+}

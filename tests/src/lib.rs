@@ -8,6 +8,7 @@ pub mod description;
 pub mod deviation;
 pub mod dyad_chain;
 pub mod elementary;
+pub mod embedded;
 pub mod files;
 pub mod forces;
 pub mod generated;

@@ -1,5 +1,6 @@
 //! What the blocks are called, and what is said of them where they are singular, for every described mechanism.
 
+use linkwright_codegen::stages::emit::derivation::Script;
 use linkwright_codegen::stages::emit::{Notation, derivation};
 use linkwright_codegen::stages::{program, structure};
 use linkwright_tests::{description, files};
@@ -29,7 +30,12 @@ fn block_words() -> String {
         for mut system in description::motions(&name) {
             let plan = structure::plan(&mut system).expect("a plan");
             let lowered = program::lower(&mut system, &plan);
-            let poses = derivation::singular_poses(&system, &plan, &lowered.forms, Notation::Ascii);
+            let poses = derivation::singular_poses(
+                &system,
+                &plan,
+                &lowered.forms,
+                Script::Text(Notation::Ascii),
+            );
             let words = derivation::block_words(&lowered.blocks, &system, &plan, &poses);
             let is_read = described.contains(&name) || read.contains(&name.as_str());
             let mut own_text = format!("{}\n", system.mechanism.title());

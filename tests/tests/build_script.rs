@@ -200,4 +200,18 @@ fn no_comment_of_a_description_is_run_or_warned_of() {
         let page = fs::read_to_string(page).expect("the page of a motion");
         assert!(page.contains(text), "{text} is missing in {name}");
     }
+    // The page of the module shows both motions.
+    let page = fs::read_to_string(pages.join("documented/index.html")).expect("the page");
+    for (text, count) in [
+        ("<svg ", 2),
+        ("How its motion is found: ", 2),
+        ("<script>alert", 0),
+    ] {
+        assert!(page.matches(text).count() >= count, "{text}");
+        assert!(count > 0 || !page.contains(text), "{text}");
+    }
+    assert!(
+        page.contains("A crane.") && page.contains("<summary>Block 2. "),
+        "{page}"
+    );
 }

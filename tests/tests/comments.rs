@@ -3,6 +3,7 @@
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::generate;
+use linkwright_tests::files;
 use linkwright_tests::random::Random;
 use pulldown_cmark::{BrokenLink, CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
@@ -209,5 +210,52 @@ fn what_is_live_is_found() {
         "[w](https://a.bc)",
     ] {
         assert!(live(text).is_empty(), "{text}");
+    }
+}
+
+/// The page beside every module is one block of HTML, of elements that draw and typeset and no others, and refers to nothing.
+#[test]
+fn pages_are_one_block_of_harmless_html() {
+    const ELEMENTS: &str = "div style svg title rect g path circle text details summary ul li p table thead tbody tr th td h2 code \
+        small span math mrow mi mn mo mtext msub msup msubsup mfrac msqrt mover mspace mtable mtr mtd";
+    let folder = std::path::Path::new(env!("OUT_DIR")).join("linkwright");
+    let pages = files::with_extension(&folder, "md");
+    assert!(pages.len() > 100, "{}", pages.len());
+    for path in pages {
+        let page = std::fs::read_to_string(&path).expect("a page");
+        let text = format!("An arm.\n{page}");
+        let blocks = Parser::new(&text).filter(|it| matches!(it, Event::Start(_)));
+        let blocks: Vec<Event<'_>> = blocks.collect();
+        assert!(
+            matches!(
+                blocks[..],
+                [Event::Start(Tag::Paragraph), Event::Start(Tag::HtmlBlock)]
+            ),
+            "{path:?}: {blocks:?}"
+        );
+        let mut open = Vec::new();
+        for tag in page.split('<').skip(1) {
+            let (tag, _) = tag.split_once('>').expect("an end of the tag");
+            let name = tag
+                .trim_matches('/')
+                .split([' ', '\n'])
+                .next()
+                .expect("a name");
+            assert!(ELEMENTS.split_whitespace().any(|it| it == name), "{tag}");
+            if let Some(closed) = tag.strip_prefix('/') {
+                assert_eq!(open.pop(), Some(closed), "{path:?}");
+            } else if !tag.ends_with('/') {
+                open.push(name);
+            }
+            for attribute in ["href", "src", " on", "url("] {
+                assert!(!tag.contains(attribute), "{tag}");
+            }
+        }
+        assert!(open.is_empty(), "{path:?}: {open:?}");
+        let drawn = page.matches("<svg ").count();
+        assert!(
+            drawn > 0 && page.matches("</svg>").count() == drawn,
+            "{path:?}"
+        );
     }
 }

@@ -1,6 +1,7 @@
 //! The determinants of the blocks against that of the whole Φ_q, and the closed forms that are printed.
 
 use linkwright::{Settings, advance, assemble};
+use linkwright_codegen::stages::emit::derivation::Script;
 use linkwright_codegen::stages::emit::{Notation, derivation};
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::program::forms_of;
@@ -116,7 +117,7 @@ fn the_exam_has_the_determinant_of_its_solution() {
     let mut system = description::system("two_body");
     let plan = linkwright_codegen::stages::structure::plan(&mut system).expect("a plan");
     let forms = forms_of(&mut system, &plan);
-    let poses = derivation::singular_poses(&system, &plan, &forms, Notation::Unicode);
+    let poses = derivation::singular_poses(&system, &plan, &forms, Script::Text(Notation::Unicode));
     assert_eq!(poses.len(), 1);
     assert_eq!(poses[0].determinant.as_deref(), Some("√3·sin φ₂"));
 }

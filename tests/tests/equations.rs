@@ -1,12 +1,12 @@
 //! Equations that a description writes out: closed forms, their place among joints, and what they are compared with.
 
-use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::check;
 use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::program::forms_of;
 use linkwright_codegen::stages::structure;
 use linkwright_codegen::stages::system::System;
-use linkwright_codegen::{check, read};
+use linkwright_tests::description::written;
 use linkwright_tests::random::Random;
 
 /// A rope over a peg.
@@ -153,13 +153,6 @@ fn a_pin_written_as_equations_is_the_joint() {
     }
 }
 
-/// The equations of a description with one motion.
-fn system(text: &str) -> System {
-    let source = Source::new("equations.mech", text);
-    let read = read(&source).unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
-    read.only().expect("one motion")
-}
-
 fn rows(system: &System) -> Vec<(&str, &str, String)> {
     let joints = &system.mechanism.joints;
     let rows = system.rows.iter();
@@ -176,7 +169,7 @@ fn rows(system: &System) -> Vec<(&str, &str, String)> {
 
 #[test]
 fn equations_are_rows_with_names_of_their_own() {
-    let system = system(
+    let system = written(
         "mechanism m {
             const L = 2m;
             point A = (1, 2), B = (0.5, 0);
@@ -218,7 +211,7 @@ fn equations_are_rows_with_names_of_their_own() {
 /// The sine and the cosine of a body's angle are arms, so that a person's closed forms are found.
 #[test]
 fn equations_in_sines_and_cosines_are_solved_in_closed_form() {
-    let mut system = system(
+    let mut system = written(
         "mechanism yoke {
             body crank at (0, 0, 30deg);
             body yoke at (0.8, 0);

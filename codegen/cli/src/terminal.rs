@@ -1,9 +1,11 @@
 //! *A text, and the width of the terminal* → *lines that fit on it*.
 //!
-//! Formulas are broken before an operator or after a comma, and go on below where they began. What goes to a file or to another
+//! Formulas are broken before an operator or after a comma, sentences also between words, and go on below where they began. What goes to a file or to another
 //! program is never broken.
 
 use std::io::IsTerminal as _;
+
+use linkwright_codegen::stages::emit::text::shown_width;
 
 /// A terminal that is narrower is treated as if it had these columns.
 const NARROWEST: usize = 40;
@@ -14,6 +16,9 @@ const HANGING: usize = 2;
 /// A formula begins after the last gap of two spaces that lies in this part of the line.
 const LEFT_HALF: f64 = 0.5;
 
+/// What a line is broken before.
+const SIGNS: [&str; 4] = ["+", "-", "−", "="];
+
 /// The columns of the terminal that stdout goes to; `None` where it goes elsewhere.
 pub fn columns() -> Option<usize> {
     if !std::io::stdout().is_terminal() {
@@ -21,6 +26,14 @@ pub fn columns() -> Option<usize> {
     }
     let (terminal_size::Width(columns), _) = terminal_size::terminal_size()?;
     Some(usize::from(columns).max(NARROWEST))
+}
+
+/// The text as the terminal shows it whole; as it is where stdout goes elsewhere.
+pub fn fitted(text: String) -> String {
+    match columns() {
+        Some(columns) => folded(&text, columns),
+        None => text,
+    }
 }
 
 /// The text with no line longer than so many columns, as far as it has places to be broken at.
@@ -35,7 +48,7 @@ pub fn folded(text: &str, columns: usize) -> String {
 fn fold(line: &str, columns: usize, folded: &mut String) {
     let indent = start_of_formula(line, columns) + HANGING;
     let (mut rest, mut room) = (line, columns);
-    while width(rest.trim_end()) > room {
+    while shown_width(rest.trim_end()) > room {
         let Some(place) = last_break(rest, room) else {
             break;
         };
@@ -53,30 +66,31 @@ fn start_of_formula(line: &str, columns: usize) -> usize {
     let left = (LEFT_HALF * columns as f64) as usize;
     let end = line.char_indices().nth(left).map_or(line.len(), |it| it.0);
     let gap = line[..end].rfind("  ").map_or(0, |place| place + 2);
-    width(&line[..gap])
+    shown_width(&line[..gap])
 }
 
-/// The last place at which a line can be broken so that so many columns suffice; the first one where none is early enough.
+/// The last place at which a line can be broken so that so many columns suffice: before an operator or after a comma, otherwise
+/// between words; the first one where none is early enough.
 fn last_break(line: &str, room: usize) -> Option<usize> {
-    let breaks = line.char_indices().filter(|&(place, character)| {
+    let words = line.char_indices().filter(|&(place, character)| {
         let before = line[..place].chars().next_back();
-        let after = line[place + character.len_utf8()..].chars().next();
-        let is_operator = matches!(character, '+' | '-' | '−' | '=') && after == Some(' ');
-        let follows_comma = before == Some(' ') && line[..place].trim_end().ends_with([',', ':']);
-        before == Some(' ') && (is_operator || follows_comma && character != ' ')
+        let last_word = line[..place].split_whitespace().next_back();
+        // A sign stays with what follows it.
+        let is_word = last_word.is_some_and(|it| !SIGNS.contains(&it));
+        before == Some(' ') && character != ' ' && is_word
     });
-    let breaks: Vec<usize> = breaks
-        .map(|it| it.0)
-        .filter(|place| !line[..*place].trim().is_empty())
-        .collect();
-    let fits = |place: &&usize| width(line[..**place].trim_end()) <= room;
-    breaks.iter().rev().find(fits).or(breaks.first()).copied()
-}
-
-/// Combining dots take no room on the screen.
-fn width(text: &str) -> usize {
-    let combining = |it: &char| ('\u{300}'..'\u{370}').contains(it);
-    text.chars().filter(|it| !combining(it)).count()
+    let words: Vec<usize> = words.map(|it| it.0).collect();
+    let is_break = |place: &usize| {
+        let word = line[*place..].split(' ').next();
+        word.is_some_and(|it| SIGNS.contains(&it))
+            || line[..*place].trim_end().ends_with([',', ':'])
+    };
+    let fits = |place: &usize| shown_width(line[..*place].trim_end()) <= room;
+    let breaks = || words.iter().copied();
+    breaks()
+        .rfind(|it| is_break(it) && fits(it))
+        .or_else(|| breaks().rfind(fits))
+        .or_else(|| breaks().next())
 }
 
 #[cfg(test)]
@@ -96,10 +110,23 @@ mod tests {
         let entries = "  1  revolute P  x1: 1,  phi1: -sin(phi1),  x2: -1,  phi2: -sqrt(3)*sin(phi2),  y2: 0.5*cos(phi2) - x2";
         for columns in 40..120 {
             let folded = folded(entries, columns);
-            assert!(folded.lines().all(|it| width(it) <= columns), "{folded}");
+            assert!(
+                folded.lines().all(|it| shown_width(it) <= columns),
+                "{folded}"
+            );
             let words = |text: &str| text.split_whitespace().collect::<String>();
             assert_eq!(words(&folded), words(entries));
         }
+    }
+
+    #[test]
+    fn a_sentence_without_a_comma_is_broken_between_words() {
+        let sentence =
+            "* is the closest of all; it would be singular where L-G and G-H are in line";
+        assert_eq!(
+            folded(sentence, 40),
+            "* is the closest of all; it would be\n  singular where L-G and G-H are in line"
+        );
     }
 
     #[test]

@@ -10,6 +10,7 @@ use nalgebra::DVector;
 
 use crate::instant::Instant;
 use crate::interpreted::{Interpreted, State};
+use crate::known_poses::letter;
 use crate::search::{SAME, STARTS};
 use crate::supplied::Modes;
 use crate::textbook::TextbookEquations;
@@ -19,14 +20,22 @@ use crate::view::View;
 /// counts as one.
 pub const LARGEST: usize = 4096;
 
+/// One of the poses of a block without a closed form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pose {
+    /// Which of the known ones, from 0.
+    pub place: usize,
+    /// Whether it is the one that is found from the drawing.
+    pub is_drawn: bool,
+}
+
 /// One way of putting the mechanism together.
 #[derive(Clone, Debug)]
 pub struct Assembly {
     /// The assembly modes.
     pub modes: Modes,
-    /// Which of its poses each block without a closed form has, in the order of the blocks: 0 for the one that is found from
-    /// the drawing.
-    pub poses: Vec<usize>,
+    /// Which of its poses each block without a closed form has, in the order of the blocks.
+    pub poses: Vec<Pose>,
     /// Whether all of these are the drawing's.
     pub drawn: bool,
     /// The pose with its velocities and accelerations.
@@ -34,16 +43,12 @@ pub struct Assembly {
 }
 
 impl Assembly {
-    /// `+-`, or `+-b` with a block without a closed form in its second pose.
+    /// `+-`, or `+-b` with a block without a closed form in its second pose, which is what `--branch` calls it.
     pub fn label(&self) -> String {
         let signs = self.modes.closed.iter();
         let signs = signs.map(|it| if *it == Branch::Positive { '+' } else { '-' });
-        let letters = self.poses.iter().map(|pose| {
-            let letter = u8::try_from(*pose).ok().and_then(|it| b'a'.checked_add(it));
-            letter
-                .filter(u8::is_ascii_lowercase)
-                .map_or('*', char::from)
-        });
+        let letters = self.poses.iter();
+        let letters = letters.map(|pose| letter(pose.place).unwrap_or('*'));
         signs.chain(letters).collect()
     }
 }
@@ -57,6 +62,10 @@ pub struct Assemblies {
     pub iterated: usize,
     /// Those that exist, the drawing's first, then by their signs, positive ones first, and their poses.
     pub found: Vec<Assembly>,
+    /// Whether every block without a closed form has no other poses than these, but in `undecided` ranges.
+    pub proven: bool,
+    /// Unknowns of the vector form, and ranges in which it is not known whether they have poses.
+    pub undecided: Vec<(usize, [f64; 2])>,
     /// Whether combinations were left untried because there are more than [`LARGEST`].
     pub cut_short: bool,
 }
@@ -70,18 +79,26 @@ pub fn assemblies(interpreted: &Interpreted, t: f64) -> Assemblies {
         textbook: &textbook,
         drawn: &drawn,
         found: Vec::new(),
+        proven: true,
+        undecided: Vec::new(),
         tried: 0,
     };
     let start = interpreted.before_assembly(t);
     search.below(0, &drawn, &[], &start);
     let Search {
-        mut found, tried, ..
+        mut found,
+        tried,
+        proven,
+        undecided,
+        ..
     } = search;
     found.sort_by_key(|it| !it.drawn);
     Assemblies {
         modes: drawn.closed.len(),
         iterated: drawn.iterated.len(),
         found,
+        proven: proven && tried <= LARGEST,
+        undecided,
         cut_short: tried > LARGEST,
     }
 }
@@ -91,12 +108,14 @@ struct Search<'a> {
     textbook: &'a TextbookEquations,
     drawn: &'a Modes,
     found: Vec<Assembly>,
+    proven: bool,
+    undecided: Vec<(usize, [f64; 2])>,
     tried: usize,
 }
 
 impl Search<'_> {
     /// Tries all signs and poses of this block and those after it.
-    fn below(&mut self, block: usize, modes: &Modes, poses: &[usize], state: &State) {
+    fn below(&mut self, block: usize, modes: &Modes, poses: &[Pose], state: &State) {
         let blocks = &self.interpreted.compiled().blocks;
         let Some(own) = blocks.get(block) else {
             self.confirm(modes, poses, state);
@@ -118,17 +137,22 @@ impl Search<'_> {
                     Branch::Negative
                 };
             }
-            let found = self.interpreted.poses(block, &modes, state);
-            for (pose, (after, modes)) in found.iter().enumerate() {
+            let known = self.interpreted.known_poses(block, &modes, state);
+            self.proven &= known.are_all;
+            self.undecided.extend(known.undecided);
+            for (pose, (after, modes)) in known.poses.iter().enumerate() {
                 let mut poses = poses.to_vec();
-                poses.extend(is_iterated.then_some(pose));
+                poses.extend(is_iterated.then_some(Pose {
+                    place: pose,
+                    is_drawn: known.drawn == Some(pose),
+                }));
                 self.below(block + 1, modes, &poses, after);
             }
         }
     }
 
     /// Keeps the pose if the textbook equations hold there.
-    fn confirm(&mut self, modes: &Modes, poses: &[usize], state: &State) {
+    fn confirm(&mut self, modes: &Modes, poses: &[Pose], state: &State) {
         let mut instant = self.interpreted.instant(state);
         let q = DVector::from_column_slice(instant.q());
         let Ok(frame) = assemble(self.textbook, &q, state.t, &Settings::default()) else {
@@ -138,7 +162,7 @@ impl Search<'_> {
         if (0..q.len()).all(|k| (q[k] - frame.q[k]).abs() <= SAME * scale(k)) {
             instant.set_frame(&frame);
             self.found.push(Assembly {
-                drawn: modes.closed == self.drawn.closed && poses.iter().all(|pose| *pose == 0),
+                drawn: modes.closed == self.drawn.closed && poses.iter().all(|pose| pose.is_drawn),
                 modes: modes.clone(),
                 poses: poses.to_vec(),
                 instant,

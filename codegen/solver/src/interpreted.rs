@@ -16,7 +16,7 @@ use linkwright::{
 };
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::{
-    BlockWords, SingularPose, block_words, singular_poses,
+    BlockWords, Script, SingularPose, block_words, singular_poses,
 };
 use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId, Tape};
 use linkwright_codegen::stages::program::{Program, Statement, lower_with_unknowns};
@@ -248,6 +248,10 @@ impl Interpreted {
         let count = || self.residuals.set(self.residuals.get() + 1);
         self.solves.set(self.solves.get() + 1);
         let equations = newton.at(&self.compiled.code, registers, &count);
+        if let Some(tearing) = &newton.tearing {
+            tearing.solve(&equations, &last, start, mode, t, settings)?;
+            return Ok(Measure::sine(0.0));
+        }
         let mut measure = Measure::sine(0.0);
         let found: Frame<f64, nalgebra::Dyn> = match newton.measure {
             None => block::solve(&equations, &last, start, mode, t, settings)?,
@@ -276,7 +280,8 @@ impl Compiled {
         program: Program,
         measured: (Vec<MeasuredPart>, Vec<ExprId>),
     ) -> Compiled {
-        let poses = |notation| singular_poses(&system, &plan, &program.forms, notation);
+        let poses =
+            |notation| singular_poses(&system, &plan, &program.forms, Script::Text(notation));
         let words = block_words(&program.blocks, &system, &plan, &poses(Notation::Unicode));
         let poses = poses(Notation::Ascii);
         let layout = Layout::new(&system, &program.fields);

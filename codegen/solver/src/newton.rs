@@ -10,6 +10,7 @@ use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::operation::{Operation, Writer, run};
+use crate::torn::Tearing;
 
 /// The Newton-Raphson of a block.
 #[derive(Clone, Debug)]
@@ -20,6 +21,8 @@ pub(crate) struct Newton {
     pub last: [Vec<Register>; 3],
     /// The determinant and the reciprocal condition, where they are asked for.
     pub measure: Option<[Register; 2]>,
+    /// The shortcut by way of fewer unknowns, where there is one.
+    pub tearing: Option<Tearing>,
     /// Which tears are angles, whose whole turns make no other pose.
     pub is_angle: Vec<bool>,
     residual: Part,
@@ -42,9 +45,9 @@ struct ScaledBy {
 
 /// One of the functions.
 #[derive(Clone, Debug)]
-struct Part {
-    operations: Vec<Operation>,
-    results: Vec<Register>,
+pub(crate) struct Part {
+    pub operations: Vec<Operation>,
+    pub results: Vec<Register>,
 }
 
 impl Newton {
@@ -85,6 +88,7 @@ impl Newton {
             rows: newton.quantities.clone(),
             columns,
             scaled_by,
+            tearing: Tearing::new(block, &tears, system, writer),
             tears,
             last,
         })
@@ -175,7 +179,7 @@ impl ScaledBy {
 }
 
 impl Part {
-    fn new(function: &Function, writer: &mut Writer<'_>) -> Part {
+    pub fn new(function: &Function, writer: &mut Writer<'_>) -> Part {
         let (operations, results) = writer.function(function);
         Part {
             operations,
@@ -202,7 +206,28 @@ impl NewtonEquations<'_> {
         }
     }
 
-    fn write(&self, places: &[Register], values: &DVector<f64>) {
+    /// Hears of an evaluation of the residual.
+    pub fn count(&self) {
+        (self.count)();
+    }
+
+    /// What registers hold.
+    pub fn read(&self, places: &[Register]) -> Vec<f64> {
+        let registers = &*self.registers.borrow();
+        places.iter().map(|it| registers[it.index()]).collect()
+    }
+
+    /// The results of a function, whose arguments are written; `None` where it fails.
+    pub fn results(&self, part: &Part, t: f64) -> Option<Vec<f64>> {
+        let registers = &mut *self.registers.borrow_mut();
+        let mut operations = part.operations.iter();
+        let ran = operations.all(|it| run(it, self.code, registers, t, 0).is_ok());
+        let results = part.results.iter().map(|it| registers[it.index()]);
+        ran.then(|| results.collect())
+    }
+
+    /// Writes values.
+    pub fn write(&self, places: &[Register], values: &DVector<f64>) {
         let registers = &mut *self.registers.borrow_mut();
         for (place, value) in places.iter().zip(values.iter()) {
             registers[place.index()] = *value;

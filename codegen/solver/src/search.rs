@@ -157,6 +157,25 @@ impl Interpreted {
     }
 }
 
+impl Interpreted {
+    /// The unknowns that a block without a closed form has found.
+    pub(crate) fn pose_of(&self, index: usize, state: &State) -> DVector<f64> {
+        let newton = self.compiled().blocks[index].newton.as_ref();
+        newton.map_or_else(|| DVector::zeros(0), |newton| newton.pose(&state.registers))
+    }
+
+    /// Whether two poses of a block without a closed form differ by rounding alone, or by whole turns.
+    pub(crate) fn is_same_pose(
+        &self,
+        index: usize,
+        one: &DVector<f64>,
+        other: &DVector<f64>,
+    ) -> bool {
+        let newton = self.compiled().blocks[index].newton.as_ref();
+        newton.is_some_and(|newton| is_same(newton, one, other))
+    }
+}
+
 /// Whether two poses of the tears differ by rounding alone, or by whole turns.
 fn is_same(newton: &Newton, one: &DVector<f64>, other: &DVector<f64>) -> bool {
     (0..one.len()).all(|place| {

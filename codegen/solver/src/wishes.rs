@@ -1,40 +1,100 @@
-//! *Wishes like `phi2=other`* → *the modes in which a mechanism is assembled, and a pose of them*.
+//! *Wishes like `phi2=other` or `loop_p=c`* → *the modes in which a mechanism is assembled, and a pose of them*.
 
 use linkwright::{Blocks, Branch, Failure};
 use linkwright_codegen::diagnostic::nearest;
 
 use crate::instant::Instant;
-use crate::interpreted::Interpreted;
+use crate::interpreted::{Interpreted, State};
+use crate::known_poses::{self, KnownPoses};
+use crate::number::time;
 use crate::search::Sought;
 use crate::supplied::{ModeName, Modes};
 use crate::view::View;
 
 /// The modes that are wanted of some loops; those of the others are the drawing's.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Wishes(Vec<(ModeName, Sought)>);
+pub struct Wishes(Vec<(ModeName, Wish)>);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Wish {
+    Mode(Sought),
+    /// The pose with this letter, of a loop without a closed form.
+    Pose(char),
+}
+
+/// Why a mechanism cannot be assembled as wished.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unassembled {
+    /// A block cannot be solved.
+    Failed(Failure),
+    /// The block of this index has only so many poses.
+    NoPose {
+        /// The letter that was wished.
+        letter: char,
+        /// The block.
+        block: usize,
+        /// How many poses are known.
+        known: usize,
+        /// Whether these are all.
+        are_all: bool,
+        /// The time (s).
+        t: f64,
+    },
+}
+
+impl Unassembled {
+    /// The reason as a sentence.
+    pub fn explained(&self, interpreted: &Interpreted) -> String {
+        match *self {
+            Unassembled::Failed(failure) => interpreted.explained(&failure).to_string(),
+            Unassembled::NoPose {
+                letter,
+                block,
+                known,
+                are_all,
+                t,
+            } => {
+                let name = &interpreted.compiled().program.blocks[block].name;
+                let (t, least) = (time(t), if are_all { "" } else { "at least " });
+                let plural = if known == 1 { "" } else { "s" };
+                format!(
+                    "`{name}` has {least}{known} pose{plural} at t = {t} s, none of them `{letter}`; `linkwright check` lists them"
+                )
+            }
+        }
+    }
+}
 
 impl Wishes {
-    /// Reads `LOOP=positive`, `LOOP=negative` or `LOOP=other`.
+    /// Reads `LOOP=positive`, `LOOP=negative`, `LOOP=other`, or of a loop without a closed form the letter of a pose, as `check` lists them.
     ///
     /// # Errors
     /// A sentence where a wish cannot be read, or names no loop.
     pub fn read(interpreted: &Interpreted, texts: &[String]) -> Result<Wishes, String> {
         let known = interpreted.mode_names();
-        let mut found: Vec<(ModeName, Sought)> = Vec::new();
+        let mut found: Vec<(ModeName, Wish)> = Vec::new();
         for text in texts {
             let Some((name, mode)) = text.split_once('=') else {
                 return Err(format!(
-                    "`{text}` is not of the form LOOP=positive, LOOP=negative or LOOP=other"
+                    "`{text}` is not of the form LOOP=positive, LOOP=negative, LOOP=other or LOOP=c"
                 ));
             };
             let Some(own) = known.iter().find(|it| it.name == name) else {
                 return Err(unknown(name, &known));
             };
             let modes = ["positive", "negative", "other"];
-            let wish = match mode {
-                "positive" => Sought::Sign(Branch::Positive),
-                "negative" => Sought::Sign(Branch::Negative),
-                "other" => Sought::Other,
+            let mut letters = mode.chars();
+            let wish = match (mode, letters.next(), letters.next()) {
+                ("positive", ..) => Wish::Mode(Sought::Sign(Branch::Positive)),
+                ("negative", ..) => Wish::Mode(Sought::Sign(Branch::Negative)),
+                ("other", ..) => Wish::Mode(Sought::Other),
+                (_, Some(letter @ 'a'..='z'), None) if !own.is_closed => Wish::Pose(letter),
+                (_, Some('a'..='z'), None) => {
+                    return Err(format!(
+                        "`{name}` has a closed form, whose modes are: {}",
+                        modes.join(", ")
+                    ));
+                }
                 _ => {
                     return Err(format!(
                         "no assembly mode is named `{mode}`{}\n  the modes are: {}",
@@ -54,36 +114,62 @@ impl Wishes {
     /// Assembles the mechanism at time `t` (s) as wished, block by block, with its nominal parameters and inputs.
     ///
     /// # Errors
-    /// The first block that cannot be solved; [`WrongBranch`](linkwright::FailureKind::WrongBranch) where no pose of the wanted mode was found.
+    /// The first block that cannot be solved, with [`WrongBranch`](linkwright::FailureKind::WrongBranch) where no pose of the wanted mode
+    /// was found, or that has no pose of the wanted letter.
     pub fn assembled(
         &self,
         interpreted: &Interpreted,
         t: f64,
-    ) -> Result<(Instant, Modes), Failure> {
+    ) -> Result<(Instant, Modes), Unassembled> {
         let mut modes = interpreted.drawn_branches();
         for (name, wish) in self.0.iter().filter(|(name, _)| name.is_closed) {
             let mode = &mut modes.closed[name.place];
             *mode = match wish {
-                Sought::Near => *mode,
-                Sought::Sign(sign) => *sign,
-                Sought::Other => mode.opposite(),
+                Wish::Mode(Sought::Sign(sign)) => *sign,
+                Wish::Mode(Sought::Other) => mode.opposite(),
+                Wish::Mode(Sought::Near) | Wish::Pose(_) => *mode,
             };
         }
         let mut state = interpreted.before_assembly(t);
         for (index, block) in interpreted.compiled().blocks.iter().enumerate() {
-            let own = self
-                .0
-                .iter()
-                .find(|(name, _)| !name.is_closed && name.place == block.iterated);
-            let sought = own
-                .filter(|_| block.newton.is_some())
-                .map_or(Sought::Near, |(_, wish)| *wish);
+            let mut own = self.0.iter();
+            let own = own.find(|(name, _)| !name.is_closed && name.place == block.iterated);
+            let sought = match own.filter(|_| block.newton.is_some()) {
+                None => Sought::Near,
+                Some((_, Wish::Mode(sought))) => *sought,
+                Some((_, Wish::Pose(letter))) => {
+                    (state, modes) = lettered(interpreted, index, *letter, &state, &modes)?;
+                    continue;
+                }
+            };
             let assembled = interpreted.assemble_block(index, &mut state, &mut modes, sought);
-            assembled
-                .map_err(|failure| failure.in_block(u16::try_from(index).unwrap_or(u16::MAX)))?;
+            assembled.map_err(|failure| {
+                let block = u16::try_from(index).unwrap_or(u16::MAX);
+                Unassembled::Failed(failure.in_block(block))
+            })?;
         }
         Ok((interpreted.instant(&state), modes))
     }
+}
+
+/// The pose of a block with a letter.
+fn lettered(
+    interpreted: &Interpreted,
+    block: usize,
+    letter: char,
+    state: &State,
+    modes: &Modes,
+) -> Result<(State, Modes), Unassembled> {
+    let KnownPoses { poses, are_all, .. } = interpreted.known_poses(block, modes, state);
+    let place = (0..poses.len()).find(|&place| known_poses::letter(place) == Some(letter));
+    let found = place.and_then(|place| poses.get(place));
+    found.cloned().ok_or(Unassembled::NoPose {
+        letter,
+        block,
+        known: poses.len(),
+        are_all,
+        t: state.t,
+    })
 }
 
 fn unknown(name: &str, known: &[ModeName]) -> String {

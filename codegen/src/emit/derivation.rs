@@ -17,6 +17,7 @@ mod text_page;
 
 pub use block_words::{BlockWords, block_words};
 pub use html_page::{HtmlDerivation, HtmlSection};
+pub use script::Script;
 pub use singular::SingularPose;
 
 use std::cell::RefCell;
@@ -28,7 +29,6 @@ use crate::structure::SolvedPlan;
 use crate::system::System;
 use crate::words::Phrase;
 use page::Writer;
-use script::Script;
 use spelling::Spelling;
 
 /// The derivation as plain text.
@@ -58,22 +58,9 @@ pub fn singular_poses(
     system: &System,
     plan: &SolvedPlan,
     forms: &[Vec<Arc<dyn Form>>],
-    notation: Notation,
+    script: Script,
 ) -> Vec<SingularPose> {
-    singular::singular_poses(
-        &mut Spelling::new(system, Script::Text(notation)),
-        plan,
-        forms,
-    )
-}
-
-/// The same with formulas in LaTeX.
-pub fn singular_poses_in_latex(
-    system: &System,
-    plan: &SolvedPlan,
-    forms: &[Vec<Arc<dyn Form>>],
-) -> Vec<SingularPose> {
-    singular::singular_poses(&mut Spelling::new(system, Script::Latex), plan, forms)
+    singular::singular_poses(&mut Spelling::new(system, script), plan, forms)
 }
 
 /// What each joint and driver asks for, in the order of the mechanism, as sentences with formulas in MathML.
@@ -98,15 +85,6 @@ pub fn constraints_in_html(system: &System) -> Vec<String> {
 pub struct PlainWords {
     /// Formulas in words are made in its graph.
     spelling: RefCell<Spelling>,
-}
-
-/// Where each part of the plan is singular, in solve order, with formulas in MathML and everything else escaped.
-pub fn singular_poses_in_html(
-    system: &System,
-    plan: &SolvedPlan,
-    forms: &[Vec<Arc<dyn Form>>],
-) -> Vec<SingularPose> {
-    singular::singular_poses(&mut Spelling::new(system, Script::Html), plan, forms)
 }
 
 impl PlainWords {

@@ -23,6 +23,7 @@ pub mod report;
 pub mod rust;
 mod scalar;
 pub mod text;
+mod typeset;
 
 pub use language::{Language, OutputFile};
 pub use notation::Notation;

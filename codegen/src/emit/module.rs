@@ -18,7 +18,7 @@ pub(super) mod tubes;
 use std::collections::HashSet;
 
 use super::Notation;
-use super::derivation::{self, BlockWords, PlainWords, SingularPose};
+use super::derivation::{self, BlockWords, PlainWords, Script, SingularPose};
 use super::scalar::Scalar;
 use crate::expr::SymbolId;
 use crate::program::passes::names::LocalNames;
@@ -73,7 +73,8 @@ impl<'a> Module<'a> {
         names: Words,
     ) -> Module<'a> {
         let kept = program.fields.iter().copied();
-        let poses = derivation::singular_poses(system, plan, &program.forms, Notation::Unicode);
+        let script = Script::Text(Notation::Unicode);
+        let poses = derivation::singular_poses(system, plan, &program.forms, script);
         Module {
             fields: LocalNames::of_symbols(kept, system, names.of_frames, names.spelled),
             words: derivation::block_words(&program.blocks, system, plan, &poses),

@@ -1,6 +1,8 @@
 //! What the solved view computes and leaves out → lines of text, for the generated header and for people.
 
-use crate::program::{Operations, Report};
+use crate::program::{
+    BEYOND_STEPS, EVALUATIONS, Iterations, Operations, Report, STEPS, Work, work,
+};
 
 /// One fact a line.
 pub fn lines(report: &Report) -> Vec<String> {
@@ -26,6 +28,7 @@ pub fn lines(report: &Report) -> Vec<String> {
     {
         lines.push(format!("{level}: {operations}."));
     }
+    lines.extend(report.iterations.iter().flat_map(iterations));
     if let Some(operations) = report.transmission {
         lines.push(format!("Transmission: {operations}."));
     }
@@ -35,6 +38,7 @@ pub fn lines(report: &Report) -> Vec<String> {
     if let Some(operations) = report.forces {
         lines.push(format!("Forces: {operations}."));
     }
+    lines.extend(of_work(&report.work));
     if report.operations != report.all_operations {
         let total = |levels: [Operations; 3]| levels.iter().map(Operations::total).sum::<usize>();
         lines.push(format!(
@@ -44,6 +48,77 @@ pub fn lines(report: &Report) -> Vec<String> {
         ));
     }
     lines
+}
+
+/// What Newton-Raphson takes in one block, and how often at most.
+fn iterations(it: &Iterations) -> Vec<String> {
+    let Iterations {
+        block,
+        unknowns,
+        torn,
+        residuals,
+        jacobian,
+    } = it;
+    let [more_residuals, more_jacobians] = BEYOND_STEPS.map(|more| STEPS + more);
+    let mut lines = Vec::new();
+    let opening = match torn {
+        None => format!("Newton-Raphson of {block}, beside these"),
+        Some(torn) => {
+            let tears = match torn.tears {
+                1 => "1 tear".to_string(),
+                count => format!("{count} tears"),
+            };
+            lines.push(format!(
+                "Newton-Raphson of {block}, beside these: {tears} of {unknowns} unknowns, at most {EVALUATIONS} times {}; then once {}.",
+                torn.evaluation, torn.completion
+            ));
+            "Where that does not lead through".to_string()
+        }
+    };
+    lines.push(format!(
+        "{opening}: {unknowns} unknowns at once, at most {more_residuals} times {residuals} for residuals, and at most {more_jacobians} \
+         times {jacobian} for the Jacobian and its elimination."
+    ));
+    lines
+}
+
+/// What a call of `advance` takes at most.
+fn of_work(work: &Work) -> Vec<String> {
+    let attempt = grouped(work.attempt.total());
+    let substeps = work::SUBSTEPS;
+    let mut lines = vec![match work.is_iterated {
+        false => format!("Advance: {attempt} operations, the same for every frame."),
+        true => format!("Advance: at most {attempt} operations, with {STEPS} iterations."),
+    }];
+    if let Some(window) = work.window {
+        let window = grouped(window.total());
+        let looks = work::LOOKS;
+        lines.push(format!(
+            "Where a frame is the first of a window of its path: at most {looks} times {window} operations more."
+        ));
+    }
+    lines.push(format!(
+        "Where one attempt does not lead to it: at most {substeps} attempts and {} operations in all{}.",
+        grouped(work.whole()),
+        match work.window {
+            Some(_) => ", dead points included",
+            None => "",
+        }
+    ));
+    lines
+}
+
+/// `1,234,567`
+fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
 }
 
 /// The names, at most twenty of them.

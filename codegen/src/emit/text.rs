@@ -6,6 +6,7 @@ pub(super) mod table;
 
 pub(crate) use inspect::given;
 pub use inspect::inspect;
+pub use table::shown_width;
 
 use super::Notation;
 use super::formula::Printer;

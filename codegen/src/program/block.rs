@@ -9,6 +9,7 @@ use super::forms::{DrawnMode, Form, Transposed, recognize};
 use super::function::{Function, Level, Statement};
 use super::lengths::Lengths;
 use super::path::{Path, Paths};
+use super::tearing::Tearing;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
 use crate::structure::SolvedBlock;
@@ -94,6 +95,8 @@ pub struct NewtonBlock {
     pub time_derivative: Function,
     /// Minus the second rates of the residuals with the tears' accelerations zero.
     pub gamma: Function,
+    /// The shortcut by way of fewer unknowns, where there is one.
+    pub tearing: Option<Tearing>,
 }
 
 /// The fields that hold how far a part is from singular.
@@ -119,7 +122,7 @@ impl Measured {
 
 impl NewtonBlock {
     /// Its four functions.
-    pub fn functions(&self) -> [&Function; 4] {
+    pub fn equations(&self) -> [&Function; 4] {
         [
             &self.residual,
             &self.jacobian,
@@ -128,14 +131,22 @@ impl NewtonBlock {
         ]
     }
 
+    /// All its functions: its equations, and those of its tearing.
+    pub fn functions(&self) -> impl Iterator<Item = &Function> {
+        let torn = self.tearing.iter().flat_map(Tearing::functions);
+        self.equations().into_iter().chain(torn)
+    }
+
     /// The same, to be changed.
-    pub(super) fn functions_mut(&mut self) -> [&mut Function; 4] {
-        [
+    pub(super) fn functions_mut(&mut self) -> impl Iterator<Item = &mut Function> {
+        let torn = self.tearing.iter_mut().flat_map(Tearing::functions_mut);
+        let equations = [
             &mut self.residual,
             &mut self.jacobian,
             &mut self.time_derivative,
             &mut self.gamma,
-        ]
+        ];
+        equations.into_iter().chain(torn)
     }
 }
 
@@ -206,13 +217,7 @@ impl<'a> Lowering<'a> {
         let forms: Vec<Arc<dyn Form>> = block
             .parts
             .iter()
-            .map(|part| {
-                recognize(
-                    part,
-                    &self.system.vector_form,
-                    &mut self.system.mechanism.graph,
-                )
-            })
+            .map(|part| recognize(part, self.system))
             .collect();
         let name = self.set_apart(block_name(block, self.system));
         let how = match &forms[..] {

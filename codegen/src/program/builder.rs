@@ -1,6 +1,6 @@
 //! What forms of all kinds state their functions with.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::block::{Branch, Lowering, Measured, PageName};
 use super::directional_derivatives::DirectionalDerivatives;
@@ -29,10 +29,25 @@ pub struct Builder<'a> {
     measured: Vec<Measured>,
     page_names: HashMap<SymbolId, PageName>,
     written_out: HashSet<SymbolId>,
-    writes_prose: bool,
+    pub(super) writes_prose: bool,
     /// How many links of the block change their length.
     pub(super) stretched: usize,
+    /// What is noted of the closed forms inside a torn block, while they are stated.
+    pub(super) inside: Option<Inside>,
 }
+
+/// What closed forms inside a torn block find.
+#[derive(Debug, Default)]
+pub(super) struct Inside {
+    /// Their signs, with what has the sign in the drawing.
+    pub signs: Vec<(SymbolId, f64)>,
+    /// The directions of angles.
+    pub directions: BTreeMap<usize, Direction>,
+}
+
+/// A closed form inside a torn block is too close to singular where the square of its sine is one part in so many: it amplifies
+/// rounding eightfold.
+const SLENDER: i128 = 64;
 
 /// The cosine and the sine of an angle that was found.
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +74,7 @@ impl<'a> Builder<'a> {
             page_names: HashMap::new(),
             written_out: HashSet::new(),
             stretched: 0,
+            inside: None,
         }
     }
 
@@ -335,6 +351,10 @@ impl<'a> Builder<'a> {
 
     /// The angle of a direction, and the arms that turn with it.
     pub fn angle(&mut self, unknown: usize, direction: Direction) {
+        if let Some(inside) = &mut self.inside {
+            inside.directions.insert(unknown, direction);
+            return self.arms(unknown, direction);
+        }
         let target = self.system.vector_form.unknowns[unknown].position;
         self.statements.push(Statement::Angle {
             target,
@@ -364,7 +384,7 @@ impl<'a> Builder<'a> {
 
     /// Sine and cosine of an angle that is known explicitly, where an arm turns with it.
     pub fn explicit_angle(&mut self, unknown: usize) {
-        if self.system.vector_form.arms_of(unknown).next().is_none() {
+        if self.inside.is_none() && self.system.vector_form.arms_of(unknown).next().is_none() {
             return;
         }
         let name = self.system.unknown_name(unknown).to_string();
@@ -380,6 +400,9 @@ impl<'a> Builder<'a> {
             sine: self.graph().variable(sine),
             cosine: self.graph().variable(cosine),
         };
+        if let Some(inside) = &mut self.inside {
+            inside.directions.insert(unknown, direction);
+        }
         self.arms(unknown, direction);
     }
 
@@ -432,6 +455,22 @@ impl<'a> Builder<'a> {
         scale: ExprId,
         [distance, longest, shortest]: [ExprId; 3],
     ) {
+        if self.inside.is_some() {
+            // Before its form is singular, rounding is amplified.
+            let least = Rational::new(1, SLENDER).unwrap_or(Rational::ONE);
+            let graph = self.graph();
+            let least = graph.scale(Number::rational(least), scale);
+            let excess = graph.subtract(excess, least);
+            let zero = graph.zero();
+            self.statements.push(Statement::Reach {
+                excess,
+                scale,
+                distance: zero,
+                longest: zero,
+                shortest: zero,
+            });
+            return;
+        }
         self.statements.push(Statement::Reach {
             excess,
             scale,
@@ -450,6 +489,11 @@ impl<'a> Builder<'a> {
 
     /// A new assembly mode as a factor that is +1 or −1, which has the sign of the sine `drawn`. A page writes the sign of the drawing.
     pub fn branch(&mut self, name: String, meaning: String, drawn: f64) -> ExprId {
+        if let Some(inside) = &mut self.inside {
+            let symbol = self.system.intermediate("sign");
+            inside.signs.push((symbol, drawn));
+            return self.graph().variable(symbol);
+        }
         let symbol = self.system.intermediate("branch");
         self.branches.push(Branch {
             name,

@@ -92,6 +92,34 @@ impl DirectionalDerivatives {
         derivatives
     }
 
+    /// Adds a direction for each of these unknowns, along which it grows by one; what has not been found is held. Says where they are.
+    pub(super) fn tear(&mut self, unknowns: &[usize], system: &mut System) -> Vec<usize> {
+        let count = system.vector_form.unknowns.len();
+        let mut places = Vec::with_capacity(unknowns.len());
+        for &unknown in unknowns {
+            let name = system.unknown_name(unknown).to_string();
+            let mut values = vec![None; count];
+            values[unknown] = Some(system.mechanism.graph.one());
+            places.push(self.directions.len());
+            self.directions.push(Along {
+                symbol: system.intermediate(&name),
+                name,
+                is_parameter: false,
+                values,
+                rates: vec![None; count],
+                arms: HashMap::new(),
+                stretches: HashMap::new(),
+            });
+        }
+        places
+    }
+
+    /// Forgets directions that were added.
+    pub(super) fn mend(&mut self, places: &[usize]) {
+        let left = self.directions.len() - places.len();
+        self.directions.truncate(left);
+    }
+
     /// Makes the arms R ∂s/∂p of an arm R s, which are defined as it is.
     pub(super) fn change_arm(&mut self, place: usize, system: &mut System) {
         for along in self.directions.iter_mut().filter(|it| it.is_parameter) {

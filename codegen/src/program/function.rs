@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::tearing::TornFields;
 use crate::expr::{ExprId, SplineId, SymbolId};
 use crate::words::Phrase;
 
@@ -122,6 +123,8 @@ pub enum Statement {
         found: Vec<[SymbolId; 3]>,
         /// The determinant and the reciprocal condition, where they are asked for.
         measure: Option<[SymbolId; 2]>,
+        /// What else is found where the block is torn.
+        torn: Option<TornFields>,
     },
     /// The bounds of an input, its radius and its sag: how far it goes between the frames and beyond.
     Signal {
@@ -283,9 +286,16 @@ impl Statement {
             Statement::Isolate {
                 found, variation, ..
             } => found.iter().copied().chain(variation.targets()).collect(),
-            Statement::Newton { found, measure } => {
+            Statement::Newton {
+                found,
+                measure,
+                torn,
+            } => {
                 let found = found.iter().flatten().copied();
-                found.chain(measure.iter().flatten().copied()).collect()
+                let found = found.chain(measure.iter().flatten().copied());
+                found
+                    .chain(torn.iter().flat_map(TornFields::targets))
+                    .collect()
             }
             Statement::Section(_)
             | Statement::Heading(_)

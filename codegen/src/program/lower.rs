@@ -10,6 +10,7 @@ use super::function::{Function, Statement};
 use super::outputs::{Output, outputs};
 use super::passes::costs::by_level;
 use super::passes::fields::fields;
+use super::passes::iterations::iterations;
 use super::passes::liveness::{prune, prune_path};
 use super::passes::sharing::{share, share_all};
 use super::passes::zeros::propagate;
@@ -18,7 +19,7 @@ use super::requirements::requirements;
 use super::sensitivities::{Sensitivity, sensitivities};
 use super::textbook::Textbook;
 use super::transmissions::{Transmission, transmissions};
-use super::{Constants, Program, Report};
+use super::{Constants, Program, Report, Work};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
 use crate::structure::SolvedPlan;
@@ -132,10 +133,12 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
     report.kept = blocks.iter().map(|block| block.name.clone()).collect();
     let levels = by_level(&blocks, system);
     report.operations.copy_from_slice(&levels[..3]);
+    report.iterations = iterations(&blocks, system);
     report.transmission = (!transmissions.is_empty()).then_some(levels[3]);
     report.forces = (!forces.fields().is_empty()).then_some(levels[5]);
     report.sensitivity = (!sensitivities.is_empty()).then_some(levels[4]);
     report.angles_left_out = angles_left_out(&blocks, system);
+    report.work = Work::of(&blocks, path.as_ref(), system);
     let read: HashSet<SymbolId> = blocks
         .iter()
         .flat_map(Block::functions)
@@ -220,9 +223,7 @@ pub fn forms_of(system: &mut System, plan: &SolvedPlan) -> Vec<Vec<Arc<dyn Form>
     blocks
         .map(|block| {
             let parts = block.parts.iter();
-            parts
-                .map(|part| recognize(part, &system.vector_form, &mut system.mechanism.graph))
-                .collect()
+            parts.map(|part| recognize(part, system)).collect()
         })
         .collect()
 }

@@ -22,6 +22,7 @@ mod prose;
 mod requirements;
 mod sensitivities;
 mod stretch;
+mod tearing;
 mod textbook;
 mod transmissions;
 
@@ -35,9 +36,12 @@ pub use lower::{forms_of, lower, lower_with_unknowns, unpruned};
 pub use outputs::Output;
 pub use passes::constants::{ConstantPart, Constants};
 pub use passes::costs::{LARGEST_PRODUCT, Operations};
+pub use passes::iterations::{BEYOND_STEPS, EVALUATIONS, Iterations, STEPS};
+pub use passes::work::{self, Work};
 pub use path::Path;
 pub use requirements::Requirements;
 pub use sensitivities::{Found, SensitiveQuantity, Sensitivity};
+pub use tearing::{Tearing, TornFields};
 pub use textbook::{LARGEST_TEXTBOOK, Textbook};
 pub use transmissions::Transmission;
 
@@ -124,10 +128,14 @@ pub struct Report {
     pub operations: [Operations; 3],
     /// The same with nothing left out.
     pub all_operations: [Operations; 3],
+    /// What Newton-Raphson takes in blocks without a closed form.
+    pub iterations: Vec<Iterations>,
     /// What the transmissions take beside the pose; `None` where there are none.
     pub transmission: Option<Operations>,
     /// What the sensitivities take beside pose and rates; `None` where there are none.
     pub sensitivity: Option<Operations>,
     /// What the forces take beside pose, rates and accelerations; `None` where none is asked for.
     pub forces: Option<Operations>,
+    /// What one call of `advance` takes at most.
+    pub work: Work,
 }

@@ -3,6 +3,7 @@
 use super::block::Block;
 use super::function::{Level, Statement};
 use crate::expr::{ExprId, SymbolId};
+use crate::joint::Quantity;
 use crate::model::{Request, Requested};
 use crate::system::System;
 
@@ -18,6 +19,8 @@ pub enum Output {
     /// A coordinate with its rate and acceleration as far as they are wanted.
     Coordinate {
         name: String,
+        /// What it is.
+        quantity: Quantity,
         /// One field a level.
         fields: Vec<SymbolId>,
     },
@@ -47,6 +50,7 @@ pub(super) fn outputs(system: &mut System) -> Option<(Vec<Output>, Block)> {
                 let all = [unknown.position, unknown.rate, unknown.acceleration];
                 Output::Coordinate {
                     name: unknown.name.clone(),
+                    quantity: unknown.quantity,
                     fields: all[..=request.level].to_vec(),
                 }
             }

@@ -7,6 +7,18 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+/// What has the same bits wherever it comes from.
+#[cfg(not(feature = "std"))]
+mod exact {
+    pub use libm::{floor, floorf, round, roundf, sqrt};
+
+    // Where the processor multiplies f32 its products are faster than the integers of `libm`.
+    #[cfg(target_abi = "eabihf")]
+    pub use crate::root::sqrt as sqrtf;
+    #[cfg(not(target_abi = "eabihf"))]
+    pub use libm::sqrtf;
+}
+
 macro_rules! borrowed {
     ($name:ident, $scalar:ident {
         exact: { $($exact:ident = $exact_free:ident: $exact_docs:literal;)* }
@@ -21,7 +33,7 @@ macro_rules! borrowed {
                     #[cfg(feature = "std")]
                     return x.$exact();
                     #[cfg(not(feature = "std"))]
-                    return libm::$exact_free(x);
+                    return super::exact::$exact_free(x);
                 }
             )*
             $(

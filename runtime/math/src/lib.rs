@@ -26,6 +26,8 @@
 mod arctangent;
 mod borrowed;
 mod far_angle;
+#[cfg(any(test, all(not(feature = "std"), target_abi = "eabihf")))]
+mod root;
 mod sine_cosine;
 
 /// The functions of f64.

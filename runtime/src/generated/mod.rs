@@ -25,7 +25,7 @@ macro_rules! precision {
             pub use crate::span::{isolate, required};
             pub use crate::{
                 BlockEquations, BlockName, Blocks, Branch, Mechanism, Shell, Start, block, kinematics, math, newton,
-                nalgebra::Const,
+                nalgebra::Const, torn, torn::Torn,
             };
 
             /// The scalar of everything in this module.

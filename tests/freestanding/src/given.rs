@@ -16,7 +16,7 @@ pub struct Call<'a, M: Mechanism> {
 }
 
 /// Assembles with the first parameters, changes them, advances with the second signals and takes one Newton-Raphson step; false
-/// and untouched points where one of them fails.
+/// and untouched points where one of them fails, or where the second parameters are refused.
 fn run<M, E, const N: usize>(
     call: &mut Call<'_, M>,
     textbook: fn(Parameters<M>, Inputs<M>) -> E,
@@ -34,7 +34,9 @@ where
     let Ok(mut mechanism) = assembled else {
         return false;
     };
-    mechanism.set_parameters(after);
+    if mechanism.set_parameters(after).is_err() {
+        return false;
+    }
     let Ok(frame) = mechanism.advance(end, second).cloned() else {
         return false;
     };

@@ -10,6 +10,10 @@ use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Check as Arguments;
 use crate::progress::Progress;
 use crate::report::{check_json, check_text, drawing, picture};
+use crate::terminal;
+
+/// The width of tables, in characters, where no terminal is narrower.
+const WIDTH: usize = 110;
 
 /// Checks the mechanism and reports it.
 ///
@@ -38,7 +42,13 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
     progress.finish();
     print(|output| match arguments.json {
         true => check_json::write(&check, output),
-        false => check_text::write(&check, output),
+        false => {
+            let mut text = Vec::new();
+            let width = terminal::columns().map_or(WIDTH, |it| it.min(WIDTH));
+            check_text::write(&check, width, &mut text)?;
+            let text = String::from_utf8_lossy(&text).into_owned();
+            output.write_all(terminal::fitted(text).as_bytes())
+        }
     })?;
     if !arguments.json {
         for warning in &check.warnings {

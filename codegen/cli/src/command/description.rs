@@ -3,7 +3,6 @@
 use std::path::Path;
 use std::{fs, io};
 
-use linkwright::Blocks;
 use linkwright_codegen::diagnostic::{Diagnostics, Source, nearest};
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::system::System;
@@ -130,8 +129,8 @@ pub fn chosen(
     }
     let wishes = Wishes::read(interpreted, wished);
     let wishes = wishes.map_err(|text| Problem(format!("error: {text}")))?;
-    let assembled = wishes.assembled(interpreted, t).map_err(|failure| {
-        let explained = interpreted.explained(&failure);
+    let assembled = wishes.assembled(interpreted, t).map_err(|reason| {
+        let explained = reason.explained(interpreted);
         Problem(format!(
             "error: the mechanism cannot be assembled so: {explained}"
         ))

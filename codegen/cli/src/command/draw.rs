@@ -56,6 +56,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
         frames: frames(&system, &arguments.frame)?,
         caption: system.mechanism.title(),
         is_moving: false,
+        ..Options::default()
     };
     let path = path(arguments, &system);
     let is_png = arguments.png

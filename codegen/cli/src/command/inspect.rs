@@ -1,7 +1,7 @@
 //! *A description → its equations and the blocks that generated code solves, on stdout.*
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::emit::derivation::{self, SingularPose};
+use linkwright_codegen::stages::emit::derivation::{self, Script, SingularPose};
 use linkwright_codegen::stages::emit::{self, Notation};
 use linkwright_codegen::stages::program::forms_of;
 use linkwright_codegen::stages::structure::{self, Freedom};
@@ -44,16 +44,16 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
                 Format::Latex => {
                     let with_poses = motions
                         .iter()
-                        .map(|system| (system, poses_in_latex(system)));
+                        .map(|system| (system, poses(system, Script::Latex)));
                     emit::latex::inspect(&with_poses.collect::<Vec<_>>())
                 }
                 Format::Text | Format::Rust => pages(Notation::Ascii),
             }
         }
     };
-    let text = match (arguments.format, terminal::columns()) {
-        (Format::Text | Format::Unicode, Some(columns)) => terminal::folded(&text, columns),
-        _ => text,
+    let text = match arguments.format {
+        Format::Text | Format::Unicode => terminal::fitted(text),
+        Format::Latex | Format::Rust => text,
     };
     print(|output| {
         output.write_all(text.as_bytes())?;
@@ -87,12 +87,7 @@ fn equations(system: &System, notation: Notation) -> String {
 /// The determinant of each block up to its sign, and what the pose is like where it is zero; nothing where the equations do
 /// not determine the motion.
 fn determinants(system: &System, notation: Notation) -> String {
-    let mut system = system.clone();
-    let Some(plan) = structure::plan_of_motion(&mut system) else {
-        return String::new();
-    };
-    let forms = forms_of(&mut system, &plan);
-    let poses = derivation::singular_poses(&system, &plan, &forms, notation);
+    let poses = poses(system, Script::Text(notation));
     if poses.is_empty() {
         return String::new();
     }
@@ -108,14 +103,14 @@ fn determinants(system: &System, notation: Notation) -> String {
     text
 }
 
-/// Where each block is singular, with formulas in LaTeX; nothing where the equations do not determine the motion.
-fn poses_in_latex(system: &System) -> Vec<SingularPose> {
+/// Where each block is singular; nothing where the equations do not determine the motion.
+fn poses(system: &System, script: Script) -> Vec<SingularPose> {
     let mut system = system.clone();
     let Some(plan) = structure::plan_of_motion(&mut system) else {
         return Vec::new();
     };
     let forms = forms_of(&mut system, &plan);
-    derivation::singular_poses_in_latex(&system, &plan, &forms)
+    derivation::singular_poses(&system, &plan, &forms, script)
 }
 
 /// The degrees of freedom by the rank of the equations.

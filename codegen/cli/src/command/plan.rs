@@ -21,9 +21,9 @@ pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
         Script::Unicode => derivation::text(&system, &plan, Notation::Unicode),
         Script::Latex => derivation::latex(&system, &plan),
     };
-    let text = match (arguments.format, terminal::columns()) {
-        (Script::Text | Script::Unicode, Some(columns)) => terminal::folded(&text, columns),
-        _ => text,
+    let text = match arguments.format {
+        Script::Text | Script::Unicode => terminal::fitted(text),
+        Script::Latex => text,
     };
     print(|output| output.write_all(text.as_bytes()))?;
     Ok(Outcome::Done)

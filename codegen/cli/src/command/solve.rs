@@ -86,16 +86,15 @@ fn report<V: View>(
 ) -> Result<Outcome, Problem> {
     let mut motion = Followed::new(view, wanted, schedule.start.t, chosen);
     // Nothing is written of a motion without a frame.
-    let table = files.frames.take().filter(|_| motion.start.is_some());
-    let size = comma_separated::size(&motion, schedule.wanted()) as f64 / GIGABYTE;
-    if table.is_some() && size > LARGE {
-        say(&format!(
-            "warning: `{}` will take about {:.1} GB\n  = help: `--no-files` writes none, and `--step` makes fewer frames",
-            table
-                .as_ref()
-                .map_or(String::new(), |it| it.path().display().to_string()),
-            size
-        ));
+    let table = files.frames.take().filter(|_| motion.is_assembled);
+    if let Some(table) = &table {
+        let size = comma_separated::size(&motion, schedule.wanted()) as f64 / GIGABYTE;
+        if size > LARGE {
+            say(&format!(
+                "warning: `{}` will take about {size:.1} GB\n  = help: `--no-files` writes none, and `--step` makes fewer frames",
+                table.path().display()
+            ));
+        }
     }
     let mut progress = Progress::new(schedule.visits());
     let mut written: Vec<String> = table

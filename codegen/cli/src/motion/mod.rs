@@ -84,9 +84,9 @@ pub struct Followed<V: View> {
     /// The same with all lengths in characteristic lengths of the mechanism.
     pub dimensionless_condition: Condition,
     /// When the motion starts (s).
-    pub start_time: f64,
-    /// The same; `None` where the mechanism cannot be assembled.
-    pub start: Option<f64>,
+    pub start: f64,
+    /// Whether it could be assembled there.
+    pub is_assembled: bool,
     /// How many wanted instants were found.
     pub count: usize,
     /// How many times were visited.
@@ -170,8 +170,8 @@ impl<V: View> Followed<V> {
         Followed {
             condition: Condition::of(&matrix),
             dimensionless_condition: Condition::of(&dimensionless(&textbook, matrix)),
-            start_time: start,
-            start: shell.is_some().then_some(start),
+            start,
+            is_assembled: shell.is_some(),
             count: 0,
             visits: usize::from(shell.is_some()),
             rows: Rows::default(),

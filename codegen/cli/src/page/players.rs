@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::equations::moved;
 use super::recorded::{Columns, Recorded, recorded};
-use super::start::unit;
+use crate::report::units::Units;
 
 /// How many instants of the drawing's motion are kept.
 const KEPT: usize = 1001;
@@ -209,7 +209,7 @@ fn coordinates(system: &System) -> Vec<Coordinate> {
             name: own.name.clone(),
             mathml: symbol(system, SymbolRole::Position(place)),
             body: own.describes.body(),
-            unit: unit(own.quantity),
+            unit: Units::si(system, place),
         })
         .collect()
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use linkwright_codegen::stages::emit::derivation::{html, singular_poses_in_html};
+use linkwright_codegen::stages::emit::derivation::{Script, html, singular_poses};
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_solver::check::Check;
 use linkwright_solver::number::time;
@@ -45,7 +45,7 @@ pub fn derivation(check: &Check) -> String {
 pub fn singular(check: &Check, determinant: Option<f64>, is_checked: bool) -> String {
     let program = check.interpreted.program();
     let (system, plan) = (check.interpreted.system(), check.interpreted.plan());
-    let poses = singular_poses_in_html(system, plan, &program.forms);
+    let poses = singular_poses(system, plan, &program.forms, Script::Html);
     let mut text = String::from(
         "<p>det Φ<sub>q</sub> is, up to its sign, the product of the determinants of the blocks: it vanishes exactly where one of these does.</p>\n",
     );

@@ -5,7 +5,6 @@ use std::fmt::Write as _;
 use linkwright::PointMotion;
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::emit::mathml::symbol;
-use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::{SymbolRole, System};
 use linkwright_solver::condition::Condition;
 use linkwright_solver::first_step::{FirstStep, first_step as first_step_from};
@@ -15,6 +14,7 @@ use linkwright_solver::view::View as _;
 use nalgebra::{DMatrix, DVector};
 
 use super::number::{mathml, number};
+use crate::report::units::Units;
 
 /// A matrix with more columns than these is listed by its nonzero entries.
 const LARGEST_MATRIX: usize = 12;
@@ -28,10 +28,10 @@ pub fn values(view: &Interpreted, instant: &Instant) -> String {
     let mut text = String::from(
         "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th></th><th>position</th><th></th><th>rate</th><th>acceleration</th><th>unit</th></tr></thead><tbody>\n",
     );
-    for (place, coordinate) in system.coordinates.iter().enumerate() {
+    for place in 0..system.coordinates.len() {
         let [q, qd, qdd] = instant.coordinate(place).unwrap_or_default();
         let name = symbol(system, SymbolRole::Position(place));
-        let unit = unit(coordinate.quantity);
+        let unit = Units::si(system, place);
         let degrees = match unit {
             "rad" => format!("{}°", number(q.to_degrees())),
             _ => String::new(),
@@ -67,15 +67,6 @@ pub fn values(view: &Interpreted, instant: &Instant) -> String {
         );
     }
     text + "</tbody></table></div>\n"
-}
-
-/// What a quantity is measured in.
-pub fn unit(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Length => "m",
-        Quantity::Angle => "rad",
-        Quantity::Power(_) => "",
-    }
 }
 
 /// The equation of the first Newton-Raphson step at `t`, from the pose of an instant before.

@@ -8,8 +8,9 @@
 //! | `closest` there | `{measure, t, times, at_end, rcond}`: the smallest size of the normalised determinant, first when, how often, whether at an end of the range, and the reciprocal condition of the dimensionless Φ_q there |
 //! | `assembly_modes` | how many signs the closed forms have |
 //! | `coordinates` | their names, in the order of `q` |
-//! | `assemblies` | `{signs, poses, drawn, q}` each: those that exist at the start; `poses` has a number for each block without a closed form, 0 for the pose found from the drawing |
+//! | `assemblies` | `{signs, poses, drawn, q}` each: those that exist at the start; `poses` has a number for each block without a closed form, 0 for its pose `a` of `--branch` |
 //! | `assemblies_cut_short` | whether more combinations were left untried |
+//! | `assemblies_proven` | whether it is proven that there are no others |
 //! | `warnings`, `error` | sentences; `error` only where the motion ends early |
 
 use std::io::{self, Write};
@@ -30,6 +31,7 @@ struct Object<'a> {
     coordinates: Vec<&'a str>,
     assemblies: Vec<Assembly<'a>>,
     assemblies_cut_short: bool,
+    assemblies_proven: bool,
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
@@ -58,7 +60,7 @@ struct Closest {
 #[derive(Serialize)]
 struct Assembly<'a> {
     signs: Vec<i8>,
-    poses: &'a [usize],
+    poses: Vec<usize>,
     drawn: bool,
     q: &'a [f64],
 }
@@ -76,7 +78,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             .iter()
             .map(|branch| branch.sign::<f64>() as i8)
             .collect(),
-        poses: &assembly.poses,
+        poses: assembly.poses.iter().map(|pose| pose.place).collect(),
         drawn: assembly.drawn,
         q: assembly.instant.q(),
     });
@@ -111,6 +113,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             .collect(),
         assemblies: assemblies.collect(),
         assemblies_cut_short: found.cut_short,
+        assemblies_proven: found.proven && found.undecided.is_empty() && !found.cut_short,
         warnings: &check.warnings,
         error: check.error.as_deref(),
     };

@@ -8,17 +8,16 @@ use linkwright_solver::search::STARTS;
 use linkwright_solver::view::View;
 use linkwright_solver::warnings::times;
 
+use super::assembly_table;
+
 /// How many assemblies are listed.
 const LISTED: usize = 64;
 
-/// How many angles a line of the table shows.
-const ANGLES: usize = 8;
-
-/// Writes everything that was checked.
+/// Writes everything that was checked; no line of a table is wider than `width`.
 ///
 /// # Errors
 /// Those of `output`.
-pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
+pub fn write(check: &Check, width: usize, output: &mut dyn Write) -> io::Result<()> {
     writeln!(output, "{}", check.interpreted.system().mechanism.title())?;
     let coordinates = check.interpreted.system().coordinates.len() as i64;
     let (kinematic, net) = (check.kinematic_freedom, check.net_freedom);
@@ -30,7 +29,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         kinematic - net
     )?;
     blocks(check, output)?;
-    assemblies(check, output)?;
+    assemblies(check, width, output)?;
     approaches(check, output)
 }
 
@@ -58,7 +57,7 @@ fn blocks(check: &Check, output: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-fn assemblies(check: &Check, output: &mut dyn Write) -> io::Result<()> {
+fn assemblies(check: &Check, width: usize, output: &mut dyn Write) -> io::Result<()> {
     let all = &check.assemblies;
     let start = time(check.start);
     let combinations = 2_f64.powi(all.modes.min(1000) as i32);
@@ -66,60 +65,36 @@ fn assemblies(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         "of 2^{} = {combinations} that the signs of closed forms allow",
         all.modes
     );
+    // What is proven needs no starts.
+    let is_proven = all.iterated > 0 && all.proven;
     let starts = format!("{STARTS} starts at random find for each block without a closed form");
     let allowed = match (all.modes, all.iterated) {
+        _ if is_proven && all.undecided.is_empty() => "; these are all".to_string(),
+        _ if is_proven => "; no others but where it is undecided".to_string(),
         (_, 0) => signs,
         (0, _) => format!("that {starts}"),
         _ => format!("{signs}, times what {starts}"),
     };
     writeln!(
         output,
-        "\nassemblies at t = {start} s: {}{} {allowed}",
-        match all.cut_short || all.iterated > 0 {
+        "\nassemblies at t = {start} s: {}{}{}{allowed}",
+        match all.cut_short || all.iterated > 0 && !is_proven {
             true => "at least ",
             false => "",
         },
         all.found.len(),
+        if is_proven { "" } else { " " },
     )?;
-    let system = &check.interpreted.system();
-    let angles: Vec<usize> = (0..system.coordinates.len())
-        .filter(|&place| system.coordinates[place].name.starts_with("phi"))
-        .take(ANGLES)
-        .collect();
-    let names: String = angles
-        .iter()
-        .map(|&place| format!("  {:>12}", system.coordinates[place].name))
-        .collect();
-    if !all.found.is_empty() {
-        writeln!(
-            output,
-            "  signs{:width$}{names}",
-            "",
-            width = signs_width(all.modes + all.iterated)
-        )?;
+    for (unknown, [low, high]) in &all.undecided {
+        let name = check.interpreted.system().unknown_name(*unknown);
+        writeln!(output, "  undecided: {name} from {low:.12} to {high:.12}")?;
     }
-    for assembly in all.found.iter().take(LISTED) {
-        let signs = assembly.label();
-        let values: String = angles
-            .iter()
-            .map(|&place| {
-                let degrees = assembly.instant.q()[place].to_degrees();
-                format!("  {:>11}°", fixed(degrees, 4))
-            })
-            .collect();
-        let drawn = if assembly.drawn { "  as drawn" } else { "" };
-        let width = 5 + signs_width(all.modes + all.iterated);
-        writeln!(output, "  {signs:width$}{values}{drawn}")?;
-    }
+    let listed = &all.found[..all.found.len().min(LISTED)];
+    assembly_table::write(&check.interpreted, listed, width, output)?;
     match all.found.len().saturating_sub(LISTED) {
         0 => Ok(()),
         more => writeln!(output, "  and {more} more"),
     }
-}
-
-/// How much wider than its heading the column of signs and letters is.
-fn signs_width(characters: usize) -> usize {
-    characters.saturating_sub(5)
 }
 
 fn approaches(check: &Check, output: &mut dyn Write) -> io::Result<()> {

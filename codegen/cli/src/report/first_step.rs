@@ -6,6 +6,8 @@ use linkwright_solver::first_step::first_step;
 use linkwright_solver::number::{fixed, time};
 use linkwright_solver::view::View;
 
+use super::motion_table::{Column, table};
+
 /// More coordinates than these make a matrix that is wider than a page; its nonzero entries are then listed row by row.
 const LARGEST_MATRIX: usize = 9;
 
@@ -33,31 +35,15 @@ pub fn write<V: View>(view: &V, t: f64, output: &mut dyn Write) -> io::Result<()
     let order = names.len();
     let rows = step.jacobian.nrows();
     if order <= LARGEST_MATRIX {
-        let mut cells = vec![names.iter().map(|it| it.to_string()).collect::<Vec<_>>()];
-        cells[0].push("-Φ".to_string());
-        for row in 0..rows {
-            let entries = (0..order).map(|column| number(step.jacobian[(row, column)]));
-            let mut entries: Vec<String> = entries.collect();
-            entries.push(number(-step.residual[row]));
-            cells.push(entries);
-        }
-        let width = |column: usize| cells.iter().map(|it| it[column].chars().count()).max();
-        let widths: Vec<usize> = (0..=order)
-            .map(|column| width(column).unwrap_or(0))
-            .collect();
-        for line in &cells {
-            let (last, entries) = line.split_last().expect("at least the right-hand side");
-            let entries = entries.iter().zip(&widths);
-            let entries: Vec<String> = entries
-                .map(|(cell, width)| format!("{cell:>width$}"))
-                .collect();
-            writeln!(
-                output,
-                "  {}  |  {last:>width$}",
-                entries.join("  "),
-                width = widths[order]
-            )?;
-        }
+        let column = |values: &mut dyn Iterator<Item = f64>| values.map(number).collect();
+        let matrix = names.iter().zip(step.jacobian.column_iter());
+        let matrix = matrix
+            .map(|(name, entries)| Column::of_texts(*name, column(&mut entries.iter().copied())));
+        let mut columns: Vec<Column> = matrix.collect();
+        columns.push(Column::of_texts("|", vec!["|".to_string(); rows]));
+        let right = column(&mut step.residual.iter().map(|it| -it));
+        columns.push(Column::of_texts("-Φ", right));
+        write!(output, "{}", table(&columns))?;
     } else {
         for row in 0..rows {
             let entries = (0..order).filter(|column| step.jacobian[(row, *column)] != 0.0);

@@ -4,7 +4,7 @@
 //! below 1e-12 of the mechanism's size count as zero. The module does not know what is to be said beside the table.
 
 use linkwright::PointMotion;
-
+use linkwright_codegen::stages::emit::text::shown_width;
 use linkwright_solver::number::{fixed, scientific};
 
 /// How many rows a table has at most.
@@ -39,16 +39,11 @@ pub fn shown(count: usize) -> Vec<usize> {
 
 /// Whether a point does not move at all, but for rounding. `size` is the characteristic length of the mechanism.
 pub fn rests(motions: &[PointMotion<f64>], size: f64) -> bool {
-    let noise = |value: f64| value.abs() <= NOISE * size;
-    let Some(first) = motions.first() else {
-        return true;
-    };
-    motions.iter().all(|it| {
-        [0, 1].into_iter().all(|axis| {
-            noise(it.position[axis] - first.position[axis])
-                && noise(it.velocity[axis])
-                && noise(it.acceleration[axis])
-        })
+    [0, 1].into_iter().all(|axis| {
+        let values = motions
+            .iter()
+            .map(|it| [it.position, it.velocity, it.acceleration].map(|level| level[axis]));
+        stands(&values.collect::<Vec<_>>(), size)
     })
 }
 
@@ -86,10 +81,18 @@ impl Column {
         }
     }
 
+    /// What is written already.
+    pub fn of_texts(name: impl Into<String>, cells: Vec<String>) -> Column {
+        Column {
+            name: name.into(),
+            cells,
+        }
+    }
+
     /// How many characters it takes.
     pub fn width(&self) -> usize {
-        let cells = self.cells.iter().map(String::len);
-        cells.max().unwrap_or(0).max(shown_width(&self.name))
+        let texts = self.cells.iter().chain([&self.name]);
+        texts.map(|it| shown_width(it)).max().unwrap_or(0)
     }
 }
 
@@ -127,10 +130,6 @@ pub fn table<'a>(columns: impl IntoIterator<Item = &'a Column>) -> String {
         text.push('\n');
     }
     text
-}
-
-fn shown_width(text: &str) -> usize {
-    text.chars().count()
 }
 
 /// All with as many decimals as the longest needs.

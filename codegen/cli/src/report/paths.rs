@@ -3,7 +3,7 @@
 use linkwright_solver::view::View;
 use plotters::prelude::*;
 
-use super::plot::{Drawing, Refused, UNITS, drawn, label_format};
+use super::plot::{Drawing, Refused, UNITS, drawn, extent, label_format};
 use crate::motion::{Course, Followed};
 
 /// The shorter side of what is drawn at least, and the longer one, in pixels.
@@ -47,16 +47,11 @@ pub fn paths<V: View>(
         return Ok(None);
     }
     let places = || paths.iter().flat_map(|(_, places)| places);
-    let ends = [0, 1].map(|axis| {
-        let values = places().map(|it| it[axis]);
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), it| {
-            (low.min(it), high.max(it))
-        })
-    });
-    let extent = ends.map(|(low, high)| high - low);
-    let longer = extent[0].max(extent[1]);
+    let ends = [0, 1].map(|axis| extent(places().map(|it| it[axis])));
+    let lengths = ends.map(|(low, high)| high - low);
+    let longer = lengths[0].max(lengths[1]);
     // A narrow extent is shown with its surroundings.
-    let sides = extent.map(|it| (SIDES[1] * it / longer).max(SIDES[0]));
+    let sides = lengths.map(|it| (SIDES[1] * it / longer).max(SIDES[0]));
     let size = [0, 1].map(|axis| sides[axis] as u32 + 2 * MARGIN + AROUND[axis]);
     let title = format!("Paths of {}", motion.title());
     drawn(&title, (size[0], size[1]), |area| draw(area, ends, &paths))

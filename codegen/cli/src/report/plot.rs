@@ -118,10 +118,6 @@ pub fn coordinates<V: View>(
     let pictures = course.coordinates.iter().zip(shown);
     let pictures = pictures.map(|(curve, &coordinate)| {
         let units = Units::of(motion.system(), coordinate, angles);
-        let size = match units.is_turn {
-            true => units.factor,
-            false => motion.system().mechanism.characteristic_length,
-        };
         let name = &motion.system().coordinates[coordinate].name;
         let panels: Vec<Panel<'_>> = (0..3)
             .map(|level| {
@@ -133,7 +129,10 @@ pub fn coordinates<V: View>(
                     title: format!("{name}{}", &"''"[..level]),
                     unit: units.levels[level],
                     curves: vec![("", values)],
-                    reference: if level == 0 { size } else { or(most, size) },
+                    reference: match level {
+                        0 => units.size,
+                        _ => or(most, units.size),
+                    },
                 }
             })
             .collect();
@@ -188,7 +187,8 @@ fn rests(panel: &Panel<'_>) -> bool {
     })
 }
 
-fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
+/// The smallest and the largest of all.
+pub(super) fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), it| {
         (low.min(it), high.max(it))
     })

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use linkwright_codegen::stages::emit::Notation;
-use linkwright_codegen::stages::emit::text::formula;
+use linkwright_codegen::stages::emit::text::{formula, shown_width};
 use linkwright_codegen::stages::model::Role;
 
 use linkwright_solver::check::equation_count;
@@ -52,7 +52,7 @@ pub fn write<V: View>(motion: &Followed<V>, how: &How, output: &mut dyn Write) -
     start(motion, output)?;
     mechanism(motion, output)?;
     if how.first_step {
-        first_step::write(&motion.view, motion.start_time, output)?;
+        first_step::write(&motion.view, motion.start, output)?;
     }
     if motion.count == 0 {
         return Ok(());
@@ -159,9 +159,9 @@ fn mechanism<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Resul
 }
 
 fn start<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
-    let when = match motion.start {
-        Some(t) => format!("at t = {} s", time(t)),
-        None => "in the drawing".to_string(),
+    let when = match motion.is_assembled {
+        true => format!("at t = {} s", time(motion.start)),
+        false => "in the drawing".to_string(),
     };
     let text = format!(
         "det Φ_q = {}, reciprocal condition {} (dimensionless: {})",
@@ -202,8 +202,20 @@ fn motions<V: View>(motion: &Followed<V>, how: &How, output: &mut dyn Write) -> 
         }
     }
     if !unprinted.is_empty() {
-        let names = unprinted.join(",");
-        writeln!(output, "\nmore with `--points {names}`")?;
+        writeln!(output)?;
+    }
+    left_out(output, "--points", &unprinted, &resting)
+}
+
+/// What has no place in a table: names that an option asks for, and what stays where it is.
+fn left_out(
+    output: &mut dyn Write,
+    option: &str,
+    unprinted: &[&str],
+    resting: &[String],
+) -> io::Result<()> {
+    if !unprinted.is_empty() {
+        writeln!(output, "more with `{option} {}`", unprinted.join(","))?;
     }
     if !resting.is_empty() {
         writeln!(output, "\n{}", resting.join("\n"))?;
@@ -247,13 +259,7 @@ fn angles<V: View>(
         let table = motion_table::table([times].into_iter().chain(&columns));
         write!(output, "{table}")?;
     }
-    if !unprinted.is_empty() {
-        writeln!(output, "more with `--show {}`", unprinted.join(","))?;
-    }
-    if !resting.is_empty() {
-        writeln!(output, "\n{}", resting.join("\n"))?;
-    }
-    Ok(())
+    left_out(output, "--show", &unprinted, &resting)
 }
 
 /// A table of each coordinate that the user has chosen.
@@ -267,10 +273,6 @@ fn chosen_coordinates<V: View>(
     for (place, &coordinate) in motion.wanted.coordinates.iter().enumerate() {
         let units = Units::of(motion.system(), coordinate, how.angles);
         let name = motion.system().coordinates[coordinate].name.as_str();
-        let size = match units.is_turn {
-            true => units.factor,
-            false => motion.system().mechanism.characteristic_length,
-        };
         let [value, rate, acceleration] = units.levels;
         writeln!(
             output,
@@ -281,7 +283,7 @@ fn chosen_coordinates<V: View>(
                 .iter()
                 .map(|row| row.coordinates[place][level] * units.factor);
             let values: Vec<f64> = values.collect();
-            Column::new(format!("{name}{}", &"''"[..level]), &values, size)
+            Column::new(format!("{name}{}", &"''"[..level]), &values, units.size)
         });
         let table = motion_table::table([times].into_iter().chain(&columns));
         write!(output, "{table}")?;
@@ -333,11 +335,9 @@ fn residuals<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Resul
     line(output, "Newton-Raphson steps", &steps)
 }
 
-/// `  title   text`, the second column aligned. Combining dots take no room on the screen.
+/// `  title   text`, the second column aligned.
 fn line(output: &mut dyn Write, title: &str, text: &str) -> io::Result<()> {
-    let combining = |it: &char| ('\u{300}'..'\u{370}').contains(it);
-    let shown = title.chars().filter(|it| !combining(it)).count();
-    let gap = " ".repeat(INDENT.saturating_sub(2 + shown).max(1));
+    let gap = " ".repeat(INDENT.saturating_sub(2 + shown_width(title)).max(1));
     writeln!(output, "  {title}{gap}{text}")
 }
 

@@ -1,4 +1,4 @@
-//! A coordinate → the units in which a person reads it, its rate and its acceleration.
+//! A coordinate → the units in which a person reads it, its rate and its acceleration, and how large it is.
 
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
@@ -12,34 +12,32 @@ pub struct Units {
     pub levels: [&'static str; 3],
     /// The value in these units of 1 in SI units.
     pub factor: f64,
-    /// Whether it is an angle.
-    pub is_turn: bool,
+    /// A characteristic value of the coordinate in these units.
+    pub size: f64,
 }
 
 impl Units {
     /// Those of a coordinate.
     pub fn of(system: &System, coordinate: usize, angles: TurnUnit) -> Units {
-        match (system.coordinates[coordinate].quantity, angles) {
-            (Quantity::Angle, TurnUnit::Rad) => Units {
-                levels: ["rad", "rad/s", "rad/s²"],
-                factor: 1.0,
-                is_turn: true,
-            },
-            (Quantity::Angle, TurnUnit::Deg) => Units {
-                levels: ["deg", "deg/s", "deg/s²"],
-                factor: 1.0_f64.to_degrees(),
-                is_turn: true,
-            },
-            (Quantity::Length, _) => Units {
-                levels: ["m", "m/s", "m/s²"],
-                factor: 1.0,
-                is_turn: false,
-            },
-            (Quantity::Power(_), _) => Units {
-                levels: ["", "1/s", "1/s²"],
-                factor: 1.0,
-                is_turn: false,
-            },
+        let length = system.mechanism.characteristic_length;
+        let (levels, factor, size) = match (system.coordinates[coordinate].quantity, angles) {
+            (Quantity::Angle, TurnUnit::Rad) => (["rad", "rad/s", "rad/s²"], 1.0, 1.0),
+            (Quantity::Angle, TurnUnit::Deg) => {
+                let factor = 1.0_f64.to_degrees();
+                (["deg", "deg/s", "deg/s²"], factor, factor)
+            }
+            (Quantity::Length, _) => (["m", "m/s", "m/s²"], 1.0, length),
+            (Quantity::Power(_), _) => (["", "1/s", "1/s²"], 1.0, length),
+        };
+        Units {
+            levels,
+            factor,
+            size,
         }
+    }
+
+    /// The SI unit of a coordinate.
+    pub fn si(system: &System, coordinate: usize) -> &'static str {
+        Units::of(system, coordinate, TurnUnit::Rad).levels[0]
     }
 }

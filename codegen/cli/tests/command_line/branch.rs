@@ -1,6 +1,7 @@
 //! `linkwright solve --branch` from the outside.
 
 use crate::folder::Folder;
+use crate::printed::{json, number};
 
 /// The exam's mechanism: a rod of length √3 from the crank's pin to a line.
 const EXAM: &str = "mechanism exam {
@@ -64,6 +65,30 @@ fn a_loop_without_a_closed_form_has_branches_too() {
     assert!(!coincide(&other, &drawn));
 }
 
+#[test]
+fn every_pose_of_a_loop_without_a_closed_form_has_a_letter() {
+    let folder = Folder::new("branch_letters", PLATFORM);
+    let ran = folder.run("check a.mech --json").exits_with(0);
+    let checked = json(&ran.stdout);
+    let assemblies = checked["assemblies"].as_array().expect("a list");
+    assert!(assemblies.len() > 1);
+    for (letter, place) in ('a'..='z').zip(0..assemblies.len()) {
+        let mut own = assemblies.iter();
+        let own = own.find(|it| it["poses"] == serde_json::json!([place]));
+        let q = own.expect("one of this letter")["q"].as_array();
+        let q: Vec<f64> = q.expect("a list").iter().map(number).collect();
+        let found = row(&folder, &format!("--branch loop_p_row_q_r={letter}"));
+        assert!(coincide(&found[1..=q.len()], &q), "{letter}: {found:?}");
+    }
+    let ran = folder.run("solve a.mech --at 0 --branch loop_p_row_q_r=z");
+    let said = format!(
+        "`loop_p_row_q_r` has {} poses at t = 0 s, none of them `z`; `linkwright check` lists them",
+        assemblies.len()
+    );
+    let error = ran.exits_with(1).stderr;
+    assert!(error.contains(&said), "{error}");
+}
+
 /// A bar that is drawn with its end far from the circle on which a distance holds it.
 const HELD: &str = "mechanism held {
     point D = (1.2, 0.4);
@@ -96,6 +121,7 @@ fn wrong_names_of_loops_and_modes_are_corrected() {
         ("z=other", "the loops with several modes are: phi2"),
         ("phi2=postive", "did you mean `positive`?"),
         ("phi2=up", "the modes are: positive, negative, other"),
+        ("phi2=a", "`phi2` has a closed form, whose modes are"),
         ("phi2", "is not of the form LOOP=positive"),
     ] {
         let ran = folder.run(&format!("solve a.mech --at 0 --branch {wish}"));

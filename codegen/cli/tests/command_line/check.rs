@@ -1,5 +1,7 @@
 //! `linkwright check` from the outside.
 
+use std::collections::BTreeSet;
+
 use serde_json::Value;
 
 use crate::folder::{EXAM, Folder};
@@ -244,11 +246,11 @@ fn the_platform_has_as_many_assemblies_as_its_polynomial_roots() {
     let all = found["assemblies"].as_array().expect("a list");
     assert_eq!(all.len(), poses_of_the_platform());
     assert_eq!(all[0]["drawn"], true);
-    for (place, assembly) in all.iter().enumerate() {
-        assert_eq!(assembly["poses"], serde_json::json!([place]));
-    }
+    let poses: BTreeSet<Option<u64>> = all.iter().map(|it| it["poses"][0].as_u64()).collect();
+    assert_eq!(poses, (0..all.len() as u64).map(Some).collect());
     let text = folder.run("check a.mech").exits_with(0).stdout;
-    assert!(text.contains("assemblies at t = 0 s: at least"), "{text}");
+    let counted = format!("assemblies at t = 0 s: {}; these are all", all.len());
+    assert!(text.contains(&counted), "{text}");
     assert!(
         text.contains("\n  a  ") && text.contains("\n  b  "),
         "{text}"
@@ -366,4 +368,59 @@ fn solve_monitors_how_close_each_block_is() {
         .exits_with(0);
     assert!(!plain.stdout.contains("determinant"));
     folder.run("solve a.mech --monitor --json").exits_with(2);
+}
+
+/// The excavator's four dyads, each with its sign; the rack's angles are no coordinates; a cam's contact is an angle of its curve.
+#[test]
+fn the_table_shows_every_unknown_of_every_block_beside_its_signs() {
+    let table = |name: &str| {
+        let folder = Folder::new(&format!("check_table_{name}"), described(name));
+        let text = folder
+            .run("check a.mech --to 0.1")
+            .exits_with(0)
+            .stdout
+            .clone();
+        let (_, rest) = text.split_once("\nassemblies at t").expect("assemblies");
+        let (table, _) = rest.split_once("\n\n").expect("an end");
+        assert!(table.lines().all(|it| it.chars().count() <= 110), "{table}");
+        table.to_string()
+    };
+    let names = |table: &str| -> Vec<String> {
+        let lines = table.lines().filter(|it| it.starts_with("  signs "));
+        let names = lines.flat_map(|it| it.split_whitespace().skip(1));
+        names.map(String::from).collect()
+    };
+    let excavator = table("excavator");
+    assert_eq!(
+        names(&excavator),
+        [
+            "phi_c3", "phi_c10", "phi_c9", "phi_c2", "phi_c8", "phi_c7", "phi_c4", "phi_c6",
+            "phi_c1", "phi_c5"
+        ]
+    );
+    let lines: Vec<&str> = excavator.lines().collect();
+    let starts = lines.iter().filter(|it| it.starts_with("  +--+ "));
+    let signs: String = starts
+        .flat_map(|it| it.split_whitespace().skip(1))
+        .filter(|it| ["+", "-"].contains(it))
+        .collect();
+    assert_eq!(signs, "+--+", "{excavator}");
+    let headings = lines.iter().filter(|it| it.trim().starts_with("block "));
+    let headings: Vec<&str> = headings.flat_map(|it| it.trim().split("  ")).collect();
+    let headings: Vec<&str> = headings.into_iter().filter(|it| !it.is_empty()).collect();
+    assert_eq!(
+        headings.iter().map(|it| it.trim()).collect::<Vec<_>>(),
+        ["block 2", "block 3", "block 4", "block 5"]
+    );
+    let rack = table("rack_steering");
+    assert_eq!(
+        names(&rack),
+        ["phi_left", "psi_u_s", "phi_right", "psi_v_t"]
+    );
+    assert!(rack.contains("explicit: phi_rack 0.0000°"), "{rack}");
+    let cam = table("cam_dwell");
+    assert_eq!(names(&cam), ["s_tip"]);
+    assert!(cam.contains("  b      b  -180.0000°"), "{cam}");
+    let lever = table("quick_return");
+    assert!(lever.contains("0.223607 m"), "{lever}");
 }

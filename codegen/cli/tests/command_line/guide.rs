@@ -5,7 +5,8 @@
 //! a page shows is one that a command of the guide writes.
 //!
 //! Where the command says something else on purpose, `GUIDE_UPDATE=1 cargo test -p linkwright-cli guide` writes it into the pages: as
-//! many lines as before from each line after a gap on. The changes are to be read like those of a snapshot.
+//! many lines as before from each line after a gap on; pictures take the place of those of the same name. The changes are to be read
+//! like those of a snapshot, and to be looked at.
 
 use std::path::{Path, PathBuf};
 
@@ -135,9 +136,10 @@ fn updated<'a>(expected: &[&'a str], printed: &[&'a str]) -> Vec<&'a str> {
 }
 
 /// All pictures in a folder and those in it.
-fn pictures(folder: &Path, found: &mut Vec<Vec<u8>>) {
+fn pictures(folder: &Path, found: &mut Vec<(PathBuf, Vec<u8>)>) {
     for path in of_kind(folder, "svg") {
-        found.push(std::fs::read(path).expect("a picture"));
+        let bytes = std::fs::read(&path).expect("a picture");
+        found.push((path, bytes));
     }
     for entry in std::fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("it can be read").path();
@@ -212,14 +214,40 @@ fn commands_print_what_the_guide_says() {
             std::fs::write(&path, rewritten).expect("a page can be written");
         }
         let place = path.parent().expect("a folder");
-        wanted.extend(shown(&page).into_iter().map(|link| place.join(link)));
-        pictures(&folder.file("."), &mut written);
+        let mut made = Vec::new();
+        pictures(&folder.file("."), &mut made);
+        for picture in shown(&page).into_iter().map(|link| place.join(link)) {
+            let same = made
+                .iter()
+                .find(|(path, _)| path.file_name() == picture.file_name());
+            if let (Some((_, bytes)), true) = (same, updates) {
+                std::fs::write(&picture, bytes).expect("a picture can be written");
+            }
+            wanted.push(picture);
+        }
+        written.extend(made.into_iter().map(|(_, bytes)| bytes));
     }
     assert!(ran >= 10, "only {ran} commands were found");
     for picture in wanted {
         let bytes = std::fs::read(&picture).unwrap_or_else(|error| panic!("{picture:?}: {error}"));
         assert!(written.contains(&bytes), "no command writes {picture:?}");
     }
+}
+
+#[test]
+fn the_gallery_shows_every_description() {
+    let page = repository().join("codegen/guide/gallery.md");
+    let page = std::fs::read_to_string(page).expect("the gallery");
+    let descriptions = of_kind(&repository().join("mechanisms"), "mech");
+    let names: Vec<String> = descriptions
+        .iter()
+        .filter_map(|it| Some(it.file_stem()?.to_str()?.to_string()))
+        .collect();
+    assert!(names.len() >= 20, "{names:?}");
+    let mut pictures = shown(&page);
+    pictures.sort_unstable();
+    let wanted: Vec<String> = names.iter().map(|it| format!("gallery/{it}.svg")).collect();
+    assert_eq!(pictures, wanted);
 }
 
 #[test]

@@ -4,8 +4,9 @@ use super::printer::Printer;
 use super::text::Text;
 use super::words::WORDS;
 use super::{
-    api, assembly, block, block_names, coordinates, forces, frame, newton, normalized_determinant,
-    parameters, path, points, runtime, sensitivity, shell, tables, textbook, transmission,
+    api, assembly, block, block_names, coordinates, equations, forces, frame,
+    normalized_determinant, parameters, path, points, runtime, sensitivity, shell, tables,
+    textbook, transmission,
 };
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
@@ -177,9 +178,9 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
 /// The constants and functions of one motion.
 fn definitions(printer: &Printer<'_>, text: &mut Text) {
     let mut code = Text::default();
-    newton::given(printer, &mut code);
+    equations::given(printer, &mut code);
     parameters::drawn(printer, &mut code);
-    newton::equations(printer, &mut code);
+    equations::equations(printer, &mut code);
     block::functions(printer, &mut code);
     path::path(printer, &mut code);
     shell::solve(printer, &mut code);

@@ -10,6 +10,7 @@ mod block;
 mod block_names;
 mod comment;
 mod coordinates;
+mod equations;
 mod expression;
 mod file;
 mod forces;
@@ -27,6 +28,7 @@ mod statement;
 mod tables;
 mod text;
 mod textbook;
+mod torn;
 mod transmission;
 mod words;
 

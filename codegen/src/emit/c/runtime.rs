@@ -6,13 +6,14 @@
 use crate::emit::scalar::Scalar;
 
 /// The parts that both scalars share, in the order in which they build on each other.
-const PARTS: [&str; 11] = [
+const PARTS: [&str; 12] = [
     include_str!("runtime/angle.c"),
     include_str!("runtime/closed_form.c"),
     include_str!("runtime/linear.c"),
     include_str!("runtime/multipliers.c"),
     include_str!("runtime/newton.c"),
     include_str!("runtime/assembly.c"),
+    include_str!("runtime/torn.c"),
     include_str!("runtime/span.c"),
     include_str!("runtime/guard.c"),
     include_str!("runtime/way.c"),

@@ -145,14 +145,18 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
         true => module.system.coordinates.as_slice(),
         false => &[],
     };
-    let points = point_functions(printer);
+    // Points follow from coordinates.
+    let points = match coordinates.is_empty() {
+        true => point_functions(printer),
+        false => Vec::new(),
+    };
     let count = coordinates.len() + 2 * points.len();
     if module.program.path.is_none() || count == 0 {
         return 0;
     }
     text.gap();
     text.comment([
-        "The coordinates of a frame and the components of its points, by which poses are compared.",
+        "The coordinates of a frame, or where it holds none the components of its points, by which poses are compared.",
     ]);
     text.line(format!(
         "static {real} {}(const void *found, uint16_t index)",

@@ -109,9 +109,12 @@ impl Printer<'_> {
                     [excess, scale, distance, longest, shortest].map(write);
                 let (spans, no_span) = (self.runtime("spans"), self.runtime("no_span"));
                 text.open(format!("if (!{spans}({excess}, {scale})) {{"));
-                text.line(format!(
-                    "return {no_span}({distance}, {longest}, {shortest}, conditions, {block}U);"
-                ));
+                text.line(match scope.is_inside() {
+                    true => "return false;".to_string(),
+                    false => format!(
+                        "return {no_span}({distance}, {longest}, {shortest}, conditions, {block}U);"
+                    ),
+                });
                 text.close("}");
             }
             Statement::Nonzero { value, scale } => {
@@ -124,9 +127,10 @@ impl Printer<'_> {
                 text.open(format!(
                     "if (!{spans}({factor} * {factor}, {unit} * {unit})) {{"
                 ));
-                text.line(format!(
-                    "return {failed}({value}, {scale}, conditions, {block}U);"
-                ));
+                text.line(match scope.is_inside() {
+                    true => "return false;".to_string(),
+                    false => format!("return {failed}({value}, {scale}, conditions, {block}U);"),
+                });
                 text.close("}");
             }
             Statement::Newton { .. } | Statement::Factorize | Statement::Solve { .. } => {

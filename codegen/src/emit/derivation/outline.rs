@@ -46,7 +46,13 @@ pub(super) fn summary(system: &System, plan: &SolvedPlan, forms: &[Vec<Arc<dyn F
     }
     let iterated = forms.iter().flatten().filter(|form| form.modes().is_none());
     let sizes: Vec<String> = iterated
-        .map(|form| form.unknowns().len().to_string())
+        .map(|form| {
+            let (size, guessed) = (form.unknowns().len(), form.guessed());
+            match guessed < size {
+                true => format!("{size} (by way of {guessed})"),
+                false => size.to_string(),
+            }
+        })
         .collect();
     let newton = match &sizes[..] {
         [] => "no Newton-Raphson".to_string(),

@@ -10,9 +10,9 @@ use crate::emit::{Notation, latex, mathml, text};
 use crate::expr::ExprId;
 use crate::system::{SymbolRole, System};
 
-/// What a page is written in.
+/// What words and formulas are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Script {
+pub enum Script {
     /// Plain text.
     Text(Notation),
     /// Formulas for math mode, words escaped.

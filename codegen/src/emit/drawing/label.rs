@@ -4,6 +4,8 @@
 //! anchor. Names are placed one after another, then each again while the others stay (Christensen, Marks and Shieber 1995 compare
 //! such searches). Afterwards no two names overlap and all lie in the area. The same input gives the same places.
 
+use std::cell::OnceCell;
+
 use super::obstacles::Obstacles;
 use super::plane::{Bounds, Point, distance, onward};
 
@@ -35,6 +37,9 @@ const STEPS: [f64; 7] = [0.0, 5.0, 11.0, 19.0, 30.0, 44.0, 64.0];
 /// How many free places are compared for a name that finds no room beside what it names.
 const NEAREST: usize = 100;
 
+/// A candidate that costs less than this is free.
+const FREE: f64 = 12.0;
+
 /// How often each name is placed again.
 const ROUNDS: usize = 3;
 
@@ -52,17 +57,17 @@ pub(super) fn placed(
     obstacles: &Obstacles,
     area: &Bounds,
 ) -> Vec<Option<Placed>> {
-    let candidates: Vec<Vec<(f64, Placed)>> = labels
+    let candidates: Vec<Vec<Candidate>> = labels
         .iter()
         .map(|label| candidates(label, obstacles, area))
         .collect();
+    let cost = |at: usize, candidate: &Candidate| candidate.cost(obstacles, labels[at].owner);
     let mut chosen: Vec<Option<Placed>> = vec![None; labels.len()];
     // Those with the fewest free candidates first.
     let mut order: Vec<usize> = (0..labels.len()).collect();
     let free = |at: usize| {
-        candidates[at]
-            .iter()
-            .filter(|(cost, _)| *cost < 12.0)
+        let all = candidates[at].iter();
+        all.filter(|it| it.least < FREE && cost(at, it) < FREE)
             .count()
     };
     order.sort_by_key(|&at| free(at));
@@ -73,13 +78,19 @@ pub(super) fn placed(
                 .filter_map(rest)
                 .map(|it| it.area.widened(1.5))
                 .collect();
-            let fits = |it: &&(f64, Placed)| others.iter().all(|other| !other.meets(&it.1.area));
-            let best = candidates[at]
-                .iter()
-                .filter(fits)
-                .min_by(|a, b| a.0.total_cmp(&b.0));
+            let mut best: Option<(f64, Placed)> = None;
+            for candidate in &candidates[at] {
+                let is_better = |cost: f64| best.is_none_or(|(least, _)| cost < least);
+                let fits = |area: &Bounds| others.iter().all(|other| !other.meets(area));
+                if is_better(candidate.least) && fits(&candidate.placed.area) {
+                    let cost = cost(at, candidate);
+                    if is_better(cost) {
+                        best = Some((cost, candidate.placed));
+                    }
+                }
+            }
             chosen[at] = match best {
-                Some((_, placed)) => Some(*placed),
+                Some((_, placed)) => Some(placed),
                 // In the end any free place is better than none.
                 None if round == ROUNDS => anywhere(&labels[at], &others, obstacles, area),
                 None => None,
@@ -89,7 +100,23 @@ pub(super) fn placed(
     chosen
 }
 
-fn candidates(label: &Label, obstacles: &Obstacles, area: &Bounds) -> Vec<(f64, Placed)> {
+/// A place where a name may stand.
+struct Candidate {
+    /// What it costs if it covers nothing.
+    least: f64,
+    placed: Placed,
+    /// What it covers is found out where somebody asks.
+    whole: OnceCell<f64>,
+}
+
+impl Candidate {
+    fn cost(&self, obstacles: &Obstacles, owner: Option<usize>) -> f64 {
+        let whole = || self.least + obstacles.cost(&self.placed.area, owner);
+        *self.whole.get_or_init(whole)
+    }
+}
+
+fn candidates(label: &Label, obstacles: &Obstacles, area: &Bounds) -> Vec<Candidate> {
     let mut found = Vec::new();
     for anchor in &label.anchors {
         let is_upon = anchor.out == [0.0; 2];
@@ -106,9 +133,12 @@ fn candidates(label: &Label, obstacles: &Obstacles, area: &Bounds) -> Vec<(f64, 
             }
             let is_led = *step > 25.0;
             let far = if is_led { 8.0 } else { 0.0 };
-            let cost = anchor.cost + far + 0.42 * step + obstacles.cost(&own, label.owner);
             let leader = is_led.then_some(anchor.at);
-            found.push((cost, Placed { area: own, leader }));
+            found.push(Candidate {
+                least: anchor.cost + far + 0.42 * step,
+                placed: Placed { area: own, leader },
+                whole: OnceCell::new(),
+            });
         }
     }
     found

@@ -45,3 +45,4 @@ pub use picture::{Options, draw};
 pub use plane::Point;
 pub use pose::Pose;
 pub use sheet::{Panel, sheet};
+pub use style::Themes;

@@ -14,7 +14,8 @@ const CELL: f64 = 32.0;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Obstacles {
     segments: Vec<(f64, [Point; 2])>,
-    fills: Vec<(usize, Vec<Point>)>,
+    /// Shapes, each with its owner and its bounds.
+    fills: Vec<(usize, Bounds, Vec<Point>)>,
     /// The segments and the fills near each cell.
     cells: BTreeMap<[i64; 2], [Vec<usize>; 2]>,
     /// Boxes that are taken.
@@ -52,7 +53,7 @@ impl Obstacles {
                     let [_, fills] = self.cells.entry(cell).or_default();
                     fills.push(self.fills.len());
                 }
-                self.fills.push((owner, trace.points.clone()));
+                self.fills.push((owner, bounds, trace.points.clone()));
             }
             // What is small and closed hides a name that lies within as well.
             (Look::Part | Look::Ink, _) => {
@@ -113,8 +114,9 @@ impl Obstacles {
             area.center(),
         ];
         let covered = fills.into_iter().map(|at: usize| {
-            let (whose, points) = &self.fills[at];
-            let inside = samples.iter().filter(|it| is_inside(**it, points));
+            let (whose, bounds, points) = &self.fills[at];
+            let near = samples.iter().filter(|it| bounds.encloses(**it));
+            let inside = near.filter(|it| is_inside(**it, points));
             let inside = inside.count() as f64;
             let weight = match owner {
                 Some(owner) if owner == *whose => 0.0,

@@ -11,7 +11,7 @@ use super::naming::{Name, Named, SIZE, names, obstacles};
 use super::plane::{Bounds, NEGLIGIBLE, Place, Point, distance, onward, scaled};
 use super::pose::{Entitled, Pose, Scene};
 use super::scale_bar::scale_bar;
-use super::style::{TINTS, sheet};
+use super::style::{TINTS, Themes, sheet};
 use super::svg::{layers, number};
 use crate::emit::markup::escaped;
 use crate::system::System;
@@ -27,6 +27,8 @@ pub struct Options {
     pub caption: String,
     /// Whether there is room for the other poses too, and names say what they follow, for whoever moves the mechanism.
     pub is_moving: bool,
+    /// Who chooses between light and dark.
+    pub themes: Themes,
 }
 
 /// The largest picture where no size is given.
@@ -97,7 +99,7 @@ pub fn draw(
         high: [size[0] - 4.0 - origin[0], size[1] - 4.0 - origin[1]],
     };
     let mut text = opening(size, &title);
-    let _ = writeln!(text, "<style>\n{}</style>", sheet());
+    let _ = writeln!(text, "<style>\n{}</style>", sheet(options.themes));
     let _ = writeln!(
         text,
         "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>",

@@ -148,6 +148,10 @@ impl Bounds {
         (0..2).all(|axis| self.low[axis] <= other.low[axis] && other.high[axis] <= self.high[axis])
     }
 
+    pub fn encloses(&self, point: Point) -> bool {
+        (0..2).all(|axis| self.low[axis] <= point[axis] && point[axis] <= self.high[axis])
+    }
+
     /// How much of the segment from `a` to `b` lies inside (Liang and Barsky 1984).
     pub fn length_inside(&self, a: Point, b: Point) -> f64 {
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);

@@ -7,7 +7,7 @@ use super::naming::SIZE;
 use super::picture::{Options, fitted, labels, opening};
 use super::plane::{Bounds, Point};
 use super::pose::{Pose, Scene};
-use super::style::sheet as style;
+use super::style::{Themes, sheet as style};
 use super::svg::{layers, number};
 use crate::emit::markup::escaped;
 use crate::system::System;
@@ -69,7 +69,7 @@ pub fn sheet(system: &System, panels: &[Panel]) -> String {
     let rows = panels.len().div_ceil(columns);
     let size: Point = [width * columns as f64, height * rows as f64];
     let mut text = opening(size, &format!("assemblies of {}", system.mechanism.title()));
-    let _ = writeln!(text, "<style>\n{}</style>", style());
+    let _ = writeln!(text, "<style>\n{}</style>", style(Themes::System));
     let _ = writeln!(
         text,
         "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>",

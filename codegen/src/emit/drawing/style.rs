@@ -30,10 +30,47 @@ const TINT: [&str; TINTS] = [
     "#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#b3a500",
 ];
 
+/// Who chooses between light and dark.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Themes {
+    /// The reader's system.
+    #[default]
+    System,
+    /// The reader of a page of `rustdoc`, whose background the drawing has.
+    Rustdoc,
+}
+
 /// The style sheet.
-pub(super) fn sheet() -> String {
-    let mut text = String::from(
-        "\
+pub(super) fn sheet(themes: Themes) -> String {
+    let mut text = String::from(LIGHT);
+    for (tint, color) in TINT.iter().enumerate() {
+        text += &format!(".linkwright .tint-{tint} .body {{ fill: {color}; }}\n");
+        text += &format!(".linkwright .tint-{tint} .tag {{ fill: {color}; stroke: {color}; }}\n");
+    }
+    match themes {
+        Themes::System => {
+            text += &format!("@media (prefers-color-scheme: dark) {{\n{DARK}}}\n");
+        }
+        Themes::Rustdoc => {
+            // A condition without weight, so that the rules stand in the same order of precedence.
+            text += &DARK.replace(".linkwright", &format!("{DARK_THEMES} .linkwright"));
+            text += BACKGROUND;
+        }
+    }
+    text
+}
+
+/// What `rustdoc` says of a page that is dark.
+const DARK_THEMES: &str = ":where([data-theme=\"dark\"], [data-theme=\"ayu\"])";
+
+/// The background of a page of `rustdoc`.
+const BACKGROUND: &str = "\
+.linkwright .paper { fill: none; }
+.linkwright .part { fill: var(--main-background-color, #ffffff); }
+";
+
+/// The rules of light paper, but for the tints.
+const LIGHT: &str = "\
 .linkwright { color: #1c2024; font: 13px Helvetica, Arial, \"Liberation Sans\", \"DejaVu Sans\", sans-serif; }
 .linkwright .paper { fill: #ffffff; }
 .linkwright path, .linkwright circle { fill: none; stroke: #1c2024; stroke-width: 1.4; stroke-linecap: round; stroke-linejoin: round; }
@@ -59,14 +96,10 @@ pub(super) fn sheet() -> String {
 .linkwright .note { fill: #57606a; text-anchor: start; }
 .linkwright .caption { fill: #57606a; text-anchor: end; }
 .linkwright .axis-name { fill: #6d28d9; font-style: italic; }
-",
-    );
-    for (tint, color) in TINT.iter().enumerate() {
-        text += &format!(".linkwright .tint-{tint} .body {{ fill: {color}; }}\n");
-        text += &format!(".linkwright .tint-{tint} .tag {{ fill: {color}; stroke: {color}; }}\n");
-    }
-    text += "\
-@media (prefers-color-scheme: dark) {
+";
+
+/// Those that differ on dark paper.
+const DARK: &str = "\
 .linkwright { color: #e6e8eb; }
 .linkwright .paper, .linkwright .part { fill: #16191d; }
 .linkwright path, .linkwright circle { stroke: #e6e8eb; }
@@ -79,7 +112,4 @@ pub(super) fn sheet() -> String {
 .linkwright .path { stroke: #7fb0ff; }
 .linkwright .tick { fill: #7fb0ff; }
 .linkwright .note, .linkwright .caption { fill: #9aa4af; }
-}
 ";
-    text
-}

@@ -1,10 +1,11 @@
 //! How formulas are written in the math mode of LaTeX.
 
 use super::super::formula::{Printer, Spelling};
-use super::super::parts::{Fraction, Part};
+use super::super::parts::Fraction;
+use super::super::typeset::{Index, Local, Typeset, letter_and_index, side_by_side};
 use super::lines::chosen;
 use crate::expr::{ExprId, Node};
-use crate::system::{Described, System};
+use crate::system::System;
 
 /// The notation of LaTeX.
 #[derive(Clone, Copy, Debug)]
@@ -21,16 +22,12 @@ impl Spelling for Latex {
 
     /// An axis at the end of a name becomes an index, and the square of a length is one.
     fn local(self, name: &str) -> String {
-        let length = name.strip_prefix('|');
-        if let Some(vector) = length.and_then(|rest| rest.strip_suffix("|^2")) {
-            return format!("{{|{}|^2}}", vector_name(vector));
-        }
-        let axis = ["x", "y"]
-            .into_iter()
-            .find_map(|axis| Some((name.strip_suffix(axis)?.strip_suffix('_')?, axis)));
-        match axis {
-            Some((vector, axis)) => format!("\\mathit{{{}}}_{{{axis}}}", escaped(vector)),
-            None => format!("\\mathit{{{}}}", escaped(name)),
+        match Local::of(name) {
+            Local::SquaredLength(vector) => format!("{{|{}|^2}}", vector_name(vector)),
+            Local::Component(vector, axis) => {
+                format!("\\mathit{{{}}}_{{{axis}}}", escaped(vector))
+            }
+            Local::Name(name) => format!("\\mathit{{{}}}", escaped(name)),
         }
     }
 
@@ -40,25 +37,19 @@ impl Spelling for Latex {
 
     /// `x_{1}`, `\dot{\varphi}_{c1}`.
     fn unknown(self, unknown: usize, level: usize, system: &System) -> String {
-        let of_body = |name: &str| match name.chars().all(|letter| letter.is_ascii_digit()) {
-            true => name.to_string(),
-            false => format!("\\mathrm{{{}}}", escaped(name)),
+        let (letter, index) = letter_and_index(system, unknown);
+        let letter = match letter {
+            'φ' => "\\varphi".to_string(),
+            'ψ' => "\\psi".to_string(),
+            'ℓ' => "\\ell".to_string(),
+            other => other.to_string(),
         };
-        let unknown = &system.vector_form.unknowns[unknown];
-        let (letter, index) = match unknown.describes {
-            Described::Pose { body, axis } => {
-                let name = &system.mechanism.bodies[body].name;
-                (["x", "y", "\\varphi"][axis], of_body(name))
+        let index = match index {
+            Index::Name(name) if name.chars().all(|letter| letter.is_ascii_digit()) => {
+                name.to_string()
             }
-            Described::Contact { joint } => ("s", of_body(&system.mechanism.joints[joint].slug)),
-            Described::Auxiliary => {
-                let symbols = [("psi_", "\\psi"), ("offset_", "h"), ("length_", "\\ell")];
-                let found = symbols.iter().find_map(|(prefix, letter)| {
-                    Some((unknown.name.strip_prefix(prefix)?, *letter))
-                });
-                let (ends, letter) = found.unwrap_or((&unknown.name, "\\ell"));
-                (letter, format!("\\mathrm{{{}}}", ends.replace('_', "\\,")))
-            }
+            Index::Name(name) => format!("\\mathrm{{{}}}", escaped(name)),
+            Index::Ends(ends) => format!("\\mathrm{{{}}}", ends.replace('_', "\\,")),
         };
         match level {
             0 => format!("{letter}_{{{index}}}"),
@@ -76,42 +67,22 @@ impl Spelling for Latex {
     }
 
     fn fraction(self, fraction: &Fraction, printer: &Printer<'_, Self>) -> String {
-        let product = |parts: &[Part]| match parts {
-            [] => "1".to_string(),
-            parts => printer.product(parts, false),
-        };
-        if fraction.denominators.is_empty() {
-            return product(&fraction.numerators);
-        }
-        // Only short numerators go over the bar; a long one stands beside its coefficient.
-        let is_short = |part: &Part| match part {
-            Part::Power(base, _) => {
-                matches!(printer.graph().node(*base), Node::Symbol(_) | Node::Pi)
+        let is_symbol = |base| matches!(printer.graph().node(base), Node::Symbol(_) | Node::Pi);
+        match Typeset::of(fraction, printer, self, is_symbol) {
+            Typeset::Line(text) => text,
+            Typeset::Bar {
+                above,
+                below,
+                beside,
+            } => {
+                let beside = beside.map_or(String::new(), |it| format!(" {it}"));
+                format!("\\frac{{{above}}}{{{below}}}{beside}")
             }
-            _ => true,
-        };
-        let numerators = fraction.numerators.iter().cloned();
-        let (above, beside): (Vec<Part>, Vec<Part>) = numerators.partition(is_short);
-        let (above, below) = (product(&above), product(&fraction.denominators));
-        let bar = format!("\\frac{{{above}}}{{{below}}}");
-        match beside.is_empty() {
-            true => bar,
-            false => format!("{bar} {}", product(&beside)),
         }
     }
 
     fn product(self, factors: &[(bool, String)]) -> String {
-        let mut text = String::new();
-        for (position, (is_digits, factor)) in factors.iter().enumerate() {
-            // Digits after something need a sign between; symbols and functions stand side by side.
-            text.push_str(match (position, is_digits) {
-                (0, _) => "",
-                (_, true) => " \\cdot ",
-                (_, false) => " ",
-            });
-            text.push_str(factor);
-        }
-        text
+        side_by_side(factors, " \\cdot ", " ")
     }
 
     fn root(self, radicand: &str, _is_digits: bool) -> String {

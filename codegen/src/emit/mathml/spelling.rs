@@ -3,10 +3,11 @@
 //! Every formula is a row of elements, which stands where a row may stand; where one element is needed, it is wrapped.
 
 use super::super::formula::{Printer, Spelling};
-use super::super::parts::{Fraction, Part};
+use super::super::parts::Fraction;
+use super::super::typeset::{Index, Local, Typeset, letter_and_index, side_by_side};
 use crate::emit::markup::escaped;
 use crate::expr::{ExprId, Node};
-use crate::system::{Described, System};
+use crate::system::System;
 
 /// The notation of MathML.
 #[derive(Clone, Copy, Debug)]
@@ -38,17 +39,15 @@ impl Spelling for MathMl {
 
     /// An axis at the end of a name becomes an index, and the square of a length is one.
     fn local(self, name: &str) -> String {
-        let length = name.strip_prefix('|');
-        if let Some(vector) = length.and_then(|rest| rest.strip_suffix("|^2")) {
-            let length = format!("<mo>|</mo>{}<mo>|</mo>", vector_name(vector));
-            return self.power(&length, "<mn>2</mn>");
-        }
-        let axis = ["x", "y"]
-            .into_iter()
-            .find_map(|axis| Some((name.strip_suffix(axis)?.strip_suffix('_')?, axis)));
-        match axis {
-            Some((vector, axis)) => format!("<msub>{}<mi>{axis}</mi></msub>", identifier(vector)),
-            None => identifier(name),
+        match Local::of(name) {
+            Local::SquaredLength(vector) => {
+                let length = format!("<mo>|</mo>{}<mo>|</mo>", vector_name(vector));
+                self.power(&length, "<mn>2</mn>")
+            }
+            Local::Component(vector, axis) => {
+                format!("<msub>{}<mi>{axis}</mi></msub>", identifier(vector))
+            }
+            Local::Name(name) => identifier(name),
         }
     }
 
@@ -58,22 +57,10 @@ impl Spelling for MathMl {
 
     /// x₁, φ̈ with the index c1.
     fn unknown(self, unknown: usize, level: usize, system: &System) -> String {
-        let place = unknown;
-        let unknown = &system.vector_form.unknowns[unknown];
-        let (letter, index) = match unknown.describes {
-            Described::Pose { body, axis } => {
-                let name = &system.mechanism.bodies[body].name;
-                (["x", "y", "φ"][axis], name.clone())
-            }
-            Described::Contact { joint } => ("s", system.mechanism.joints[joint].slug.clone()),
-            Described::Auxiliary => {
-                let symbols = [("psi_", "ψ"), ("offset_", "h"), ("length_", "ℓ")];
-                let found = symbols.iter().find_map(|(prefix, letter)| {
-                    Some((unknown.name.strip_prefix(prefix)?, *letter))
-                });
-                let (ends, letter) = found.unwrap_or((&unknown.name, "ℓ"));
-                (letter, ends.replace('_', "\u{2009}"))
-            }
+        let (letter, index) = letter_and_index(system, unknown);
+        let index = match index {
+            Index::Name(index) => name(index),
+            Index::Ends(ends) => name(&ends.replace('_', "\u{2009}")),
         };
         let letter = match level {
             0 => format!("<mi>{letter}</mi>"),
@@ -82,7 +69,7 @@ impl Spelling for MathMl {
                 ["˙", "¨"][level - 1]
             ),
         };
-        format!("<msub data-q=\"{place}\">{letter}{}</msub>", name(&index))
+        format!("<msub data-q=\"{unknown}\">{letter}{index}</msub>")
     }
 
     fn choice(self, choices: &[[String; 2]], otherwise: &str, _inside: bool) -> String {
@@ -98,44 +85,26 @@ impl Spelling for MathMl {
     }
 
     fn fraction(self, fraction: &Fraction, printer: &Printer<'_, Self>) -> String {
-        let product = |parts: &[Part]| match parts {
-            [] => self.digits("1"),
-            parts => printer.product(parts, false),
-        };
-        if fraction.denominators.is_empty() {
-            return product(&fraction.numerators);
-        }
-        // Only short numerators go over the bar; a long one stands beside its coefficient.
         let is_symbol = |expr| matches!(printer.graph().node(expr), Node::Symbol(_) | Node::Pi);
-        let is_short = |part: &Part| match part {
-            Part::Power(base, _) => match *printer.graph().node(*base) {
-                Node::Sin(angle) | Node::Cos(angle) => is_symbol(angle),
-                _ => is_symbol(*base),
-            },
-            _ => true,
+        let is_short = |base| match *printer.graph().node(base) {
+            Node::Sin(angle) | Node::Cos(angle) => is_symbol(angle),
+            _ => is_symbol(base),
         };
-        let numerators = fraction.numerators.iter().cloned();
-        let (above, beside): (Vec<Part>, Vec<Part>) = numerators.partition(is_short);
-        let (above, below) = (product(&above), product(&fraction.denominators));
-        let bar = format!("<mfrac><mrow>{above}</mrow><mrow>{below}</mrow></mfrac>");
-        match beside.is_empty() {
-            true => bar,
-            false => format!("{bar}{GAP}{}", product(&beside)),
+        match Typeset::of(fraction, printer, self, is_short) {
+            Typeset::Line(text) => text,
+            Typeset::Bar {
+                above,
+                below,
+                beside,
+            } => {
+                let beside = beside.map_or(String::new(), |it| format!("{GAP}{it}"));
+                format!("<mfrac><mrow>{above}</mrow><mrow>{below}</mrow></mfrac>{beside}")
+            }
         }
     }
 
     fn product(self, factors: &[(bool, String)]) -> String {
-        let mut text = String::new();
-        for (position, (is_digits, factor)) in factors.iter().enumerate() {
-            // Digits after something need a sign between; symbols and functions stand side by side.
-            text.push_str(match (position, is_digits) {
-                (0, _) => "",
-                (_, true) => "<mo>·</mo>",
-                (_, false) => GAP,
-            });
-            text.push_str(factor);
-        }
-        text
+        side_by_side(factors, "<mo>·</mo>", GAP)
     }
 
     fn root(self, radicand: &str, is_digits: bool) -> String {

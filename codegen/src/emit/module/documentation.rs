@@ -7,6 +7,7 @@ pub(in crate::emit) use responses::{of_quantity, of_sensitivity, of_transmission
 use super::Module;
 use crate::emit::derivation::SingularPose;
 use crate::emit::{Notation, text};
+use crate::joint::Quantity;
 use crate::model::Dimension;
 use crate::program::{Block, Level, NewtonBlock, Output, Statement};
 use crate::system::{Cause, Described, Pressure, Row, System, Unknown};
@@ -77,15 +78,28 @@ pub(in crate::emit) fn of_coordinate(coordinate: &Unknown, system: &System) -> V
         Described::Pose { body, axis } => (&system.mechanism.bodies[body], axis),
         Described::Contact { joint } => {
             let label = &system.mechanism.joints[joint].label;
-            return vec![format!("Where `{label}` touches its curve.")];
+            let unit = match units(coordinate.quantity)[0] {
+                "" => String::new(),
+                unit => format!(", in {unit}"),
+            };
+            return vec![format!("Where `{label}` touches its curve{unit}.")];
         }
         Described::Auxiliary => return Vec::new(),
     };
     let name = &body.name;
     match axis {
-        0 => with_docs(format!("x of body {name}."), &body.docs),
-        1 => vec![format!("y of body {name}.")],
-        _ => vec![format!("Angle of body {name}.")],
+        0 => with_docs(format!("x of body {name}, in m."), &body.docs),
+        1 => vec![format!("y of body {name}, in m.")],
+        _ => vec![format!("Angle of body {name}, in rad.")],
+    }
+}
+
+/// The units of a coordinate, its rate and its acceleration; nothing for 1.
+fn units(quantity: Quantity) -> [&'static str; 3] {
+    match quantity {
+        Quantity::Length => ["m", "m/s", "m/s²"],
+        Quantity::Angle => ["rad", "rad/s", "rad/s²"],
+        Quantity::Power(_) => ["", "1/s", "1/s²"],
     }
 }
 
@@ -149,15 +163,19 @@ pub(in crate::emit) fn of_output(output: &Output) -> Vec<(&'static str, String)>
                 })
                 .collect()
         }
-        Output::Coordinate { name, fields } => {
+        Output::Coordinate {
+            name,
+            quantity,
+            fields,
+        } => {
             let levels = [
                 ("", "coordinate"),
                 ("_rate", "rate of the coordinate"),
                 ("_acceleration", "acceleration of the coordinate"),
             ];
-            let levels = levels.into_iter().take(fields.len());
+            let levels = levels.into_iter().zip(units(*quantity)).take(fields.len());
             levels
-                .map(|(suffix, what)| (suffix, format!("The {what} {name}, in SI units.")))
+                .map(|((suffix, what), unit)| (suffix, format!("The {what} {name}, in {unit}.")))
                 .collect()
         }
     }

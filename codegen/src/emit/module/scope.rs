@@ -133,6 +133,19 @@ impl<'a> Scope<'a> {
         }
     }
 
+    /// The names of a function that is a part of this one.
+    pub(in crate::emit) fn part(&self, function: &'a Function) -> Scope<'a> {
+        Scope {
+            tears: self.tears.clone(),
+            ..self.inner(function)
+        }
+    }
+
+    /// Whether a closed form is one of those inside a torn block, which may be out of reach.
+    pub(in crate::emit) fn is_inside(&self) -> bool {
+        self.place == Place::Tears
+    }
+
     /// Whether a symbol is a field of the frame here.
     pub(in crate::emit) fn is_field(&self, symbol: SymbolId) -> bool {
         self.place != Place::Coordinates

@@ -101,6 +101,13 @@ impl Scope<'_> {
             } => {
                 let [excess, scale, distance, longest, shortest] =
                     [excess, scale, distance, longest, shortest].map(write);
+                if self.is_inside() {
+                    return quote! {
+                        if !spans(#excess, #scale) {
+                            return None;
+                        }
+                    };
+                }
                 quote! {
                     if !spans(#excess, #scale) {
                         return Err(no_span(#distance, #longest, #shortest, t, #number));
@@ -109,6 +116,13 @@ impl Scope<'_> {
             }
             Statement::Nonzero { value, scale } => {
                 let (value, scale) = (write(value), write(scale));
+                if self.is_inside() {
+                    return quote! {
+                        if !spans(#value * #value, #scale * #scale) {
+                            return None;
+                        }
+                    };
+                }
                 quote! {
                     if !spans(#value * #value, #scale * #scale) {
                         return Err(singular_divisor(#value, #scale, t, #number));

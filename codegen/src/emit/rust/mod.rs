@@ -20,6 +20,7 @@ mod module;
 mod names;
 mod newton;
 mod normalized_determinant;
+mod page;
 mod parameters;
 mod path;
 mod pieces;
@@ -29,8 +30,10 @@ mod sensitivity;
 mod shell;
 mod tables;
 mod textbook;
+mod torn;
 mod transmission;
 
 pub use file::file;
 pub(super) use names::WORDS;
 pub use names::{NAMING, type_name};
+pub use page::page;

@@ -54,6 +54,7 @@ const TYPES: &[&str] = &[
     "Start",
     "Step",
     "Table",
+    "Torn",
     "Tube",
     "Vector",
     // Of Rust.
@@ -148,6 +149,11 @@ const LOCAL_VALUES: &[&str] = &[
     "pair",
     "partial",
     "sags",
+    "rows",
+    "signs",
+    "carried",
+    "memory",
+    "found",
 ];
 
 /// What Rust asks of names.

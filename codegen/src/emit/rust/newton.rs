@@ -9,11 +9,12 @@ use super::literal::count;
 use super::module::only;
 use super::names::identifier;
 use super::textbook::{Length, length, scales};
+use super::torn;
 use crate::emit::module::scope::{Place, Reads, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
-use crate::program::{Block, Function, Lengths, NewtonBlock, Statement};
+use crate::program::{Block, Function, Lengths, NewtonBlock, Statement, TornFields};
 use crate::system::Unknown;
 
 /// A type with the equations of every Newton block.
@@ -39,8 +40,11 @@ fn type_name(block: &Block) -> Ident {
 /// What the equations of a block read of what was found before it and of what is given.
 fn reads(newton: &NewtonBlock, module: &Module<'_>) -> Reads {
     let mut all = Reads::default();
-    for function in newton.functions() {
-        let reads = scope(newton, function, true, module).reads();
+    let equations = newton.equations().into_iter();
+    let equations = equations.map(|function| scope(newton, function, true, module).reads());
+    let tearing = newton.tearing.iter();
+    let torn = tearing.flat_map(|tearing| torn::reads(newton, tearing, module));
+    for reads in equations.chain(torn) {
         all.frame |= reads.frame;
         all.parameters |= reads.parameters;
         all.inputs |= reads.inputs;
@@ -178,6 +182,15 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
             #angles
         }
     };
+    let tearing = torn::implementation(&name, &lifetime, newton, module);
+    let tearing = match tearing.is_empty() {
+        true => tearing,
+        false => {
+            let capitals = lints::capitals(&tearing);
+            let approximate = lints::approximate(&tearing);
+            quote!(#capitals #approximate #tearing)
+        }
+    };
     let (capitals, approximate) = (
         lints::capitals(&implementation),
         lints::approximate(&implementation),
@@ -185,6 +198,7 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     quote! {
         #title #declaration #capitals #approximate #implementation
         ::linkwright::equations!(#name, #borrowed #size);
+        #tearing
     }
 }
 
@@ -194,7 +208,7 @@ fn local(symbol: SymbolId, module: &Module<'_>) -> Ident {
 }
 
 /// Whether code mentions a name.
-fn mentions(code: &str, name: &str) -> bool {
+pub(super) fn mentions(code: &str, name: &str) -> bool {
     code.split(|character: char| !(character.is_alphanumeric() || character == '_'))
         .any(|word| word == name)
 }
@@ -210,14 +224,16 @@ pub(super) fn statement(
         return TokenStream::new();
     };
     match statement {
-        Statement::Newton { measure, .. } => solve(index, block, newton, *measure, scope),
+        Statement::Newton { measure, torn, .. } => {
+            solve(index, block, newton, (*measure, torn.as_ref()), scope)
+        }
         Statement::Factorize => factorize(index, block, newton, scope),
         _ => TokenStream::new(),
     }
 }
 
 /// The equations with what they read.
-fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
+pub(super) fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
     let name = type_name(block);
     let reads = reads(newton, module);
     let reads_parameters = reads.parameters || scales_follow(newton, module);
@@ -236,7 +252,7 @@ fn solve(
     index: usize,
     block: &Block,
     newton: &NewtonBlock,
-    measure: Option<[SymbolId; 2]>,
+    (measure, torn): (Option<[SymbolId; 2]>, Option<&TornFields>),
     scope: &Scope<'_>,
 ) -> TokenStream {
     let module = scope.module;
@@ -275,6 +291,14 @@ fn solve(
             )
         }
     };
+    let solved = match torn {
+        Some(torn) => torn::solve(number, &mode, block, (newton, torn), scope),
+        None => quote! {
+            let equations = #equations;
+            let tears = block::#call(&equations, &tears, conditions.start, &mut branches.#mode, conditions.t, conditions.settings #passed)
+                .map_err(|failure| failure.in_block(#number))?;
+        },
+    };
     quote! {
         #declared
         let tears = kinematics::Frame {
@@ -283,9 +307,7 @@ fn solve(
             qd: Vector::from([#(#last_qd),*]),
             qdd: Vector::from([#(#last_qdd),*]),
         };
-        let equations = #equations;
-        let tears = block::#call(&equations, &tears, conditions.start, &mut branches.#mode, conditions.t, conditions.settings #passed)
-            .map_err(|failure| failure.in_block(#number))?;
+        #solved
         [#(#q),*] = tears.q.data.0[0];
         [#(#qd),*] = tears.qd.data.0[0];
         [#(#qdd),*] = tears.qdd.data.0[0];

@@ -58,7 +58,7 @@ pub(crate) fn in_lines(left: &str, right: &str) -> Vec<String> {
 }
 
 /// How many columns of a terminal a text takes; combining dots take none.
-pub(crate) fn shown_width(text: &str) -> usize {
+pub fn shown_width(text: &str) -> usize {
     text.chars()
         .filter(|character| !matches!(character, '\u{300}'..='\u{36f}'))
         .count()

@@ -11,6 +11,7 @@ mod linear;
 mod newton;
 mod one_angle;
 mod rotation_and_slide;
+mod torn;
 mod transposed;
 mod turning_slide;
 mod two_rotations;
@@ -29,7 +30,7 @@ use super::function::Level;
 use crate::expr::{ExprId, Graph};
 use crate::joint::Quantity;
 use crate::structure::Part;
-use crate::system::VectorForm;
+use crate::system::{System, VectorForm};
 use crate::words::Singular;
 
 /// How a part is solved. Unknowns are indices into the vector form; everything else is known before.
@@ -44,6 +45,10 @@ pub trait Form: Debug + Send + Sync {
     fn singular(&self) -> Singular;
     /// How many assembly modes it has; `None` where Newton-Raphson finds them one by one.
     fn modes(&self) -> Option<usize>;
+    /// How many of its unknowns are guessed, where Newton-Raphson finds it.
+    fn guessed(&self) -> usize {
+        self.unknowns().len()
+    }
     /// States the position.
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved>;
 }
@@ -89,7 +94,13 @@ const FORMS: &[Match] = &[
 ];
 
 /// The form of a part.
-pub(super) fn recognize(part: &Part, form: &VectorForm, graph: &mut Graph) -> Arc<dyn Form> {
+pub(super) fn recognize(part: &Part, system: &mut System) -> Arc<dyn Form> {
+    let System {
+        vector_form: form,
+        mechanism,
+        ..
+    } = system;
+    let graph = &mut mechanism.graph;
     let mut candidate = Candidate {
         equations: part.equations.iter().map(|it| it.residual).collect(),
         rows: part.equations.iter().map(|it| it.row).collect(),
@@ -103,7 +114,33 @@ pub(super) fn recognize(part: &Part, form: &VectorForm, graph: &mut Graph) -> Ar
     let found = closed
         .into_iter()
         .find_map(|matches| matches(&mut candidate));
-    found.unwrap_or_else(|| newton::form(&candidate))
+    if let Some(found) = found {
+        return found;
+    }
+    let whole = newton::form(&candidate);
+    // A measure of all equations needs all of them.
+    let sequences = match part.is_singular || mechanism.monitor {
+        true => Vec::new(),
+        false => torn::sequences(&mut candidate),
+    };
+    torn::form(whole, sequences, system)
+}
+
+/// The closed form of some of the equations of a part in some of its unknowns, where there is one; everything else is known before.
+fn closed(
+    equations: &[usize],
+    unknowns: &[usize],
+    whole: &mut Candidate<'_>,
+) -> Option<Arc<dyn Form>> {
+    let mut candidate = Candidate {
+        equations: equations.iter().map(|&it| whole.equations[it]).collect(),
+        rows: equations.iter().map(|&it| whole.rows[it]).collect(),
+        quantities: equations.iter().map(|&it| whole.quantities[it]).collect(),
+        unknowns,
+        form: whole.form,
+        graph: whole.graph,
+    };
+    FORMS.iter().find_map(|matches| matches(&mut candidate))
 }
 
 impl Candidate<'_> {

@@ -3,8 +3,6 @@
 //! The tears are found with their rates and accelerations by the runtime, from the residuals g of the block, their Jacobian,
 //! and their first and second rates with the tears held; all four are functions of the tears and of what is known.
 
-use std::sync::Arc;
-
 use super::determinant::LARGEST_WRITTEN_OUT;
 use super::drawn_mode::{DrawnMode, drawn_mode};
 use super::{Candidate, Determinant, Form, Solved};
@@ -21,18 +19,18 @@ use crate::words::{Phrase, Piece, Singular, counted, enumerated, phrase};
 
 /// g(z) = 0.
 #[derive(Clone, Debug)]
-struct Newton {
-    unknowns: Vec<usize>,
-    residuals: Vec<ExprId>,
-    quantities: Vec<Quantity>,
+pub(super) struct Newton {
+    pub unknowns: Vec<usize>,
+    pub residuals: Vec<ExprId>,
+    pub quantities: Vec<Quantity>,
 }
 
-pub(super) fn form(candidate: &Candidate<'_>) -> Arc<dyn Form> {
-    Arc::new(Newton {
+pub(super) fn form(candidate: &Candidate<'_>) -> Newton {
+    Newton {
         unknowns: candidate.unknowns.to_vec(),
         residuals: candidate.equations.clone(),
         quantities: candidate.quantities.clone(),
-    })
+    }
 }
 
 impl Form for Newton {
@@ -76,11 +74,33 @@ impl Form for Newton {
 
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
         self.open(builder);
+        let block = self.equations(builder);
+        let found = self.found(builder);
+        builder.state(Statement::Newton {
+            found,
+            measure: None,
+            torn: None,
+        });
+        // The arms are found anew from the converged tears, now for everyone.
+        for &unknown in &self.unknowns {
+            builder.explicit_angle(unknown);
+        }
+        Box::new(Found::new(block, self.residuals.clone()))
+    }
+}
+
+impl Newton {
+    /// What it finds: each unknown with its rate and its acceleration.
+    pub fn found(&self, builder: &Builder<'_>) -> Vec<[SymbolId; 3]> {
         let own = self.unknowns.iter();
         let own = own.map(|&unknown| &builder.system.vector_form.unknowns[unknown]);
-        let found: Vec<[SymbolId; 3]> = own
-            .map(|it| [it.position, it.rate, it.acceleration])
-            .collect();
+        own.map(|it| [it.position, it.rate, it.acceleration])
+            .collect()
+    }
+
+    /// The residuals, their Jacobian and rates as functions of the unknowns.
+    pub fn equations(&self, builder: &mut Builder<'_>) -> NewtonBlock {
+        let found = self.found(builder);
         let held: Vec<SymbolId> = found.iter().map(|it| it[1]).collect();
         let steady: Vec<SymbolId> = found.iter().map(|it| it[2]).collect();
         let (mut jacobian, mut time_derivative, mut gamma) = (Vec::new(), Vec::new(), Vec::new());
@@ -130,7 +150,7 @@ impl Form for Newton {
                 &builder.system.mechanism.graph,
             )
         };
-        let block = NewtonBlock {
+        NewtonBlock {
             unknowns: self.unknowns.clone(),
             drawn,
             quantities: self.quantities.clone(),
@@ -139,21 +159,10 @@ impl Form for Newton {
             jacobian: function(jacobian),
             time_derivative: function(time_derivative),
             gamma: function(gamma),
-        };
-        let measure = None;
-        builder.state(Statement::Newton { found, measure });
-        // The arms are found anew from the converged tears, now for everyone.
-        for &unknown in &self.unknowns {
-            builder.explicit_angle(unknown);
+            tearing: None,
         }
-        Box::new(Found {
-            block,
-            residuals: self.residuals.clone(),
-        })
     }
-}
 
-impl Newton {
     /// Says why there is no closed form, and writes the residuals down.
     fn open(&self, builder: &mut Builder<'_>) {
         let names = self.unknowns.iter().map(|&it| Piece::Unknown(it).into());
@@ -207,7 +216,7 @@ impl Newton {
     }
 
     /// The residuals pair by pair as vectors, where they are the components of such.
-    fn loops(&self, builder: &mut Builder<'_>) -> Option<Vec<Vector>> {
+    pub fn loops(&self, builder: &mut Builder<'_>) -> Option<Vec<Vector>> {
         let pairs = self.residuals.chunks_exact(2);
         if !pairs.remainder().is_empty() {
             return None;
@@ -220,9 +229,16 @@ impl Newton {
     }
 }
 
-struct Found {
+/// All equations of a block, as they are solved at once.
+pub(super) struct Found {
     block: NewtonBlock,
     residuals: Vec<ExprId>,
+}
+
+impl Found {
+    pub fn new(block: NewtonBlock, residuals: Vec<ExprId>) -> Found {
+        Found { block, residuals }
+    }
 }
 
 impl Solved for Found {

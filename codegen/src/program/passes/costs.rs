@@ -83,6 +83,22 @@ impl Operations {
         arithmetic + functions + self.choices + self.lookups
     }
 
+    /// So many times as many.
+    pub(in crate::program) fn times(self, factor: usize) -> Operations {
+        Operations {
+            additions: self.additions * factor,
+            multiplications: self.multiplications * factor,
+            divisions: self.divisions * factor,
+            square_roots: self.square_roots * factor,
+            sines: self.sines * factor,
+            arctangents: self.arctangents * factor,
+            exponentials: self.exponentials * factor,
+            choices: self.choices * factor,
+            whole_parts: self.whole_parts * factor,
+            lookups: self.lookups * factor,
+        }
+    }
+
     /// What the addends of one expression take, its operands not counted.
     pub(in crate::program) fn of_addends(addends: &[Addend]) -> Operations {
         let mut operations = Operations {
@@ -230,6 +246,15 @@ impl Computed<'_> {
         }
     }
 
+    /// What the results take.
+    pub fn results(&self) -> Operations {
+        let mut operations = Operations::default();
+        for result in &self.function.results {
+            operations += self.expression(result.expr);
+        }
+        operations
+    }
+
     /// What an expression takes where it is written.
     fn expression(&self, expr: ExprId) -> Operations {
         let mut operations = Operations::default();
@@ -297,6 +322,17 @@ impl Computed<'_> {
         }
         functions
     }
+}
+
+/// The operations of a function with its results.
+pub(in crate::program) fn of_function(function: &Function, system: &System) -> Operations {
+    let computed = Computed { function, system };
+    let mut operations = Operations::default();
+    for statement in &function.statements {
+        operations += computed.statement(statement);
+    }
+    operations += computed.results();
+    operations
 }
 
 /// The operations of each level in all blocks, then those of all responses to drivers and to parameters, and of forces.

@@ -29,7 +29,10 @@ pub(in crate::program) fn fields(
                 // An angle is wound up from its last value.
                 Statement::Angle { target, .. } => shared.extend([*target]),
                 // What Newton-Raphson finds starts from its last values.
-                Statement::Newton { found, .. } => shared.extend(found.iter().flatten()),
+                Statement::Newton { found, torn, .. } => {
+                    shared.extend(found.iter().flatten());
+                    shared.extend(torn.iter().flat_map(|it| &it.memory));
+                }
                 _ => {}
             }
         }

@@ -96,7 +96,7 @@ fn needed(
             live.extend(inner.values().flat_map(|expr| graph.symbols(expr)));
         }
         if let (Statement::Newton { .. }, Some(newton)) = (&statement, newton) {
-            let values = newton.functions().into_iter().flat_map(Function::values);
+            let values = newton.functions().flat_map(Function::values);
             live.extend(values.flat_map(|expr| graph.symbols(expr)));
         }
         needed.push(statement);

@@ -203,6 +203,30 @@ typedef struct linkwright$f_tears {
     $real *qdd;
 } linkwright$f_tears;
 
+/* The equations of a block of which all unknowns follow from a few, the tears. */
+typedef struct linkwright$f_tearing {
+    const linkwright$f_equations *equations;
+    /* How many tears there are, and which of the unknowns they are. */
+    uint16_t count;
+    const uint16_t *tears;
+    /* By what their residuals are scaled, and how large their terms are beside that. */
+    const $real *scales;
+    const $real *terms;
+    /* Finds their residuals, the inverse of the Jacobian, its determinant, and what completion needs of the way there;
+       false where a closed form is out of reach or nearly singular. */
+    bool (*evaluate)(const void *context, const $real tears[], const $real signs[], $real t, $real evaluated[]);
+    /* Finds of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then
+       all residuals of the block; then how the unknowns respond to the tears, in scales. */
+    void (*complete)(const void *context, const $real tears[], const $real signs[], const $real carried[], $real t,
+        $real completed[]);
+    uint16_t responses;
+    /* The signs that the closed forms have at a pose. */
+    void (*signs)(const void *context, const $real q[], $real t, $real signs[]);
+    /* Room for what is found. */
+    $real *evaluated;
+    $real *completed;
+} linkwright$f_tearing;
+
 /* How far a block is from singular. */
 typedef struct linkwright$f_measure {
     $real determinant;
@@ -299,6 +323,10 @@ bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation);
 linkwright_status linkwright$f_solve_block(const linkwright$f_equations *equations, const linkwright$f_tears *last,
     linkwright_branch *branch, linkwright$f_tears *found, linkwright$f_measure *measure,
     const linkwright$f_conditions *conditions);
+/* The same by way of its tears where it can. The memory is what a frame keeps of the block: a number with the sign of
+   the determinant in the tears, zero where that is not known, and the signs of the closed forms. */
+linkwright_status linkwright$f_solve_torn(const linkwright$f_tearing *tearing, const linkwright$f_tears *last,
+    $real memory[], linkwright_branch *branch, linkwright$f_tears *found, const linkwright$f_conditions *conditions);
 /* Factorizes their Jacobian at a pose that is solved, and solves with it; notes a failure. */
 linkwright_status linkwright$f_factorize(const linkwright$f_equations *equations, const $real q[],
     linkwright$f_factorization *factorization, const linkwright$f_conditions *conditions);

@@ -57,7 +57,8 @@ static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const l
         }
         stretch *= AHEAD_SHRINKING$f;
     }
-    state->stretch = (stretch > LEAST_AHEAD$f) ? stretch : LEAST_AHEAD$f;
+    /* Where it could not look beyond the frames at all, some frames go by before it tries again. */
+    state->stretch = (state->stretch < LEAST_AHEAD$f) ? (stretch * AHEAD_GROWTH$f) : stretch;
     span.time = fabs$f(step);
     span.stretch = 1.0$f;
     span.bend = 0.125$f;

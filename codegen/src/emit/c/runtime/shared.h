@@ -91,6 +91,7 @@ typedef struct linkwright_block_name {
 
 /* How many numbers Newton-Raphson works with for so many unknowns, and what shows that so many keep to their path. */
 #define LINKWRIGHT_NEWTON_REALS(order) ((3 * (order) * (order)) + (12 * (order)))
+#define LINKWRIGHT_MOST_TEARS 2
 #define LINKWRIGHT_ISOLATION_REALS(order) (((order) * (order)) + (3 * (order)))
 
 /* What is called seldom and needs much room does not become part of what is called often. */

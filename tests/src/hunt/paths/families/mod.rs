@@ -5,6 +5,7 @@ mod contacts;
 mod gaps;
 mod grown;
 mod slides;
+mod tears;
 mod wheels;
 
 use super::course::Course;
@@ -14,7 +15,7 @@ use crate::random::Random;
 type Make = fn(&mut Random, u64) -> Course;
 
 /// All families.
-pub const FAMILIES: [(&str, Make); 17] = [
+pub const FAMILIES: [(&str, Make); 20] = [
     ("grown, laws of t", grown::laws),
     ("grown, late start", grown::late),
     ("grown, inputs", grown::inputs),
@@ -32,6 +33,9 @@ pub const FAMILIES: [(&str, Make); 17] = [
     ("platform with gaps", gaps::platform),
     ("lengths in a Newton block", slides::legs),
     ("rack and tie rods", wheels::rack),
+    ("six-bar driven at its far link", tears::six_bar),
+    ("chain driven at its end", tears::chain),
+    ("platform with parallel differences", tears::level_platform),
 ];
 
 /// The mechanism of a family with this number.

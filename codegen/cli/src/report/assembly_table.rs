@@ -1,0 +1,215 @@
+//! *Assemblies* → *a table of the unknowns of every block*, each block with the signs and the letters that choose among its poses.
+//!
+//! Blocks stand beside one another in solve order as far as the width allows; the table goes on below with the next ones.
+
+use std::io::{self, Write};
+
+use linkwright_codegen::stages::emit::text::shown_width;
+use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::system::{Described, System};
+use linkwright_solver::assemblies::Assembly;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::number::fixed;
+use linkwright_solver::view::View;
+
+/// The decimals of an angle in degrees, and of anything else.
+const DECIMALS_OF_ANGLES: usize = 4;
+const DECIMALS: usize = 6;
+
+/// What stands behind the drawing's assembly.
+const DRAWN: &str = "  as drawn";
+
+/// What is known of one block.
+struct Group {
+    heading: String,
+    /// The first holds the signs, where there are any.
+    columns: Vec<Column>,
+}
+
+struct Column {
+    name: String,
+    cells: Vec<String>,
+    /// Whether the next column belongs on the same line.
+    is_sign: bool,
+}
+
+impl Column {
+    fn width(&self) -> usize {
+        let texts = self.cells.iter().chain([&self.name]);
+        texts.map(|it| shown_width(it)).max().unwrap_or(0)
+    }
+}
+
+/// Writes the table, no line of which is wider than `width` as far as a single column fits.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write(
+    interpreted: &Interpreted,
+    assemblies: &[Assembly],
+    width: usize,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    let Some(first) = assemblies.first() else {
+        return Ok(());
+    };
+    let (system, plan) = (interpreted.system(), interpreted.plan());
+    let mut groups = Vec::new();
+    let mut explicit = Vec::new();
+    for (place, block) in plan.blocks.iter().enumerate() {
+        let unknowns = unknowns(interpreted, place);
+        if block.parts.is_empty() {
+            let values = unknowns.iter().filter_map(|&unknown| {
+                let value = value(interpreted, first, unknown)?;
+                Some(format!("{} {value}", name(system, unknown)))
+            });
+            explicit.extend(values);
+        } else {
+            groups.push(group(interpreted, assemblies, place, &unknowns));
+        }
+    }
+    if !explicit.is_empty() {
+        writeln!(output, "  explicit: {}", explicit.join(", "))?;
+    }
+    tables(assemblies, &groups, width, output)
+}
+
+/// What a person asks for of a block: what its parts are solved for, then the angles that follow.
+fn unknowns(interpreted: &Interpreted, block: usize) -> Vec<usize> {
+    let (system, block) = (interpreted.system(), &interpreted.plan().blocks[block]);
+    let solved = block.parts.iter().flat_map(|part| &part.unknowns).copied();
+    let follows = |unknown: &usize| match system.vector_form.unknowns[*unknown].describes {
+        Described::Pose { axis, .. } => axis == 2,
+        Described::Contact { .. } => true,
+        Described::Auxiliary => false,
+    };
+    let defined = block.definitions.iter().map(|it| it.unknown);
+    solved.chain(defined.filter(follows)).collect()
+}
+
+fn name(system: &System, unknown: usize) -> &str {
+    &system.vector_form.unknowns[unknown].name
+}
+
+/// An unknown with its unit; `None` where instants do not keep it.
+fn value(interpreted: &Interpreted, assembly: &Assembly, unknown: usize) -> Option<String> {
+    let unknown = &interpreted.system().vector_form.unknowns[unknown];
+    let slot = interpreted.layout().slot(unknown.position)?;
+    let value = assembly.instant.values()[slot];
+    Some(match unknown.quantity {
+        Quantity::Angle => format!("{}°", fixed(value.to_degrees(), DECIMALS_OF_ANGLES)),
+        Quantity::Length => format!("{} m", fixed(value, DECIMALS)),
+        Quantity::Power(_) => fixed(value, DECIMALS),
+    })
+}
+
+fn group(
+    interpreted: &Interpreted,
+    assemblies: &[Assembly],
+    block: usize,
+    unknowns: &[usize],
+) -> Group {
+    let program = interpreted.program();
+    let signs = program.branches.iter().map(|it| Some(it.block));
+    let iterated = program.blocks.iter().filter(|it| it.newton.is_some());
+    // In the order of the labels.
+    let owners: Vec<Option<usize>> = signs.chain(iterated.map(|it| it.place)).collect();
+    let own = |assembly: &Assembly| {
+        let label = assembly.label();
+        let letters = label.chars().zip(&owners);
+        let letters = letters.filter(|(_, owner)| **owner == Some(block));
+        letters.map(|(letter, _)| letter).collect::<String>()
+    };
+    let signs = Column {
+        name: String::new(),
+        cells: assemblies.iter().map(own).collect(),
+        is_sign: true,
+    };
+    let values = unknowns.iter().filter_map(|&unknown| {
+        let cells = assemblies.iter().map(|it| value(interpreted, it, unknown));
+        Some(Column {
+            name: name(interpreted.system(), unknown).to_string(),
+            cells: cells.collect::<Option<_>>()?,
+            is_sign: false,
+        })
+    });
+    let has_signs = signs.width() > 0;
+    let signs = has_signs.then_some(signs);
+    Group {
+        heading: format!("block {}", block + 1),
+        columns: signs.into_iter().chain(values).collect(),
+    }
+}
+
+/// The columns of all groups below one another, as many on a line as fit on it.
+fn tables(
+    assemblies: &[Assembly],
+    groups: &[Group],
+    width: usize,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    let mut labels: Vec<String> = assemblies.iter().map(Assembly::label).collect();
+    labels.insert(0, "signs".to_string());
+    let longest = labels.iter().map(|it| it.chars().count()).max();
+    let indent = 2 + longest.unwrap_or(0);
+    let mut lines: Vec<String> = Vec::new();
+    let (mut headings, mut used) = (String::new(), width);
+    let mut after_sign = false;
+    for group in groups {
+        let mut is_named = false;
+        // A block that fits on a line is not divided.
+        let whole = group.columns.iter().map(|it| 2 + it.width()).sum::<usize>();
+        let fits = indent + whole + DRAWN.len() <= width;
+        for (place, column) in group.columns.iter().enumerate() {
+            let next = group.columns.get(place + 1).filter(|_| column.is_sign);
+            let needed = match place == 0 && fits {
+                true => whole,
+                false => 2 + column.width() + next.map_or(0, |it| 2 + it.width()),
+            };
+            // A sign stands beside the first value of its block.
+            let is_new = lines.is_empty() || used + needed + DRAWN.len() > width;
+            if is_new && !after_sign {
+                flush(assemblies, &headings, &mut lines, output)?;
+                headings.clear();
+                lines.extend(labels.iter().map(|it| format!("  {it:0$}", indent - 2)));
+                (used, is_named) = (indent, false);
+            }
+            if !is_named {
+                let gap = (used + 2).saturating_sub(headings.chars().count());
+                headings += &" ".repeat(gap);
+                headings += &group.heading;
+                is_named = true;
+            }
+            for (line, cell) in lines
+                .iter_mut()
+                .zip([&column.name].into_iter().chain(&column.cells))
+            {
+                let gap = 2 + column.width() - shown_width(cell);
+                line.push_str(&" ".repeat(gap));
+                line.push_str(cell);
+            }
+            used += 2 + column.width();
+            after_sign = column.is_sign;
+        }
+    }
+    flush(assemblies, &headings, &mut lines, output)
+}
+
+/// Writes the lines of a table and leaves none.
+fn flush(
+    assemblies: &[Assembly],
+    headings: &str,
+    lines: &mut Vec<String>,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    let mut lines = lines.drain(..);
+    let Some(names) = lines.next() else {
+        return Ok(());
+    };
+    writeln!(output, "{headings}\n{names}")?;
+    for (line, assembly) in lines.zip(assemblies) {
+        let drawn = if assembly.drawn { DRAWN } else { "" };
+        writeln!(output, "{line}{drawn}")?;
+    }
+    Ok(())
+}

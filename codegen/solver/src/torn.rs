@@ -1,0 +1,330 @@
+//! *The tearing of a block's equations* → [`Torn`] on registers.
+
+use std::collections::{BTreeSet, HashSet};
+
+use linkwright::torn::{self, Completion, Evaluation, Found, Memory};
+use linkwright::{Branch, Equations, Failure, Frame, Settings, Start, Torn};
+use linkwright_codegen::stages::expr::{ExprId, Register, SymbolId};
+use linkwright_codegen::stages::program::{
+    Block, NewtonBlock, Statement, Tearing as TearingFunctions,
+};
+use linkwright_codegen::stages::system::System;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use crate::newton::{NewtonEquations, Part};
+use crate::operation::Writer;
+
+/// A torn block.
+#[derive(Clone, Debug)]
+pub(crate) struct Tearing {
+    /// Which unknowns are tears.
+    tears: Vec<usize>,
+    /// Where the functions find the tears, and the signs.
+    given: Vec<Register>,
+    signs: Vec<Register>,
+    /// The determinant and the signs, at the last instant and now.
+    last: Vec<Register>,
+    memory: Vec<Register>,
+    /// The sine and the cosine of each angle.
+    directions: Vec<Option<[Register; 2]>>,
+    /// The row that scales each residual.
+    rows: Vec<usize>,
+    terms: Vec<f64>,
+    scales: Part,
+    evaluate: Part,
+    complete: Part,
+    sign_values: Part,
+    /// What the functions read of what is known before.
+    pub known: Vec<(SymbolId, Register)>,
+}
+
+impl Tearing {
+    /// Writes the functions of a block, whose unknowns have these registers: values, rates, accelerations.
+    pub fn new(
+        block: &Block,
+        unknowns: &[Vec<Register>; 3],
+        system: &System,
+        writer: &mut Writer<'_>,
+    ) -> Option<Tearing> {
+        let newton = block.newton.as_ref()?;
+        let tearing = newton.tearing.as_ref()?;
+        let mut statements = block.function.statements.iter();
+        let torn = statements.find_map(|statement| match statement {
+            Statement::Newton { torn, .. } => torn.as_ref(),
+            _ => None,
+        })?;
+        let known = known(tearing, newton, system, writer);
+        let signs = tearing.signs.iter().map(|&sign| writer.found(sign));
+        let signs = signs.collect();
+        let scales = Part::new(&tearing.scales, writer);
+        let sign_values = Part::new(&tearing.sign_values, writer);
+        let write = |writer: &mut Writer<'_>,
+                     function: &linkwright_codegen::stages::program::Function| {
+            for statement in &function.statements {
+                writer.statement(statement);
+            }
+            let results = function.results.iter().map(|it| it.expr);
+            let results: Vec<ExprId> = results.collect();
+            let results = results.into_iter().map(|it| writer.recorder.value(it));
+            let results: Vec<Register> = results.collect();
+            (writer.take(), results)
+        };
+        // What is carried from the one to the other stays in its registers.
+        let (_, [evaluate, complete]) = writer.apart(|writer| {
+            [&tearing.evaluate, &tearing.complete].map(|function| {
+                let (operations, results) = write(writer, function);
+                Part {
+                    operations,
+                    results,
+                }
+            })
+        });
+        // The functions have rates of their own.
+        for (place, &unknown) in newton.unknowns.iter().enumerate() {
+            let own = &system.vector_form.unknowns[unknown];
+            for (symbol, registers) in [own.position, own.rate, own.acceleration]
+                .into_iter()
+                .zip(unknowns)
+            {
+                writer.recorder.bind(symbol, registers[place]);
+            }
+        }
+        let memory = |registers: &mut dyn FnMut(SymbolId) -> Register| -> Vec<Register> {
+            torn.memory
+                .iter()
+                .map(|&symbol| registers(symbol))
+                .collect()
+        };
+        let last = memory(&mut |symbol| writer.last(symbol));
+        let memory = memory(&mut |symbol| writer.found(symbol));
+        let directions = torn.directions.iter();
+        let directions = directions.map(|pair| pair.map(|pair| pair.map(|it| writer.found(it))));
+        Some(Tearing {
+            given: tearing
+                .tears
+                .iter()
+                .map(|&tear| unknowns[0][tear])
+                .collect(),
+            tears: tearing.tears.clone(),
+            directions: directions.collect(),
+            rows: tearing.rows.clone(),
+            terms: tearing.terms.clone(),
+            signs,
+            last,
+            memory,
+            scales,
+            evaluate,
+            complete,
+            sign_values,
+            known,
+        })
+    }
+
+    /// Solves the block as [`torn::solve`] says, and writes what is found.
+    pub fn solve(
+        &self,
+        equations: &NewtonEquations<'_>,
+        last: &Frame<f64, Dyn>,
+        start: Start,
+        branch: &mut Option<Branch>,
+        t: f64,
+        settings: &Settings<f64>,
+    ) -> Result<(), Failure> {
+        let kept = equations.read(&self.last);
+        let memory = Memory {
+            determinant: kept[0],
+            signs: kept[1..].to_vec(),
+        };
+        let found = match self.tears.len() {
+            2 => self.solved::<2>(equations, last, &memory, start, branch, t, settings),
+            _ => self.solved::<1>(equations, last, &memory, start, branch, t, settings),
+        }?;
+        equations.set(&found.frame);
+        let Memory { determinant, signs } = found.memory;
+        let memory = [determinant].into_iter().chain(signs);
+        equations.write(
+            &self.memory,
+            &DVector::from_iterator(self.memory.len(), memory),
+        );
+        for (place, pair) in self.directions.iter().enumerate() {
+            if let Some(pair) = pair {
+                let values = [found.sines[place], found.cosines[place]];
+                equations.write(pair, &DVector::from_column_slice(&values));
+            }
+        }
+        Ok(())
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "what `torn::solve` takes")]
+    fn solved<const K: usize>(
+        &self,
+        equations: &NewtonEquations<'_>,
+        last: &Frame<f64, Dyn>,
+        memory: &Memory<f64, Vec<f64>>,
+        start: Start,
+        branch: &mut Option<Branch>,
+        t: f64,
+        settings: &Settings<f64>,
+    ) -> Result<Found<f64, Dyn, Vec<f64>>, Failure> {
+        let torn = TornEquations::<K> {
+            tearing: self,
+            whole: equations,
+        };
+        torn::solve(&torn, last, memory, start, branch, t, settings)
+    }
+}
+
+/// What the functions of a torn block read beside its tears and signs.
+fn known(
+    tearing: &TearingFunctions,
+    newton: &NewtonBlock,
+    system: &System,
+    writer: &mut Writer<'_>,
+) -> Vec<(SymbolId, Register)> {
+    let graph = &system.mechanism.graph;
+    let parts = [&tearing.evaluate, &tearing.complete];
+    let own = &system.vector_form.unknowns;
+    let tears = tearing
+        .tears
+        .iter()
+        .map(|&it| own[newton.unknowns[it]].position);
+    let given = tears.chain(tearing.signs.iter().copied());
+    let found: HashSet<SymbolId> = parts
+        .iter()
+        .flat_map(|it| it.targets())
+        .chain(given)
+        .collect();
+    let values = parts.iter().flat_map(|it| it.values().collect::<Vec<_>>());
+    let values = values.chain(tearing.proof.into_iter().flatten());
+    let read = values.flat_map(|expr| graph.symbols(expr).to_vec());
+    let read: BTreeSet<SymbolId> = read.filter(|symbol| !found.contains(symbol)).collect();
+    read.into_iter()
+        .map(|symbol| (symbol, writer.recorder.symbol(symbol)))
+        .collect()
+}
+
+/// A torn block with its equations, at one instant.
+struct TornEquations<'a, 'b, const K: usize> {
+    tearing: &'a Tearing,
+    whole: &'a NewtonEquations<'b>,
+}
+
+impl<const K: usize> Equations<f64, Dyn> for TornEquations<'_, '_, K> {
+    fn dimension(&self) -> Dyn {
+        self.whole.dimension()
+    }
+
+    fn residual(&self, q: &DVector<f64>, t: f64, phi: &mut DVector<f64>) {
+        self.whole.residual(q, t, phi);
+    }
+
+    fn jacobian(&self, q: &DVector<f64>, t: f64, phi_q: &mut DMatrix<f64>) {
+        self.whole.jacobian(q, t, phi_q);
+    }
+
+    fn time_derivative(&self, q: &DVector<f64>, t: f64, phi_t: &mut DVector<f64>) {
+        self.whole.time_derivative(q, t, phi_t);
+    }
+
+    fn gamma(&self, q: &DVector<f64>, qd: &DVector<f64>, t: f64, gamma: &mut DVector<f64>) {
+        self.whole.gamma(q, qd, t, gamma);
+    }
+
+    fn row_scale(&self, row: usize) -> f64 {
+        self.whole.row_scale(row)
+    }
+
+    fn coordinate_scale(&self, column: usize) -> f64 {
+        self.whole.coordinate_scale(column)
+    }
+
+    fn is_angle(&self, column: usize) -> bool {
+        self.whole.is_angle(column)
+    }
+}
+
+impl<const K: usize> TornEquations<'_, '_, K> {
+    fn set(&self, tears: &[f64; K], signs: &[f64]) {
+        let Tearing {
+            given,
+            signs: places,
+            ..
+        } = self.tearing;
+        self.whole.write(given, &DVector::from_column_slice(tears));
+        self.whole.write(places, &DVector::from_column_slice(signs));
+    }
+}
+
+impl<const K: usize> Torn<f64, Dyn, K> for TornEquations<'_, '_, K> {
+    type Signs = Vec<f64>;
+    /// What is carried stays in registers.
+    type Carried = ();
+
+    fn tears(&self) -> [usize; K] {
+        std::array::from_fn(|place| self.tearing.tears[place])
+    }
+
+    fn scales(&self, t: f64) -> [f64; K] {
+        let factors = self.whole.results(&self.tearing.scales, t);
+        std::array::from_fn(|place| {
+            let factor = factors.as_ref().map_or(f64::NAN, |factors| factors[place]);
+            factor * self.whole.row_scale(self.tearing.rows[place])
+        })
+    }
+
+    fn terms(&self) -> [f64; K] {
+        std::array::from_fn(|place| self.tearing.terms[place])
+    }
+
+    fn evaluate(
+        &self,
+        tears: &[f64; K],
+        signs: &Vec<f64>,
+        t: f64,
+    ) -> Option<Evaluation<f64, K, ()>> {
+        self.whole.count();
+        self.set(tears, signs);
+        let found = self.whole.results(&self.tearing.evaluate, t)?;
+        Some(Evaluation {
+            residual: std::array::from_fn(|row| found[row]),
+            inverse: std::array::from_fn(|row| {
+                std::array::from_fn(|column| found[K + row * K + column])
+            }),
+            determinant: found[K + K * K],
+            carried: (),
+        })
+    }
+
+    fn complete(
+        &self,
+        tears: &[f64; K],
+        signs: &Vec<f64>,
+        (): &(),
+        t: f64,
+    ) -> Completion<f64, Dyn> {
+        self.set(tears, signs);
+        let found = self.whole.results(&self.tearing.complete, t);
+        let size = self.whole.dimension().0;
+        let part = |place: usize| match &found {
+            Some(found) => DVector::from_column_slice(&found[place * size..(place + 1) * size]),
+            None => DVector::from_element(size, f64::NAN),
+        };
+        Completion {
+            cosines: part(0),
+            sines: part(1),
+            rates: part(2),
+            accelerations: part(3),
+            residual: part(4),
+            response: found
+                .as_ref()
+                .map_or(f64::NAN, |found| torn::largest_of(&found[5 * size..])),
+        }
+    }
+
+    fn signs(&self, q: &DVector<f64>, t: f64) -> Vec<f64> {
+        self.whole.write(&self.whole.newton.tears[0], q);
+        let values = self.whole.results(&self.tearing.sign_values, t);
+        let values = values.unwrap_or_else(|| vec![f64::NAN; self.tearing.signs.len()]);
+        values.into_iter().map(torn::sign).collect()
+    }
+}

@@ -1,0 +1,215 @@
+//! The equations of blocks without a closed form → functions that the runtime calls.
+
+use super::printer::Printer;
+use super::text::Text;
+use super::textbook::length_function;
+use super::torn;
+use crate::emit::module::documentation;
+use crate::emit::module::scope::{Place, Scope};
+use crate::expr::SymbolId;
+use crate::joint::Quantity;
+use crate::program::{Block, Function, NewtonBlock};
+use crate::system::Unknown;
+
+/// The unknowns of a block.
+pub(super) fn unknowns<'a>(newton: &NewtonBlock, printer: &Printer<'a>) -> Vec<&'a Unknown> {
+    let unknowns = newton.unknowns.iter();
+    unknowns
+        .map(|&unknown| &printer.module.system.vector_form.unknowns[unknown])
+        .collect()
+}
+
+/// Whether something is scaled by a length.
+pub(super) fn has_length(quantities: &[Quantity]) -> bool {
+    quantities.iter().any(|it| it.power_of_length() != 0)
+}
+
+/// What the equations of all blocks are evaluated with; nothing where every block has a closed form.
+pub(super) fn given(printer: &Printer<'_>, text: &mut Text) {
+    let mut blocks = printer.module.program.blocks.iter();
+    if !blocks.any(|block| block.newton.is_some()) {
+        return;
+    }
+    let (name, frame) = (printer.type_of("Given"), printer.type_of("Frame"));
+    let conditions = printer.runtime("conditions");
+    text.gap();
+    text.comment(["What the equations of a block are evaluated with."]);
+    text.open(format!("typedef struct {name} {{"));
+    text.line(format!("const {frame} *at;"));
+    text.line(format!("const {conditions} *conditions;"));
+    text.close(format!("}} {name};"));
+}
+
+/// The equations of every block without a closed form.
+pub(super) fn equations(printer: &Printer<'_>, text: &mut Text) {
+    for block in &printer.module.program.blocks {
+        if let Some(newton) = &block.newton {
+            of_block(block, newton, printer, text);
+            if let Some(tearing) = &newton.tearing {
+                torn::functions(block, newton, tearing, printer, text);
+            }
+        }
+    }
+}
+
+/// A function of vectors and of the time, as the runtime calls it.
+pub(super) struct Equation<'a> {
+    pub scope: &'a Scope<'a>,
+    pub comment: String,
+    pub name: String,
+    /// The arguments, and what each of them consists of.
+    pub vectors: Vec<(&'static str, Vec<SymbolId>)>,
+    /// The type that it returns, and the statement that returns.
+    pub returns: (&'static str, Option<&'static str>),
+}
+
+impl Equation<'_> {
+    /// Writes the function, which gives the numbers that the second part of its code finds.
+    pub(super) fn write(
+        self,
+        ends: impl Fn(&[String], &mut Text),
+        printer: &Printer<'_>,
+        text: &mut Text,
+    ) {
+        let Equation {
+            scope,
+            comment,
+            name,
+            vectors,
+            returns: (returns, last),
+        } = self;
+        let real = printer.real();
+        let mut code = Text::default();
+        printer.plain_statements(scope, &mut code);
+        ends(&printer.results(scope), &mut code);
+        let arguments = vectors.iter();
+        let arguments: String = arguments
+            .map(|(vector, _)| format!("const {real} {vector}[], "))
+            .collect();
+        text.gap();
+        text.comment([comment]);
+        text.line(format!(
+            "static {returns} {name}(const void *context, {arguments}{real} t, {real} found[])"
+        ));
+        text.open("{");
+        let reads = scope.reads();
+        let is_given = reads.frame || reads.parameters || reads.inputs;
+        if is_given {
+            text.line(format!(
+                "const {} *const given = context;",
+                printer.type_of("Given")
+            ));
+        }
+        if reads.frame {
+            let frame = printer.type_of("Frame");
+            text.line(format!("const {frame} *const at = given->at;"));
+        }
+        for (is_read, kind, lower) in [
+            (reads.parameters, "Parameters", "parameters"),
+            (reads.inputs, "Inputs", "inputs"),
+        ] {
+            if is_read {
+                let kind = printer.type_of(kind);
+                text.line(format!(
+                    "const {kind} *const {lower} = given->conditions->{lower};"
+                ));
+            }
+        }
+        let mut unread = Vec::new();
+        if !is_given {
+            unread.push("context");
+        }
+        for (vector, symbols) in vectors {
+            let named = symbols.iter().map(|&it| printer.symbol(it, scope));
+            let read: Vec<(usize, String)> = named
+                .enumerate()
+                .filter(|(_, name)| code.mentions(name))
+                .collect();
+            if read.is_empty() {
+                unread.push(vector);
+            }
+            for (place, name) in read {
+                text.line(format!("const {real} {name} = {vector}[{place}];"));
+            }
+        }
+        if !(reads.time || code.mentions("t")) {
+            unread.push("t");
+        }
+        for name in unread {
+            text.line(format!("(void){name};"));
+        }
+        text.gap();
+        text.append(code);
+        if let Some(last) = last {
+            text.line(last);
+        }
+        text.close("}");
+    }
+}
+
+/// Writes numbers one after another.
+pub(super) fn in_order(results: &[String], code: &mut Text) {
+    for (place, result) in results.iter().enumerate() {
+        code.line(format!("found[{place}] = {result};"));
+    }
+}
+
+fn of_block(block: &Block, newton: &NewtonBlock, printer: &Printer<'_>, text: &mut Text) {
+    let (name, order) = (printer.own(&block.name), newton.unknowns.len());
+    let (found, real) = (
+        documentation::found_by(newton, printer.module.system),
+        printer.real(),
+    );
+    let unknowns = unknowns(newton, printer);
+    let positions: Vec<SymbolId> = unknowns.iter().map(|it| it.position).collect();
+    let rates: Vec<SymbolId> = unknowns.iter().map(|it| it.rate).collect();
+    let in_rows = |results: &[String], code: &mut Text| {
+        code.open(format!("const {real} rows[{order}][{order}] = {{"));
+        for row in results.chunks(order) {
+            code.line(format!("{{{}}},", row.join(", ")));
+        }
+        code.close("};");
+        code.line("(void)memcpy(found, rows, sizeof(rows));");
+    };
+    let write = |part: &str, what: &str, function: &Function, text: &mut Text| {
+        let mut vectors = vec![("q", positions.clone())];
+        if part == "gamma" {
+            vectors.push(("qd", rates.clone()));
+        }
+        let local = vectors.iter().flat_map(|(_, symbols)| symbols);
+        let local = local.copied().collect();
+        let scope = Scope::with_tears(printer.module, function, Place::Tears, local);
+        let equation = Equation {
+            scope: &scope,
+            comment: format!("{what} of `{}`, which finds {found}.", block.name),
+            name: format!("{name}_{part}"),
+            vectors,
+            returns: ("void", None),
+        };
+        match part {
+            "jacobian" => equation.write(in_rows, printer, text),
+            _ => equation.write(in_order, printer, text),
+        }
+    };
+    write("residual", "The residuals", &newton.residual, text);
+    write("jacobian", "The Jacobian", &newton.jacobian, text);
+    write(
+        "time_derivative",
+        "The rates of the residuals with the unknowns held",
+        &newton.time_derivative,
+        text,
+    );
+    write(
+        "gamma",
+        "Minus the second rates of the residuals with the accelerations of the unknowns zero",
+        &newton.gamma,
+        text,
+    );
+    let columns: Vec<Quantity> = unknowns.iter().map(|it| it.quantity).collect();
+    let all = [("row", &newton.quantities), ("column", &columns)];
+    for ((what, quantities), lengths) in all.into_iter().zip(&newton.scaled_by) {
+        if has_length(quantities) {
+            length_function(&format!("{name}_{what}_length"), lengths, printer, text);
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! *The blocks of a program and what shows that frames lie on their path* → *how much one call of `advance` computes at most*.
+//!
+//! Closed forms compute the same in every frame. What is repeated has a bound in the runtime: the iterations of Newton-Raphson, how often a
+//! guard looks at a window, the attempts of a way, the crossings of dead points and the poses that each of them compares. Counted is the
+//! arithmetic of equations, elimination and substitution; norms, comparisons and copies are not. The module does not know how the
+//! runtime does it, only how often; a test compares the numbers with its sources.
+
+use crate::program::block::{Block, NewtonBlock};
+use crate::program::function::{Function, Statement};
+use crate::program::passes::costs::{Operations, by_level, of_function};
+use crate::program::passes::iterations::{BEYOND_STEPS, EVALUATIONS, STEPS};
+use crate::program::path::Path;
+use crate::system::System;
+
+/// The attempts of a way, unless set otherwise.
+pub const SUBSTEPS: usize = 256;
+
+/// How many dead points one way may cross.
+pub const CROSSINGS: usize = 8;
+/// How often the times about a dead point are brought closer together.
+pub const REFINEMENTS: usize = 32;
+/// How often a way is doubled to see the modes well apart.
+pub const DOUBLINGS: usize = 8;
+
+/// How often a guard looks at most: at windows of 1024 to 2 steps, each 0.625 of the last one, and at the step alone.
+pub const LOOKS: usize = 15;
+
+/// How often the sags of a window are widened.
+pub const WIDENED: usize = 8;
+
+/// The poses of one crossing: two modes at a first time and at two times for each doubling, at five times for each refinement; seven on
+/// both sides, and the one that the way goes on from.
+const CROSSING_POSES: usize = 2 * (1 + 2 * DOUBLINGS) + 2 * 5 * REFINEMENTS + 7 + 1;
+
+/// The solves of a regularity that is in doubt, and those of rates and accelerations.
+const DOUBTFUL_SOLVES: usize = 13;
+const RATE_SOLVES: usize = 2;
+
+/// What a call of `advance` takes at most.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// All blocks once; without iterations exactly this.
+    pub attempt: Operations,
+    /// Whether blocks are iterated.
+    pub is_iterated: bool,
+    /// One look at a window of the path; `None` where nothing is guarded.
+    pub window: Option<Operations>,
+}
+
+impl Work {
+    /// Of the blocks that are kept, and of their path.
+    pub(in crate::program) fn of(blocks: &[Block], path: Option<&Path>, system: &System) -> Self {
+        let mut attempt = Operations::default();
+        for level in by_level(blocks, system) {
+            attempt += level;
+        }
+        let iterated: Vec<&NewtonBlock> =
+            blocks.iter().filter_map(|it| it.newton.as_ref()).collect();
+        for newton in &iterated {
+            attempt += of_newton(newton, system);
+        }
+        // The multipliers of parts without a closed form.
+        let statements = blocks.iter().flat_map(|it| &it.function.statements);
+        for statement in statements {
+            if let Statement::Multipliers { forces, .. } = statement {
+                attempt += elimination(forces.len());
+                attempt += products(forces.len(), 1);
+            }
+        }
+        Self {
+            attempt,
+            is_iterated: !iterated.is_empty(),
+            window: path.map(|path| of_window(&path.function, system)),
+        }
+    }
+
+    /// The poses that a way takes which one attempt does not lead along, the first one included.
+    pub fn poses(&self) -> usize {
+        match self.window {
+            Some(_) => 1 + SUBSTEPS + CROSSINGS * (CROSSING_POSES + 2 * SUBSTEPS),
+            None => 1 + SUBSTEPS,
+        }
+    }
+
+    /// How often the guard of such a way looks.
+    pub fn looks(&self) -> usize {
+        LOOKS * (1 + SUBSTEPS + CROSSINGS * 2 * SUBSTEPS)
+    }
+
+    /// The operations of such a way.
+    pub fn whole(&self) -> usize {
+        let window = self.window.map_or(0, |it| it.total());
+        self.poses() * self.attempt.total() + self.looks() * window
+    }
+}
+
+/// Newton-Raphson with its rates and its last look.
+fn of_newton(newton: &NewtonBlock, system: &System) -> Operations {
+    let order = newton.unknowns.len();
+    let [residuals, jacobians] = BEYOND_STEPS.map(|more| STEPS + more);
+    let mut all = of_function(&newton.residual, system).times(residuals);
+    all += of_function(&newton.jacobian, system).times(jacobians);
+    all += of_function(&newton.time_derivative, system);
+    all += of_function(&newton.gamma, system);
+    all += elimination(order).times(jacobians);
+    all += products(order, 1).times(residuals + RATE_SOLVES + DOUBTFUL_SOLVES);
+    if let Some(tearing) = &newton.tearing {
+        // In vain at first, and once more for what the next frame begins with.
+        all += of_function(&tearing.evaluate, system).times(EVALUATIONS + 1);
+        all += of_function(&tearing.scales, system).times(2);
+        all += of_function(&tearing.complete, system);
+        all += of_function(&tearing.sign_values, system);
+        all.sines += order;
+        all.arctangents += tearing.angles;
+    }
+    all
+}
+
+/// What a path shows, with the largest number of rounds.
+fn of_window(function: &Function, system: &System) -> Operations {
+    let mut all = of_function(function, system);
+    for statement in &function.statements {
+        if let Statement::Isolate {
+            found, variation, ..
+        } = statement
+        {
+            let order = found.len();
+            // An inverse takes three times the elimination, and each round two products.
+            all += elimination(order).times(3);
+            all += products(order, 3);
+            let mut round = of_function(variation, system);
+            round += products(order, 2);
+            all += round.times(WIDENED);
+        }
+    }
+    all
+}
+
+/// Gaussian elimination of a square matrix.
+fn elimination(order: usize) -> Operations {
+    let pairs = order * (order.saturating_sub(1)) * (2 * order).saturating_sub(1) / 6;
+    Operations {
+        additions: pairs,
+        multiplications: pairs,
+        divisions: order * (order + 1) / 2,
+        ..Operations::default()
+    }
+}
+
+/// Products of a square matrix with a vector, or substitutions.
+fn products(order: usize, count: usize) -> Operations {
+    Operations {
+        additions: count * order * order,
+        multiplications: count * order * order,
+        ..Operations::default()
+    }
+}

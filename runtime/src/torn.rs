@@ -1,0 +1,358 @@
+//! A block whose unknowns follow one after another from a few of them, the tears → its next frame, by Newton-Raphson on these alone.
+//!
+//! With the tears given, closed forms find everything else, and as many equations remain as there are tears: their residuals, and
+//! exact derivatives by differentiating the closed forms, are all that an iteration needs (Elmqvist and Otter, *Methods for tearing
+//! systems of equations in object-oriented modeling*, 1994). That is a shortcut and decides nothing: where a closed form is out of reach
+//! or nearly singular, although the block need not be, where the steps do not contract, where the determinant changes its sign, or where
+//! rounding is amplified so that the residuals do not become as small as rounding, all equations are solved at once, as in [`crate::block`].
+//! All equations are evaluated at the pose that is found. So a frame has the accuracy of the whole system, and a failure is that of the whole system.
+//!
+//! Closed forms have signs. They are those of the last frame, since a sign that changes makes its form singular on the way; the frame
+//! keeps them, and after a solve of all equations they are read off its pose.
+//!
+//! The module does not know the closed forms.
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{DefaultAllocator, Dim, OVector};
+
+use crate::block::{self, Start};
+use crate::closed_form::Branch;
+use crate::equations::Equations;
+use crate::failure::Failure;
+use crate::kinematics::Frame;
+use crate::math::{Real, angle_near};
+use crate::newton::ROUNDING;
+use crate::settings::Settings;
+use crate::vector::{all_finite, zero_vector};
+use crate::watch::LARGEST_CONTRACTION;
+
+/// Evaluations of a torn block at most; from the last frame two or three suffice.
+pub const EVALUATIONS: usize = 6;
+
+/// The multiple of ε below which the residual of a tear is rounding of its terms where no step makes it smaller. What is more has been
+/// amplified on the way through the closed forms, and all equations together leave less.
+pub const AMPLIFIED: f64 = 16.0;
+
+/// The largest derivative of an unknown by a tear, in their scales, with which rates are as accurate as those of the whole system.
+pub const LARGEST_RESPONSE: f64 = 64.0;
+
+/// The equations of a block with K tears.
+pub trait Torn<T: Real, D: Dim, const K: usize>: Equations<T, D>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    /// The signs of the closed forms.
+    type Signs: Clone;
+    /// What is found on the way to the residuals and needed afterwards.
+    type Carried;
+
+    /// Which unknowns are the tears.
+    fn tears(&self) -> [usize; K];
+
+    /// The positive magnitudes by which the residuals are scaled.
+    fn scales(&self, t: T) -> [T; K];
+
+    /// How large the terms of the residuals are in these scales, at least 1: rounding is a part of them.
+    fn terms(&self) -> [T; K];
+
+    /// Finds the other unknowns and the residuals; `None` where a closed form is out of reach or nearly singular.
+    fn evaluate(
+        &self,
+        tears: &[T; K],
+        signs: &Self::Signs,
+        t: T,
+    ) -> Option<Evaluation<T, K, Self::Carried>>;
+
+    /// All unknowns with their rates at tears at which the residuals vanish.
+    fn complete(
+        &self,
+        tears: &[T; K],
+        signs: &Self::Signs,
+        carried: &Self::Carried,
+        t: T,
+    ) -> Completion<T, D>;
+
+    /// The signs that the closed forms have at a pose (n).
+    fn signs(&self, q: &OVector<T, D>, t: T) -> Self::Signs;
+}
+
+/// What is found with given tears.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evaluation<T, const K: usize, C> {
+    /// What remains of the equations.
+    pub residual: [T; K],
+    /// The inverse of its Jacobian in the tears, row by row.
+    pub inverse: [[T; K]; K],
+    /// The determinant of this Jacobian.
+    pub determinant: T,
+    /// For [`Torn::complete`].
+    pub carried: C,
+}
+
+/// All unknowns of a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Completion<T: Real, D: Dim>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    /// Of an angle its cosine, of a length itself (n).
+    pub cosines: OVector<T, D>,
+    /// Of an angle its sine (n).
+    pub sines: OVector<T, D>,
+    /// The rates (n).
+    pub rates: OVector<T, D>,
+    /// The accelerations (n).
+    pub accelerations: OVector<T, D>,
+    /// The residuals of all equations (n).
+    pub residual: OVector<T, D>,
+    /// The largest derivative of an unknown by a tear, in their scales.
+    pub response: T,
+}
+
+/// A solved block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found<T: Real, D: Dim, S>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    /// Its frame.
+    pub frame: Frame<T, D>,
+    /// The cosine of each angle (n).
+    pub cosines: OVector<T, D>,
+    /// The sine of each angle (n).
+    pub sines: OVector<T, D>,
+    /// What the next frame is found with.
+    pub memory: Memory<T, S>,
+}
+
+/// What a frame keeps of a torn block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Memory<T, S> {
+    /// Has the sign of the determinant in the tears; zero where that is not known.
+    pub determinant: T,
+    /// The signs of the closed forms.
+    pub signs: S,
+}
+
+/// Solves a block at time `t`, as [`block::solve`] does, which it falls back on.
+///
+/// # Errors
+/// Those of [`block::solve`].
+///
+/// # Work
+/// At most [`EVALUATIONS`] evaluations of the torn block, and then that of [`block::solve`] where they do not suffice.
+///
+/// # Panics
+/// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
+#[inline]
+pub fn solve<T: Real, D: Dim, E: Torn<T, D, K>, const K: usize>(
+    equations: &E,
+    last: &Frame<T, D>,
+    memory: &Memory<T, E::Signs>,
+    start: Start,
+    branch: &mut Option<Branch>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Found<T, D, E::Signs>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    if start == Start::LastFrame
+        && branch.is_some()
+        && let Some(found) = advance(equations, last, memory, t, settings)
+    {
+        return Ok(found);
+    }
+    whole(equations, last, start, branch, t, settings)
+}
+
+/// The next frame by way of the tears, where that is sure to be as good as the whole system's.
+#[inline]
+fn advance<T: Real, D: Dim, E: Torn<T, D, K>, const K: usize>(
+    equations: &E,
+    last: &Frame<T, D>,
+    memory: &Memory<T, E::Signs>,
+    t: T,
+    settings: &Settings<T>,
+) -> Option<Found<T, D, E::Signs>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let h = t - last.t;
+    let mut tears = equations.tears().map(|place| {
+        let half = T::HALF * h * last.qdd[place];
+        last.q[place] + h * (last.qd[place] + half)
+    });
+    let (scales, terms) = (equations.scales(t), equations.terms());
+    let rounding = |multiple: f64| T::from_f64(multiple) * T::EPSILON;
+    let enough = match settings.polish {
+        true => rounding(ROUNDING),
+        false => settings.tolerance,
+    };
+    let mut before: Option<T> = None;
+    for _ in 0..EVALUATIONS {
+        let at = equations.evaluate(&tears, &memory.signs, t)?;
+        // Written so that NaN is refused.
+        let keeps_sign = at.determinant * memory.determinant > T::ZERO;
+        if !keeps_sign {
+            return None;
+        }
+        let mut scaled = at.residual;
+        for (value, scale) in scaled.iter_mut().zip(&scales) {
+            *value = value.abs() / *scale;
+        }
+        let level = largest(scaled.iter().copied());
+        let noise = largest(
+            scaled
+                .iter()
+                .zip(&terms)
+                .map(|(value, size)| *value / *size),
+        );
+        let step = at.inverse.map(|row| {
+            let terms = row.iter().zip(&at.residual);
+            terms.fold(T::ZERO, |sum, (entry, value)| sum - *entry * *value)
+        });
+        let columns = equations
+            .tears()
+            .map(|place| equations.coordinate_scale(place));
+        let length = largest(
+            step.iter()
+                .zip(&columns)
+                .map(|(step, scale)| step.abs() / *scale),
+        );
+        let contracts =
+            before.is_none_or(|before| length <= T::from_f64(LARGEST_CONTRACTION) * before);
+        if level <= enough || !contracts && noise <= rounding(AMPLIFIED) {
+            return completed(equations, last, &tears, memory, &at.carried, (t, settings));
+        }
+        if !contracts {
+            return None;
+        }
+        before = Some(length);
+        for (tear, step) in tears.iter_mut().zip(step) {
+            *tear += step;
+        }
+    }
+    None
+}
+
+/// The largest of some magnitudes, or one that is not finite.
+#[inline]
+fn largest<T: Real>(magnitudes: impl Iterator<Item = T>) -> T {
+    magnitudes.fold(T::ZERO, |largest, value| {
+        match largest < value || !value.is_finite() {
+            true => value,
+            false => largest,
+        }
+    })
+}
+
+/// The largest magnitude of some values, or one that is not finite; zero of none.
+#[inline]
+pub fn largest_of<T: Real>(values: &[T]) -> T {
+    largest(values.iter().map(|value| value.abs()))
+}
+
+/// The sign of a value as a factor: +1 or −1.
+#[inline]
+pub fn sign<T: Real>(value: T) -> T {
+    match value < T::ZERO {
+        true => -T::ONE,
+        false => T::ONE,
+    }
+}
+
+#[inline]
+fn completed<T: Real, D: Dim, E: Torn<T, D, K>, const K: usize>(
+    equations: &E,
+    last: &Frame<T, D>,
+    tears: &[T; K],
+    memory: &Memory<T, E::Signs>,
+    carried: &E::Carried,
+    (t, settings): (T, &Settings<T>),
+) -> Option<Found<T, D, E::Signs>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let Completion {
+        cosines,
+        sines,
+        rates,
+        accelerations,
+        residual,
+        response,
+    } = equations.complete(tears, &memory.signs, carried, t);
+    let mut q = cosines.clone();
+    let parts = sines.as_slice().iter().zip(last.q.as_slice());
+    for (place, (value, (sine, near))) in q.as_mut_slice().iter_mut().zip(parts).enumerate() {
+        if let Some(which) = equations.tears().iter().position(|tear| *tear == place) {
+            *value = tears[which];
+        } else if equations.is_angle(place) {
+            *value = angle_near(*sine, *value, *near);
+        }
+    }
+    // That all equations hold does not rely on how the unknowns were found. Written so that NaN is refused.
+    let mut rows = residual.as_slice().iter().enumerate();
+    let is_met =
+        rows.all(|(row, value)| value.abs() <= settings.tolerance * equations.row_scale(row));
+    let finite = all_finite(q.as_slice())
+        && all_finite(rates.as_slice())
+        && all_finite(accelerations.as_slice());
+    (finite && is_met && response <= T::from_f64(LARGEST_RESPONSE)).then(|| Found {
+        frame: Frame {
+            t,
+            q,
+            qd: rates,
+            qdd: accelerations,
+        },
+        cosines,
+        sines,
+        memory: memory.clone(),
+    })
+}
+
+/// The frame by way of all equations.
+#[cold]
+fn whole<T: Real, D: Dim, E: Torn<T, D, K>, const K: usize>(
+    equations: &E,
+    last: &Frame<T, D>,
+    start: Start,
+    branch: &mut Option<Branch>,
+    t: T,
+    settings: &Settings<T>,
+) -> Result<Found<T, D, E::Signs>, Failure<T>>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let frame = block::solve(equations, last, start, branch, t, settings)?;
+    let dimension = equations.dimension();
+    let (mut cosines, mut sines) = (frame.q.clone(), zero_vector(dimension));
+    let parts = cosines.as_mut_slice().iter_mut().zip(sines.as_mut_slice());
+    for (place, (value, sine)) in parts.enumerate() {
+        if equations.is_angle(place) {
+            (*sine, *value) = value.sin_cos();
+        }
+    }
+    let signs = equations.signs(&frame.q, t);
+    let tears = equations.tears().map(|place| frame.q[place]);
+    let scales = equations.scales(t);
+    let determinant = match equations.evaluate(&tears, &signs, t) {
+        // The closed forms must lead to this very pose.
+        Some(at)
+            if at
+                .residual
+                .iter()
+                .zip(&scales)
+                .all(|(value, scale)| value.abs() <= settings.tolerance * *scale) =>
+        {
+            at.determinant
+        }
+        _ => T::ZERO,
+    };
+    Ok(Found {
+        frame,
+        cosines,
+        sines,
+        memory: Memory { determinant, signs },
+    })
+}

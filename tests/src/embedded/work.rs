@@ -1,0 +1,67 @@
+//! *What a header says that `advance` computes at most* → *whether the instructions that were counted are within it*.
+
+use linkwright_codegen::stages::program::{Operations, Work, work};
+
+use super::figures::Known;
+use super::program::{Language, Processor, Scalar};
+use crate::description;
+
+/// The work of a mechanism as its header states it.
+///
+/// # Panics
+/// If its description has errors.
+pub fn work_of(mechanism: &str) -> Work {
+    let report = linkwright_codegen::report(&description::system(mechanism));
+    report.expect("a mechanism that is determined").work
+}
+
+/// The instructions of a Cortex-M4F for so many operations in f32, at most: with what loads their operands and stores them, and the
+/// branches and copies of a frame, which are part of its operations' share.
+fn instructions(operations: &Operations) -> usize {
+    4 * (operations.additions + operations.multiplications + operations.divisions)
+        + 50 * (operations.square_roots + operations.sines)
+        + 70 * operations.arctangents
+}
+
+/// What is outside of what the header says: fewer instructions than operations, or more than these can take.
+pub fn outside(known: &Known) -> Vec<String> {
+    let program = &known.program;
+    let is_meant = (program.processor, program.scalar) == (Processor::CortexM4F, Scalar::F32)
+        && program.language == Language::Rust
+        && !program.is_small;
+    if !is_meant {
+        return Vec::new();
+    }
+    let work = work_of(program.mechanism());
+    let guarded = work.window.filter(|_| program.is_guarded);
+    let window = guarded.map_or(0, |it| instructions(&it));
+    let attempt = instructions(&work.attempt);
+    let (advance, long) = (known.printed.advance, known.printed.long);
+    let mut found = Vec::new();
+    let mut ask = |what: &str, measured: u64, largest: usize| {
+        if measured > largest as u64 {
+            found.push(format!(
+                "{program}: {measured} instructions of {what}, and the header allows {largest}"
+            ));
+        }
+    };
+    ask("a frame", advance.worst, attempt + work::LOOKS * window);
+    let unguarded = Work {
+        window: None,
+        ..work
+    };
+    let poses = if program.is_guarded {
+        work.poses()
+    } else {
+        unguarded.poses()
+    };
+    ask(
+        "a long step",
+        long.worst,
+        poses * attempt + work.looks() * window,
+    );
+    if !work.is_iterated && (advance.mean() as usize) < work.attempt.total() {
+        found.push(format!("{program}: fewer instructions than operations"));
+    }
+    found
+}

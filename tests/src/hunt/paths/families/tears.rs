@@ -1,0 +1,168 @@
+//! Loops of which all unknowns follow from a few: six-bars and chains that are driven at their far end, and platforms at poses in
+//! which two of their circle equations do not determine a point.
+
+use std::f64::consts::TAU;
+
+use super::super::course::Course;
+use super::{below, sign, size};
+use crate::random::Random;
+
+fn course(text: String, size: f64, period: f64) -> Course {
+    Course {
+        family: "",
+        text,
+        size,
+        period,
+        span: [0.0, 3.0 * period],
+        start: Vec::new(),
+        inputs: Vec::new(),
+        is_blurred: false,
+        is_drawn: true,
+    }
+}
+
+/// A rate (rad/s) with its period (s).
+fn rate(random: &mut Random) -> (f64, f64) {
+    let speed = 10.0_f64.powf(random.between(-0.5, 0.5));
+    (speed * sign(random), TAU / speed)
+}
+
+/// A Stephenson six-bar whose far link is driven.
+pub fn six_bar(random: &mut Random, _: u64) -> Course {
+    let size = size(random);
+    let drawn = [
+        ("A", [0.0, 0.0]),
+        ("B", [-0.4, 0.8]),
+        ("C", [1.0, 1.0]),
+        ("D", [1.0, 0.0]),
+        ("E", [0.3, 1.5]),
+        ("F", [1.9, 1.5]),
+        ("G", [2.0, 0.8]),
+    ];
+    let points = drawn.map(|(name, place)| {
+        let [x, y] = place.map(|it| size * (it + random.between(-0.35, 0.35)));
+        format!("{name} = ({x:?}, {y:?})")
+    });
+    let (speed, period) = rate(random);
+    let reach = random.between(0.05, 1.0);
+    let law = match below(random, 3) {
+        0 => format!("{:?}*t", 0.2 * speed),
+        1 => format!("{reach:?}*(1 - cos({speed:?}*t))"),
+        _ => format!("{reach:?}*sin({speed:?}*t)"),
+    };
+    let text = format!(
+        "mechanism six_bar {{
+    point {};
+    body crank at A {{ A, B }}
+    body coupler at B {{ B, C, E }}
+    body rocker at D {{ C, D }}
+    body link at F {{ E, F }}
+    body arm at G {{ F, G }}
+    revolute A(ground, crank);
+    revolute B(crank, coupler);
+    revolute C(coupler, rocker);
+    revolute D(ground, rocker);
+    revolute E(coupler, link);
+    revolute F(link, arm);
+    revolute G(ground, arm);
+    drive phi(arm) = {law};
+}}
+",
+        points.join(", ")
+    );
+    course(text, size, period)
+}
+
+/// A pantograph whose last cell is driven, each cell so many times as large as the one before it.
+pub fn chain(random: &mut Random, number: u64) -> Course {
+    let size = size(random);
+    let cells = 2 + below(random, 5);
+    let growth = [1.0, 0.8, 1.4][(number % 3) as usize];
+    let opening = random.between(0.25, 0.9);
+    let (cosine, sine) = (opening.cos(), opening.sin());
+    let (mut x, mut scale) = (0.0, size);
+    let mut bodies = String::new();
+    let mut joints = String::new();
+    for cell in 0..cells {
+        let (half, next) = (0.5 * scale, 0.5 * scale * growth);
+        let (height, length) = (half * sine, half + next);
+        for (bar, side) in [("u", -1.0), ("v", 1.0)] {
+            bodies += &format!(
+                "    body {bar}{cell} at ({x:?}, {:?}, {:?}) {{ A: (0, 0), M: ({half:?}, 0), B: ({length:?}, 0) }}\n",
+                side * height,
+                -side * opening
+            );
+        }
+        joints += &format!("    revolute M(u{cell}, v{cell});\n");
+        if cell > 0 {
+            let before = cell - 1;
+            joints += &format!(
+                "    revolute (v{before}.B, u{cell}.A);\n    revolute (u{before}.B, v{cell}.A);\n"
+            );
+        }
+        x += (half + next) * cosine;
+        scale *= growth;
+    }
+    let last = cells - 1;
+    let middle = x - 0.5 * scale * cosine;
+    let (speed, period) = rate(random);
+    let [reach, other] = [0.1, 0.01].map(|most| most * size * random.between(0.2, 1.0));
+    let ground = -0.5 * size * sine;
+    let text = format!(
+        "mechanism chain {{
+    point G = (0, {ground:?});
+{bodies}{joints}    revolute (ground.G, u0.A);
+    drive u{last}.M.x = {middle:?} + {reach:?}*sin({speed:?}*t);
+    drive v{last}.B.x = {x:?} + {reach:?}*sin({speed:?}*t) + {other:?}*sin({:?}*t);
+}}
+",
+        2.0 * speed
+    );
+    course(text, size, 0.5 * period)
+}
+
+/// A platform on three legs that is drawn where the lines between the ends of its arms are parallel, and goes through such poses.
+pub fn level_platform(random: &mut Random, _: u64) -> Course {
+    let size = size(random);
+    let mut point = |reach: f64| [0; 2].map(|_| size * random.between(-reach, reach));
+    let (base, place) = (point(1.0), point(1.0));
+    let pins = [point(0.8), point(0.8), point(0.8)];
+    let first = point(1.5);
+    let factor = random.between(0.4, 2.0) * sign(random);
+    // From each pin back: the differences to the first leg are parallel.
+    let others = [first, first.map(|it| factor * it)];
+    let mut bases = vec![base];
+    for (pin, difference) in pins[1..].iter().zip(others) {
+        bases.push([0, 1].map(|it| base[it] + pin[it] - pins[0][it] - difference[it]));
+    }
+    let (mut legs, mut period) = (String::new(), f64::INFINITY);
+    let names = [("A", "P"), ("B", "Q"), ("C", "R")];
+    for ((base, pin), (at, on)) in bases.iter().zip(pins).zip(names) {
+        let way = [0, 1].map(|it| place[it] + pin[it] - base[it]);
+        let length = way[0].hypot(way[1]);
+        let (speed, own) = rate(random);
+        period = period.min(own);
+        let reach = length * random.between(0.01, 0.2);
+        legs += &format!(
+            "    drive distance(ground.{at}, platform.{on}) = {length:?} + {reach:?}*sin({speed:?}*t);\n"
+        );
+    }
+    let listed = |separator: &str, second: bool, all: &[[f64; 2]]| {
+        let named = names.iter().zip(all).map(|((at, on), [x, y])| {
+            format!("{}{separator}({x:?}, {y:?})", if second { on } else { at })
+        });
+        named.collect::<Vec<String>>().join(", ")
+    };
+    let text = format!(
+        "mechanism level {{
+    point {};
+    body platform at ({:?}, {:?}, 0) {{ {} }}
+{legs}}}
+",
+        listed(" = ", false, &bases),
+        place[0],
+        place[1],
+        listed(": ", true, &pins)
+    );
+    course(text, size, period)
+}

@@ -1,0 +1,55 @@
+//! The controller of the guide in C prints what its page says; the checks of the repository run the one in Rust, which says the same.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::{Language, Options, generate_files};
+use linkwright_tests::c::run::{FLAGS, compilers, run};
+use linkwright_tests::files;
+
+/// The block after a line.
+fn block<'a>(page: &'a str, line: &str) -> &'a str {
+    let (_, rest) = page.split_once(line).expect("the line");
+    let (_, rest) = rest.split_once("\n```").expect("a block");
+    let (_, rest) = rest.split_once('\n').expect("its mark");
+    rest.split_once("```").expect("its end").0
+}
+
+#[test]
+fn the_controller_in_c_prints_what_its_page_says() {
+    let page =
+        fs::read_to_string(files::repository().join("codegen/guide/control.md")).expect("the page");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("control");
+    fs::create_dir_all(&folder).expect("a folder");
+    let source = Source::new("loader.mech", block(&page, "`descriptions/loader.mech`"));
+    let generated = generate_files(&source, Language::C, "loader", &Options::default());
+    let generated = generated.unwrap_or_else(|found| panic!("{}", found.render(&source)));
+    for file in generated.files {
+        fs::write(folder.join(file.name), file.text).expect("written");
+    }
+    fs::write(folder.join("main.c"), block(&page, "`main.c`")).expect("written");
+    let counted = |line: &&str| line.contains("sines, angles and roots");
+    let said = block(&page, "`cargo run --release` prints");
+    let said: Vec<&str> = said.lines().filter(|line| !counted(line)).collect();
+    assert!(said.len() > 10 && !compilers().is_empty());
+    for compiler in compilers() {
+        let mut command = Command::new(compiler);
+        command.args(&FLAGS[..5]).arg("-Werror");
+        command.args([
+            "main.c",
+            "loader.c",
+            "linkwright.c",
+            "-lm",
+            "-o",
+            "controller",
+        ]);
+        run(command.current_dir(&folder)).unwrap_or_else(|error| panic!("{error}"));
+        let output = Command::new(folder.join("controller"))
+            .output()
+            .expect("it runs");
+        let printed = String::from_utf8(output.stdout).expect("text");
+        assert_eq!(printed.lines().collect::<Vec<_>>(), said, "{compiler}");
+    }
+}

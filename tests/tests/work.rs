@@ -1,0 +1,73 @@
+//! What headers say of the work of `advance` follows from the numbers of the runtime, and from the functions that are emitted.
+
+use std::fs;
+
+use linkwright_codegen::stages::program::{STEPS, work};
+use linkwright_tests::embedded::work::work_of;
+use linkwright_tests::files;
+
+/// The value of a constant in a source of the runtime.
+fn constant(file: &str, name: &str) -> f64 {
+    let text =
+        fs::read_to_string(files::repository().join("runtime/src").join(file)).expect("a source");
+    let line = text.lines().find(|line| {
+        line.trim_start()
+            .trim_start_matches("pub ")
+            .starts_with(&format!("const {name}:"))
+    });
+    let line = line.unwrap_or_else(|| panic!("{file} has no {name}"));
+    let value = line
+        .rsplit_once("= ")
+        .expect("a value")
+        .1
+        .trim_end_matches(';');
+    value.parse().unwrap_or_else(|_| panic!("{name} = {value}"))
+}
+
+#[test]
+fn bounds_are_those_of_the_runtime() {
+    let same = [
+        ("settings.rs", "ITERATIONS", STEPS),
+        ("settings.rs", "SUBSTEPS", work::SUBSTEPS),
+        ("way.rs", "CROSSINGS", work::CROSSINGS),
+        ("crossing.rs", "REFINEMENTS", work::REFINEMENTS),
+        ("crossing.rs", "DOUBLINGS", work::DOUBLINGS),
+        ("span.rs", "WIDENED", work::WIDENED),
+    ];
+    for (file, name, value) in same {
+        assert_eq!(constant(file, name), value as f64, "{name}");
+    }
+    // A guard looks at windows of 1024 steps at most and two at least, each shorter than the last one, and at the step alone.
+    let guard =
+        fs::read_to_string(files::repository().join("runtime/src/guard.rs")).expect("a source");
+    assert!(guard.contains("const AHEAD: [f64; 3] = [16.0, 2.0, 1024.0];"));
+    let shrinking = constant("guard.rs", "SHRINKING");
+    let mut looks = 1;
+    let mut stretch = 1024.0;
+    while stretch >= 2.0 {
+        looks += 1;
+        stretch *= shrinking;
+    }
+    assert_eq!(looks, work::LOOKS);
+}
+
+/// The four-bar linkage as a person counts it: two additions and one multiplication for the crank's angle and so on, all levels
+/// together; see its module.
+#[test]
+fn closed_forms_are_counted_exactly() {
+    let work = work_of("four_bar");
+    assert!(!work.is_iterated);
+    let attempt = work.attempt;
+    // One angle that is driven, one triangle: its root, two divisions, two angles.
+    let found = (
+        attempt.sines,
+        attempt.square_roots,
+        attempt.divisions,
+        attempt.arctangents,
+    );
+    assert_eq!(found, (2, 1, 2, 2));
+    assert_eq!((attempt.additions, attempt.multiplications), (18, 44));
+    assert!(work.whole() > work.poses() * attempt.total());
+    let platform = work_of("platform_3rpr");
+    assert!(platform.is_iterated && platform.attempt.total() > 25 * 4 * 4);
+}
