@@ -92,7 +92,7 @@ fn forces_are_printed_and_drawn() {
     ] {
         assert!(printed.contains(line), "{printed}");
     }
-    assert!(folder.path("out/effort_swing.svg").is_file());
+    assert!(folder.file("out/effort_swing.svg").is_file());
     // What was written is known again.
     folder
         .run("solve a.mech --to 1 --out out --units")
