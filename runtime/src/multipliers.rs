@@ -51,7 +51,8 @@ where
     }
     for scale in scales.rows.iter_mut() {
         // Written so that a row of zeros, or of NaN, is judged as it is.
-        if !(*scale > T::ZERO) {
+        let is_scale = *scale > T::ZERO;
+        if !is_scale {
             *scale = T::ONE;
         }
     }
