@@ -1,6 +1,6 @@
 //! Generated code has the forces of the interpreter, in both precisions, in closed form and by a linear system; its cost is bounded.
 
-use linkwright::{Mechanism, Signal};
+use linkwright::Signal;
 use linkwright_codegen::report;
 use linkwright_mechanisms::andrews;
 use linkwright_tests::description;
