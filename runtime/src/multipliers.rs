@@ -51,8 +51,8 @@ where
     }
     for scale in scales.rows.iter_mut() {
         // Written so that a row of zeros, or of NaN, is judged as it is.
-        let is_positive = *scale > T::ZERO;
-        if !is_positive {
+        let is_scale = *scale > T::ZERO;
+        if !is_scale {
             *scale = T::ONE;
         }
     }

@@ -502,6 +502,49 @@ def peaucellier():
     )
 
 
+def andrews():
+    crank, rod, side, arm, link = (exact(v) / 1000 for v in (7, 28, 35, 40, 20))
+    beta = exact("-0.0617138900142764496358948458001")
+    spin = exact("14222.4439199541138705911625887")
+    b, a = Point(exact("-0.03635"), exact("0.03273")), Point(exact("-0.06934"), exact("-0.00227"))
+
+    def angle(t):
+        return beta + spin / 40000 * (1 - cos(200 * t))
+
+    def tip(t):
+        return Point(crank * cos(angle(t)), crank * sin(angle(t)))
+
+    def equations(values, t):
+        e, g, h = (Point(*values[k : k + 2]) for k in (0, 2, 4))
+        lengths = [(tip(t), e, rod), (b, e, side), (a, g, arm), (g, e, link), (a, h, arm), (h, e, link)]
+        return [apart(p, q, Jet(length)) for p, q, length in lengths]
+
+    def poses(values, t):
+        e, g, h = (Point(*values[k : k + 2]) for k in (0, 2, 4))
+        f = tip(t)
+
+        def along(way):
+            return atan2(way.y, way.x)
+
+        def below(way):
+            return atan2(way.x, -way.y)
+
+        bodies = [
+            (Point(Jet(0), Jet(0)), angle(t)),
+            (f, along(f - e)),
+            (b, below(e - b)),
+            (g, below(e - g)),
+            (a, along(g - a)),
+            (h, along(e - h)),
+            (a, below(h - a)),
+        ]
+        return [part for origin, turn in bodies for part in (origin.x, origin.y, turn)]
+
+    start = ["-0.0209597", "0.0012979", "-0.0339972", "0.0164556", "-0.0316303", "-0.0156197"]
+    names = ["k1", "k2", "k3", "k4", "k5", "k6", "k7"]
+    return Mechanism(names, [exact(v) for v in start], equations, poses)
+
+
 def quick_return():
     crank, lever, link, height = (exact(v) for v in ("0.1", "0.45", "0.3", "0.22"))
     pivot = Point(0, exact("-0.2"))
@@ -655,6 +698,7 @@ TABLES = {
     "stephenson": stephenson,
     "jansen": jansen,
     "peaucellier": peaucellier,
+    "andrews": andrews,
     "quick_return": quick_return,
     "scotch_yoke": scotch_yoke,
     "double_wishbone": double_wishbone,

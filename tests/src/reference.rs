@@ -18,6 +18,7 @@ pub const REFERENCES: &[(&str, &str)] = &[
     ("scissor", "scissor.csv"),
     ("jansen", "jansen.csv"),
     ("peaucellier", "peaucellier.csv"),
+    ("andrews", "andrews.csv"),
     ("quick_return", "quick_return.csv"),
     ("scotch_yoke", "scotch_yoke.csv"),
     ("double_wishbone", "double_wishbone.csv"),

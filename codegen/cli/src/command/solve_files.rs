@@ -84,7 +84,7 @@ impl Files {
             let output = placed(is_asked, outputs.file(&path, picture::SIGNATURE))?;
             pictures.push(Picture { name, output });
         }
-        files.paths = paths.and(pictures.pop());
+        files.paths = paths.and_then(|_| pictures.pop());
         files.forces = pictures.split_off(points.len() + arguments.show.len());
         files.coordinates = pictures.split_off(points.len());
         files.points = pictures;

@@ -59,6 +59,14 @@ impl Work {
         for newton in &iterated {
             attempt += of_newton(newton, system);
         }
+        // The multipliers of parts without a closed form.
+        let statements = blocks.iter().flat_map(|it| &it.function.statements);
+        for statement in statements {
+            if let Statement::Multipliers { forces, .. } = statement {
+                attempt += elimination(forces.len());
+                attempt += products(forces.len(), 1);
+            }
+        }
         Self {
             attempt,
             is_iterated: !iterated.is_empty(),
