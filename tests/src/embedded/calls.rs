@@ -101,9 +101,7 @@ impl Calls {
                     function.targets.insert(target);
                     function.calls_itself |= mnemonic == "bl" && Some(target) == address;
                 }
-            } else if mnemonic.starts_with("ldr") && first == "pc"
-                || mnemonic.starts_with("mov") && first == "pc"
-            {
+            } else if first == "pc" && ["ldr", "mov"].iter().any(|it| mnemonic.starts_with(it)) {
                 function.is_indirect = true;
             }
         }
