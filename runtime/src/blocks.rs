@@ -108,6 +108,11 @@ pub trait Blocks {
     /// The coordinate `index` of a frame: its value, its rate and its acceleration; `None` where frames do not hold it.
     fn coordinate(&self, frame: &Self::Frame, index: usize) -> Option<[Self::Scalar; 3]>;
 
+    /// Whether frames hold all coordinates, from which points follow.
+    fn holds_coordinates(&self) -> bool {
+        false
+    }
+
     /// What the point `index` is called whose motion frames offer; `None` beyond the last one.
     fn point_name(&self, index: usize) -> Option<&str>;
 

@@ -209,8 +209,8 @@ where
             sum += part * part;
             index += 1;
         }
-        // Points follow from coordinates.
-        if index > 0 {
+        // Points follow from coordinates, and are then left out of a program that never asks for them.
+        if index > 0 || self.blocks.holds_coordinates() {
             return sum;
         }
         while let Some(part) = combine(&|frame| {

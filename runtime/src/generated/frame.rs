@@ -28,6 +28,8 @@ macro_rules! frame {
         }
 
         impl $name {
+            const HOLDS_COORDINATES: bool = true;
+
             /// A coordinate with its rate and its acceleration.
             fn coordinate(&self, index: usize) -> Option<[Scalar; 3]> {
                 let of = |values: &Coordinates| values.to_array().get(index).copied();
@@ -45,6 +47,8 @@ macro_rules! frame {
         }
 
         impl $name {
+            const HOLDS_COORDINATES: bool = false;
+
             /// Frames hold what is asked for alone.
             fn coordinate(&self, _index: usize) -> Option<[Scalar; 3]> {
                 None

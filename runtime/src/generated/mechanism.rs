@@ -124,6 +124,10 @@ macro_rules! mechanism {
                 frame.coordinate(index)
             }
 
+            fn holds_coordinates(&self) -> bool {
+                Frame::HOLDS_COORDINATES
+            }
+
             fn point_name(&self, index: usize) -> Option<&str> {
                 POINTS.get(index).map(|(name, _)| *name)
             }
