@@ -291,10 +291,14 @@ where
             *value = angle_near(*sine, *value, *near);
         }
     }
-    // That all equations hold does not rely on how the unknowns were found. Written so that NaN is refused.
+    // That all equations hold as well as all together would leave them does not rely on how the unknowns were found. Written so that NaN
+    // is refused.
+    let left = match settings.polish {
+        true => T::from_f64(ROUNDING) * T::EPSILON * largest_of(&equations.terms()),
+        false => settings.tolerance,
+    };
     let mut rows = residual.as_slice().iter().enumerate();
-    let is_met =
-        rows.all(|(row, value)| value.abs() <= settings.tolerance * equations.row_scale(row));
+    let is_met = rows.all(|(row, value)| value.abs() <= left * equations.row_scale(row));
     let finite = all_finite(q.as_slice())
         && all_finite(rates.as_slice())
         && all_finite(accelerations.as_slice());

@@ -44,14 +44,18 @@ pub fn motions(system: &System) -> Vec<(&'static str, Moved)> {
 }
 
 /// The steps of the plan that find something by more than a division, as kinds with their numbers. Whether a coefficient is divided
-/// by in a step of its own depends on whether it is a number.
+/// by in a step of its own depends on whether it is a number, and by way of how many unknowns Newton-Raphson finds a block depends on
+/// the order in which sequences are tried; what it finds does not.
 pub fn plan(system: &System) -> Vec<(String, usize)> {
     let mut system = system.clone();
     let Some(plan) = plan_of_motion(&mut system) else {
         return Vec::new();
     };
     let forms = forms_of(&mut system, &plan);
-    let names = forms.iter().flatten().map(|form| form.name());
+    let names = forms.iter().flatten().map(|form| match form.modes() {
+        Some(_) => form.name(),
+        None => format!("Newton of {} unknowns", form.unknowns().len()),
+    });
     let mut names: Vec<String> = names.filter(|name| name != "linear").collect();
     names.sort();
     let mut counted: Vec<(String, usize)> = Vec::new();

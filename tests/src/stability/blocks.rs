@@ -82,8 +82,11 @@ impl Blocks {
                     break;
                 }
                 match (statement, &block.newton) {
-                    (Statement::Newton { .. }, Some(newton)) => {
+                    (Statement::Newton { torn, .. }, Some(newton)) => {
                         state.iterate(newton, exact, length)?;
+                        if let Some(torn) = torn {
+                            state.point(newton, &torn.directions);
+                        }
                     }
                     _ => state.run(statement, exact),
                 }
@@ -192,7 +195,7 @@ impl State<'_> {
             }
         }
         // The values of the geometry first.
-        for function in newton.functions() {
+        for function in newton.equations() {
             for statement in &function.statements {
                 self.run(statement, exact);
             }
@@ -275,6 +278,25 @@ impl State<'_> {
             }
         }
         Ok(())
+    }
+
+    /// The sines and cosines of angles that a torn block finds on the way to them. All its equations hold as well as where they are
+    /// solved at once, and the angle is that of both, but for its rounding.
+    fn point(&mut self, newton: &NewtonBlock, directions: &[Option<[SymbolId; 2]>]) {
+        let epsilon = self.scalar.epsilon();
+        for (&unknown, direction) in newton.unknowns.iter().zip(directions) {
+            let Some([sine, cosine]) = *direction else {
+                continue;
+            };
+            let position = self.system.vector_form.unknowns[unknown].position.index();
+            let angle = self.symbols[position].clone();
+            let [s, c] = [angle.sin(), angle.cos()];
+            let own = 2.0 * epsilon * angle.to_f64().abs().max(std::f64::consts::FRAC_PI_4);
+            let off = self.margins[position].plus(Margin::even(own));
+            let [to_sine, to_cosine] = turned(&s, &c, off, epsilon);
+            self.set(sine, s, to_sine);
+            self.set(cosine, c, to_cosine);
+        }
     }
 
     /// That the statements have led to the exact motion.

@@ -33,16 +33,24 @@ static bool torn_completed$f(const linkwright$f_tearing *tearing, const $real te
     const $real *const sines = &cosines[n];
     const $real *const residual = &cosines[4U * n];
     const $real *const responses = &cosines[5U * n];
-    const $real tolerance = conditions->settings->tolerance;
+    $real left = conditions->settings->tolerance;
     $real response = 0.0$f;
     bool is_met = true;
+    if (conditions->settings->polish) {
+        $real largest = 0.0$f;
+        for (size_t k = 0U; k < tearing->count; k += 1U) {
+            largest = largest_of$f(largest, tearing->terms[k]);
+        }
+        left = (ROUNDING$f * $FLT_EPSILON) * largest;
+    }
     tearing->complete(equations->context, tears, &memory[1], carried, conditions->t, tearing->completed);
     for (size_t k = 0U; k < n; k += 1U) {
         found->q[k] = equations->angles[k] ? linkwright$f_angle_near(sines[k], cosines[k], last->q[k]) : cosines[k];
         found->qd[k] = cosines[(2U * n) + k];
         found->qdd[k] = cosines[(3U * n) + k];
-        /* That all equations hold does not rely on how the unknowns were found. Written so that NaN is refused. */
-        is_met = is_met && (fabs$f(residual[k]) <= (tolerance * equations->row_scales[k]));
+        /* That all equations hold as well as all together would leave them does not rely on how the unknowns were found.
+           Written so that NaN is refused. */
+        is_met = is_met && (fabs$f(residual[k]) <= (left * equations->row_scales[k]));
     }
     for (size_t k = 0U; k < tearing->count; k += 1U) {
         found->q[tearing->tears[k]] = tears[k];
