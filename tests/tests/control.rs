@@ -31,7 +31,7 @@ fn the_controller_in_c_prints_what_its_page_says() {
     }
     fs::write(folder.join("main.c"), block(&page, "`main.c`")).expect("written");
     let counted = |line: &&str| line.contains("sines, angles and roots");
-    let said = block(&page, "`cargo run --release` prints");
+    let said = block(&page, "`cargo run` with `--release` prints");
     let said: Vec<&str> = said.lines().filter(|line| !counted(line)).collect();
     assert!(said.len() > 10 && !compilers().is_empty());
     for compiler in compilers() {

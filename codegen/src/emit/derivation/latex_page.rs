@@ -28,13 +28,13 @@ fn outline(lines: &[OutlineLine]) -> String {
         .iter()
         .map(|line| {
             format!(
-                "{} & \\raggedright {} & {} & \\raggedright {} \\tabularnewline\n",
+                "{} & \\raggedright {} & \\raggedright {} & \\raggedright {} \\tabularnewline\n",
                 line.block, line.unknowns, line.method, line.joints
             )
         })
         .collect();
     format!(
-        "{{\\small\n\\begin{{tabular}}{{lp{{6.5cm}}lp{{5.5cm}}}}\n\
+        "{{\\small\n\\begin{{tabular}}{{lp{{6cm}}p{{3.5cm}}p{{5cm}}}}\n\
          block & unknowns & method & joints \\\\ \\hline\n{}\\end{{tabular}}}}\n",
         rows.concat()
     )

@@ -189,7 +189,7 @@ impl Torn {
                     let residual = self.whole.residuals[at];
                     builder.say(|_| "This must be met:".into());
                     builder
-                        .show(|_| vec![[Piece::Formula(residual).into(), "0".into(), "".into()]]);
+                        .show(|_| vec![["0".into(), Piece::Formula(residual).into(), "".into()]]);
                 }
                 Remaining::Length { step, .. } => {
                     let (angle, shown) = match &self.sequence.steps[step] {
@@ -209,8 +209,8 @@ impl Torn {
                     builder.show(|builder| {
                         let squares = [builder.dot(c, c), builder.dot(p, p)];
                         vec![[
-                            Piece::Formula(squares[0]).into(),
                             Piece::Formula(squares[1]).into(),
+                            Piece::Formula(squares[0]).into(),
                             "".into(),
                         ]]
                     });
