@@ -52,6 +52,8 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
     let versions = tools::versions()?;
     println!("{}", versions.join("\n"));
+    let compiler = versions.first().and_then(|it| it.split(' ').nth(1));
+    let compiler = compiler.ok_or("the compiler does not say its version")?;
     let is_chosen = |program: &Program| {
         let only = arguments.only.as_deref();
         only.is_none_or(|only| program.to_string().contains(only))
@@ -94,9 +96,9 @@ fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
             files::package("reports/embedded.md"),
             report::text(&versions, &known),
         )?;
-        limits::write(&figures)?;
+        limits::write(compiler, &figures)?;
     } else if arguments.only.is_none() {
-        faults.extend(limits::exceeded(&figures)?);
+        faults.extend(limits::exceeded(compiler, &figures)?);
     }
     Ok(faults)
 }

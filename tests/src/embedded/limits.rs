@@ -1,48 +1,65 @@
 //! The committed figures of all programs, which a change may exceed by a twentieth.
+//!
+//! What a program takes depends on the compiler, and on whether its library was compiled beforehand: each compiler has figures of its own.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
+use std::path::PathBuf;
 
 use crate::files;
 
 /// How much more than what is committed is still let pass.
 const TOLERANCE: f64 = 1.05;
 
-/// Where they are.
-const FILE: &str = "embedded/limits.csv";
+/// The same for a compiler without figures, beside those of the newest that has some.
+const OTHER_COMPILER: f64 = 1.2;
+
+/// Where they are, a file for each compiler.
+const FOLDER: &str = "embedded/limits";
 
 /// Figures by program and by what was measured.
 pub type Figures = BTreeMap<(String, &'static str), u64>;
 
-/// Writes the figures of today.
+/// Writes the figures of a compiler, by its version.
 ///
 /// # Errors
 /// The file cannot be written.
-pub fn write(figures: &Figures) -> io::Result<()> {
+pub fn write(compiler: &str, figures: &Figures) -> io::Result<()> {
     let mut text = "program,figure,value\n".to_string();
     for ((program, figure), value) in figures {
         text += &format!("{program},{figure},{value}\n");
     }
-    fs::write(files::package(FILE), text)
+    fs::write(file_of(compiler), text)
 }
 
 /// What exceeds the figures that are committed, or has none, or has gone.
 ///
 /// # Errors
 /// The file cannot be read.
-pub fn exceeded(figures: &Figures) -> io::Result<Vec<String>> {
-    let text = fs::read_to_string(files::package(FILE))?;
+pub fn exceeded(compiler: &str, figures: &Figures) -> io::Result<Vec<String>> {
+    let own = file_of(compiler);
+    let (file, tolerance) = match own.exists() {
+        true => (own, TOLERANCE),
+        false => {
+            let newest = newest()?;
+            println!(
+                "no figures of rustc {compiler}: compared with {}",
+                newest.display()
+            );
+            (newest, OTHER_COMPILER)
+        }
+    };
+    let text = fs::read_to_string(&file)?;
+    let unreadable = |line: &str| io::Error::other(format!("{}: `{line}`", file.display()));
     let mut committed: BTreeMap<(&str, &str), u64> = BTreeMap::new();
     for line in text.lines().skip(1) {
         let mut words = line.split(',');
         let (Some(program), Some(figure), Some(value)) = (words.next(), words.next(), words.next())
         else {
-            return Err(io::Error::other(format!("{FILE}: `{line}`")));
+            return Err(unreadable(line));
         };
-        let value = value
-            .parse()
-            .map_err(|_| io::Error::other(format!("{FILE}: `{line}`")))?;
+        let value = value.parse().map_err(|_| unreadable(line))?;
         committed.insert((program, figure), value);
     }
     let mut found = Vec::new();
@@ -51,9 +68,10 @@ pub fn exceeded(figures: &Figures) -> io::Result<Vec<String>> {
             None => found.push(format!(
                 "{program}, {figure}: {value}, for which no limit is committed"
             )),
-            Some(limit) if *value as f64 > limit as f64 * TOLERANCE => {
+            Some(limit) if *value as f64 > limit as f64 * tolerance => {
+                let percent = (tolerance - 1.0) * 100.0;
                 found.push(format!(
-                    "{program}, {figure}: {value}, more than 5 % above {limit}"
+                    "{program}, {figure}: {value}, more than {percent:.0} % above {limit}"
                 ));
             }
             Some(_) => {}
@@ -65,4 +83,19 @@ pub fn exceeded(figures: &Figures) -> io::Result<Vec<String>> {
             .map(|(program, figure)| format!("{program}, {figure}: not measured any more")),
     );
     Ok(found)
+}
+
+fn file_of(compiler: &str) -> PathBuf {
+    files::package(FOLDER).join(format!("rustc_{compiler}.csv"))
+}
+
+/// The file of the newest compiler that has one.
+fn newest() -> io::Result<PathBuf> {
+    let mut found = fs::read_dir(files::package(FOLDER))?
+        .map(|entry| entry.map(|it| it.path()))
+        .collect::<io::Result<Vec<PathBuf>>>()?;
+    found.sort();
+    found
+        .pop()
+        .ok_or_else(|| io::Error::other(format!("{FOLDER} is empty")))
 }

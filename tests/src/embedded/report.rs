@@ -28,7 +28,7 @@ const BEGINNING: &str = "\
 # Mechanisms as firmware
 
 Written by `cargo run -p linkwright-tests --bin embedded -- --write`; without `--write` it compares with what is committed,
-and fails where a figure has grown by more than 5 %. The programs are in `tests/embedded`: firmware of one mechanism each, for the boards
+and fails where a figure has grown by more than 5 % with the same compiler. The programs are in `tests/embedded`: firmware of one mechanism each, for the boards
 mps2-an386 (Cortex-M4F) and mps2-an500 (Cortex-M7) of QEMU, which counts instructions. It has no model of cycles.
 
 A program assembles the mechanism, asks for a frame every 1/1024 s for 5 s, then takes 24 steps of 0.195 s, forwards and back, three of them
