@@ -5,6 +5,7 @@
 mod block;
 mod coordinates;
 mod docs;
+mod equation;
 mod explained;
 mod expression;
 mod file;

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::docs::docs;
+use super::equation::Equation;
 use super::lints;
 use super::literal::count;
 use super::module::only;
@@ -102,30 +103,20 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     let borrowed = only(!fields.is_empty(), quote!('_,));
     let part = |function: &Function, with_rates: bool| {
         let scope = scope(newton, function, with_rates, module);
-        let reads = scope.reads();
-        let at = only(reads.frame, quote!(let at = self.at;));
-        let parameters = only(reads.parameters, quote!(let parameters = self.parameters;));
-        let inputs = only(reads.inputs, quote!(let inputs = self.inputs;));
-        let (statements, results) = (scope.plain_statements(), scope.results());
-        let body = quote!(#at #parameters #inputs #(#statements)*);
-        let code = quote!(#body #(#results)*).to_string();
-        let is_read = |name: &Ident| mentions(&code, &name.to_string());
-        let pattern = |of: fn(&Unknown) -> SymbolId, whole: &str| {
-            let names: Vec<Ident> = tears.iter().map(|it| local(of(it), module)).collect();
-            if !names.iter().any(is_read) {
-                let unused = format_ident!("_{whole}");
-                return quote!(#unused);
-            }
-            let names = names.iter().map(|name| match is_read(name) {
-                true => quote!(#name),
-                false => quote!(_),
-            });
-            quote!(&[#(#names),*])
-        };
-        let q = pattern(|it| it.position, "q");
-        let qd = pattern(|it| it.rate, "qd");
-        let t = format_ident!("{}", if reads.time { "t" } else { "_t" });
-        (body, results, q, qd, t)
+        let equation = Equation::new(&scope);
+        let [q, qd] = [
+            (tears.iter().map(|it| it.position).collect::<Vec<_>>(), "q"),
+            (tears.iter().map(|it| it.rate).collect(), "qd"),
+        ]
+        .map(|(symbols, whole)| equation.pattern(&symbols, whole, &scope));
+        let t = equation.time();
+        let Equation {
+            given,
+            statements,
+            results,
+            ..
+        } = equation;
+        (quote!(#given #(#statements)*), results, q, qd, t)
     };
     let (residual_body, residual, residual_q, _, residual_t) = part(&newton.residual, false);
     let (jacobian_body, jacobian, jacobian_q, _, jacobian_t) = part(&newton.jacobian, false);
@@ -200,17 +191,6 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
         ::linkwright::equations!(#name, #borrowed #size);
         #tearing
     }
-}
-
-/// What a tear or its rate is called inside the equations.
-fn local(symbol: SymbolId, module: &Module<'_>) -> Ident {
-    identifier(&module.system.symbol_name(symbol))
-}
-
-/// Whether code mentions a name.
-pub(super) fn mentions(code: &str, name: &str) -> bool {
-    code.split(|character: char| !(character.is_alphanumeric() || character == '_'))
-        .any(|word| word == name)
 }
 
 /// A statement of a block that concerns its Newton-Raphson.

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::equation::Equation;
 use super::literal::count;
 use super::newton::instance;
 use crate::emit::module::Module;
@@ -76,63 +77,13 @@ fn tears(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Vec<Sy
     positions(tears, module)
 }
 
-/// A function, and what it takes out of what it is given.
-struct Body {
-    given: TokenStream,
-    statements: Vec<TokenStream>,
-    results: Vec<TokenStream>,
-    code: String,
-}
-
-impl Body {
-    fn new(scope: &Scope<'_>) -> Body {
-        let reads = scope.reads();
-        let statements = scope.plain_statements();
-        let results = scope.results();
-        let own = [
-            (reads.frame, quote!(let at = self.at;)),
-            (reads.parameters, quote!(let parameters = self.parameters;)),
-            (reads.inputs, quote!(let inputs = self.inputs;)),
-        ];
-        let given = own.into_iter().filter(|(is_read, _)| *is_read);
-        let given: TokenStream = given.map(|(_, taken)| taken).collect();
-        let code = quote!(#(#statements)* #(#results)*).to_string();
-        Body {
-            given,
-            statements,
-            results,
-            code,
-        }
-    }
-
-    /// An argument that is taken apart into values, as far as they are read.
-    fn pattern(&self, symbols: &[SymbolId], whole: &str, scope: &Scope<'_>) -> TokenStream {
-        let names: Vec<TokenStream> = symbols.iter().map(|&it| scope.symbol(it)).collect();
-        let is_read = |name: &TokenStream| super::newton::mentions(&self.code, &name.to_string());
-        if !names.iter().any(is_read) {
-            let unused = super::names::identifier(&format!("_{whole}"));
-            return quote!(#unused);
-        }
-        let names = names.iter().map(|name| match is_read(name) {
-            true => name.clone(),
-            false => quote!(_),
-        });
-        quote!(&[#(#names),*])
-    }
-
-    fn time(&self) -> Ident {
-        let is_read = super::newton::mentions(&self.code, "t");
-        super::names::identifier(if is_read { "t" } else { "_t" })
-    }
-}
-
 fn scales(tearing: &Tearing, module: &Module<'_>) -> TokenStream {
     let tear_count = count(tearing.tears.len());
     let scope = Scope::with_tears(module, &tearing.scales, Place::Tears, Vec::new());
-    let body = Body::new(&scope);
-    let (given, statements, time) = (&body.given, &body.statements, body.time());
+    let equation = Equation::new(&scope);
+    let (given, statements, time) = (&equation.given, &equation.statements, equation.time());
     let one = module.system.mechanism.graph.one();
-    let factors = tearing.scales.results.iter().zip(&body.results);
+    let factors = tearing.scales.results.iter().zip(&equation.results);
     let rows = tearing
         .rows
         .iter()
@@ -159,12 +110,12 @@ fn evaluate(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Tok
     let all = tearing.named();
     let whole = Scope::with_tears(module, &all, Place::Tears, tears(newton, tearing, module));
     let scope = whole.part(&tearing.evaluate);
-    let body = Body::new(&scope);
+    let equation = Equation::new(&scope);
     let tear_count = tearing.tears.len();
-    let tears = body.pattern(&tears(newton, tearing, module), "tears", &scope);
-    let signs = body.pattern(&tearing.signs, "signs", &scope);
-    let (given, statements, time) = (&body.given, &body.statements, body.time());
-    let (residual, rest) = body.results.split_at(tear_count);
+    let tears = equation.pattern(&tears(newton, tearing, module), "tears", &scope);
+    let signs = equation.pattern(&tearing.signs, "signs", &scope);
+    let (given, statements, time) = (&equation.given, &equation.statements, equation.time());
+    let (residual, rest) = equation.results.split_at(tear_count);
     let (inverse, determinant) = rest.split_at(tear_count * tear_count);
     let inverse = inverse.chunks(tear_count).map(|row| quote!([#(#row),*]));
     let determinant = quote!(#(#determinant)*);
@@ -199,19 +150,19 @@ fn complete(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Tok
     let all = tearing.named();
     let whole = Scope::with_tears(module, &all, Place::Tears, tears(newton, tearing, module));
     let scope = whole.part(&tearing.complete);
-    let body = Body::new(&scope);
-    let tears = body.pattern(&tears(newton, tearing, module), "tears", &scope);
-    let signs = body.pattern(&tearing.signs, "signs", &scope);
-    let carried = body.pattern(&tearing.carried, "carried", &scope);
-    let (given, statements, time) = (&body.given, &body.statements, body.time());
+    let equation = Equation::new(&scope);
+    let tears = equation.pattern(&tears(newton, tearing, module), "tears", &scope);
+    let signs = equation.pattern(&tearing.signs, "signs", &scope);
+    let carried = equation.pattern(&tearing.carried, "carried", &scope);
+    let (given, statements, time) = (&equation.given, &equation.statements, equation.time());
     let size = newton.unknowns.len();
-    let mut parts = body.results.chunks(size.max(1));
+    let mut parts = equation.results.chunks(size.max(1));
     let mut vector = || {
         let part = parts.next().unwrap_or_default();
         quote!(Vector::from([#(#part),*]))
     };
     let [cosines, sines, rates, accelerations, residual] = std::array::from_fn(|_| vector());
-    let responses = body.results.get(5 * size..).unwrap_or_default();
+    let responses = equation.results.get(5 * size..).unwrap_or_default();
     let (tear_count, size) = (count(tearing.tears.len()), count(size));
     quote! {
         #[inline]
@@ -239,10 +190,13 @@ fn complete(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Tok
 fn signs(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> TokenStream {
     let all = positions(newton.unknowns.iter().copied(), module);
     let scope = Scope::with_tears(module, &tearing.sign_values, Place::Tears, all.clone());
-    let body = Body::new(&scope);
-    let q = body.pattern(&all, "q", &scope);
-    let (given, statements, time) = (&body.given, &body.statements, body.time());
-    let results = body.results.iter().map(|value| quote!(torn::sign(#value)));
+    let equation = Equation::new(&scope);
+    let q = equation.pattern(&all, "q", &scope);
+    let (given, statements, time) = (&equation.given, &equation.statements, equation.time());
+    let results = equation
+        .results
+        .iter()
+        .map(|value| quote!(torn::sign(#value)));
     let size = count(newton.unknowns.len());
     let (argument, taken) = match q.to_string().starts_with('_') {
         true => (quote!(_q), TokenStream::new()),
