@@ -8,7 +8,7 @@
 //! The module does not know the other blocks.
 
 use nalgebra::allocator::Allocator;
-use nalgebra::{DefaultAllocator, Dim};
+use nalgebra::{DefaultAllocator, Dim, OVector};
 
 use crate::assembly::assemble_from_afar;
 use crate::closed_form::Branch;
@@ -18,8 +18,9 @@ use crate::kinematics::{Frame, advance_watched, factorize};
 use crate::linear::Measure;
 use crate::math::Real;
 use crate::path::branch_of;
+use crate::scale::Scales;
 use crate::settings::Settings;
-use crate::vector::zero_matrix;
+use crate::vector::{zero_matrix, zero_vector};
 use crate::watch::{Measuring, OnBranch};
 
 /// What the frame is from which a block is solved.
@@ -34,13 +35,13 @@ pub enum Start {
 /// Solves a block at time `t`.
 ///
 /// From an estimate it is assembled in the mode `branch`, or near the estimate where that is `None`, with angles near those of the
-/// estimate; afterwards `branch` is its mode. From the last frame it moves on in this mode.
+/// estimate where the equations leave it open how often they have gone round; afterwards `branch` is its mode. From the last frame it moves on in this mode.
 ///
 /// # Errors
 /// Those of [`assemble_from_afar`], or those of [`advance`](crate::advance) and [`WrongBranch`](crate::FailureKind::WrongBranch).
 ///
 /// # Work
-/// That of the same; where the mode was `None` also one Jacobian.
+/// That of the same; where the mode was `None` also one Jacobian; and of an assembly at most n + 1 evaluations of the residual.
 ///
 /// # Panics
 /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
@@ -130,17 +131,55 @@ where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     let mut frame = assemble_from_afar(equations, &estimate.q, *branch, t, settings)?;
-    let turn = T::from_f64(core::f64::consts::TAU);
-    let angles = frame.q.as_mut_slice().iter_mut().zip(estimate.q.as_slice());
-    for (column, (angle, near)) in angles.enumerate() {
-        let turns = ((*angle - *near) / turn).round();
-        // A search from afar may have wound an angle up.
-        if equations.is_angle(column) && turns != T::ZERO {
-            *angle -= turns * turn;
-        }
-    }
+    unwind(equations, &mut frame.q, &estimate.q, t, settings);
     if branch.is_none() {
         *branch = Some(branch_of(equations, &frame.q, t, settings)?);
     }
     Ok(frame)
+}
+
+/// Takes whole turns off the angles that a search from afar has wound up, as far as the equations hold without them: of all together, or
+/// else one by one. A rack counts the turns of its wheel.
+fn unwind<T: Real, D: Dim, E: Equations<T, D>>(
+    equations: &E,
+    q: &mut OVector<T, D>,
+    near: &OVector<T, D>,
+    t: T,
+    settings: &Settings<T>,
+) where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let turn = T::from_f64(core::f64::consts::TAU);
+    let whole = |column: usize, angle: T| match near.as_slice().get(column) {
+        Some(near) if equations.is_angle(column) => turn * ((angle - *near) / turn).round(),
+        _ => T::ZERO,
+    };
+    let mut unwound = q.clone();
+    for (column, angle) in unwound.as_mut_slice().iter_mut().enumerate() {
+        *angle -= whole(column, *angle);
+    }
+    if unwound == *q {
+        return;
+    }
+    let scales = Scales::of(equations);
+    let mut phi = zero_vector(equations.dimension());
+    let mut holds = |q: &OVector<T, D>| {
+        equations.residual(q, t, &mut phi);
+        scales.residual(&phi).magnitude <= settings.tolerance
+    };
+    if holds(&unwound) {
+        *q = unwound;
+        return;
+    }
+    for (column, angle) in unwound.as_slice().iter().enumerate() {
+        let mut trial = q.clone();
+        if let Some(entry) = trial.as_mut_slice().get_mut(column)
+            && *entry != *angle
+        {
+            *entry = *angle;
+            if holds(&trial) {
+                *q = trial;
+            }
+        }
+    }
 }

@@ -271,7 +271,46 @@ static linkwright_status assembled_from_afar$f(const linkwright$f_equations *equ
     return failure->status;
 }
 
-/* Assembles a block near an estimate, with angles near those of the estimate. */
+/* Whether the equations hold at a pose. */
+static bool holds$f(const linkwright$f_equations *equations, const $real q[], $real phi[],
+    const linkwright$f_conditions *conditions)
+{
+    equations->residual(equations->context, q, conditions->t, phi);
+    return residual_of$f(equations, phi).magnitude <= conditions->settings->tolerance;
+}
+
+/* Takes whole turns off the angles that a search from afar has wound up, as far as the equations hold without them: of all
+   together, or else one by one. A rack counts the turns of its wheel. */
+static void unwind$f(const linkwright$f_equations *equations, $real q[], const $real near[],
+    const linkwright$f_conditions *conditions)
+{
+    const size_t n = equations->order;
+    /* The room is free after the search. */
+    $real *const unwound = equations->reals;
+    $real *const phi = &equations->reals[n];
+    bool is_wound = false;
+    for (size_t k = 0U; k < n; k += 1U) {
+        const $real turns = equations->angles[k] ? round$f((q[k] - near[k]) / TURN$f) : 0.0$f;
+        unwound[k] = q[k] - (TURN$f * turns);
+        is_wound = is_wound || (unwound[k] != q[k]);
+    }
+    if (!is_wound) {
+        /* As found. */
+    } else if (holds$f(equations, unwound, phi, conditions)) {
+        (void)memcpy(q, unwound, n * sizeof($real));
+    } else {
+        for (size_t k = 0U; k < n; k += 1U) {
+            const $real angle = q[k];
+            q[k] = unwound[k];
+            if ((angle != unwound[k]) && !holds$f(equations, q, phi, conditions)) {
+                q[k] = angle;
+            }
+        }
+    }
+}
+
+/* Assembles a block near an estimate, with angles near those of the estimate where the equations leave it open how often
+   they have gone round. */
 static linkwright_status assembled_block$f(const linkwright$f_equations *equations,
     const linkwright$f_tears *estimate, linkwright_branch *branch, linkwright$f_tears *found,
     linkwright$f_measure *measure, const linkwright$f_conditions *conditions)
@@ -282,13 +321,7 @@ static linkwright_status assembled_block$f(const linkwright$f_equations *equatio
     if (status != LINKWRIGHT_OK) {
         return status;
     }
-    for (size_t k = 0U; k < n; k += 1U) {
-        const $real turns = round$f((found->q[k] - estimate->q[k]) / TURN$f);
-        /* A search from afar may have wound an angle up. */
-        if (equations->angles[k] && (turns != 0.0$f)) {
-            found->q[k] -= turns * TURN$f;
-        }
-    }
+    unwind$f(equations, found->q, estimate->q, conditions);
     if ((*branch == LINKWRIGHT_NEAREST) || (measure != NULL)) {
         status = linkwright$f_factorize(equations, found->q, &factorization, conditions);
     }
