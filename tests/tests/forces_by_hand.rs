@@ -76,7 +76,7 @@ fn a_lamp_on_a_spring_of_no_length_stays_where_it_is_put() {
             drive phi(arm) = 80deg*sin(t);
             mass arm = 1.5kg at S;
             gravity = (0, -9.81);
-            spring (ground.W, arm.P) = 1.5kg*9.81m/1s^2*60cm/(30cm*40cm) free 0;
+            spring (ground.W, arm.P) = 1.5kg*9.81m/s^2*60cm/(30cm*40cm) free 0;
             effort; energy;
         }",
     );

@@ -7,7 +7,7 @@ use super::dimension::{Dimension, UNITS, unit};
 use super::resolve::Resolver;
 use super::synonyms::{self, meant};
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::{ExprId, Node, Number};
+use crate::expr::{ExprId, Node, Number, Rational};
 use crate::syntax::{Expression, ExpressionKind, Name, Operation, Reference, Sign};
 
 /// A value and what it measures.
@@ -57,11 +57,11 @@ impl Resolver<'_> {
                 Dimension::TORQUE => {
                     "torques end in `Nm`, `kNm`, … or in no unit for newton meters"
                 }
-                Dimension::INERTIA => "a moment of inertia is a mass times the square of a length: `2kg*3cm^2`, or a number in kg*m^2",
-                Dimension::STIFFNESS => "a stiffness is a force over a length: `5N/1mm`, or a number in N/m",
-                Dimension::DAMPING => "a damping is a force over a speed: `5N*1s/1m`, or a number in N*s/m",
-                Dimension::ANGULAR_DAMPING => "a damping about a joint is a torque times a time: `5Nm*1s`, or a number in N*m*s",
-                Dimension::ACCELERATION => "write numbers in m/s^2, or `9.81m/1s^2`",
+                Dimension::INERTIA => "a moment of inertia is a mass times the square of a length: `2kg*cm^2`, or a number in kg*m^2",
+                Dimension::STIFFNESS => "a stiffness is a force over a length: `5N/mm`, or a number in N/m",
+                Dimension::DAMPING => "a damping is a force over a speed: `5N*s/m`, or a number in N*s/m",
+                Dimension::ANGULAR_DAMPING => "a damping about a joint is a torque times a time: `5Nm*s`, or a number in N*m*s",
+                Dimension::ACCELERATION => "write numbers in m/s^2, or `9.81m/s^2`",
                 _ => "angles end in `deg`, `rad`, `turn` or in no unit for radians",
             });
             let finding = self.with_declarations(finding, &[written]);
@@ -233,10 +233,23 @@ impl Resolver<'_> {
     }
 
     fn product(&mut self, factors: &[(Operation, Expression)]) -> Option<Value> {
-        let values: Vec<Option<Value>> = factors
-            .iter()
-            .map(|(_, factor)| self.value(factor))
-            .collect();
+        let mut values = Vec::with_capacity(factors.len());
+        let mut is_in_units = false;
+        for (at, (_, factor)) in factors.iter().enumerate() {
+            let before = at.checked_sub(1).map(|before| &factors[before].1);
+            let unit = before.filter(|_| is_in_units).and_then(|before| {
+                (before.span.end + 1 == factor.span.start).then(|| self.further_unit(factor))?
+            });
+            is_in_units = unit.is_some()
+                || matches!(
+                    &unsigned(factor).1.kind,
+                    ExpressionKind::Number { unit: Some(_), .. }
+                );
+            values.push(match unit {
+                None => self.value(factor),
+                unit => unit,
+            });
+        }
         let mut parts = Vec::with_capacity(factors.len());
         let mut dimension: Option<Dimension> = None;
         for ((operation, _), value) in factors.iter().zip(values) {
@@ -257,6 +270,40 @@ impl Resolver<'_> {
             self.graph.product(&parts),
             dimension.unwrap_or(Dimension::Number),
         ))
+    }
+
+    /// `s^2` in `9.81m/s^2`, and `m` in `220N/m`: a unit that follows a quantity and its `*` or `/` without a blank, unless a value is
+    /// declared by that name.
+    fn further_unit(&mut self, written: &Expression) -> Option<Value> {
+        let (name, exponent) = match &written.kind {
+            ExpressionKind::Power(base, exponent) => (base.as_ref(), Some(exponent.as_ref())),
+            _ => (written, None),
+        };
+        let ExpressionKind::Reference(Reference {
+            body: None, name, ..
+        }) = &name.kind
+        else {
+            return None;
+        };
+        let parameter = self.formulas.parameter.as_ref();
+        let is_declared = BUILT_IN.contains(&name.text.as_str())
+            || parameter.is_some_and(|it| it.name == name.text)
+            || self.declared.constants.get(&name.text).is_some();
+        if is_declared || !UNITS.contains(&name.text.as_str()) {
+            return None;
+        }
+        let (factor, dimension) = self.unit(name)?;
+        let Some(exponent) = exponent else {
+            return Some((factor, dimension));
+        };
+        let (sign, exponent) = unsigned(exponent);
+        let ExpressionKind::Number { digits, unit: None } = &exponent.kind else {
+            return None;
+        };
+        let power = sign * digits.parse::<i32>().ok()?;
+        let raised = dimension.power(power.into(), 1)?;
+        let power = Rational::integer(power.into());
+        Some((self.graph.power(factor, power), raised))
     }
 
     fn raised(&mut self, base: &Expression, exponent: &Expression) -> Option<Value> {
@@ -300,6 +347,14 @@ impl Resolver<'_> {
         .help("divide by a quantity of the same unit, or write bare numbers for SI units");
         let finding = self.with_declarations(finding, &[argument]);
         self.diagnostics.push(finding);
+    }
+}
+
+/// What stands behind a sign, and 1 or −1.
+fn unsigned(written: &Expression) -> (i32, &Expression) {
+    match &written.kind {
+        ExpressionKind::Negative(inner) => (-1, inner),
+        _ => (1, written),
     }
 }
 
