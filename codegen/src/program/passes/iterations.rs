@@ -4,6 +4,7 @@
 //! runtime decides.
 
 use super::costs::{Operations, of_function};
+use super::elimination::{elimination, substitution};
 use crate::program::block::Block;
 use crate::program::tearing::Tearing;
 use crate::system::System;
@@ -50,6 +51,7 @@ pub(in crate::program) fn iterations(blocks: &[Block], system: &System) -> Vec<I
     let found = newtons.map(|(block, newton)| {
         let mut jacobian = of_function(&newton.jacobian, system);
         jacobian += elimination(newton.unknowns.len());
+        jacobian += substitution(newton.unknowns.len());
         Iterations {
             block: block.name.clone(),
             unknowns: newton.unknowns.len(),
@@ -68,17 +70,5 @@ fn torn(tearing: &Tearing, system: &System) -> TornIterations {
         tears: tearing.tears.len(),
         evaluation: of_function(&tearing.evaluate, system),
         completion,
-    }
-}
-
-/// Gauss's elimination of n equations and one solution with it.
-fn elimination(n: usize) -> Operations {
-    let below = n * n.saturating_sub(1);
-    let squares = below * (2 * n).saturating_sub(1) / 6;
-    Operations {
-        additions: squares + below,
-        multiplications: squares + below / 2 + below,
-        divisions: 2 * n,
-        ..Operations::default()
     }
 }

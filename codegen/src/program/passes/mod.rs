@@ -2,6 +2,7 @@
 
 pub mod constants;
 pub mod costs;
+mod elimination;
 pub mod enclosure;
 pub(super) mod fields;
 pub mod iterations;

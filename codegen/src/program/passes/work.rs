@@ -8,6 +8,7 @@
 use crate::program::block::{Block, NewtonBlock};
 use crate::program::function::{Function, Statement};
 use crate::program::passes::costs::{Operations, by_level, of_function};
+use crate::program::passes::elimination::{elimination, substitution};
 use crate::program::passes::iterations::{BEYOND_STEPS, EVALUATIONS, STEPS};
 use crate::program::path::Path;
 use crate::system::System;
@@ -64,7 +65,7 @@ impl Work {
         for statement in statements {
             if let Statement::Multipliers { forces, .. } = statement {
                 attempt += elimination(forces.len());
-                attempt += products(forces.len(), 1);
+                attempt += substitution(forces.len());
             }
         }
         Self {
@@ -103,7 +104,7 @@ fn of_newton(newton: &NewtonBlock, system: &System) -> Operations {
     all += of_function(&newton.time_derivative, system);
     all += of_function(&newton.gamma, system);
     all += elimination(order).times(jacobians);
-    all += products(order, 1).times(residuals + RATE_SOLVES + DOUBTFUL_SOLVES);
+    all += substitution(order).times(residuals + RATE_SOLVES + DOUBTFUL_SOLVES);
     if let Some(tearing) = &newton.tearing {
         // In vain at first, and once more for what the next frame begins with.
         all += of_function(&tearing.evaluate, system).times(EVALUATIONS + 1);
@@ -136,18 +137,7 @@ fn of_window(function: &Function, system: &System) -> Operations {
     all
 }
 
-/// Gaussian elimination of a square matrix.
-fn elimination(order: usize) -> Operations {
-    let pairs = order * (order.saturating_sub(1)) * (2 * order).saturating_sub(1) / 6;
-    Operations {
-        additions: pairs,
-        multiplications: pairs,
-        divisions: order * (order + 1) / 2,
-        ..Operations::default()
-    }
-}
-
-/// Products of a square matrix with a vector, or substitutions.
+/// Products of a square matrix with a vector.
 fn products(order: usize, count: usize) -> Operations {
     Operations {
         additions: count * order * order,
