@@ -9,6 +9,7 @@ use std::ops::{Add, Mul, Sub};
 use linkwright_solver::assemblies::assemblies;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_tests::description::written;
+use linkwright_tests::random::Random;
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 
@@ -141,31 +142,23 @@ struct Platform {
     drawn: ([i64; 2], f64),
 }
 
-/// A reproducible sequence of numbers (xorshift64*, Vigna 2016).
-struct Random(u64);
+/// A whole number, up to this many in size.
+fn within(random: &mut Random, most: i64) -> i64 {
+    let most = most as f64;
+    random.between(-most, most).round() as i64
+}
 
-impl Random {
-    /// A number of units up to a millionth of this many in size.
-    fn within(&mut self, most: i64) -> i64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        let bits = self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33;
-        bits as i64 % (2 * most + 1) - most
-    }
-
-    fn pair(&mut self, most: i64) -> [i64; 2] {
-        [self.within(most), self.within(most)]
-    }
+fn pair(random: &mut Random, most: i64) -> [i64; 2] {
+    [within(random, most), within(random, most)]
 }
 
 impl Platform {
     fn random(random: &mut Random) -> Platform {
-        let base = [(); 3].map(|()| random.pair(1_000_000));
-        let pins = [(); 3].map(|()| random.pair(800_000));
+        let base = [(); 3].map(|()| pair(random, 1_000_000));
+        let pins = [(); 3].map(|()| pair(random, 800_000));
         let (place, angle) = (
-            random.pair(1_000_000),
-            random.within(3_000_000) as f64 * UNIT,
+            pair(random, 1_000_000),
+            within(random, 3_000_000) as f64 * UNIT,
         );
         let (sine, cosine) = angle.sin_cos();
         let legs = [0, 1, 2].map(|leg| {
@@ -263,7 +256,7 @@ fn sturm_counts_real_zeros() {
 
 #[test]
 fn no_assembly_of_a_platform_is_missed() {
-    let mut random = Random(12);
+    let mut random = Random::new(12);
     let mut counts = [0; 7];
     for number in 0..PLATFORMS {
         let platform = Platform::random(&mut random);

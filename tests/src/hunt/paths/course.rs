@@ -27,6 +27,21 @@ pub struct Course {
 }
 
 impl Course {
+    /// One that begins in its drawing, and goes on for three periods.
+    pub fn drawn(text: String, size: f64, period: f64) -> Course {
+        Course {
+            family: "",
+            text,
+            size,
+            period,
+            span: [0.0, 3.0 * period],
+            start: Vec::new(),
+            inputs: Vec::new(),
+            is_blurred: false,
+            is_drawn: true,
+        }
+    }
+
     /// The inputs at a time.
     pub fn given(&self, t: f64) -> Vec<Given> {
         let since = t - self.span[0];

@@ -6,20 +6,6 @@ use super::super::course::Course;
 use super::{below, sign, size};
 use crate::random::Random;
 
-fn course(text: String, size: f64, period: f64) -> Course {
-    Course {
-        family: "",
-        text,
-        size,
-        period,
-        span: [0.0, 3.0 * period],
-        start: Vec::new(),
-        inputs: Vec::new(),
-        is_blurred: false,
-        is_drawn: true,
-    }
-}
-
 /// A swing about a value, or a ramp, and its period.
 fn swinging(random: &mut Random, start: f64, reach: f64, may_turn: bool) -> (String, f64) {
     let speed = 10.0_f64.powf(random.between(-1.0, 1.0));
@@ -61,7 +47,7 @@ pub fn four_bar(random: &mut Random, _: u64) -> Course {
 ",
         pin[0], pin[1]
     );
-    course(text, size, period)
+    Course::drawn(text, size, period)
 }
 
 /// A slider-crank driven at its slider, beyond both dead centers.
@@ -92,7 +78,7 @@ pub fn slider_crank(random: &mut Random, _: u64) -> Course {
 ",
         pin[0], pin[1]
     );
-    course(text, size, period)
+    Course::drawn(text, size, period)
 }
 
 /// A platform on three legs that go farther than it can follow.
@@ -129,5 +115,5 @@ pub fn platform(random: &mut Random, _: u64) -> Course {
         pins[2][0],
         pins[2][1],
     );
-    course(text, size, period)
+    Course::drawn(text, size, period)
 }

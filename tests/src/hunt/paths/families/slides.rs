@@ -55,15 +55,5 @@ pub fn legs(random: &mut Random, _: u64) -> Course {
         "mechanism legs {{\n    body plate at (0, 0) {{ {} }}\n{bodies}{joints}}}\n",
         members.join(", ")
     );
-    Course {
-        family: "",
-        text,
-        size,
-        period,
-        span: [0.0, 3.0 * period],
-        start: Vec::new(),
-        inputs: Vec::new(),
-        is_blurred: false,
-        is_drawn: true,
-    }
+    Course::drawn(text, size, period)
 }

@@ -7,20 +7,6 @@ use super::super::course::Course;
 use super::{below, sign, size};
 use crate::random::Random;
 
-fn course(text: String, size: f64, period: f64) -> Course {
-    Course {
-        family: "",
-        text,
-        size,
-        period,
-        span: [0.0, 3.0 * period],
-        start: Vec::new(),
-        inputs: Vec::new(),
-        is_blurred: false,
-        is_drawn: true,
-    }
-}
-
 /// A rate (rad/s) with its period (s).
 fn rate(random: &mut Random) -> (f64, f64) {
     let speed = 10.0_f64.powf(random.between(-0.5, 0.5));
@@ -70,7 +56,7 @@ pub fn six_bar(random: &mut Random, _: u64) -> Course {
 ",
         points.join(", ")
     );
-    course(text, size, period)
+    Course::drawn(text, size, period)
 }
 
 /// A pantograph whose last cell is driven, each cell so many times as large as the one before it.
@@ -118,7 +104,7 @@ pub fn chain(random: &mut Random, number: u64) -> Course {
 ",
         2.0 * speed
     );
-    course(text, size, 0.5 * period)
+    Course::drawn(text, size, 0.5 * period)
 }
 
 /// A platform on three legs that is drawn where the lines between the ends of its arms are parallel, and goes through such poses.
@@ -164,5 +150,5 @@ pub fn level_platform(random: &mut Random, _: u64) -> Course {
         place[1],
         listed(": ", true, &pins)
     );
-    course(text, size, period)
+    Course::drawn(text, size, period)
 }

@@ -59,15 +59,5 @@ pub fn rack(random: &mut Random, _: u64) -> Course {
         ends.join(", ")
     );
     let period = TAU / speed;
-    Course {
-        family: "",
-        text,
-        size,
-        period,
-        span: [0.0, 3.0 * period],
-        start: Vec::new(),
-        inputs: Vec::new(),
-        is_blurred: false,
-        is_drawn: true,
-    }
+    Course::drawn(text, size, period)
 }
