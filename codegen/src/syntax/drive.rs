@@ -20,11 +20,7 @@ struct Driven {
 }
 
 /// The statement after its first word.
-pub(super) fn drive(
-    tokens: &mut Tokens<'_>,
-    docs: Vec<String>,
-    start: Span,
-) -> Outcome<Statement> {
+pub(super) fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
     let name = name(tokens, "the name of a driver")?;
     let help = "a driver is written `drive phi(BODY) = FORMULA;`";
     let Driven {

@@ -43,6 +43,8 @@ pub struct Weight {
     pub mass: ExprId,
     /// About the center of mass, in kg·m².
     pub inertia: ExprId,
+    /// About the origin of the frame, in kg·m².
+    pub about_origin: ExprId,
     /// The vector from the origin of the frame to the center of mass.
     pub arm: Vector,
 }
@@ -87,13 +89,6 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         let center = form.mark_with_arm(&mass.center, &mechanism.bodies, &mut mechanism.graph);
         let graph = &mut mechanism.graph;
         let angle = form.angle_of(mass.body);
-        weights.push(Weight {
-            body: mass.body,
-            unknowns: [angle - 2, angle - 1, angle],
-            mass: mass.mass,
-            inertia: mass.inertia,
-            arm: center.arm,
-        });
         let of_body = [angle - 2, angle - 1, angle].map(|at| &form.unknowns[at]);
         let [vx, vy, turning] = of_body.map(|it| graph.variable(it.rate));
         let [ax, ay, spin] = of_body.map(|it| graph.variable(it.acceleration));
@@ -101,6 +96,14 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         let offset = dot(mass.center.local, mass.center.local, graph);
         let offset = graph.multiply(mass.mass, offset);
         let inertia = graph.add(mass.inertia, offset);
+        weights.push(Weight {
+            body: mass.body,
+            unknowns: [angle - 2, angle - 1, angle],
+            mass: mass.mass,
+            inertia: mass.inertia,
+            about_origin: inertia,
+            arm: center.arm,
+        });
         let falling = match gravity {
             Some(gravity) => subtract(gravity, [ax, ay], graph),
             None => [graph.negate(ax), graph.negate(ay)],

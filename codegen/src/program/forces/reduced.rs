@@ -54,6 +54,8 @@ impl Reduced {
 struct Following {
     center: [ExprId; 2],
     turning: ExprId,
+    /// Whether the origin of its frame stays where it is.
+    turns_only: bool,
 }
 
 /// States the reduced mass and force.
@@ -68,11 +70,10 @@ pub(super) fn reduced(carried: &Carried, weights: &[Weight], builder: &mut Build
             Some((direction, joint, it.input, quantity))
         })
         .collect();
-    let name = |builder: &Builder<'_>, joint: usize| {
-        builder.system.mechanism.joints[joint].slug.clone()
-    };
+    let name =
+        |builder: &Builder<'_>, joint: usize| builder.system.mechanism.joints[joint].slug.clone();
     builder.say(|_| {
-        "How the centers of mass and the angles follow each free coordinate, squared and weighed, is the mass along it:".into()
+        "How the centers of mass and the angles follow each free coordinate, squared and weighed, is the mass along it. How an unknown follows it is its velocity while that of the coordinate is one:".into()
     });
     let mut followings: Vec<Vec<Following>> = Vec::with_capacity(free.len());
     for &(direction, joint, ..) in &free {
@@ -93,8 +94,12 @@ pub(super) fn reduced(carried: &Carried, weights: &[Weight], builder: &mut Build
             for (body, weight) in weights.iter().enumerate() {
                 let [one, other] = [row, column].map(|place| followings[place][body]);
                 let graph = builder.graph();
-                let moved = dot(one.center, other.center, graph);
                 let turned = graph.multiply(one.turning, other.turning);
+                if one.turns_only && other.turns_only {
+                    terms.push(graph.multiply(weight.about_origin, turned));
+                    continue;
+                }
+                let moved = dot(one.center, other.center, graph);
                 terms.push(graph.multiply(weight.mass, moved));
                 terms.push(graph.multiply(weight.inertia, turned));
             }
@@ -145,9 +150,13 @@ fn following(
     builder: &mut Builder<'_>,
 ) -> Following {
     let body = builder.system.mechanism.bodies[weight.body].name.clone();
-    let [x, y, turning] = weight
-        .unknowns
-        .map(|unknown| builder.derivatives.of_unknown(unknown, direction, builder.system));
+    let [x, y, turning] = weight.unknowns.map(|unknown| {
+        builder
+            .derivatives
+            .of_unknown(unknown, direction, builder.system)
+    });
+    let zero = builder.graph().zero();
+    let turns_only = [x, y] == [zero; 2];
     let turned = perpendicular(weight.arm, builder.graph());
     let center = [(x, turned[0], "x"), (y, turned[1], "y")].map(|(origin, across, axis)| {
         let graph = builder.graph();
@@ -155,5 +164,9 @@ fn following(
         let moved = graph.add(origin, moved);
         builder.value(&format!("center_{axis}_{body}_by_{slug}"), moved)
     });
-    Following { center, turning }
+    Following {
+        center,
+        turning,
+        turns_only,
+    }
 }
