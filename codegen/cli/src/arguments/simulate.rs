@@ -27,7 +27,7 @@ pub struct Simulate {
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
     /// The error of a step that is allowed, relative to each free coordinate and to each of their rates
-    #[arg(long, value_name = "R", default_value = "1e-9", value_parser = tolerance, allow_hyphen_values = true)]
+    #[arg(long, value_name = "R", default_value = "1e-10", value_parser = tolerance, allow_hyphen_values = true)]
     pub rtol: f64,
     /// What is allowed besides, in m or rad, and m/s or rad/s
     #[arg(long, value_name = "A", default_value = "1e-12", value_parser = tolerance, allow_hyphen_values = true)]

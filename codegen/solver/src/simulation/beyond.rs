@@ -1,4 +1,4 @@
-//! *A mechanism shortly before a singular pose, and signals beyond it* → *the frame there that goes straight on*.
+//! *The last frame that was far from singular poses, and signals at or beyond one* → *the frame there that goes straight on*.
 //!
 //! Where modes of a block meet, the smooth path goes on in the other one. The shell follows it where it can tell; where several blocks
 //! are singular in one pose it cannot. Here the modes are chosen block by block, in the order in which they are solved, such that its
@@ -37,20 +37,27 @@ pub(super) fn close_blocks(
     close
 }
 
-/// The frame at a time that goes straight on from the last one, and its modes; `None` where there is none.
+/// The frame at a time that goes straight on from that of the shell, and its modes; `time` is how much later the mechanism is expected
+/// to be so far on its way.
+///
+/// # Errors
+/// It cannot be solved there.
 pub(super) fn straight_on(
     shell: &Shell<Interpreted>,
     close: &[usize],
-    t: f64,
+    (t, time): (f64, f64),
     inputs: &InputSignals,
-) -> Option<(Instant, Modes)> {
+) -> Result<(Instant, Modes), linkwright::Failure> {
     let view = shell.blocks();
     let last = shell.frame();
-    let mut other = shell.clone();
     let mut modes = shell.branches().clone();
-    let mut frame = shell.frame_at(t, inputs).ok()?;
+    let mut found = shell.frame_at(t, inputs);
+    if close.is_empty() {
+        return found.map(|frame| (frame, modes));
+    }
+    let mut other = shell.clone();
     for &block in close {
-        let number = u16::try_from(block).ok()?;
+        let number = u16::try_from(block).unwrap_or(u16::MAX);
         let Some(exchanged) = view.exchanged(&modes, number) else {
             continue;
         };
@@ -59,12 +66,16 @@ pub(super) fn straight_on(
             continue;
         };
         let unknowns = found_in(view, block);
-        let [stays, changes] = [&frame, &tried].map(|it| distance(view, last, it, &unknowns));
-        if changes < stays {
-            (frame, modes) = (tried, exchanged);
+        let missed = |frame: &Instant| distance(view, [last, frame], time, &unknowns);
+        let is_nearer = match &found {
+            Ok(stays) => missed(&tried) < missed(stays),
+            Err(_) => true,
+        };
+        if is_nearer {
+            (found, modes) = (Ok(tried), exchanged);
         }
     }
-    Some((frame, modes))
+    found.map(|frame| (frame, modes))
 }
 
 /// The coordinates that a block finds.
@@ -82,11 +93,10 @@ fn found_in(view: &Interpreted, number: usize) -> Vec<usize> {
     torn.chain(following).filter(|it| *it < count).collect()
 }
 
-/// How far coordinates and rates are from those that the last frame leads to, over the time that has passed.
-fn distance(view: &Interpreted, last: &Instant, found: &Instant, unknowns: &[usize]) -> f64 {
-    let time = found.t() - last.t();
+/// How far coordinates and rates are from those that the first frame leads to in a time, over that time.
+fn distance(view: &Interpreted, frames: [&Instant; 2], time: f64, unknowns: &[usize]) -> f64 {
     let length = view.system().mechanism.characteristic_length;
-    let [from, to]: [Frame<f64, Dyn>; 2] = [last, found].map(Instant::frame);
+    let [from, to]: [Frame<f64, Dyn>; 2] = frames.map(Instant::frame);
     let own = unknowns.iter().map(|&at| {
         let scale = match view.system().coordinates[at].quantity.power_of_length() {
             0 => 1.0,

@@ -7,19 +7,20 @@
 
 mod beyond;
 mod reduced;
+mod right_side;
 mod stop;
 
 pub use crate::dormand_prince::Tolerances;
 pub use reduced::ReducedMotion;
 pub use stop::Stop;
 
-use linkwright::{Blocks, Failure, Shell, Signal};
+use linkwright::{Blocks, Shell, Signal};
+use right_side::RightSide;
 
 use crate::dormand_prince::{Rates, Step, first_length};
 use crate::instant::Instant;
 use crate::interpreted::Interpreted;
-use crate::measures::Measures;
-use crate::supplied::{InputLaws, InputSignals, Modes, Numbers};
+use crate::supplied::{InputSignals, Modes, Numbers};
 use crate::trajectory::END;
 use crate::view::View;
 
@@ -64,119 +65,11 @@ pub struct Simulation {
     passed: Vec<[f64; 2]>,
 }
 
-/// The rates of free coordinates, their rates and the work.
-#[derive(Clone, Debug)]
-struct RightSide {
-    shell: Shell<Interpreted>,
-    motion: ReducedMotion,
-    laws: InputLaws,
-    measures: Option<Measures>,
-    goes_through: bool,
-    evaluations: u64,
-    /// Where forces keep the power that is added, where that is asked for.
-    added: Option<usize>,
-}
-
-impl RightSide {
-    /// All inputs at a time; those of the free coordinates as a state has them.
-    fn inputs(&self, t: f64, state: &[f64], accelerations: &[f64]) -> InputSignals {
-        let count = self.motion.inputs.len();
-        let mut inputs = self.laws.at(t);
-        for (place, &input) in self.motion.inputs.iter().enumerate() {
-            let acceleration = accelerations.get(place).copied().unwrap_or(0.0);
-            inputs.0[input] = Signal::new(state[place], state[count + place], acceleration);
-        }
-        inputs
-    }
-
-    /// The frame at a time, on the path that leads there straight from the frame of the shell.
-    fn frame(&self, t: f64, inputs: &InputSignals) -> Result<Instant, Failure> {
-        let last = self.shell.frame();
-        let close = self.close(t);
-        if close.is_empty() || t == last.t() {
-            return self.shell.frame_at(t, inputs);
-        }
-        let mut ahead = self.shell.clone();
-        match ahead.advance(t, inputs) {
-            Ok(frame) => Ok(frame.clone()),
-            Err(failure) => match self.goes_through {
-                true => beyond::straight_on(&self.shell, &close, t, inputs)
-                    .map(|(frame, _)| frame)
-                    .ok_or(failure),
-                false => Err(failure),
-            },
-        }
-    }
-
-    /// The blocks that may be close to a singular pose at a time.
-    fn close(&self, t: f64) -> Vec<usize> {
-        let frame = self.shell.frame();
-        let view = self.shell.blocks();
-        let measures = self.measures.as_ref();
-        measures.map_or(Vec::new(), |measures| {
-            beyond::close_blocks(measures, view, frame, t - frame.t())
-        })
-    }
-
-    /// Moves the mechanism to a time; whether that took it through a singular pose.
-    fn follow(&mut self, t: f64, inputs: &InputSignals) -> Result<bool, Failure> {
-        if t == self.shell.frame().t() {
-            let (frame, modes) = (
-                self.shell.frame_at(t, inputs)?,
-                self.shell.branches().clone(),
-            );
-            self.shell.resume(&frame, &modes, inputs);
-            return Ok(false);
-        }
-        let before = self.shell.branches().clone();
-        let close = self.close(t);
-        match self.shell.advance(t, inputs) {
-            Ok(_) => Ok(*self.shell.branches() != before),
-            Err(failure) if self.goes_through => {
-                let found = beyond::straight_on(&self.shell, &close, t, inputs);
-                let (frame, modes) = found.filter(|(_, it)| *it != before).ok_or(failure)?;
-                self.shell.resume(&frame, &modes, inputs);
-                Ok(true)
-            }
-            Err(failure) => Err(failure),
-        }
-    }
-}
-
-impl Rates for RightSide {
-    type Failure = Stop;
-
-    fn rates(&mut self, t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Stop> {
-        self.evaluations += 1;
-        let count = self.motion.inputs.len();
-        let inputs = self.inputs(t, state, &[]);
-        let frame = self.frame(t, &inputs).map_err(Stop::Unsolvable)?;
-        let found = self.motion.acceleration(&frame);
-        let accelerations = found.map_err(|coordinate| Stop::Massless { t, coordinate })?;
-        rates[..count].copy_from_slice(&state[count..2 * count]);
-        rates[count..2 * count].copy_from_slice(accelerations.as_slice());
-        let forces = self.shell.blocks().forces(&frame);
-        let power = self.added.and_then(|place| Some(forces?[place]));
-        rates[2 * count] = power.unwrap_or(0.0);
-        match rates.iter().all(|rate| rate.is_finite()) {
-            true => Ok(()),
-            false => Err(Stop::NotFinite { t }),
-        }
-    }
-
-    fn judged(&self) -> usize {
-        2 * self.motion.inputs.len()
-    }
-}
-
 impl Simulation {
     /// The mechanism where it starts, at t = 0: as it is drawn, or in the given pose and modes.
     ///
     /// # Errors
     /// It cannot be assembled, or has no acceleration there.
-    ///
-    /// # Panics
-    /// Never: a view without a free coordinate is [`Stop::NothingFree`].
     pub fn new(
         view: &Interpreted,
         chosen: Option<(Instant, Modes)>,
@@ -204,16 +97,8 @@ impl Simulation {
             &inputs,
             Default::default(),
         );
-        let names = crate::forces::names(view.system());
-        let mut right_side = RightSide {
-            shell: shell.map_err(Stop::NotAssembled)?,
-            measures: view.measures(),
-            added: names.iter().position(|(name, _)| name == "added_power"),
-            goes_through: options.goes_through,
-            evaluations: 0,
-            motion,
-            laws,
-        };
+        let shell = shell.map_err(Stop::NotAssembled)?;
+        let mut right_side = RightSide::new(shell, motion, options.goes_through);
         let mut slope = vec![0.0; state.len()];
         right_side.rates(0.0, &state, &mut slope)?;
         let count = right_side.judged() / 2;
