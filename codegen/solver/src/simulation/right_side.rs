@@ -17,10 +17,10 @@ use crate::supplied::{InputLaws, InputSignals, Modes};
 use crate::view::View;
 
 /// The measure below which a pose is close to a singular one.
-const CLOSE: f64 = 0.1;
+const CLOSE: f64 = 0.15;
 
 /// Where accelerations are taken on both sides of a singular pose, in units of how far a close pose is at most.
-const NODES: [f64; 5] = [1.0, 1.4, 1.8, 2.2, 2.6];
+const NODES: [f64; 6] = [1.0, 1.3, 1.6, 1.9, 2.2, 2.5];
 
 /// The rates of free coordinates, their rates and the work.
 #[derive(Clone, Debug)]
