@@ -16,5 +16,6 @@ mod pressure;
 mod printed;
 mod set;
 mod singular;
+mod simulate;
 mod solve;
 mod view;
