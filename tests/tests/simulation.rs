@@ -272,7 +272,7 @@ fn an_n_four_bar_goes_straight_through_its_flat_poses() {
         assert!(bar.sin().abs() <= 1e-9 && bar.cos() > 0.0, "{t}: {bar}");
         assert!((energy(&bars) - first).abs() <= 1e-9 * 70.0);
     }
-    assert_eq!(bars.passed().len(), 11, "{:?}", bars.passed());
+    assert_eq!(bars.passed().len(), 10, "{:?}", bars.passed());
 }
 
 /// Without being told to, it ends in the first flat pose, and says why: all its links are in line there.
@@ -283,11 +283,12 @@ fn an_n_four_bar_ends_where_several_loops_are_singular() {
     assert!(matches!(stop, Stop::Unsolvable(_)), "{stop:?}");
     let [angle, _] = coordinate(&bars, "phi_link0");
     assert!(angle.abs() < 1e-3, "{angle}");
+    assert!(stop.is_where_loops_meet(bars.view(), bars.frame()));
     let said = stop.explained(bars.view(), Some(bars.frame()));
     for part in [
         "cannot be simulated beyond t = 0.714",
-        "link2 and bar1",
-        "normalized determinant",
+        "normalized determinant of phi_link1 and phi_bar0",
+        "several loops become singular there at once",
     ] {
         assert!(said.contains(part), "{said}");
     }
@@ -391,9 +392,10 @@ fn generated_code_has_the_reduced_mass_and_force_of_the_interpreter() {
             (frame.reduced_force_swing(), force[1]),
         ];
         for (found, expected) in pairs {
-            assert_eq!(
-                found.to_bits(),
-                expected.to_bits(),
+            // The interpreter holds more values in its frames, so that sums have their terms in another order.
+            let size = expected.abs().max(1.0);
+            assert!(
+                (found - expected).abs() <= 1e-14 * size,
                 "{t}: {found} {expected}"
             );
         }

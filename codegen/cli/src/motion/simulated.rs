@@ -70,7 +70,14 @@ impl Followed<Interpreted> {
         }
         found.effort = simulation.effort();
         self.say_passed(simulation.passed());
-        self.error = stop.map(|stop: Stop| stop.explained(&self.view, Some(simulation.frame())));
+        self.error = stop.map(|stop: Stop| {
+            let last = simulation.frame();
+            let help = match stop.is_where_loops_meet(&self.view, last) && !options.goes_through {
+                true => "\n  = help: `--through-singular` goes straight on there",
+                false => "",
+            };
+            stop.explained(&self.view, Some(last)) + help
+        });
         self.simulated = Some(found);
         self.finish();
         Ok(())

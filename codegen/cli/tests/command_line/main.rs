@@ -15,7 +15,7 @@ mod plan;
 mod pressure;
 mod printed;
 mod set;
-mod singular;
 mod simulate;
+mod singular;
 mod solve;
 mod view;

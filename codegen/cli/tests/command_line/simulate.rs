@@ -25,7 +25,10 @@ fn a_pendulum_is_simulated_as_json() {
     let first = &frames[0];
     let spin = -3.0 * 2.0 * 9.81 * 0.5 / 12.5;
     for (level, expected) in [("q", 30_f64.to_radians()), ("qd", 1.5), ("qdd", spin)] {
-        assert!((number(&first[level][2]) - expected).abs() <= 1e-14, "{level}");
+        assert!(
+            (number(&first[level][2]) - expected).abs() <= 1e-14,
+            "{level}"
+        );
     }
     // Its energy is kept, and every frame has the acceleration of its angle.
     let simulation = &found["simulation"];
@@ -55,7 +58,12 @@ fn a_summary_says_what_it_took() {
     let folder = Folder::new("simulate_summary", PENDULUM);
     let ran = folder.run("simulate a.mech --to 1 --step 0.1 --no-files");
     let printed = ran.exits_with(0).stdout;
-    for part in ["integration of the free coordinates", "evaluations", "drift of the energy", "free swing: phi(bob)"] {
+    for part in [
+        "integration of the free coordinates",
+        "evaluations",
+        "drift of the energy",
+        "free swing: phi(bob)",
+    ] {
         assert!(printed.contains(part), "{printed}");
     }
 }
@@ -90,7 +98,10 @@ fn a_motion_that_ends_says_where_and_why() {
     let folder = Folder::new("simulate_ends", text);
     let ran = folder.run("simulate a.mech --to 2 --no-files");
     let ran = ran.exits_with(1);
-    for part in ["cannot be simulated beyond t = ", "normalized determinant of"] {
+    for part in [
+        "cannot be simulated beyond t = ",
+        "normalized determinant of",
+    ] {
         assert!(ran.stderr.contains(part), "{}", ran.stderr);
     }
     assert!(ran.stdout.contains("integration of the free coordinates"));
@@ -98,12 +109,20 @@ fn a_motion_that_ends_says_where_and_why() {
 
 #[test]
 fn what_is_driven_throughout_is_refused() {
-    let folder = Folder::new("simulate_driven", &PENDULUM.replace("free swing: phi(bob) = 30deg rate 1.5", "drive phi(bob) = t"));
+    let folder = Folder::new(
+        "simulate_driven",
+        &PENDULUM.replace(
+            "free swing: phi(bob) = 30deg rate 1.5",
+            "drive phi(bob) = t",
+        ),
+    );
     let ran = folder.run("simulate a.mech");
     let said = ran.exits_with(2).stderr;
     assert!(said.contains("no coordinate of `a.mech` is free"), "{said}");
     for options in ["--rtol 0", "--rtol x", "--to -1", "--atol 2"] {
         let folder = Folder::new("simulate_refused", PENDULUM);
-        folder.run(&format!("simulate a.mech {options}")).exits_with(2);
+        folder
+            .run(&format!("simulate a.mech {options}"))
+            .exits_with(2);
     }
 }

@@ -8,6 +8,9 @@ use crate::measures::Measures;
 use crate::number::time;
 use crate::view::View;
 
+/// The measure below which a part of the last frame is about to be singular.
+const SINGULAR: f64 = 1e-3;
+
 /// Why a motion ends before its time, or does not begin.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
@@ -46,6 +49,12 @@ impl Stop {
         }
     }
 
+    /// Whether the motion ends because several loops become singular at once.
+    pub fn is_where_loops_meet(&self, view: &Interpreted, last: &Instant) -> bool {
+        matches!(self, Stop::Unsolvable(_) | Stop::TooShort { .. })
+            && are_several(&sizes(view, last))
+    }
+
     /// That and why the motion ends after its last instant, where it has one.
     pub fn explained(&self, view: &Interpreted, last: Option<&Instant>) -> String {
         let at = time(self.time());
@@ -80,21 +89,33 @@ impl Stop {
     }
 }
 
-/// How close to singular the closest part of a frame is.
-fn closeness(view: &Interpreted, frame: Option<&Instant>) -> String {
-    let Some(frame) = frame else {
-        return String::new();
-    };
+/// The measures of all parts of a frame.
+fn sizes(view: &Interpreted, frame: &Instant) -> Vec<(String, f64)> {
     let measures = Measures::new(view);
     let samples = measures.at(frame);
-    let sizes = measures.parts().iter().zip(samples);
-    let sizes = sizes.map(|(part, [size, _])| (part, part.bounded(size.abs())));
-    let closest = sizes.min_by(|(_, one), (_, other)| one.total_cmp(other));
-    match closest {
-        Some((part, size)) => format!(
-            "; in the last frame the normalized determinant of {} is {size:.1e}",
-            part.unknowns.join(" and ")
-        ),
-        None => String::new(),
-    }
+    let parts = measures.parts().iter().zip(samples);
+    let sizes =
+        parts.map(|(part, [size, _])| (part.unknowns.join(" and "), part.bounded(size.abs())));
+    sizes.collect()
+}
+
+/// How close to singular the closest part of a frame is.
+fn closeness(view: &Interpreted, frame: Option<&Instant>) -> String {
+    let sizes = frame.map_or(Vec::new(), |frame| sizes(view, frame));
+    let closest = sizes
+        .iter()
+        .min_by(|(_, one), (_, other)| one.total_cmp(other));
+    let Some((part, size)) = closest else {
+        return String::new();
+    };
+    let several = match are_several(&sizes) {
+        true => ", and several loops become singular there at once",
+        false => "",
+    };
+    format!("; in the last frame the normalized determinant of {part} is {size:.1e}{several}")
+}
+
+/// Whether more than one part is about to be singular.
+fn are_several(sizes: &[(String, f64)]) -> bool {
+    sizes.iter().filter(|(_, size)| *size < SINGULAR).count() > 1
 }
