@@ -84,11 +84,11 @@ pub(super) fn reduced(carried: &Carried, weights: &[Weight], builder: &mut Build
     }
     let mut masses = Vec::new();
     for (row, &(_, joint, ..)) in free.iter().enumerate() {
-        for column in 0..=row {
+        for (column, &(_, other, ..)) in free[..=row].iter().enumerate() {
             let own = name(builder, joint);
             let named = match row == column {
                 true => format!("reduced_mass_{own}"),
-                false => format!("reduced_mass_{own}_{}", name(builder, free[column].1)),
+                false => format!("reduced_mass_{own}_{}", name(builder, other)),
             };
             let mut terms = Vec::with_capacity(2 * weights.len());
             for (body, weight) in weights.iter().enumerate() {
