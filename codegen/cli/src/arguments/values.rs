@@ -30,7 +30,7 @@ pub fn step(text: &str) -> Result<f64, String> {
 /// The error that a step of an integration may have.
 pub fn tolerance(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(value) if value >= SMALLEST_TOLERANCE && value < 1.0 => Ok(value),
+        Ok(value) if (SMALLEST_TOLERANCE..1.0).contains(&value) => Ok(value),
         Ok(_) => Err(format!(
             "a tolerance is between {SMALLEST_TOLERANCE:e} and 1"
         )),
