@@ -111,7 +111,7 @@ fn a_motion_that_ends_says_where_and_why() {
 fn what_is_driven_throughout_is_refused() {
     let folder = Folder::new(
         "simulate_driven",
-        &PENDULUM.replace(
+        PENDULUM.replace(
             "free swing: phi(bob) = 30deg rate 1.5",
             "drive phi(bob) = t",
         ),
