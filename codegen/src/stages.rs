@@ -41,8 +41,8 @@ pub mod structure {
 pub mod program {
     pub use crate::program::{
         Block, Branch, EVALUATIONS, Effort, Energy, Forces, Found, Function, Lengths, Level,
-        NewtonBlock, Operations, Program, Reaction, STEPS, Statement, Tearing, Work, forms_of,
-        lower, lower_with_unknowns, unpruned, work,
+        NewtonBlock, Operations, Program, Reaction, Reduced, STEPS, Statement, Tearing, Work,
+        forms_of, lower, lower_with_unknowns, unpruned, work,
     };
 }
 

@@ -13,7 +13,7 @@ use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
-const SMALL: [&str; 26] = [
+const SMALL: [&str; 27] = [
     "asked",
     "both_ways",
     "cam_law",
@@ -25,6 +25,7 @@ const SMALL: [&str; 26] = [
     "forced_linkage",
     "forced_platform",
     "forced_slider",
+    "free_linkage",
     "laws",
     "parallelogram",
     "parallelogram_unguarded",

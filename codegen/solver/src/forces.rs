@@ -49,7 +49,7 @@ pub fn names(system: &System) -> Vec<(String, &'static str)> {
 
 /// Where instants of a program keep the columns.
 pub(crate) fn of_program(program: &Program, layout: &Layout) -> Vec<Option<usize>> {
-    let fields = program.forces.fields().into_iter();
+    let fields = program.forces.asked().into_iter();
     fields.map(|field| layout.slot(field)).collect()
 }
 
@@ -80,6 +80,9 @@ impl DenseForces {
         let loads = system.forces.clone()?;
         let mut system = system.clone();
         let columns = columns(&mut system);
+        if columns.is_empty() {
+            return None;
+        }
         let (mut entries, mut roots) = (Vec::new(), Vec::new());
         for (row, own) in system.rows.iter().enumerate() {
             for entry in &own.jacobian {

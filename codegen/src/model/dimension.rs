@@ -67,6 +67,15 @@ impl Dimension {
         }
     }
 
+    /// The dimension of the rate of a quantity.
+    pub fn of_rate(quantity: Quantity) -> Dimension {
+        match quantity {
+            Quantity::Length => Dimension::SPEED,
+            Quantity::Angle => Dimension::FREQUENCY,
+            Quantity::Power(length) => Dimension::marked(length, -1, 0),
+        }
+    }
+
     /// What a residual of this dimension is judged as.
     pub fn quantity(self) -> Quantity {
         match self {

@@ -16,6 +16,8 @@ pub struct Forces {
     pub gravity: Option<Vector>,
     /// Springs, dampers, forces and torques, in written order.
     pub loads: Vec<Load>,
+    /// The coordinates that forces move, in written order.
+    pub free: Vec<Free>,
     /// Whether an `effort` statement asks what the drivers exert.
     pub efforts: bool,
     /// The joints whose reactions are asked for: indices into the joints, ascending, each once.
@@ -41,6 +43,17 @@ pub struct Mass {
     pub span: Span,
 }
 
+/// A coordinate that forces move.
+#[derive(Clone, Copy, Debug)]
+pub struct Free {
+    /// The driver that holds it: an index into the joints.
+    pub joint: usize,
+    /// The signal that the driver follows: an index into the inputs.
+    pub input: usize,
+    /// The statement.
+    pub span: Span,
+}
+
 /// Something that acts on bodies.
 #[derive(Clone, Debug)]
 pub struct Load {
@@ -60,6 +73,11 @@ impl Forces {
 
     /// Whether what drivers exert or joints carry is wanted.
     pub fn need_multipliers(&self) -> bool {
-        self.efforts || !self.reactions.is_empty()
+        self.need_efforts() || !self.reactions.is_empty()
+    }
+
+    /// Whether the work along the values of drivers is wanted.
+    pub fn need_efforts(&self) -> bool {
+        self.efforts || !self.free.is_empty()
     }
 }

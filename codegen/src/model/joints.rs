@@ -39,6 +39,7 @@ impl Resolver<'_> {
         let given = WrittenJoint {
             kind,
             role: Role::Constraint,
+            is_free: false,
             name: joint.name.as_ref(),
             operands: &joint.operands,
             along: joint.along.as_ref(),
@@ -49,6 +50,16 @@ impl Resolver<'_> {
     }
 
     pub(super) fn add_driver(&mut self, drive: &syntax::Drive) {
+        self.add_driven(drive, &drive.value, false);
+    }
+
+    /// A driver that takes `value`, of a quantity that is driven or free.
+    pub(super) fn add_driven(
+        &mut self,
+        drive: &syntax::Drive,
+        value: &syntax::Expression,
+        is_free: bool,
+    ) {
         // Joints are named after their points, which may join several pairs of bodies; the name of a driver is its own.
         let duplicate = drive
             .name
@@ -87,10 +98,11 @@ impl Resolver<'_> {
         let given = WrittenJoint {
             kind,
             role: Role::Driver,
+            is_free,
             name: drive.name.as_ref(),
             operands: &operands,
             along: None,
-            value: Some(&drive.value),
+            value: Some(value),
             span: drive.span,
         };
         self.add_rows_of(&given, None, &drive.docs);
@@ -175,8 +187,9 @@ fn label(given: &WrittenJoint<'_>) -> String {
         )
     });
     let along = along.unwrap_or_default();
+    let word = if given.is_free { "free" } else { "drive" };
     match (given.role, given.name.map(|name| name.text.as_str())) {
-        (Role::Driver, Some(name)) => format!("drive {name}: {keyword}({operands})"),
+        (Role::Driver, Some(name)) => format!("{word} {name}: {keyword}({operands})"),
         (Role::Driver, None) => format!("drive {keyword}({operands})"),
         (Role::Constraint, Some(name)) => format!("{keyword} {name}({operands}){along}"),
         (Role::Constraint, None) if given.operands.len() == 1 => format!("{keyword}({operands})"),

@@ -18,6 +18,7 @@ mod equation;
 mod expression;
 mod forces;
 mod formulas;
+mod free;
 mod joints;
 mod kinematic;
 mod law;

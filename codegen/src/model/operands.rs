@@ -16,6 +16,8 @@ use crate::syntax::{Direction, Expression, Name, Reference};
 pub(super) struct WrittenJoint<'a> {
     pub kind: &'static dyn Kind,
     pub role: Role,
+    /// Whether forces move what it would drive.
+    pub is_free: bool,
     pub name: Option<&'a Name>,
     pub operands: &'a [Reference],
     pub along: Option<&'a Direction>,

@@ -1,4 +1,4 @@
-//! `param` and `input` statements → symbols with a default.
+//! `param` and `input` statements, and starts of `free` ones → symbols with a default.
 //!
 //! A parameter is a fixed symbol: it may stand wherever a constant may, and questions about numbers are answered at its default.
 //! An input moves as t does: it may stand where t may. Both are named in the name space of the constants. Deliberately unknown
@@ -19,6 +19,8 @@ use crate::syntax::{self, Name};
 pub(super) enum Sort {
     Parameter,
     Input,
+    /// What forces move; as an input to whoever supplies it.
+    Free,
 }
 
 /// The name that first became a field of this sort; only looked up.
@@ -29,6 +31,7 @@ impl Sort {
         match self {
             Sort::Parameter => "parameter",
             Sort::Input => "input",
+            Sort::Free => "free coordinate",
         }
     }
 }
@@ -60,16 +63,19 @@ impl Resolver<'_> {
     }
 
     pub(super) fn add_input(&mut self, written: &syntax::Constant) {
-        let Some((initial, dimension)) = self.default_of(written, Sort::Input) else {
-            return;
-        };
+        self.add_signal(written, Sort::Input);
+    }
+
+    /// A signal with its value at assembly, at rest; `None` where its name cannot be.
+    pub(super) fn add_signal(&mut self, written: &syntax::Constant, sort: Sort) -> Option<usize> {
+        let (initial, dimension) = self.default_of(written, sort)?;
         let name = &written.name;
         let [value, rate, acceleration] =
             ["", "'", "''"].map(|dots| self.graph.symbol(&format!("{}{dots} input", name.text)));
         let variable = self.graph.variable(value);
         if let Some(duplicate) = self.declared.constants.declare(name, (variable, dimension)) {
             self.diagnostics.push(duplicate);
-            return;
+            return None;
         }
         self.declared
             .input_places
@@ -84,6 +90,7 @@ impl Resolver<'_> {
             used: false,
             span: name.span,
         });
+        Some(self.declared.inputs.len() - 1)
     }
 
     /// The value that a statement gives, a number. An erroneous one counts as one, so that the name is still declared; `None`
@@ -105,12 +112,17 @@ impl Resolver<'_> {
         let (article, cause) = match sort {
             Sort::Parameter => ("a", self.moving(value)),
             Sort::Input => ("an", self.moving(value)),
+            Sort::Free => ("a", self.moving(value)),
+        };
+        let what = match sort {
+            Sort::Free => "start",
+            Sort::Parameter | Sort::Input => "default",
         };
         let finding = match cause {
             Some(cause) => Diagnostic::error(
                 Code::NotConstant,
                 written.value.span,
-                format!("the default of {article} {noun} cannot depend on {cause}"),
+                format!("the {what} of {article} {noun} cannot depend on {cause}"),
             )
             .label("changes with time")
             .help(match sort {
@@ -118,11 +130,12 @@ impl Resolver<'_> {
                 Sort::Input => {
                     "write the value at assembly; the signal itself is supplied at run time"
                 }
+                Sort::Free => "write where it is at t = 0; how it goes on follows from the forces",
             }),
             None => Diagnostic::error(
                 Code::NotConstant,
                 written.value.span,
-                format!("the default of {article} {noun} cannot depend on a parameter"),
+                format!("the {what} of {article} {noun} cannot depend on a parameter"),
             )
             .label("a number is wanted here")
             .help("a value that follows from parameters is a `const`"),
@@ -146,6 +159,11 @@ impl Resolver<'_> {
             );
             return;
         }
+        // Both are fields of the same inputs.
+        let sort = match sort {
+            Sort::Free => Sort::Input,
+            Sort::Parameter | Sort::Input => sort,
+        };
         let field = (sort, field_name(&name.text));
         let earlier = self
             .declared

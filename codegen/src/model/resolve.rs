@@ -170,6 +170,7 @@ impl Resolver<'_> {
             syntax::Statement::Curve(curve) => self.add_curve(curve),
             syntax::Statement::Joint(joint) => self.add_joint(joint),
             syntax::Statement::Drive(drive) => self.add_driver(drive),
+            syntax::Statement::Free(free) => self.add_free(free),
             syntax::Statement::Equation(equation) => self.add_equation(equation),
             syntax::Statement::Mass(mass) => self.add_mass(mass),
             syntax::Statement::Gravity(gravity) => self.add_gravity(gravity),

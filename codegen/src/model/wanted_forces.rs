@@ -1,4 +1,4 @@
-//! `effort`, `reaction`, `reactions` and `energy` statements → which forces are wanted.
+//! `effort`, `reaction`, `reactions` and `energy` statements → which forces are wanted, and whether what is free is moved by any.
 //!
 //! Deliberately unknown here: how they are found.
 
@@ -45,6 +45,20 @@ impl Resolver<'_> {
                     )),
                 );
             }
+        }
+        if let Some(free) = forces.free.first()
+            && forces.masses.is_empty()
+            && !self.diagnostics.has_errors()
+        {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    free.span,
+                    "what is free is moved by forces, and no body has a mass",
+                )
+                .label("would have no acceleration")
+                .help("say what the bodies weigh: `mass 1 = 2kg;`"),
+            );
         }
         if let Some((_, span)) = asked.iter().find(|(word, _)| *word == "effort") {
             self.require_drivers_of_quantities(*span);

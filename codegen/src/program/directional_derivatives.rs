@@ -11,7 +11,7 @@ use super::builder::Builder;
 use super::function::{Level, Statement};
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::joint::geometry::Vector;
-use crate::system::{Direction, SymbolRole, System};
+use crate::system::{Cause, Direction, SymbolRole, System};
 
 /// How everything found so far responds to each direction.
 #[derive(Clone, Debug)]
@@ -385,10 +385,18 @@ impl Builder<'_> {
 
     /// The levels of a block after its pose, in their order.
     pub(super) fn levels(&self) -> Vec<Level> {
-        // Efforts shift drivers, but ask for no response.
-        let transmits = !self.system.mechanism.transmissions.is_empty();
+        // Efforts shift drivers, but ask for no response; the reduced mass asks for that to what is free.
+        let mechanism = &self.system.mechanism;
+        let transmits = !mechanism.transmissions.is_empty();
+        let is_free = |place: usize| match self.system.directions.get(place).map(|it| it.cause) {
+            Some(Cause::Driver { joint, .. }) => {
+                mechanism.forces.free.iter().any(|it| it.joint == joint)
+            }
+            _ => false,
+        };
         let directions = self.derivatives.directions.iter().enumerate();
-        let directions = directions.filter(|(_, along)| along.is_parameter || transmits);
+        let directions =
+            directions.filter(|&(place, along)| along.is_parameter || transmits || is_free(place));
         let derivatives = directions.flat_map(|(place, along)| {
             let rate = along.is_parameter.then_some(Level::ResponseRate(place));
             [Some(Level::Response(place)), rate].into_iter().flatten()

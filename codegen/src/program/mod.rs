@@ -28,7 +28,7 @@ mod transmissions;
 
 pub use addends::{Addend, Compared, Power, addends, compared};
 pub use block::{Block, Branch, Measured, NewtonBlock, PageName};
-pub use forces::{Effort, Energy, Forces, Reaction};
+pub use forces::{Effort, Energy, Forces, FreeCoordinate, Reaction, Reduced};
 pub use forms::DrawnMode;
 pub use function::{Function, Level, Statement};
 pub use lengths::Lengths;

@@ -51,7 +51,7 @@ pub fn plan(system: &mut System) -> Option<SolvedPlan> {
 
 /// The same for the motion alone, as a person writes it down; efforts are the work along the values of drivers, which are shifted for them.
 pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
-    if system.mechanism.forces.efforts {
+    if system.mechanism.forces.need_efforts() {
         system.shift_drivers();
     }
     let coordinates = system.coordinates.len();

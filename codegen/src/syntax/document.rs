@@ -49,6 +49,8 @@ pub enum Statement {
     Joint(Joint),
     /// `drive phi(1) = EXPRESSION;`, `drive K.x = EXPRESSION;`
     Drive(Drive),
+    /// `free swing: phi(1) = 0.2 rate 1.5;`
+    Free(Free),
     /// `equation [NAME:] EXPRESSION = EXPRESSION;`
     Equation(Equation),
     /// `curve rim(a) on cam = polar RADIUS;`
@@ -101,6 +103,7 @@ impl Statement {
             Statement::Body(statement) => statement.span,
             Statement::Joint(statement) => statement.span,
             Statement::Drive(statement) => statement.span,
+            Statement::Free(statement) => statement.drive.span,
             Statement::Equation(statement) => statement.span,
             Statement::Curve(statement) => statement.span,
             Statement::Output(statement) => statement.span,
@@ -330,6 +333,17 @@ pub struct Drive {
     pub value: Expression,
     /// The whole statement with its semicolon.
     pub span: Span,
+}
+
+/// `free NAME: QUANTITY(OPERANDS) = START [rate RATE];`: a quantity that forces move.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Free {
+    /// Its own name.
+    pub name: Name,
+    /// What would drive it: its value is where the quantity starts.
+    pub drive: Drive,
+    /// How fast it starts, where that is written.
+    pub rate: Option<Expression>,
 }
 
 /// `[redundant] equation [NAME:] EXPRESSION = EXPRESSION;`

@@ -15,6 +15,7 @@ mod body;
 mod brackets;
 mod curve;
 mod document;
+mod drive;
 mod equation;
 mod expression;
 mod files;
@@ -51,7 +52,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 26] = [
+pub const KEYWORDS: [&str; 27] = [
     "const",
     "param",
     "input",
@@ -60,6 +61,7 @@ pub const KEYWORDS: [&str; 26] = [
     "body",
     "curve",
     "drive",
+    "free",
     "equation",
     "redundant",
     "output",

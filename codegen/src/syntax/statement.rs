@@ -1,4 +1,5 @@
-//! *Tokens → statements.* Constants, points, joints and drivers with their semicolons; bodies have a [file of their own](super::body).
+//! *Tokens → statements.* Constants, points and joints with their semicolons; bodies and drivers have files of their own,
+//! [`super::body`] and [`super::drive`].
 //!
 //! Which joints and quantities exist is not known here: `word name? ( … )` is a joint, whatever the word.
 
@@ -7,14 +8,15 @@ use proc_macro2::Delimiter;
 use super::KEYWORDS;
 use super::body::body;
 use super::curve::curve;
-use super::document::{Constant, DrawnPoint, Drive, Joint, Points, Statement, WishKind};
+use super::document::{Constant, DrawnPoint, Joint, Points, Statement, WishKind};
+use super::drive::{drive, free};
 use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
 use super::forces::{self, ElementKind};
 use super::formula::Name;
 use super::motion::motion;
 use super::output::{output, sensitivity, transmission, wish};
-use super::reference::{body_name, direction, driven_coordinate, identifier, operands, separator};
+use super::reference::{body_name, direction, identifier, operands, separator};
 use super::table::table;
 use super::tokens::{Outcome, Tokens};
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
@@ -37,6 +39,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "body" => body(tokens, docs, first.span).map(Statement::Body),
         "curve" => curve(tokens, docs, first.span),
         "drive" => drive(tokens, docs, first.span),
+        "free" => free(tokens, docs, first.span),
         "equation" => equation(tokens, docs, None, first.span),
         "redundant" => redundant(tokens, docs, first.span),
         "output" => output(tokens, docs, first.span),
@@ -104,41 +107,6 @@ fn points(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<St
     }
     let span = start.to(semicolon(tokens, start)?);
     Ok(Statement::Points(Points { docs, points, span }))
-}
-
-fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
-    let mut ahead = *tokens;
-    let name = match (ahead.word(), ahead.mark(':')) {
-        (Some(_), Some(_)) => {
-            let name = identifier(tokens, "the name of a driver")?;
-            tokens.mark(':');
-            Some(name)
-        }
-        _ => None,
-    };
-    let (quantity, operands, dotted) = match driven_coordinate(tokens)? {
-        Some((of, coordinate)) => (coordinate, vec![of], true),
-        None => {
-            let quantity = identifier(tokens, "the driven quantity")?;
-            if !tokens.peek_group(Delimiter::Parenthesis) {
-                let help = "a driver is written `drive phi(BODY) = FORMULA;`";
-                return Err(tokens.unexpected("`(`", help));
-            }
-            (quantity, operands(tokens)?, false)
-        }
-    };
-    equals(tokens)?;
-    let value = expression(tokens)?;
-    let span = start.to(semicolon(tokens, start)?);
-    Ok(Statement::Drive(Drive {
-        docs,
-        name,
-        quantity,
-        operands,
-        dotted,
-        value,
-        span,
-    }))
 }
 
 /// The joint or equation after the word `redundant`.

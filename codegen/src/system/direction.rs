@@ -137,9 +137,9 @@ fn parameters(
     directions
 }
 
-/// The directions of all drivers, where there is a transmission or an effort.
+/// The directions of all drivers, where there is a transmission, an effort, or a coordinate that forces move.
 fn drivers(mechanism: &mut Mechanism, rows: &[Row], watch: &mut Watch) -> Vec<Direction> {
-    if mechanism.transmissions.is_empty() && !mechanism.forces.efforts {
+    if mechanism.transmissions.is_empty() && !mechanism.forces.need_efforts() {
         return Vec::new();
     }
     let Mechanism { graph, joints, .. } = mechanism;

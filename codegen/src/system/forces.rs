@@ -20,6 +20,8 @@ use crate::model::Mechanism;
 pub struct Forces {
     /// Q − M q̈ of every coordinate of a pose, in N and N·m.
     pub loads: Vec<ExprId>,
+    /// The bodies that have a mass.
+    pub weights: Vec<Weight>,
     /// In J.
     pub kinetic: ExprId,
     /// Of gravity and springs, in J.
@@ -28,6 +30,23 @@ pub struct Forces {
     pub added: ExprId,
     /// The lengths of springs and dampers, which must not vanish, in m: what stands for each in all of this, and what it is.
     pub lengths: Vec<(SymbolId, ExprId)>,
+}
+
+/// A body that has a mass.
+#[derive(Clone, Copy, Debug)]
+pub struct Weight {
+    /// An index into the bodies.
+    pub body: usize,
+    /// The unknowns x, y and φ of its frame.
+    pub unknowns: [usize; 3],
+    /// In kg.
+    pub mass: ExprId,
+    /// About the center of mass, in kg·m².
+    pub inertia: ExprId,
+    /// About the origin of the frame, in kg·m².
+    pub about_origin: ExprId,
+    /// The vector from the origin of the frame to the center of mass.
+    pub arm: Vector,
 }
 
 /// What a joint passes on to the bodies that it joins.
@@ -64,6 +83,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
     let [mut kinetic, mut potential, mut added] = [zero; 3];
     let half = Number::rational(Rational::HALF);
     let gravity = mechanism.forces.gravity;
+    let mut weights = Vec::new();
     for mass in mechanism.forces.masses.clone() {
         let body = BodyId(mass.body);
         let center = form.mark_with_arm(&mass.center, &mechanism.bodies, &mut mechanism.graph);
@@ -76,6 +96,14 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         let offset = dot(mass.center.local, mass.center.local, graph);
         let offset = graph.multiply(mass.mass, offset);
         let inertia = graph.add(mass.inertia, offset);
+        weights.push(Weight {
+            body: mass.body,
+            unknowns: [angle - 2, angle - 1, angle],
+            mass: mass.mass,
+            inertia: mass.inertia,
+            about_origin: inertia,
+            arm: center.arm,
+        });
         let falling = match gravity {
             Some(gravity) => subtract(gravity, [ax, ay], graph),
             None => [graph.negate(ax), graph.negate(ay)],
@@ -143,6 +171,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
     }
     Some(Forces {
         loads,
+        weights,
         kinetic,
         potential,
         added,

@@ -26,7 +26,7 @@ mod written_order;
 pub use assemble::{assemble, assemble_without};
 pub use carried::{Carried, Component};
 pub use direction::{Cause, Direction};
-pub use forces::{Forces, Passing};
+pub use forces::{Forces, Passing, Weight};
 pub use pressure::Pressure;
 pub use vector_form::{Arm, VectorForm};
 pub use vector_sum::VectorTerm;

@@ -59,6 +59,7 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
             }
             Statement::Joint(it) => found.extend(&it.name),
             Statement::Drive(it) => found.extend(&it.name),
+            Statement::Free(it) => found.push(&it.name),
             Statement::Equation(it) => found.extend(&it.name),
             Statement::Curve(it) => found.extend([&it.name, &it.parameter]),
             Statement::Motion(motion) => {
@@ -123,6 +124,7 @@ impl Renaming {
                 }
                 Statement::Joint(it) => self.joint(it),
                 Statement::Drive(it) => self.drive(it),
+                Statement::Free(it) => self.drive(&it.drive),
                 Statement::Equation(it) => it.name.iter().for_each(|name| self.name(name)),
                 Statement::Curve(it) => {
                     self.name(&it.name);

@@ -59,7 +59,7 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
     let is_constraint = |it: &&Statement| {
         matches!(
             it,
-            Statement::Joint(_) | Statement::Drive(_) | Statement::Equation(_)
+            Statement::Joint(_) | Statement::Drive(_) | Statement::Free(_) | Statement::Equation(_)
         )
     };
     statements

@@ -60,6 +60,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             Statement::Body(body) => of_body(body, visit),
             Statement::Joint(joint) => of_joint(joint, visit),
             Statement::Drive(drive) => of_drive(drive, visit),
+            Statement::Free(free) => of_drive(&free.drive, visit),
             Statement::Equation(equation) => visit(Given::Sides(equation)),
             Statement::Curve(curve) => of_curve(curve, visit),
             Statement::Motion(motion) => statements(&motion.statements, visit),
@@ -251,6 +252,10 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
                 }
             }
             Statement::Drive(drive) => visit(&drive.value, false),
+            Statement::Free(free) => {
+                visit(&free.drive.value, false);
+                free.rate.iter().for_each(|rate| visit(rate, false));
+            }
             Statement::Equation(equation) => {
                 visit(&equation.left, true);
                 visit(&equation.right, true);

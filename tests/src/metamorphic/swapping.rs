@@ -46,6 +46,7 @@ fn statements(text: &str, all: &[Statement], lines: &[&Direction], edits: &mut E
         match statement {
             Statement::Joint(joint) => of_joint(text, joint, edits),
             Statement::Drive(drive) => of_drive(text, drive, lines, edits),
+            Statement::Free(free) => of_drive(text, &free.drive, lines, edits),
             Statement::Motion(motion) => {
                 let mut inside = lines.to_vec();
                 inside.extend(self::lines(&motion.statements));

@@ -1,9 +1,11 @@
 //! *The command line → typed arguments.* Numbers are finite and steps positive afterwards; files are not opened here.
 
+mod simulate;
 mod solve;
 mod values;
 mod view;
 
+pub use simulate::Simulate;
 pub use solve::{Equations, Solve, TurnUnit};
 pub use view::View;
 
@@ -42,6 +44,8 @@ or `check --deny-warnings` something to look at), 2 bad input.";
 pub enum Command {
     /// Solve the motion: print it, write CSV and plots
     Solve(Solve),
+    /// Simulate the motion that forces give it: print it, write CSV and plots
+    Simulate(Simulate),
     /// Draw the mechanism as an SVG or a PNG
     Draw(Draw),
     /// Make a page that moves the mechanism and shows its equations

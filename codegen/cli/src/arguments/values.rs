@@ -3,6 +3,9 @@
 /// The units of time, each as what a number of them is multiplied and divided by, longest names first.
 const UNITS: [(&str, f64, f64); 3] = [("min", 60.0, 1.0), ("ms", 1.0, 1000.0), ("s", 1.0, 1.0)];
 
+/// The smallest tolerance: below it steps only follow rounding.
+const SMALLEST_TOLERANCE: f64 = 1e-15;
+
 /// A time in s, written in s or with a unit: `0.5`, `500ms`.
 pub fn time(text: &str) -> Result<f64, String> {
     let with_unit = UNITS.iter().find_map(|(unit, times, over)| {
@@ -21,6 +24,17 @@ pub fn step(text: &str) -> Result<f64, String> {
     match time(text)? {
         value if value > 0.0 => Ok(value),
         _ => Err("a step must be positive".to_string()),
+    }
+}
+
+/// The error that a step of an integration may have.
+pub fn tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (SMALLEST_TOLERANCE..1.0).contains(&value) => Ok(value),
+        Ok(_) => Err(format!(
+            "a tolerance is between {SMALLEST_TOLERANCE:e} and 1"
+        )),
+        Err(_) => Err("not a number".to_string()),
     }
 }
 

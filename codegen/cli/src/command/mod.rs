@@ -9,6 +9,8 @@ pub mod draw;
 pub mod generate;
 pub mod inspect;
 pub mod plan;
+mod report;
+pub mod simulate;
 pub mod solve;
 mod solve_files;
 pub mod view;
@@ -51,6 +53,7 @@ impl Problem {
 pub fn run(arguments: Arguments) -> ExitCode {
     let outcome = match arguments.command {
         Command::Solve(solve) => solve::run(&solve),
+        Command::Simulate(simulate) => simulate::run(&simulate),
         Command::Draw(draw) => draw::run(&draw),
         Command::View(view) => view::run(&view),
         Command::Generate(generate) => generate::run(&generate),

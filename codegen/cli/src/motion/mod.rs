@@ -8,12 +8,14 @@ mod curve;
 mod path;
 mod rows;
 mod selection;
+mod simulated;
 
 pub use course::Course;
 pub use curve::{Curve, Extreme};
 pub use path::Path;
 pub use rows::{Row, Rows};
 pub use selection::{coordinates, points};
+pub use simulated::Simulated;
 
 use std::io;
 
@@ -115,6 +117,8 @@ pub struct Followed<V: View> {
     pub warnings: Vec<String>,
     /// Why the motion ends early, if it does.
     pub error: Option<String>,
+    /// What its integration has taken, where forces move it.
+    pub simulated: Option<Simulated>,
     /// The last wanted instant.
     last: Option<Instant>,
     shell: Option<Shell<V>>,
@@ -185,6 +189,7 @@ impl<V: View> Followed<V> {
             measure_names: monitored.map(name).collect(),
             smallest_measure: None,
             warnings: Vec::new(),
+            simulated: None,
             last: None,
             measured,
             error,
@@ -252,6 +257,14 @@ impl<V: View> Followed<V> {
             approaches.extend(watch.map_or(Vec::new(), |watch| watch.finish(&shell)));
         }
         self.warnings = warnings(&approaches, self.view.singular_poses(), CLOSE);
+        self.error = end.map(|end| self.view.ended(&end.failure, &end.last));
+        self.finish();
+        self.view = shell.blocks().clone();
+        Ok(())
+    }
+
+    /// What is said once all instants have been seen.
+    fn finish(&mut self) {
         let pulls = self.force_names.iter().zip(&self.pulls);
         let pulls = pulls.filter_map(|((name, _), t)| Some((name, (*t)?)));
         let parted = pulls.map(|(name, t)| {
@@ -261,13 +274,10 @@ impl<V: View> Followed<V> {
             )
         });
         self.warnings.extend(parted);
-        self.error = end.map(|end| self.view.ended(&end.failure, &end.last));
         if let (Some(last), Some(number)) = (&self.last, self.count.checked_sub(1)) {
             let row = self.row(number, last, self.motions(last), self.forces(last));
             self.rows.end(row);
         }
-        self.view = shell.blocks().clone();
-        Ok(())
     }
 
     fn show(

@@ -15,6 +15,7 @@
 //! | `residuals` | the largest over all frames: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` where equations are redundant |
 //! | `pressure_angles` | where bodies touch along curves: `{joint, angle, t}` each, the largest angle in rad and when; null at rest |
 //! | `newton_steps` | how many were taken in all |
+//! | `simulation` | of a simulated motion: `evaluations`, `steps`, `rejected`, `energy_drift` in J, null where drivers bring in work, and `kinetic_energy`, the largest |
 //! | `warnings` | sentences |
 //! | `error` | only if the motion ends early: why; `frames` then holds what could be solved |
 
@@ -32,7 +33,7 @@ use serde::{Serialize, Serializer};
 
 use super::units::Units;
 use crate::arguments::TurnUnit;
-use crate::motion::{Followed, Shown, Sink};
+use crate::motion::{Followed, Shown, Simulated, Sink};
 
 /// What is known before the motion is followed.
 #[derive(Serialize)]
@@ -89,6 +90,8 @@ struct Tail<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pressure_angles: Vec<Pressure<'a>>,
     newton_steps: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    simulation: Option<Integration>,
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
@@ -102,6 +105,27 @@ struct Largest {
     monitored: Option<f64>,
     velocity: f64,
     acceleration: f64,
+}
+
+#[derive(Serialize)]
+struct Integration {
+    evaluations: u64,
+    steps: u64,
+    rejected: u64,
+    energy_drift: Option<f64>,
+    kinetic_energy: f64,
+}
+
+impl From<&Simulated> for Integration {
+    fn from(it: &Simulated) -> Self {
+        Integration {
+            evaluations: it.effort.evaluations,
+            steps: it.effort.steps,
+            rejected: it.effort.rejected,
+            energy_drift: it.drift.map(|(drift, _)| drift),
+            kinetic_energy: it.kinetic,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -228,6 +252,7 @@ impl<'a> Object<'a> {
             },
             pressure_angles: motion.pressure.largest.iter().map(Pressure::from).collect(),
             newton_steps,
+            simulation: motion.simulated.as_ref().map(Integration::from),
             warnings: &motion.warnings,
             error: motion.error.as_deref(),
         })?;

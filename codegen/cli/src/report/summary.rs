@@ -62,7 +62,8 @@ pub fn write<V: View>(motion: &Followed<V>, how: &How, output: &mut dyn Write) -
     writeln!(output)?;
     pressure_angles(motion, output)?;
     closest(motion, output)?;
-    residuals(motion, output)
+    residuals(motion, output)?;
+    integration(motion, output)
 }
 
 /// Where blocks are closest to singular, where that is asked for.
@@ -333,6 +334,32 @@ fn residuals<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Resul
         ),
     };
     line(output, "Newton-Raphson steps", &steps)
+}
+
+/// What the integration has taken, and how well it keeps the energy.
+fn integration<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let Some(found) = &motion.simulated else {
+        return Ok(());
+    };
+    let effort = &found.effort;
+    writeln!(output, "\nintegration of the free coordinates")?;
+    let steps = format!(
+        "{}, {} tried in vain",
+        counted(effort.steps as usize, "step"),
+        effort.rejected
+    );
+    line(output, "steps", &steps)?;
+    line(output, "evaluations", &effort.evaluations.to_string())?;
+    let drift = match found.drift {
+        Some((drift, t)) => format!(
+            "{} J at t = {} s, beside a kinetic energy of up to {} J",
+            scientific(drift, 1),
+            time(t),
+            scientific(found.kinetic, 3)
+        ),
+        None => "not known, since drivers bring in work".to_string(),
+    };
+    line(output, "drift of the energy", &drift)
 }
 
 /// `  title   text`, the second column aligned.

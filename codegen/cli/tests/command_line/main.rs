@@ -15,6 +15,7 @@ mod plan;
 mod pressure;
 mod printed;
 mod set;
+mod simulate;
 mod singular;
 mod solve;
 mod view;

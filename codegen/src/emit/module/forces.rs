@@ -5,7 +5,7 @@
 use super::Module;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
-use crate::program::{Effort, Energy, Reaction};
+use crate::program::{Effort, Energy, FreeCoordinate, Reaction, Reduced};
 use crate::system::Component;
 
 /// A function of a frame that gives one field, or x and y.
@@ -19,14 +19,21 @@ pub(in crate::emit) struct ForceFunction {
     pub lines: Vec<String>,
 }
 
-/// All of them: of each driver the effort and its power, of each joint what it carries, then the energies.
+/// All of them: of each driver the effort and its power, of each joint what it carries, then the energies, and what moves the free
+/// coordinates.
 pub(in crate::emit) fn force_functions(module: &Module<'_>) -> Vec<ForceFunction> {
     let forces = &module.program.forces;
     let efforts = forces.efforts.iter().flat_map(|it| of_effort(it, module));
     let reactions = forces.reactions.iter();
     let reactions = reactions.flat_map(|it| of_reaction(it, module));
     let energy = forces.energy.iter().flat_map(of_energy);
-    efforts.chain(reactions).chain(energy).collect()
+    let reduced = forces.reduced.iter();
+    let reduced = reduced.flat_map(|it| of_reduced(it, module));
+    efforts
+        .chain(reactions)
+        .chain(energy)
+        .chain(reduced)
+        .collect()
 }
 
 fn of_effort(effort: &Effort, module: &Module<'_>) -> [ForceFunction; 2] {
@@ -101,6 +108,62 @@ fn said(component: Component, label: &str) -> String {
         Component::Multiplier => {
             format!("The multiplier of `{label}`: its work (J) per unit of its residual.")
         }
+    }
+}
+
+fn of_reduced(reduced: &Reduced, module: &Module<'_>) -> Vec<ForceFunction> {
+    let label = |it: &FreeCoordinate| &module.system.mechanism.joints[it.joint].label;
+    let mut functions = Vec::new();
+    for (row, own) in reduced.coordinates.iter().enumerate() {
+        for (column, other) in reduced.coordinates[..=row].iter().enumerate() {
+            let (name, line) = match row == column {
+                true => (
+                    format!("reduced_mass_{}", own.name),
+                    format!(
+                        "The mass of everything that moves with `{}`, along it ({}).",
+                        label(own),
+                        unit_of_mass([own.quantity, own.quantity])
+                    ),
+                ),
+                false => (
+                    format!("reduced_mass_{}_{}", own.name, other.name),
+                    format!(
+                        "The mass by which `{}` and `{}` push one another ({}).",
+                        label(own),
+                        label(other),
+                        unit_of_mass([own.quantity, other.quantity])
+                    ),
+                ),
+            };
+            functions.push(ForceFunction {
+                name,
+                fields: vec![reduced.masses[Reduced::place(row, column)]],
+                lines: vec![line],
+            });
+        }
+    }
+    functions.extend(reduced.coordinates.iter().map(|own| ForceFunction {
+        name: format!("reduced_force_{}", own.name),
+        fields: vec![own.force],
+        lines: vec![format!(
+            "The force ({}) along `{}` that its acceleration balances: the reduced mass times the acceleration.",
+            match own.quantity {
+                Quantity::Angle => "N·m",
+                _ => "N",
+            },
+            label(own)
+        )],
+    }));
+    functions
+}
+
+/// What a mass along two quantities is measured in.
+fn unit_of_mass(quantities: [Quantity; 2]) -> &'static str {
+    let angles = quantities.iter().filter(|it| **it == Quantity::Angle);
+    match angles.count() {
+        0 => "kg",
+        1 => "kg·m",
+        _ => "kg·m²",
     }
 }
 

@@ -6,9 +6,11 @@
 
 mod free_bodies;
 mod reaction;
+mod reduced;
 mod virtual_work;
 
 pub use reaction::Reaction;
+pub use reduced::{FreeCoordinate, Reduced};
 
 use super::block::{Block, Lowering};
 use super::builder::Builder;
@@ -28,6 +30,8 @@ pub struct Forces {
     pub reactions: Vec<Reaction>,
     /// The fields of the energies, where they are asked for.
     pub energy: Option<Energy>,
+    /// What moves the coordinates that are free, where there are any.
+    pub reduced: Option<Reduced>,
 }
 
 /// What a driver exerts.
@@ -57,8 +61,15 @@ pub struct Energy {
 }
 
 impl Forces {
-    /// The fields of everything.
+    /// The fields of everything: what is asked for, and what moves the free coordinates.
     pub fn fields(&self) -> Vec<SymbolId> {
+        let mut fields = self.asked();
+        fields.extend(self.reduced.iter().flat_map(Reduced::fields));
+        fields
+    }
+
+    /// The fields of what statements ask for.
+    pub fn asked(&self) -> Vec<SymbolId> {
         let efforts = self.efforts.iter().flat_map(|it| [it.effort, it.power]);
         let reactions = self.reactions.iter().flat_map(Reaction::fields);
         let energy = self.energy.iter();
@@ -91,13 +102,16 @@ pub(super) fn forces(
         builder.say(|_| {
             "What acts on every body beside joints and drivers, less what moves its mass, moments about the origin of its frame:".into()
         });
-        let loads = named_loads(&loads.loads, &mut builder);
-        let carried = virtual_work::sweep(plan, transposed, &loads, &mut builder);
+        let named = named_loads(&loads.loads, &mut builder);
+        let carried = virtual_work::sweep(plan, transposed, &named, &mut builder);
         if wanted.efforts {
             found.efforts = efforts(&carried, &mut builder);
         }
+        if !wanted.free.is_empty() {
+            found.reduced = Some(reduced::reduced(&carried, &loads.weights, &mut builder));
+        }
         if !wanted.reactions.is_empty() {
-            let multipliers = free_bodies::multipliers(plan, &loads, &carried, &mut builder);
+            let multipliers = free_bodies::multipliers(plan, &named, &carried, &mut builder);
             let joints = wanted.reactions.iter();
             let reactions =
                 joints.map(|&joint| reaction::reaction(joint, &multipliers, &mut builder));
@@ -140,6 +154,7 @@ pub(super) fn forces(
 fn headline(wanted: &crate::model::Forces) -> String {
     let parts = [
         (wanted.efforts, "what drivers exert"),
+        (!wanted.free.is_empty(), "what moves the free coordinates"),
         (!wanted.reactions.is_empty(), "what joints carry"),
         (wanted.energy, "what is stored"),
     ];

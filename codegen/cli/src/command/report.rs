@@ -1,0 +1,184 @@
+//! *A motion that is about to be followed* → *what is printed and written of it*: a summary, JSON or CSV, and plots.
+//!
+//! How the motion is found is not known here.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use linkwright_solver::schedule::Schedule;
+use linkwright_solver::view::View;
+
+use super::solve_files::Files;
+use super::{Outcome, Problem, print, say};
+use crate::arguments::Solve;
+use crate::motion::{Followed, Shown, Sink};
+use crate::output::{Output, Refused};
+use crate::progress::{PATIENCE, Progress};
+use crate::report::comma_separated::{self, Table};
+use crate::report::json::Object;
+use crate::report::summary::{self, How};
+
+/// A table of more gigabytes than this is announced.
+const LARGE: f64 = 1.0;
+
+/// In bytes.
+const GIGABYTE: f64 = 1e9;
+
+/// Refuses two texts on one stdout.
+///
+/// # Errors
+/// Both are asked for.
+pub(super) fn check_stdout(arguments: &Solve) -> Result<(), Problem> {
+    match is_stdout(&arguments.csv) && arguments.json {
+        true => Err(Problem(
+            "error: `--json` and `--csv -` both want stdout".to_string(),
+        )),
+        false => Ok(()),
+    }
+}
+
+/// How a motion goes on over the times of a schedule: it hands wanted instants to sinks, and says how many times were visited.
+///
+/// # Errors
+/// Those of the sinks, which end it.
+pub(super) type Course<'a, V> = &'a mut dyn FnMut(
+    &mut Followed<V>,
+    &Schedule,
+    &mut [&mut dyn Sink],
+    &mut dyn FnMut(usize),
+) -> io::Result<()>;
+
+/// Follows the motion, prints it and writes its files.
+///
+/// # Errors
+/// A file cannot be written.
+pub(super) fn report<V: View>(
+    arguments: &Solve,
+    mut motion: Followed<V>,
+    schedule: &Schedule,
+    mut files: Files,
+    course: Course<'_, V>,
+) -> Result<Outcome, Problem> {
+    // Nothing is written of a motion without a frame.
+    let table = files.frames.take().filter(|_| motion.is_assembled);
+    if let Some(table) = &table {
+        let size = comma_separated::size(&motion, schedule.wanted()) as f64 / GIGABYTE;
+        if size > LARGE {
+            say(&format!(
+                "warning: `{}` will take about {size:.1} GB\n  = help: `--no-files` writes none, and `--step` makes fewer frames",
+                table.path().display()
+            ));
+        }
+    }
+    let mut progress = Progress::new(schedule.visits());
+    let mut written: Vec<String> = table
+        .iter()
+        .map(|it| it.path().display().to_string())
+        .collect();
+    let mut reached = |count| progress.reached(count);
+    let to_stdout = is_stdout(&arguments.csv);
+    if arguments.json || to_stdout {
+        let mut refused = Ok(());
+        print(|output| match arguments.json {
+            true => {
+                let mut object = Object::new(&motion, output)?;
+                let table = (table, arguments.units);
+                let sink = Some(&mut object as &mut dyn Sink);
+                refused = follow(&mut motion, schedule, sink, table, course, &mut reached)?;
+                object.finish(&motion)
+            }
+            false => {
+                let mut rows = Table::new(&motion, arguments.units, output)?;
+                let table = (table, arguments.units);
+                let sink = Some(&mut rows as &mut dyn Sink);
+                refused = follow(&mut motion, schedule, sink, table, course, &mut reached)?;
+                rows.finish()
+            }
+        })?;
+        refused?;
+    } else {
+        let table = (table, arguments.units);
+        follow(&mut motion, schedule, None, table, course, &mut reached).map_err(Problem::of)??;
+    }
+    let elapsed = progress.finish();
+    let how = How {
+        points_chosen: !arguments.points.is_empty(),
+        coordinates_chosen: !arguments.show.is_empty(),
+        angles: arguments.angles,
+        first_step: arguments.first_step,
+    };
+    if to_stdout {
+        // If stderr is closed there is nobody to tell.
+        let _ = summary::write(&motion, &how, &mut io::stderr());
+    } else if !arguments.json {
+        print(|output| {
+            summary::write(&motion, &how, output)?;
+            match elapsed > PATIENCE {
+                true => writeln!(output, "solved in {:.1} s", elapsed.as_secs_f64()),
+                false => Ok(()),
+            }
+        })?;
+    }
+    if !arguments.json {
+        for warning in &motion.warnings {
+            say(&format!("warning: {warning}"));
+        }
+    }
+    if let Some(error) = &motion.error {
+        say(&format!("error: `{}` {error}", motion.title()));
+    }
+    written.extend(files.draw(&motion, arguments.angles)?);
+    if !arguments.json && !to_stdout {
+        print(|output| {
+            written
+                .iter()
+                .try_for_each(|line| writeln!(output, "wrote {line}"))
+        })?;
+    }
+    Ok(match motion.error {
+        None => Outcome::Done,
+        Some(_) => Outcome::Failed,
+    })
+}
+
+/// Follows the motion, and writes its frames to a file too, where they are wanted there. What is refused there is the inner error.
+fn follow<V: View>(
+    motion: &mut Followed<V>,
+    schedule: &Schedule,
+    sink: Option<&mut dyn Sink>,
+    (table, has_units): (Option<Output>, bool),
+    course: Course<'_, V>,
+    reached: &mut dyn FnMut(usize),
+) -> io::Result<Result<(), Refused>> {
+    let Some(table) = table else {
+        let mut sinks: Vec<&mut dyn Sink> = sink.into_iter().collect();
+        return course(motion, schedule, &mut sinks, reached).map(Ok);
+    };
+    let written = table.write(|output| {
+        let mut table = Table::new(motion, has_units, output)?;
+        // The file is completed although a reader of stdout has gone away.
+        let mut patient = sink.map(Patient);
+        let mut sinks: Vec<&mut dyn Sink> = Vec::new();
+        sinks.extend(patient.as_mut().map(|it| it as &mut dyn Sink));
+        sinks.push(&mut table);
+        course(motion, schedule, &mut sinks, reached)?;
+        table.finish()
+    });
+    Ok(written)
+}
+
+/// A sink whose reader may go away early.
+struct Patient<'a>(&'a mut dyn Sink);
+
+impl Sink for Patient<'_> {
+    fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
+        match self.0.take(shown) {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            taken => taken,
+        }
+    }
+}
+
+fn is_stdout(path: &Option<PathBuf>) -> bool {
+    path.as_deref() == Some(Path::new("-"))
+}

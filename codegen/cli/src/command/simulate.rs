@@ -1,0 +1,63 @@
+//! *A description with free coordinates* → *the motion that forces give it*: printed, and written as CSV and plots.
+
+use linkwright_solver::schedule::Schedule;
+use linkwright_solver::simulation::{Options, Tolerances};
+
+use super::description::{chosen, determined, interpreted, source};
+use super::report::{check_stdout, report};
+use super::solve::{set_all, shown};
+use super::solve_files::Files;
+use super::{Outcome, Problem};
+use crate::arguments::Simulate;
+use crate::motion::{Followed, Wanted};
+
+/// Simulates the motion and reports it.
+///
+/// # Errors
+/// The description has errors, or nothing in it is free, an option cannot be used, or a file cannot be written. That the motion ends
+/// early is an outcome.
+pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
+    let reported = arguments.reported();
+    check_stdout(&reported)?;
+    let source = source(&arguments.file)?;
+    let mut system = determined(&source, arguments.motion.as_deref())?;
+    set_all(&mut system, &arguments.set)?;
+    let forces = &mut system.mechanism.forces;
+    if forces.free.is_empty() {
+        return Err(Problem(format!(
+            "error: no coordinate of `{}` is free, so forces move nothing\n  = help: write `free NAME: phi(BODY) = START;` in place of a `drive` statement, or use `linkwright solve`",
+            arguments.file.display()
+        )));
+    }
+    // The drift of the energy is always said.
+    forces.energy = true;
+    let schedule = Schedule::range(0.0, arguments.to, arguments.step);
+    let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
+    let [points, coordinates] = shown(&reported, &system)?;
+    let files = Files::new(&reported, &source, &system, &points, &schedule)?;
+    let wanted = Wanted {
+        points,
+        coordinates,
+        monitor: false,
+        curves: files.has_pictures(),
+    };
+    let view = interpreted(&system, &arguments.file)?;
+    let chosen = chosen(&arguments.branch, &view, 0.0)?;
+    let options = Options {
+        tolerances: Tolerances {
+            relative: arguments.rtol,
+            absolute: arguments.atol,
+        },
+        goes_through: arguments.through_singular,
+    };
+    let motion = Followed::new(view, wanted, 0.0, chosen.clone());
+    report(
+        &reported,
+        motion,
+        &schedule,
+        files,
+        &mut |motion, schedule, sinks, reached| {
+            motion.simulate(schedule, chosen.clone(), options, sinks, reached)
+        },
+    )
+}

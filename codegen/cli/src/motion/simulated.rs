@@ -1,0 +1,126 @@
+//! *A mechanism that forces move* → *its instants, and how well its energy is kept*.
+
+use std::io;
+
+use linkwright_solver::instant::Instant;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::number::time;
+use linkwright_solver::schedule::Schedule;
+use linkwright_solver::simulation::{Effort, Options, Simulation, Stop};
+use linkwright_solver::supplied::Modes;
+use linkwright_solver::view::View;
+
+use super::{Followed, Sink};
+
+/// What an integration has taken, and how well it keeps the energy.
+#[derive(Clone, Debug, Default)]
+pub struct Simulated {
+    /// Evaluations and steps.
+    pub effort: Effort,
+    /// What of a change of the energy the work of forces, torques and dampers does not account for: the largest over all frames (J) and
+    /// when; `None` where drivers bring in work, too.
+    pub drift: Option<(f64, f64)>,
+    /// The largest kinetic energy (J), which that is to be compared with.
+    pub kinetic: f64,
+}
+
+impl Followed<Interpreted> {
+    /// Lets the forces move the mechanism from t = 0 over the rest of the schedule, and hands its instants on in the order of time;
+    /// `reached` hears how many times were visited.
+    ///
+    /// # Errors
+    /// Those of the sinks, which end it.
+    pub fn simulate(
+        &mut self,
+        schedule: &Schedule,
+        chosen: Option<(Instant, Modes)>,
+        options: Options,
+        sinks: &mut [&mut dyn Sink],
+        reached: &mut dyn FnMut(usize),
+    ) -> io::Result<()> {
+        if self.error.is_some() {
+            return Ok(());
+        }
+        let visits: Vec<f64> = schedule.forward.visits().map(|visit| visit.t).collect();
+        let end = visits.last().copied().unwrap_or(0.0);
+        let mut simulation = match Simulation::new(&self.view, chosen, end, options) {
+            Ok(simulation) => simulation,
+            Err(stop) => {
+                self.error = Some(stop.explained(&self.view, None));
+                return Ok(());
+            }
+        };
+        let mut found = Simulated {
+            drift: self.is_driven_by_forces().then_some((0.0, 0.0)),
+            ..Simulated::default()
+        };
+        let mut first = None;
+        let mut stop = None;
+        for t in std::iter::once(0.0).chain(visits) {
+            if t > 0.0 {
+                if let Err(end) = simulation.advance(t) {
+                    stop = Some(end);
+                    break;
+                }
+                self.visits += 1;
+                reached(self.visits);
+            }
+            self.show(simulation.frame(), &[], sinks)?;
+            self.weigh(&mut simulation, &mut first, &mut found);
+        }
+        found.effort = simulation.effort();
+        self.say_passed(simulation.passed());
+        self.error = stop.map(|stop: Stop| {
+            let last = simulation.frame();
+            let help = match stop.is_where_loops_meet(&self.view, last) && !options.goes_through {
+                true => "\n  = help: `--through-singular` goes straight on there",
+                false => "",
+            };
+            stop.explained(&self.view, Some(last)) + help
+        });
+        self.simulated = Some(found);
+        self.finish();
+        Ok(())
+    }
+
+    /// Whether all other drivers hold what they hold where it is.
+    fn is_driven_by_forces(&self) -> bool {
+        let mechanism = &self.system().mechanism;
+        let free: Vec<usize> = mechanism.forces.free.iter().map(|it| it.joint).collect();
+        let rows = &self.system().rows;
+        let mut others = rows.iter().filter(|row| !free.contains(&row.joint));
+        others.all(|row| mechanism.graph.constant_value(row.time_derivative) == Some(0.0))
+    }
+
+    /// Compares the energy of a frame with that of the first one.
+    fn weigh(&self, simulation: &mut Simulation, first: &mut Option<f64>, found: &mut Simulated) {
+        let Some(forces) = self.view.forces(simulation.frame()) else {
+            return;
+        };
+        let value = |name: &str| {
+            let place = self.force_names.iter().position(|(own, _)| own == name);
+            place.map_or(0.0, |place| forces[place])
+        };
+        let kinetic = value("kinetic_energy");
+        found.kinetic = found.kinetic.max(kinetic);
+        let Ok(work) = simulation.added_work() else {
+            return;
+        };
+        let kept = kinetic + value("potential_energy") - work;
+        let drift = kept - *first.get_or_insert(kept);
+        if let Some(largest) = found.drift.as_mut().filter(|it| drift.abs() > it.0.abs()) {
+            *largest = (drift, simulation.frame().t());
+        }
+    }
+
+    fn say_passed(&mut self, passed: &[[f64; 2]]) {
+        let lines = passed.iter().map(|[from, to]| {
+            format!(
+                "a singular pose is passed between t = {} s and {} s: the motion goes straight on there",
+                time(*from),
+                time(*to)
+            )
+        });
+        self.warnings.extend(lines);
+    }
+}

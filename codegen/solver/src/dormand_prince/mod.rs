@@ -1,0 +1,350 @@
+//! *Rates of a state, which may not exist everywhere* → *steps of order 8, with an estimate of their error and a dense output of order 7*.
+//!
+//! The method is DOP853 of Hairer, Nørsett and Wanner (1993, Solving Ordinary Differential Equations I, section II.10), with their
+//! choice of the first step. It is written here because what is integrated is solved on constraints: rates may fail to exist inside a step,
+//! which then has to be tried again shorter, and a step counts only once the mechanism has been moved along it. The module knows
+//! neither mechanisms nor how a step is followed.
+
+mod coefficients;
+
+use coefficients::{DENSE, DENSE_STAGES, END, FIFTH, STAGES, Stage, THIRD, Term};
+
+/// How much longer a step may be than the one before it.
+const LARGEST_GROWTH: f64 = 6.0;
+
+/// How much shorter a step that was too inaccurate is tried again at least.
+const LARGEST_LOSS: f64 = 1.0 / 3.0;
+
+/// Which part of the length that the error estimate allows is taken.
+const SAFETY: f64 = 0.9;
+
+/// The weight of the error of order 3 beside that of order 5.
+const THIRD_WEIGHT: f64 = 0.01;
+
+/// The part of a first step for which the state changes by as much as it is.
+const FIRST_PART: f64 = 0.01;
+
+/// The smallest first step, in s, where nothing says how long it should be.
+const FIRST_STEP: f64 = 1e-6;
+
+/// The slope of a state below which it says nothing about the length of a step, in tolerances.
+const SMALL: f64 = 1e-5;
+
+/// The largest error of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerances {
+    /// Of each component, relative to itself.
+    pub relative: f64,
+    /// Added to that, in the unit of each component.
+    pub absolute: f64,
+}
+
+/// Rates of a state at a time; an error where there are none.
+pub trait Rates {
+    /// Why there are none.
+    type Failure;
+
+    /// Writes the rates.
+    ///
+    /// # Errors
+    /// They do not exist there.
+    fn rates(&mut self, t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Self::Failure>;
+
+    /// Of how many components, from the first, the error counts.
+    fn judged(&self) -> usize;
+}
+
+/// A step that has been tried.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Where it begins (s).
+    pub from: f64,
+    /// Where it ends (s).
+    pub to: f64,
+    /// Its error in tolerances: it may be taken up to 1.
+    pub error: f64,
+    /// The state at its beginning.
+    start: Vec<f64>,
+    /// The state at its end.
+    end: Vec<f64>,
+    /// The rates of all stages.
+    stages: Vec<Vec<f64>>,
+    /// What the dense output is made of.
+    dense: Option<[Vec<f64>; 8]>,
+}
+
+impl Tolerances {
+    fn of(&self, one: f64, other: f64) -> f64 {
+        self.absolute + self.relative * one.abs().max(other.abs())
+    }
+
+    /// The root of the mean square of values in tolerances at a state.
+    fn mean(&self, values: &[f64], state: &[f64], judged: usize) -> f64 {
+        let own = values.iter().zip(state).take(judged);
+        let sum: f64 = own
+            .map(|(value, at)| (value / self.of(*at, *at)).powi(2))
+            .sum();
+        (sum / judged as f64).sqrt()
+    }
+}
+
+/// A state and multiples of stages times a length.
+fn moved(state: &[f64], stages: &[Vec<f64>], terms: &[Term], length: f64) -> Vec<f64> {
+    let mut moved = state.to_vec();
+    for (component, value) in moved.iter_mut().enumerate() {
+        *value += length * combined(stages, terms, component);
+    }
+    moved
+}
+
+fn combined(stages: &[Vec<f64>], terms: &[Term], component: usize) -> f64 {
+    let terms = terms.iter();
+    terms
+        .map(|&(stage, factor)| factor * stages[stage][component])
+        .sum()
+}
+
+/// The length of a first step from a state with these rates, at most `longest`.
+///
+/// # Errors
+/// Those of the rates.
+pub fn first_length<R: Rates>(
+    rates: &mut R,
+    t: f64,
+    state: &[f64],
+    slope: &[f64],
+    longest: f64,
+    tolerances: &Tolerances,
+) -> Result<f64, R::Failure> {
+    let judged = rates.judged();
+    let size = tolerances.mean(state, state, judged);
+    let steep = tolerances.mean(slope, state, judged);
+    let tried = match size < SMALL || steep < SMALL {
+        true => FIRST_STEP,
+        false => FIRST_PART * size / steep,
+    };
+    let tried = tried.min(longest);
+    let ahead = moved(state, &[slope.to_vec()], &[(0, 1.0)], tried);
+    let mut there = vec![0.0; state.len()];
+    rates.rates(t + tried, &ahead, &mut there)?;
+    let bend: Vec<f64> = there
+        .iter()
+        .zip(slope)
+        .map(|(one, other)| one - other)
+        .collect();
+    let bent = tolerances.mean(&bend, state, judged) / tried;
+    let largest = steep.max(bent);
+    let allowed = match largest > 0.0 {
+        true => (FIRST_PART / largest).powf(1.0 / 8.0),
+        false => longest,
+    };
+    Ok(allowed.min(tried / FIRST_PART).min(longest))
+}
+
+impl Step {
+    /// Tries a step of a length from a state with these rates.
+    ///
+    /// # Errors
+    /// There are no rates somewhere on the way.
+    pub fn attempt<R: Rates>(
+        rates: &mut R,
+        [from, to]: [f64; 2],
+        state: &[f64],
+        slope: &[f64],
+        tolerances: &Tolerances,
+    ) -> Result<Step, R::Failure> {
+        let length = to - from;
+        let mut stages = vec![slope.to_vec()];
+        for stage in &STAGES {
+            stages.push(rates_at(rates, stage, from, length, state, &stages)?);
+        }
+        let end = moved(state, &stages, &END, length);
+        let judged = rates.judged();
+        let [mut fifth, mut third] = [0.0; 2];
+        for component in 0..judged {
+            let tolerance = tolerances.of(state[component], end[component]);
+            let [whole, inner] =
+                [&END[..], &THIRD].map(|terms| combined(&stages, terms, component));
+            third += ((whole - inner) / tolerance).powi(2);
+            fifth += (combined(&stages, &FIFTH, component) / tolerance).powi(2);
+        }
+        let weighed = fifth + THIRD_WEIGHT * third;
+        let error = match weighed > 0.0 {
+            true => length.abs() * fifth / (weighed * judged as f64).sqrt(),
+            false => 0.0,
+        };
+        Ok(Step {
+            from,
+            to,
+            error,
+            start: state.to_vec(),
+            end,
+            stages,
+            dense: None,
+        })
+    }
+
+    /// How long the next step should be, or the next attempt where this one is too inaccurate; `held` says that it may not be longer.
+    pub fn next_length(&self, held: bool) -> f64 {
+        let length = self.to - self.from;
+        // An error that is no number is as large as can be.
+        let allowed = match self.error.is_finite() {
+            true => SAFETY * self.error.max(f64::MIN_POSITIVE).powf(-1.0 / 8.0),
+            false => LARGEST_LOSS,
+        };
+        let most = if held { 1.0 } else { LARGEST_GROWTH };
+        length * allowed.clamp(LARGEST_LOSS, most)
+    }
+
+    /// The state at the end.
+    pub fn end(&self) -> &[f64] {
+        &self.end
+    }
+
+    /// Finds the rates at the end, with which the next step begins.
+    ///
+    /// # Errors
+    /// There are none.
+    pub fn finish<R: Rates>(&mut self, rates: &mut R) -> Result<(), R::Failure> {
+        let mut slope = vec![0.0; self.end.len()];
+        rates.rates(self.to, &self.end, &mut slope)?;
+        self.stages.push(slope);
+        Ok(())
+    }
+
+    /// The rates at the end of a finished step.
+    pub fn end_rates(&self) -> &[f64] {
+        &self.stages[STAGES.len() + 1]
+    }
+
+    /// The state at a time on a finished step.
+    ///
+    /// # Errors
+    /// There are no rates at one of the places that the dense output needs.
+    pub fn at<R: Rates>(&mut self, rates: &mut R, t: f64) -> Result<Vec<f64>, R::Failure> {
+        if t == self.to {
+            return Ok(self.end.clone());
+        }
+        let length = self.to - self.from;
+        let parts = match &mut self.dense {
+            Some(parts) => parts,
+            dense @ None => {
+                let mut stages = self.stages.clone();
+                for stage in &DENSE_STAGES {
+                    let found = rates_at(rates, stage, self.from, length, &self.start, &stages)?;
+                    stages.push(found);
+                }
+                dense.insert(dense_parts(&self.start, &self.end, &stages, length))
+            }
+        };
+        let part = (t - self.from) / length;
+        let rest = 1.0 - part;
+        let value = |component: usize| {
+            // Factors alternate from the innermost term outwards.
+            let inner = parts[1..].iter().enumerate().rev();
+            let sum = inner.fold(0.0, |sum, (place, coefficients)| {
+                let factor = if place % 2 == 0 { part } else { rest };
+                factor * (coefficients[component] + sum)
+            });
+            parts[0][component] + sum
+        };
+        Ok((0..self.start.len()).map(value).collect())
+    }
+}
+
+fn rates_at<R: Rates>(
+    rates: &mut R,
+    stage: &Stage,
+    from: f64,
+    length: f64,
+    state: &[f64],
+    stages: &[Vec<f64>],
+) -> Result<Vec<f64>, R::Failure> {
+    let at = moved(state, stages, stage.terms, length);
+    let mut found = vec![0.0; state.len()];
+    rates.rates(from + stage.node * length, &at, &mut found)?;
+    Ok(found)
+}
+
+/// The coefficients of the dense output, component by component.
+fn dense_parts(start: &[f64], end: &[f64], stages: &[Vec<f64>], length: f64) -> [Vec<f64>; 8] {
+    let count = start.len();
+    let mut parts = [const { Vec::new() }; 8].map(|_: Vec<f64>| vec![0.0; count]);
+    for component in 0..count {
+        let change = end[component] - start[component];
+        let first = length * stages[0][component] - change;
+        let last = change - length * stages[STAGES.len() + 1][component] - first;
+        parts[0][component] = start[component];
+        parts[1][component] = change;
+        parts[2][component] = first;
+        parts[3][component] = last;
+        for (place, terms) in DENSE.iter().enumerate() {
+            parts[4 + place][component] = length * combined(stages, terms, component);
+        }
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rates of a circle, which do not exist beyond a time.
+    struct Circle {
+        end: f64,
+        count: usize,
+    }
+
+    impl Rates for Circle {
+        type Failure = f64;
+
+        fn rates(&mut self, t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), f64> {
+            self.count += 1;
+            rates.copy_from_slice(&[-state[1], state[0]]);
+            if t > self.end { Err(t) } else { Ok(()) }
+        }
+
+        fn judged(&self) -> usize {
+            2
+        }
+    }
+
+    const TIGHT: Tolerances = Tolerances {
+        relative: 1e-12,
+        absolute: 1e-12,
+    };
+
+    fn step(length: f64) -> (Step, Circle) {
+        let mut circle = Circle { end: 1e3, count: 0 };
+        let step = Step::attempt(&mut circle, [0.0, length], &[1.0, 0.0], &[0.0, 1.0], &TIGHT);
+        let mut step = step.expect("a circle has rates");
+        step.finish(&mut circle).expect("a circle has rates");
+        (step, circle)
+    }
+
+    /// The error of a step falls with the ninth power of its length, that between its ends with the eighth.
+    #[test]
+    fn the_orders_are_eight_and_seven() {
+        let error = |length: f64, part: f64| {
+            let (mut step, mut circle) = step(length);
+            let t = part * length;
+            let state = step.at(&mut circle, t).expect("a circle has rates");
+            (state[0] - t.cos()).hypot(state[1] - t.sin())
+        };
+        for (part, order) in [(1.0, 9.0), (0.37, 8.0)] {
+            let falls = (error(0.8, part) / error(0.4, part)).log2();
+            assert!((falls - order).abs() < 0.6, "{part}: {falls}");
+        }
+        let (step, circle) = step(0.4);
+        assert_eq!((circle.count, step.end().len()), (12, 2));
+    }
+
+    #[test]
+    fn rates_that_do_not_exist_end_an_attempt() {
+        let mut circle = Circle { end: 0.5, count: 0 };
+        let tried = Step::attempt(&mut circle, [0.0, 1.0], &[1.0, 0.0], &[0.0, 1.0], &TIGHT);
+        assert!(tried.is_err_and(|t| t > 0.5));
+        let first = first_length(&mut circle, 0.0, &[1.0, 0.0], &[0.0, 1.0], 0.1, &TIGHT);
+        assert!(first.is_ok_and(|length| length > 0.0 && length <= 0.1));
+    }
+}

@@ -1,0 +1,70 @@
+//! *An instant* → *the acceleration of the free coordinates that forces give it*: mass · s̈ = force.
+
+use linkwright_codegen::stages::program::{Program, Reduced};
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+use crate::instant::{Instant, Layout};
+
+/// The square of a pivot beside its diagonal entry, below which a reduced mass carries no digit.
+const SMALLEST_PIVOT: f64 = 64.0 * f64::EPSILON;
+
+/// Where instants keep the reduced mass and force.
+#[derive(Clone, Debug)]
+pub struct ReducedMotion {
+    /// The signals of the free coordinates: indices into the inputs.
+    pub inputs: Vec<usize>,
+    /// The lower triangle, row by row.
+    masses: Vec<usize>,
+    forces: Vec<usize>,
+}
+
+impl ReducedMotion {
+    /// Of a program; `None` where no coordinate is free.
+    pub(crate) fn new(program: &Program, layout: &Layout) -> Option<ReducedMotion> {
+        let reduced = program.forces.reduced.as_ref()?;
+        let slots = |fields: Vec<_>| -> Option<Vec<usize>> {
+            fields.into_iter().map(|field| layout.slot(field)).collect()
+        };
+        Some(ReducedMotion {
+            inputs: reduced.coordinates.iter().map(|it| it.input).collect(),
+            masses: slots(reduced.masses.clone())?,
+            forces: slots(reduced.coordinates.iter().map(|it| it.force).collect())?,
+        })
+    }
+
+    /// The reduced mass at an instant, symmetric.
+    pub fn mass(&self, instant: &Instant) -> DMatrix<f64> {
+        let count = self.forces.len();
+        DMatrix::from_fn(count, count, |row, column| {
+            instant.values()[self.masses[Reduced::place(row, column)]]
+        })
+    }
+
+    /// The reduced force at an instant: that of any acceleration.
+    pub fn force(&self, instant: &Instant) -> DVector<f64> {
+        let forces = self.forces.iter().map(|&slot| instant.values()[slot]);
+        DVector::from_iterator(self.forces.len(), forces)
+    }
+
+    /// The acceleration that the force gives the mass; the first coordinate that has none where the mass is not positive.
+    ///
+    /// # Errors
+    /// The place of that coordinate.
+    pub fn acceleration(&self, instant: &Instant) -> Result<DVector<f64>, usize> {
+        let (mass, force) = (self.mass(instant), self.force(instant));
+        let diagonal = mass.diagonal();
+        let positive = |value: &f64| *value > 0.0 && value.is_finite();
+        if let Some(place) = diagonal.iter().position(|value| !positive(value)) {
+            return Err(place);
+        }
+        let last = force.len().saturating_sub(1);
+        let factor = Cholesky::new(mass).ok_or(last)?;
+        let pivots = factor.l_dirty().diagonal();
+        let mut pivots = pivots.iter().zip(&diagonal);
+        let small = |(pivot, whole): (&f64, &f64)| pivot * pivot <= SMALLEST_PIVOT * whole;
+        match pivots.position(small) {
+            Some(place) => Err(place),
+            None => Ok(factor.solve(&force)),
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! `free` statements → drivers by a signal of their own, which forces move.
+//!
+//! Whoever solves the mechanism supplies value, rate and acceleration of the coordinate, as of an input; so everything that is found of a
+//! driven mechanism is found of this one too. Deliberately unknown here: how the acceleration follows from the forces.
+
+use super::dimension::Dimension;
+use super::forces::Free;
+use super::parameters::Sort;
+use super::resolve::Resolver;
+use crate::syntax::{self, Constant, Expression, ExpressionKind, Reference};
+
+impl Resolver<'_> {
+    pub(super) fn add_free(&mut self, written: &syntax::Free) {
+        let drive = &written.drive;
+        let start = Constant {
+            docs: drive.docs.clone(),
+            name: written.name.clone(),
+            value: drive.value.clone(),
+            span: drive.span,
+        };
+        let input = self.add_signal(&start, Sort::Free);
+        let joint = self.linkage.joints.len();
+        // A finding about the signal is one about where it starts.
+        let place = drive.value.span;
+        let mut name = written.name.clone();
+        name.span = place;
+        let signal = Expression {
+            kind: ExpressionKind::Reference(Reference {
+                body: None,
+                name,
+                span: place,
+            }),
+            span: place,
+        };
+        match input {
+            Some(_) => self.add_driven(drive, &signal, true),
+            None => return,
+        }
+        let Some((added, _)) = self.linkage.joints.get(joint) else {
+            return;
+        };
+        let quantity = added.kind.value().quantity();
+        let expected = quantity.map(Dimension::of_rate);
+        let rate = match (&written.rate, expected) {
+            (Some(rate), Some(expected)) => self.constant(rate, expected),
+            _ => Some(self.graph.zero()),
+        };
+        let (Some(input), Some(rate)) = (input, rate) else {
+            return;
+        };
+        let time = self.graph.variable(self.formulas.time);
+        let passed = self.graph.multiply(rate, time);
+        let own = &mut self.declared.inputs[input];
+        own.signal[0] = self.graph.add(own.initial, passed);
+        own.signal[1] = rate;
+        self.forces.free.push(Free {
+            joint,
+            input,
+            span: drive.span,
+        });
+    }
+}

@@ -1,0 +1,109 @@
+//! *Tokens → what moves by itself:* `drive phi(1) = 2*t;`, `drive lift: K.x = 0.1*t;`, and `free swing: phi(1) = 0.2 rate 1.5;`, which forces move.
+//!
+//! Which quantities exist is not known here.
+
+use proc_macro2::Delimiter;
+
+use super::document::{Drive, Free, Statement};
+use super::expression::expression;
+use super::formula::{Name, Reference};
+use super::reference::{driven_coordinate, identifier, operands};
+use super::statement::{equals, semicolon};
+use super::tokens::{Outcome, Tokens};
+use crate::diagnostic::Span;
+
+/// What is driven, or free.
+struct Driven {
+    quantity: Name,
+    operands: Vec<Reference>,
+    dotted: bool,
+}
+
+/// The statement after its first word.
+pub(super) fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
+    let name = name(tokens, "the name of a driver")?;
+    let help = "a driver is written `drive phi(BODY) = FORMULA;`";
+    let Driven {
+        quantity,
+        operands,
+        dotted,
+    } = driven(tokens, "the driven quantity", help)?;
+    equals(tokens)?;
+    let value = expression(tokens)?;
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Drive(Drive {
+        docs,
+        name,
+        quantity,
+        operands,
+        dotted,
+        value,
+        span,
+    }))
+}
+
+/// The statement after its first word.
+pub(super) fn free(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
+    let help = "what is free is written `free NAME: phi(BODY) = START rate RATE;`";
+    let Some(name) = name(tokens, "the name of what is free")? else {
+        return Err(tokens.unexpected("a name and `:`", help));
+    };
+    let Driven {
+        quantity,
+        operands,
+        dotted,
+    } = driven(tokens, "the free quantity", help)?;
+    equals(tokens)?;
+    let value = expression(tokens)?;
+    let rate = match tokens.keyword("rate") {
+        Some(_) => Some(expression(tokens)?),
+        None => None,
+    };
+    let span = start.to(semicolon(tokens, start)?);
+    Ok(Statement::Free(Free {
+        name: name.clone(),
+        drive: Drive {
+            docs,
+            name: Some(name),
+            quantity,
+            operands,
+            dotted,
+            value,
+            span,
+        },
+        rate,
+    }))
+}
+
+/// `NAME:`, where it is written.
+fn name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Option<Name>> {
+    let mut ahead = *tokens;
+    match (ahead.word(), ahead.mark(':')) {
+        (Some(_), Some(_)) => {
+            let name = identifier(tokens, wanted)?;
+            tokens.mark(':');
+            Ok(Some(name))
+        }
+        _ => Ok(None),
+    }
+}
+
+/// `QUANTITY(OPERANDS)` or `POINT.COORDINATE`.
+fn driven(tokens: &mut Tokens<'_>, wanted: &str, help: &str) -> Outcome<Driven> {
+    if let Some((of, quantity)) = driven_coordinate(tokens)? {
+        return Ok(Driven {
+            quantity,
+            operands: vec![of],
+            dotted: true,
+        });
+    }
+    let quantity = identifier(tokens, wanted)?;
+    if !tokens.peek_group(Delimiter::Parenthesis) {
+        return Err(tokens.unexpected("`(`", help));
+    }
+    Ok(Driven {
+        quantity,
+        operands: operands(tokens)?,
+        dotted: false,
+    })
+}

@@ -1,0 +1,416 @@
+//! What forces move, against closed solutions in elliptic functions, against 28 digits of Andrews' mechanism, and against energy.
+
+use linkwright::Signal;
+use linkwright_codegen::stages::system::System;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::simulation::{Options, Simulation, Stop, Tolerances};
+use linkwright_solver::view::View;
+use linkwright_tests::description;
+use linkwright_tests::forces::systems;
+
+mod free_linkage {
+    linkwright::include_mechanism!(free_linkage);
+}
+
+/// The options of a test: a relative tolerance, with an absolute one far below what is asked.
+fn options(relative: f64) -> Options {
+    Options {
+        tolerances: Tolerances {
+            relative,
+            absolute: relative * 1e-3,
+        },
+        goes_through: false,
+    }
+}
+
+fn interpreted(text: &str) -> Interpreted {
+    let system: &System = &systems("simulated", text)[0];
+    Interpreted::new(system).expect("an order")
+}
+
+fn simulation(text: &str, end: f64, options: Options) -> Simulation {
+    let view = interpreted(text);
+    Simulation::new(&view, None, end, options).expect("it starts as drawn")
+}
+
+/// A coordinate and its rate.
+fn coordinate(simulation: &Simulation, name: &str) -> [f64; 2] {
+    let coordinates = &simulation.view().system().coordinates;
+    let place = coordinates.iter().position(|it| it.name == name);
+    let place = place.unwrap_or_else(|| panic!("no {name}"));
+    let frame = simulation.frame();
+    [frame.q()[place], frame.qd()[place]]
+}
+
+/// A force that is asked for.
+fn force(simulation: &Simulation, name: &str) -> f64 {
+    let view = simulation.view();
+    let names = linkwright_solver::forces::names(view.system());
+    let place = names.iter().position(|(own, _)| own == name);
+    let values = view.forces(simulation.frame()).expect("known");
+    values[place.unwrap_or_else(|| panic!("no {name}"))]
+}
+
+fn energy(simulation: &Simulation) -> f64 {
+    ["kinetic_energy", "potential_energy"]
+        .iter()
+        .map(|name| force(simulation, name))
+        .sum()
+}
+
+/// sn, cn and dn of u with the parameter m, by the arithmetic-geometric mean (Abramowitz and Stegun 16.4).
+fn elliptic(u: f64, m: f64) -> [f64; 3] {
+    let (mut a, mut b, mut ratios) = (1.0_f64, (1.0 - m).sqrt(), Vec::new());
+    let mut factor = 1.0;
+    while ratios.last().is_none_or(|ratio: &f64| *ratio > 1e-17) && ratios.len() < 12 {
+        let c = 0.5 * (a - b);
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+        ratios.push(c / a);
+        factor *= 2.0;
+    }
+    let mut angle = factor * a * u;
+    for ratio in ratios.iter().rev() {
+        angle = 0.5 * (angle + (ratio * angle.sin()).asin());
+    }
+    let (sn, cn) = angle.sin_cos();
+    [sn, cn, (1.0 - m * sn * sn).sqrt()]
+}
+
+const PENDULUM: &str = "mechanism pendulum {
+    point O = (0, 0);
+    body bob at O { O, S: (0, -2) }
+    revolute O(ground, bob);
+    free swing: phi(bob) = 150deg;
+    mass bob = 3kg at S inertia 0.5;
+    gravity = (0, -9.81);
+    energy;
+}";
+
+/// sin(θ/2) = k cd(ω t, k²) with k = sin(θ₀/2): from rest at 150 degrees, several periods.
+#[test]
+fn a_pendulum_swings_as_elliptic_functions_do() {
+    let mut pendulum = simulation(PENDULUM, 20.0, options(1e-12));
+    let first = energy(&pendulum);
+    let k = (75.0_f64).to_radians().sin();
+    let omega = (3.0_f64 * 2.0 * 9.81 / (0.5 + 3.0 * 4.0)).sqrt();
+    for step in 1..=200 {
+        let t = 0.1 * f64::from(step);
+        pendulum.advance(t).expect("no end");
+        let [sn, cn, dn] = elliptic(omega * t, k * k);
+        let angle = 2.0 * (k * cn / dn).asin();
+        let bend = -k * (1.0 - k * k) * sn / (dn * dn);
+        let rate = 2.0 * omega * bend / (1.0 - (k * cn / dn).powi(2)).sqrt();
+        let found = coordinate(&pendulum, "phi_bob");
+        assert!((found[0] - angle).abs() <= 1e-9, "{t}: {found:?} {angle}");
+        assert!((found[1] - rate).abs() <= 1e-9, "{t}: {found:?} {rate}");
+        assert!((energy(&pendulum) - first).abs() <= 1e-9 * 3.0 * 9.81 * 4.0);
+    }
+}
+
+/// At t = 0.03 s, of which 28 digits are known: β, θ, γ, φ, δ, Ω, ε and their rates.
+const ANDREWS: [[f64; 2]; 7] = [
+    [15.810_771_195_153_707, 1_139.920_302_259_106_1],
+    [-15.756_371_058_411_84, -1_424.379_295_177_540_1],
+    [0.040_822_240_119_645_85, 11.032_911_910_618_594],
+    [-0.534_730_116_342_079_6, 19.293_374_105_032_04],
+    [0.524_409_965_879_954_1, 0.573_569_914_829_502_5],
+    [0.534_730_116_342_079_6, -19.293_374_105_032_04],
+    [1.048_080_741_041_938, 0.323_179_149_249_130_9],
+];
+
+/// The mechanism of the gallery, with the torque of the benchmark in place of its motor.
+fn andrews() -> String {
+    let mut text = description::source("andrews").text;
+    let start = text.find("drive motor").expect("the driver");
+    let end = start + text[start..].find(';').expect("its end");
+    text.replace_range(
+        start..end,
+        "free motor: phi(k1) = beta; torque on k1 = 33mN*1m",
+    );
+    text
+}
+
+/// With fewer than 2,500 evaluations; an index-3 code took 1,112 steps, each with several evaluations and a factorization (PSIDE, rtol = atol = 1e-14, the published reference of the Test Set for IVP Solvers).
+#[test]
+fn andrews_mechanism_arrives_where_it_should() {
+    let mut andrews = simulation(&andrews(), 0.03, options(1e-11));
+    andrews.advance(0.03).expect("no end");
+    let name = |body: usize| format!("phi_k{body}");
+    let bodies: Vec<[f64; 2]> = (1..=7)
+        .map(|body| coordinate(&andrews, &name(body)))
+        .collect();
+    let against = |body: usize, of: usize| {
+        [0, 1].map(|level| bodies[body - 1][level] - bodies[of - 1][level])
+    };
+    let found = [
+        bodies[0],
+        against(2, 1),
+        bodies[2],
+        against(4, 5),
+        bodies[4],
+        against(6, 7),
+        bodies[6],
+    ];
+    let mut worst = [0.0_f64; 2];
+    for (found, expected) in found.iter().zip(&ANDREWS) {
+        for level in 0..2 {
+            let error = ((found[level] - expected[level]) / expected[level]).abs();
+            worst[level] = worst[level].max(error);
+        }
+    }
+    let effort = andrews.effort();
+    assert!(worst[0] <= 1e-9 && worst[1] <= 1e-8, "{worst:?}");
+    assert!(effort.evaluations <= 2500, "{effort:?}");
+}
+
+/// Two coordinates push one another: the accelerations of a double pendulum of two points, from Lagrange's equations written out.
+#[test]
+fn a_double_pendulum_has_the_accelerations_of_the_textbook() {
+    let (m, n, l, k, g) = (1.5, 0.7, 0.9, 0.6, 9.81);
+    for case in 0..50 {
+        let turned = |step: f64| (step * f64::from(case) + 0.3) % 6.2 - 3.1;
+        let [a, b, u, v] = [turned(0.7), turned(1.1), turned(1.9), turned(2.3)];
+        let text = format!(
+            "mechanism double {{
+                point O = (0, 0);
+                body upper at (0, 0, {a}) {{ O, Q: (0, -{l}) }}
+                body lower at ({l}*sin({a}), -{l}*cos({a}), {b}) {{ Q: (0, 0), S: (0, -{k}) }}
+                revolute O(ground, upper);
+                revolute Q(upper, lower);
+                free first: phi(upper) = {a} rate {u};
+                free second: phi(lower) = {b} rate {v};
+                mass upper = {m} at Q;
+                mass lower = {n} at S;
+                gravity = (0, -{g});
+            }}"
+        );
+        let start = simulation(&text, 0.0, options(1e-9));
+        let (sine, cosine) = (a - b).sin_cos();
+        let mass = [(m + n) * l * l, n * l * k * cosine, n * k * k];
+        let force = [
+            -n * l * k * v * v * sine - (m + n) * g * l * a.sin(),
+            n * l * k * u * u * sine - n * g * k * b.sin(),
+        ];
+        let determinant = mass[0] * mass[2] - mass[1] * mass[1];
+        let expected = [
+            (mass[2] * force[0] - mass[1] * force[1]) / determinant,
+            (mass[0] * force[1] - mass[1] * force[0]) / determinant,
+        ];
+        let (motion, frame) = (start.motion(), start.frame());
+        let found = motion.acceleration(frame).expect("masses");
+        let matrix = motion.mass(frame);
+        for (place, entry) in [((0, 0), 0), ((1, 0), 1), ((0, 1), 1), ((1, 1), 2)] {
+            assert!((matrix[place] - mass[entry]).abs() <= 1e-14 * mass[0]);
+        }
+        for (found, expected) in found.iter().zip(expected) {
+            let size = expected.abs().max(100.0);
+            assert!(
+                (found - expected).abs() <= 1e-13 * size,
+                "{case}: {found} {expected}"
+            );
+        }
+    }
+}
+
+/// The windowed four-bar with two windows: bars of 1 m and 1 kg that start upright at 1 m/s.
+fn n_four_bar() -> String {
+    let bar = "inertia 1kg*1m^2/12";
+    format!(
+        "mechanism n_four_bar {{
+            point A0 = (0, 0), A1 = (1, 0), A2 = (2, 0), B0 = (0, 1), B1 = (1, 1), B2 = (2, 1);
+            body link0 at A0 facing A0 -> B0 {{ A0, B0, S: (0.5, 0) }}
+            body link1 at A1 facing A1 -> B1 {{ A1, B1, S: (0.5, 0) }}
+            body link2 at A2 facing A2 -> B2 {{ A2, B2, S: (0.5, 0) }}
+            body bar0 at B0 {{ B0, B1, S: (0.5, 0) }}
+            body bar1 at B1 {{ B1, B2, S: (0.5, 0) }}
+            revolute A0(ground, link0);
+            revolute A1(ground, link1);
+            revolute A2(ground, link2);
+            revolute B0(link0, bar0);
+            revolute B1(bar0, link1);
+            revolute B1(link1, bar1);
+            revolute B2(bar1, link2);
+            free turn: phi(link0) = pi/2 rate -1;
+            mass link0 = 1kg at S {bar};
+            mass link1 = 1kg at S {bar};
+            mass link2 = 1kg at S {bar};
+            mass bar0 = 1kg at S {bar};
+            mass bar1 = 1kg at S {bar};
+            gravity = (0, -9.81);
+            energy;
+        }}"
+    )
+}
+
+/// On the parallelogram θ = 2 am(t/2 | −4 W g/I) with I = (N + 1)/3 + N and W = (N + 1)/2 + N, to 20 digits: B0 at t = 1, 4 and 10 s.
+const N_FOUR_BAR: [(f64, [f64; 2]); 3] = [
+    (1.0, [-0.195_020_301_949_435_1, -0.980_799_205_662_173_8]),
+    (4.0, [0.117_616_102_376_808_61, 0.993_059_138_451_325_1]),
+    (10.0, [0.328_458_111_540_815_4, 0.944_518_538_178_600_9]),
+];
+
+#[test]
+fn an_n_four_bar_goes_straight_through_its_flat_poses() {
+    let through = Options {
+        goes_through: true,
+        ..options(1e-12)
+    };
+    let mut bars = simulation(&n_four_bar(), 10.0, through);
+    let first = energy(&bars);
+    for (t, expected) in N_FOUR_BAR {
+        bars.advance(t).expect("no end");
+        let [angle, _] = coordinate(&bars, "phi_link0");
+        let found = [angle.cos(), angle.sin()];
+        for axis in 0..2 {
+            assert!(
+                (found[axis] - expected[axis]).abs() <= 1e-9,
+                "{t}: {found:?}"
+            );
+        }
+        // It is still the parallelogram.
+        let [bar, _] = coordinate(&bars, "phi_bar1");
+        assert!(bar.sin().abs() <= 1e-9 && bar.cos() > 0.0, "{t}: {bar}");
+        assert!((energy(&bars) - first).abs() <= 1e-9 * 70.0);
+    }
+    assert_eq!(bars.passed().len(), 10, "{:?}", bars.passed());
+}
+
+/// Without being told to, it ends in the first flat pose, and says why: all its links are in line there.
+#[test]
+fn an_n_four_bar_ends_where_several_loops_are_singular() {
+    let mut bars = simulation(&n_four_bar(), 10.0, options(1e-11));
+    let stop = bars.advance(10.0).expect_err("a flat pose");
+    assert!(matches!(stop, Stop::Unsolvable(_)), "{stop:?}");
+    let [angle, _] = coordinate(&bars, "phi_link0");
+    assert!(angle.abs() < 1e-3, "{angle}");
+    assert!(stop.is_where_loops_meet(bars.view(), bars.frame()));
+    let said = stop.explained(bars.view(), Some(bars.frame()));
+    for part in [
+        "cannot be simulated beyond t = 0.714",
+        "normalized determinant of phi_link1 and phi_bar0",
+        "several loops become singular there at once",
+    ] {
+        assert!(said.contains(part), "{said}");
+    }
+}
+
+/// A slider that forces move through its dead point: the crank goes on there, but the slider is no coordinate of it any more.
+#[test]
+fn a_coordinate_that_turns_back_ends_the_motion() {
+    let text = "mechanism engine {
+        point A = (0, 0), B = (0.1, 0.1), C = (0.4, 0);
+        body crank at A facing A -> B { A, B }
+        body rod at B facing B -> C { B, C }
+        body piston at C { C }
+        revolute A(ground, crank);
+        revolute B(crank, rod);
+        revolute C(rod, piston);
+        absolute_y(piston) = 0;
+        absolute_angle(piston) = 0;
+        free stroke: x(piston) = 0.4 rate 1;
+        mass crank = 2kg at B;
+        mass piston = 0.5kg;
+        energy;
+    }";
+    let mut engine = simulation(text, 5.0, options(1e-10));
+    let stop = engine.advance(5.0).expect_err("a dead point");
+    let [x, _] = coordinate(&engine, "x_piston");
+    let longest = 0.1 * 2.0_f64.sqrt() + 0.1_f64.hypot(0.3);
+    assert!((x - longest).abs() < 1e-6, "{x} {longest}");
+    let said = stop.explained(engine.view(), Some(engine.frame()));
+    assert!(
+        said.contains("cannot be simulated beyond") && said.contains("normalized determinant"),
+        "{said}"
+    );
+}
+
+/// What a damper takes and a torque brings is what the energy changes by.
+#[test]
+fn work_and_energy_balance() {
+    let text = PENDULUM.replace(
+        "energy;",
+        "damper about (ground, bob) = 0.4; torque on bob = 5Nm*sin(2*t); energy;",
+    );
+    let mut pendulum = simulation(&text, 20.0, options(1e-11));
+    let first = energy(&pendulum);
+    let mut largest = 0.0_f64;
+    for step in 1..=100 {
+        pendulum.advance(0.2 * f64::from(step)).expect("no end");
+        let work = pendulum.added_work().expect("on the step");
+        largest = largest.max(work.abs());
+        assert!((energy(&pendulum) - first - work).abs() <= 1e-8, "{step}");
+    }
+    assert!(largest > 10.0);
+}
+
+/// A free coordinate that moves nothing with a mass has no acceleration.
+#[test]
+fn what_has_no_mass_has_no_acceleration() {
+    let text = "mechanism weightless {
+        point O = (0, 0), Q = (1, 0);
+        body one at O { O }
+        body other at Q { Q }
+        revolute O(ground, one);
+        revolute Q(ground, other);
+        free a: phi(one) = 0;
+        free b: phi(other) = 0;
+        mass one = 1kg inertia 2;
+        torque on other = 1Nm;
+    }";
+    let view = interpreted(text);
+    let stop = Simulation::new(&view, None, 1.0, options(1e-9)).expect_err("no mass");
+    assert_eq!(
+        stop,
+        Stop::Massless {
+            t: 0.0,
+            coordinate: 1
+        }
+    );
+    let said = stop.explained(&view, None);
+    assert!(said.contains("`free b: phi(other)`"), "{said}");
+}
+
+/// Generated functions give the reduced mass and force of the interpreter.
+#[test]
+fn generated_code_has_the_reduced_mass_and_force_of_the_interpreter() {
+    let text = description::source("free_linkage").text;
+    let mut linkage = simulation(&text, 1.0, options(1e-10));
+    let start = generated_inputs(&linkage);
+    let mut mechanism = free_linkage::FreeLinkage::assemble(0.0, &start).expect("as drawn");
+    for step in 1..=50 {
+        let t = 0.02 * f64::from(step);
+        linkage.advance(t).expect("no end");
+        let inputs = generated_inputs(&linkage);
+        let frame = mechanism.advance(t, &inputs).expect("a path");
+        let (motion, instant) = (linkage.motion(), linkage.frame());
+        let (mass, force) = (motion.mass(instant), motion.force(instant));
+        let pairs = [
+            (frame.reduced_mass_turn(), mass[(0, 0)]),
+            (frame.reduced_mass_swing_turn(), mass[(1, 0)]),
+            (frame.reduced_mass_swing(), mass[(1, 1)]),
+            (frame.reduced_force_turn(), force[0]),
+            (frame.reduced_force_swing(), force[1]),
+        ];
+        for (found, expected) in pairs {
+            // The interpreter holds more values in its frames, so that sums have their terms in another order.
+            let size = expected.abs().max(1.0);
+            assert!(
+                (found - expected).abs() <= 1e-14 * size,
+                "{t}: {found} {expected}"
+            );
+        }
+    }
+}
+
+/// What the interpreter was solved with.
+fn generated_inputs(simulation: &Simulation) -> free_linkage::Inputs {
+    let system = simulation.view().system();
+    let [turn, swing] = [0, 1].map(|input: usize| {
+        let symbols = system.mechanism.inputs[input].symbols;
+        let layout = simulation.view().layout();
+        let value =
+            symbols.map(|symbol| simulation.frame().values()[layout.slot(symbol).expect("kept")]);
+        Signal::new(value[0], value[1], value[2])
+    });
+    free_linkage::Inputs { turn, swing }
+}
