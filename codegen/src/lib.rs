@@ -22,6 +22,7 @@
 //! ```
 
 mod cargo;
+mod columns;
 mod consequences;
 pub mod diagnostic;
 mod emit;

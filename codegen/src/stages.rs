@@ -60,3 +60,11 @@ pub mod emit {
 pub mod files {
     pub use crate::files::{folder_of, may_write_in, noun, read, reason, replace};
 }
+
+/// Tables as other programs export them.
+pub mod columns {
+    pub use crate::columns::{
+        Column, Columns, Decimal, Delimiter, Dialect, Encoding, Fault, Header, Known, LARGEST,
+        Unit, Unreadable,
+    };
+}

@@ -1,9 +1,11 @@
 //! *The command line → typed arguments.* Numbers are finite and steps positive afterwards; files are not opened here.
 
+mod measured;
 mod solve;
 mod values;
 mod view;
 
+pub use measured::{Compare, Mark, Separator, Table};
 pub use solve::{Equations, Solve, TurnUnit};
 pub use view::View;
 
@@ -32,10 +34,11 @@ Examples:
   linkwright inspect mechanisms/two_body.mech --format unicode
   linkwright plan mechanisms/excavator.mech
   linkwright check mechanisms/two_body.mech
+  linkwright compare mechanisms/arm.mech measured.csv
   linkwright generate mechanisms/two_body.mech -o two_body.rs
 
 Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` found a difference,
-or `check --deny-warnings` something to look at), 2 bad input.";
+`check --deny-warnings` something to look at, `compare` a difference beyond its tolerance), 2 bad input.";
 
 /// The commands.
 #[derive(Subcommand, Debug)]
@@ -54,6 +57,8 @@ pub enum Command {
     Plan(Plan),
     /// List the assemblies and say where the mechanism comes closest to singular
     Check(Check),
+    /// Hold measured data against the motion
+    Compare(Compare),
 }
 
 /// Draws the mechanism in one pose as a mechanical engineer does: bodies by the points they carry, supports and guides hatched,

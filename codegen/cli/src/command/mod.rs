@@ -4,6 +4,7 @@
 //! be done because of the input ends as a [`Problem`], printed once, with exit code 2.
 
 pub mod check;
+pub mod compare;
 pub mod description;
 pub mod draw;
 pub mod generate;
@@ -57,6 +58,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Inspect(inspect) => inspect::run(&inspect),
         Command::Plan(plan) => plan::run(&plan),
         Command::Check(check) => check::run(&check),
+        Command::Compare(compare) => compare::run(&compare),
     };
     match outcome {
         Ok(outcome) => ExitCode::from(outcome as u8),

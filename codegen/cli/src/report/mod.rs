@@ -6,6 +6,8 @@ pub mod assembly_table;
 pub mod check_json;
 pub mod check_text;
 pub mod comma_separated;
+pub mod comparison;
+pub mod comparison_plot;
 pub mod drawing;
 pub mod first_step;
 pub mod forces;

@@ -38,13 +38,13 @@ const SMALLEST_PLAIN: f64 = 1e-4;
 const ZERO: f64 = 1e-9;
 
 /// What one panel shows.
-struct Panel<'a> {
-    title: String,
-    unit: &'a str,
+pub(super) struct Panel<'a> {
+    pub title: String,
+    pub unit: &'a str,
     /// Each curve with its symbol.
-    curves: Vec<(&'static str, Vec<Extreme>)>,
+    pub curves: Vec<(&'static str, Vec<Extreme>)>,
     /// The magnitude that variations are compared with.
-    reference: f64,
+    pub reference: f64,
 }
 
 /// The largest magnitude of a value among all.
@@ -197,7 +197,8 @@ pub(super) fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
 pub(super) type Drawing<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 pub(super) type Refused = Box<dyn std::error::Error>;
 
-fn picture(title: &str, panels: &[Panel<'_>]) -> Result<String, Refused> {
+/// Panels one below the other.
+pub(super) fn picture(title: &str, panels: &[Panel<'_>]) -> Result<String, Refused> {
     drawn(title, SIZE, |body| {
         for (area, panel) in body.split_evenly((panels.len(), 1)).iter().zip(panels) {
             draw_panel(area, panel)?;
