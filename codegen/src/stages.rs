@@ -17,7 +17,7 @@ pub mod joint {
 
 /// Descriptions with their names resolved.
 pub mod model {
-    pub use crate::model::{Joint, Requested, Role, set};
+    pub use crate::model::{Dimension, Joint, Requested, Role, set};
 }
 
 /// Descriptions as they are written.

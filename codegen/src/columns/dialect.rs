@@ -5,9 +5,9 @@
 
 use std::fmt;
 
-use super::cells::{ANNOUNCEMENT, Cells, Line};
+use super::cells::{ANNOUNCEMENT, Cell, Cells, Line};
 use super::header::beginning;
-use super::number::{Content, content};
+use super::number::{Content, Why, content};
 use super::{Fault, Known};
 use crate::diagnostic::Span;
 
@@ -95,16 +95,21 @@ impl fmt::Display for Dialect {
     }
 }
 
-/// Whether a line is a row: at least two cells, one of them a number, and no more words than anything else.
+/// Whether a cell is a word, and not a number with a fault.
+pub(super) fn is_word(cell: &Cell<'_>, decimal: Decimal) -> bool {
+    content(&cell.text, decimal) == Content::Words(Why::NoNumber)
+}
+
+/// Whether a line is a row: at least two cells, one of them a number, and fewer words than anything else.
 pub(super) fn is_data(line: &Line<'_>, decimal: Decimal) -> bool {
-    let contents = || line.cells.iter().map(|it| content(&it.text, decimal));
-    let numbers = contents()
-        .filter(|it| matches!(it, Content::Number(..)))
-        .count();
-    let words = contents()
-        .filter(|it| matches!(it, Content::Words(_)))
-        .count();
-    !line.is_comment && line.cells.len() > 1 && numbers > 0 && words < line.cells.len() - words
+    let words = line.cells.iter().filter(|it| is_word(it, decimal)).count();
+    let missing = line
+        .cells
+        .iter()
+        .filter(|it| content(&it.text, decimal) == Content::Missing);
+    let missing = missing.count();
+    let others = line.cells.len() - words;
+    !line.is_comment && line.cells.len() > 1 && others > missing && words < others
 }
 
 /// How well a dialect suits.
@@ -112,6 +117,8 @@ struct Suited {
     dialect: Dialect,
     /// Columns of words.
     words: usize,
+    /// The number of the line that is the first row.
+    line: usize,
     /// The numbers of the first row.
     first: Vec<Option<f64>>,
 }
@@ -155,8 +162,10 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, Fault> {
             Err(_) => {}
         }
     }
-    // Of several that suit alike the first one is taken, the most particular separator.
-    let Some(best) = (0..suited.len()).min_by_key(|&it| suited[it].words) else {
+    // Names above rows hold no numbers, so that an early first row is the better one. Of several that suit alike the first one is
+    // taken, the most particular separator.
+    let key = |it: &Suited| (it.words, it.line);
+    let Some(best) = (0..suited.len()).min_by_key(|&it| key(&suited[it])) else {
         return Err(unsuited
             .filter(|it| it.cells > 0)
             .map_or_else(|| no_rows(text), |it| it.fault));
@@ -164,7 +173,7 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, Fault> {
     let best = &suited[best];
     let rival = suited
         .iter()
-        .find(|it| it.words == best.words && it.first != best.first);
+        .find(|it| key(it) == key(best) && it.first != best.first);
     match rival {
         None => Ok(best.dialect),
         Some(rival) => Err(Fault::new(
@@ -186,6 +195,15 @@ fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
         let line = line.map_err(|fault| unsuited(cells, fault))?;
         let Some(first) = &first else {
             if is_data(&line, dialect.decimal) {
+                cells += line.cells.len();
+                for cell in &line.cells {
+                    if let Content::Words(why) = content(&cell.text, dialect.decimal)
+                        && why != Why::NoNumber
+                    {
+                        let fault = Fault::new(cell.span, why.message(&cell.text), why.help());
+                        return Err(unsuited(cells, fault));
+                    }
+                }
                 first = Some(line.clone());
             }
             head.push(line);
@@ -194,14 +212,12 @@ fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
         if line.is_comment {
             continue;
         }
-        let (found, wanted) = (line.cells.len(), first.cells.len());
-        if found != wanted {
-            let message = format!("{found} cells where the lines above have {wanted}");
-            let help = "complete the line, or make it a comment with `#`; decimal commas need another separator than `,`";
-            return Err(unsuited(cells, Fault::new(line.span(), message, help)));
+        let wanted = first.cells.len();
+        if line.cells.len() != wanted {
+            return Err(unsuited(cells, wrong_length(&line, wanted)));
         }
         for (cell, above) in line.cells.iter().zip(&first.cells) {
-            let is_text = matches!(content(&above.text, dialect.decimal), Content::Words(_));
+            let is_text = is_word(above, dialect.decimal);
             match content(&cell.text, dialect.decimal) {
                 Content::Words(why) if !is_text => {
                     let fault = Fault::new(cell.span, why.message(&cell.text), why.help());
@@ -215,7 +231,7 @@ fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
     let Some(first) = first else {
         return Err(unsuited(0, no_rows(text)));
     };
-    beginning(&head, dialect).map_err(|fault| unsuited(cells + first.cells.len(), fault))?;
+    beginning(&head, dialect).map_err(|fault| unsuited(cells, fault))?;
     let contents = || {
         first
             .cells
@@ -224,6 +240,7 @@ fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
     };
     Ok(Suited {
         dialect,
+        line: first.number,
         words: contents()
             .filter(|it| matches!(it, Content::Words(_)))
             .count(),
@@ -234,6 +251,17 @@ fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
             })
             .collect(),
     })
+}
+
+/// That a line has more cells than the first row, or fewer.
+pub(super) fn wrong_length(line: &Line<'_>, wanted: usize) -> Fault {
+    let found = line.cells.len();
+    let cells = if found == 1 { "cell" } else { "cells" };
+    Fault::new(
+        line.span(),
+        format!("{found} {cells} where the lines above have {wanted}"),
+        "complete the line, or make it a comment with `#`; decimal commas need another separator than `,`",
+    )
 }
 
 /// That nothing in a text is a row of numbers.

@@ -4,7 +4,7 @@
 //! above is no part of the table. A unit may also stand behind a name, in parentheses or brackets.
 
 use super::cells::{Cell, Line};
-use super::number::{Content, content};
+use super::dialect::is_word;
 use super::{Column, Columns, Dialect, Encoding, Fault, Unit};
 
 /// Where names stand.
@@ -135,10 +135,7 @@ pub(super) fn beginning(head: &[Line<'_>], dialect: Dialect) -> Result<Beginning
             span: name.map_or(first.cells[place].span, |it| it.span),
             values: Vec::new(),
             spans: Vec::new(),
-            is_text: matches!(
-                content(&first.cells[place].text, dialect.decimal),
-                Content::Words(_)
-            ),
+            is_text: is_word(&first.cells[place], dialect.decimal),
         }
     });
     Ok(Beginning {

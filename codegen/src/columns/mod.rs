@@ -208,14 +208,9 @@ fn take(columns: &mut Columns, line: &Line<'_>, faults: &mut Vec<Fault>) {
     if line.is_comment {
         return;
     }
-    let (found, wanted) = (line.cells.len(), columns.columns.len());
-    if found != wanted {
-        let cells = if found == 1 { "cell" } else { "cells" };
-        faults.push(Fault::new(
-            line.span(),
-            format!("{found} {cells} where the lines above have {wanted}"),
-            "complete the line, or make it a comment with `#`; decimal commas need another separator than `,`",
-        ));
+    let wanted = columns.columns.len();
+    if line.cells.len() != wanted {
+        faults.push(dialect::wrong_length(line, wanted));
         return;
     }
     let decimal = columns.dialect.decimal;

@@ -113,3 +113,57 @@ A header may hold units, `K_x (mm)`. Columns without a name are called by their 
 
 Exit codes: 0 compared, 1 a difference is beyond its tolerance, or the mechanism cannot be assembled or its motion ends before the
 table does, 2 bad input.";
+
+/// Fits parameters so that the mechanism moves as measured: least squares with the derived sensitivities.
+///
+/// Prints each parameter with its standard deviation, their correlations, what is left of each column before and after, and which
+/// parameters this motion cannot tell apart. Columns of accelerations and forces take no part. Where quantities of several units are
+/// measured, each counts by what is left of it, unless `--deviation` says how well it is measured.
+#[derive(Args, Debug)]
+#[command(after_help = CALIBRATE_EXAMPLES)]
+pub struct Calibrate {
+    /// The description, a `.mech` file
+    pub file: PathBuf,
+    /// The measured values.
+    #[command(flatten)]
+    pub table: Table,
+    /// The parameters that are fitted, separated by commas
+    #[arg(long, value_name = "L1,L2", value_delimiter = ',', required = true)]
+    pub param: Vec<String>,
+    /// Which motion, where the mechanism has several
+    #[arg(long, value_name = "NAME")]
+    pub motion: Option<String>,
+    /// The largest time between frames, in s
+    #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
+    pub step: f64,
+    /// Another value of a parameter, from which it is fitted, or the motion of an input as an expression of t; may be repeated
+    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
+    /// The assembly mode of a loop: `positive` or `negative`, `other` than drawn, or of a loop without a closed form the letter of a
+    /// pose that `check` lists; may be repeated. A wrong name lists the loops
+    #[arg(long, value_name = "LOOP=MODE")]
+    pub branch: Vec<String>,
+    /// The standard deviation of measured values: `0.1mm` of columns in this unit, `K_x=2mm` of one [default: what is left of them]
+    #[arg(long, value_name = "[COLUMN=]VALUE[UNIT]", value_delimiter = ',')]
+    pub deviation: Vec<String>,
+    /// Write the description with the new values into this file; all else in it stays as it is
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Replace that file where it exists
+    #[arg(long)]
+    pub force: bool,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+const CALIBRATE_EXAMPLES: &str = "\
+Examples:
+  linkwright calibrate lift.mech log.csv --param L2,L3,L4
+  linkwright calibrate lift.mech log.csv --param L2,L3 --deviation 0.1mm,0.05deg --out fitted.mech
+  linkwright calibrate lift.mech log.csv --param L2,L3 --json | jq '.parameters[].value'
+
+What is to be fitted is a `param` of the description. Nothing is written unless all parameters are determined.
+
+Exit codes: 0 fitted, 1 the motion does not determine all parameters, or the mechanism does not move through all times of the table,
+2 bad input.";

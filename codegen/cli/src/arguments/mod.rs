@@ -5,7 +5,7 @@ mod solve;
 mod values;
 mod view;
 
-pub use measured::{Compare, Mark, Separator, Table};
+pub use measured::{Calibrate, Compare, Mark, Separator, Table};
 pub use solve::{Equations, Solve, TurnUnit};
 pub use view::View;
 
@@ -59,6 +59,8 @@ pub enum Command {
     Check(Check),
     /// Hold measured data against the motion
     Compare(Compare),
+    /// Fit parameters to measured data
+    Calibrate(Calibrate),
 }
 
 /// Draws the mechanism in one pose as a mechanical engineer does: bodies by the points they carry, supports and guides hatched,

@@ -30,7 +30,8 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
         set(&mut system.mechanism, assignment).map_err(Problem)?;
     }
     let data = Data::read(&arguments.table, &system).map_err(Problem)?;
-    let tolerances = comparison::tolerances(&arguments.tolerance, &data).map_err(Problem)?;
+    let tolerances =
+        comparison::sizes("--tolerance", &arguments.tolerance, &data).map_err(Problem)?;
     let start = arguments.from.unwrap_or(data.times[0]);
     let schedule = Schedule::instants(start, &data.times, arguments.step)
         .map_err(|text| Problem(format!("error: {text}")))?;

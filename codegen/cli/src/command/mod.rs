@@ -3,6 +3,7 @@
 //! Results go to stdout, findings and errors to stderr. A reader of stdout that goes away early is no error. What cannot
 //! be done because of the input ends as a [`Problem`], printed once, with exit code 2.
 
+pub mod calibrate;
 pub mod check;
 pub mod compare;
 pub mod description;
@@ -10,6 +11,7 @@ pub mod draw;
 pub mod generate;
 pub mod inspect;
 pub mod plan;
+mod rewritten;
 pub mod solve;
 mod solve_files;
 pub mod view;
@@ -59,6 +61,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Plan(plan) => plan::run(&plan),
         Command::Check(check) => check::run(&check),
         Command::Compare(compare) => compare::run(&compare),
+        Command::Calibrate(calibrate) => calibrate::run(&calibrate),
     };
     match outcome {
         Ok(outcome) => ExitCode::from(outcome as u8),

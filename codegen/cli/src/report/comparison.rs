@@ -102,7 +102,7 @@ impl Report<'_> {
                     .get((-powers[1]).unsigned_abs() as usize)
                     .unwrap_or(&"");
                 hints.push(format!(
-                    "warning: the values of `{name}` are about {factor:.4} times those of the motion\n  = help: are they in {unit}{per}? `--unit {name}={unit}{per}` says so",
+                    "warning: the values of `{name}` are about {factor:.1} times those of the motion\n  = help: are they in {unit}{per}? `--unit {name}={unit}{per}` says so",
                     name = column.measured.name,
                 ));
             }
@@ -111,12 +111,12 @@ impl Report<'_> {
     }
 }
 
-/// The tolerance of each measured column, in SI units.
+/// What an option such as `--tolerance` says of each measured column, in SI units.
 ///
 /// # Errors
 /// One cannot be read, or belongs to no column.
-pub fn tolerances(asked: &[String], data: &Data) -> Result<Vec<Option<f64>>, String> {
-    let mut tolerances = vec![None; data.measured.len()];
+pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f64>>, String> {
+    let mut sizes = vec![None; data.measured.len()];
     let mut own = vec![false; data.measured.len()];
     for text in asked {
         let (name, value) = match text.rsplit_once('=') {
@@ -133,21 +133,17 @@ pub fn tolerances(asked: &[String], data: &Data) -> Result<Vec<Option<f64>>, Str
             Some((number, unit)) => match unit_of(unit) {
                 Some(unit) => (number, Some(unit)),
                 None => {
-                    return Err(format!(
-                        "error: `{unit}` in `--tolerance {text}` is no unit"
-                    ));
+                    return Err(format!("error: `{unit}` in `{option} {text}` is no unit"));
                 }
             },
             None => {
                 return Err(format!(
-                    "error: `--tolerance {text}` is no number\n  = help: write `1e-6`, `0.5mm` or `COLUMN=0.5mm`"
+                    "error: `{option} {text}` is no number\n  = help: write `1e-6`, `0.5mm` or `COLUMN=0.5mm`"
                 ));
             }
         };
         if !(number.is_finite() && number >= 0.0) {
-            return Err(format!(
-                "error: `--tolerance {text}` is no size of a difference"
-            ));
+            return Err(format!("error: `{option} {text}` is not a size"));
         }
         let mut is_used = false;
         for (place, measured) in data.measured.iter().enumerate() {
@@ -160,23 +156,23 @@ pub fn tolerances(asked: &[String], data: &Data) -> Result<Vec<Option<f64>>, Str
             }
             if unit.is_some_and(|it| !it.measures(measured.quantity.powers)) {
                 return Err(format!(
-                    "error: the unit in `--tolerance {text}` does not measure `{}`",
+                    "error: the unit in `{option} {text}` does not measure `{}`",
                     measured.quantity.name
                 ));
             }
             is_used = true;
             own[place] |= name.is_some();
-            tolerances[place] = Some(unit.map_or(number, |it| it.si(number)));
+            sizes[place] = Some(unit.map_or(number, |it| it.si(number)));
         }
         if !is_used {
             let names: Vec<&str> = data.measured.iter().map(|it| it.name.as_str()).collect();
             return Err(format!(
-                "error: `--tolerance {text}` is about none of the compared columns\n  = help: they are: {}",
+                "error: `{option} {text}` is about none of the compared columns\n  = help: they are: {}",
                 names.join(", ")
             ));
         }
     }
-    Ok(tolerances)
+    Ok(sizes)
 }
 
 /// Rows of cells as a table whose columns begin with their names.
@@ -314,14 +310,11 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
                 .count()
         };
         let (within, beyond) = (count(true), count(false));
-        match beyond {
-            0 => writeln!(output, "all {within} are within their tolerance")?,
-            _ => writeln!(
-                output,
-                "{beyond} of {} are beyond their tolerance",
-                within + beyond
-            )?,
-        }
+        writeln!(
+            output,
+            "within its tolerance: {within} of {}",
+            counted(within + beyond, "column")
+        )?;
     }
     Ok(())
 }
