@@ -146,8 +146,11 @@ pub fn values<V: View>(view: &V, observables: &[Observable], instant: &Instant) 
 /// A component of a motion: x, y or the angle, and how often it is differentiated.
 type Component = (usize, usize);
 
+/// x, y or the angle of a body.
+type Axis = usize;
+
 /// Angles are the third coordinate of a body.
-const TURN: usize = 2;
+const TURN: Axis = 2;
 
 /// What stands for x, y and the angle.
 const AXES: [(&str, usize); 9] = [
