@@ -120,7 +120,8 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
         ]);
     }
     aligned(&rows, output)?;
-    if (2..=TABLED).contains(&report.names.len()) {
+    let determined = fit.deviations.iter().flatten().count();
+    if determined > 1 && report.names.len() <= TABLED {
         writeln!(output)?;
         let mut heading = vec!["correlation".to_string()];
         heading.extend(report.names.iter().cloned());
