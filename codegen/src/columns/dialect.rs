@@ -125,11 +125,13 @@ struct Suited {
 
 /// How far a dialect suits, and what is then wrong.
 struct Unsuited {
+    dialect: Dialect,
     cells: usize,
     fault: Fault,
 }
 
-pub(super) fn of(text: &str, known: Known) -> Result<Dialect, Fault> {
+/// What separates cells and decimals; otherwise the first fault, and the dialect that suits best all the same.
+pub(super) fn of(text: &str, known: Known) -> Result<Dialect, (Fault, Option<Dialect>)> {
     let announced = text
         .strip_prefix(ANNOUNCEMENT)
         .and_then(|rest| rest.chars().next());
@@ -168,7 +170,7 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, Fault> {
     let Some(best) = (0..suited.len()).min_by_key(|&it| key(&suited[it])) else {
         return Err(unsuited
             .filter(|it| it.cells > 0)
-            .map_or_else(|| no_rows(text), |it| it.fault));
+            .map_or_else(|| (no_rows(text), None), |it| (it.fault, Some(it.dialect))));
     };
     let best = &suited[best];
     let rival = suited
@@ -176,13 +178,16 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, Fault> {
         .find(|it| key(it) == key(best) && it.first != best.first);
     match rival {
         None => Ok(best.dialect),
-        Some(rival) => Err(Fault::new(
-            Span::new(0, 0),
-            format!(
-                "this can be read in two ways: {}, or {}",
-                best.dialect, rival.dialect
+        Some(rival) => Err((
+            Fault::new(
+                Span::new(0, 0),
+                format!(
+                    "this can be read in two ways: {}, or {}",
+                    best.dialect, rival.dialect
+                ),
+                "say which: `--delimiter` and `--decimal`",
             ),
-            "say which: `--delimiter` and `--decimal`",
+            None,
         )),
     }
 }
@@ -190,7 +195,11 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, Fault> {
 fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
     let mut head = Vec::new();
     let (mut first, mut cells): (Option<Line<'_>>, usize) = (None, 0);
-    let unsuited = |cells, fault| Unsuited { cells, fault };
+    let unsuited = |cells, fault| Unsuited {
+        dialect,
+        cells,
+        fault,
+    };
     for line in Cells::new(text, dialect.delimiter).take(LINES) {
         let line = line.map_err(|fault| unsuited(cells, fault))?;
         let Some(first) = &first else {

@@ -28,7 +28,7 @@ pub(super) struct Beginning {
 
 impl Beginning {
     /// The table without rows.
-    pub fn columns(&self, _text: &str, dialect: Dialect) -> Columns {
+    pub fn columns(&self, dialect: Dialect) -> Columns {
         Columns {
             text: String::new(),
             encoding: Encoding::Utf8,
@@ -38,6 +38,7 @@ impl Beginning {
             skipped: self.skipped,
             columns: self.columns.clone(),
             rows: 0,
+            lines: Vec::new(),
         }
     }
 }

@@ -19,7 +19,7 @@ pub use unit::Unit;
 
 use crate::diagnostic::Span;
 use cells::{Cells, Line};
-use header::{Beginning, beginning};
+use header::beginning;
 use number::{Content, content};
 
 /// The largest file that is read, in bytes.
@@ -56,6 +56,8 @@ pub struct Columns {
     pub columns: Vec<Column>,
     /// How many rows there are.
     pub rows: usize,
+    /// The number of the line of each row, counted from 1.
+    pub lines: Vec<usize>,
 }
 
 /// One column of a table.
@@ -162,23 +164,36 @@ impl Columns {
 
 /// The table in a text, whose text is left empty.
 fn table(text: &str, known: Known) -> Result<Columns, Vec<Fault>> {
-    let dialect = dialect::of(text, known).map_err(|fault| vec![fault])?;
+    let dialect = match dialect::of(text, known) {
+        Ok(dialect) => dialect,
+        // Most files with a fault have several.
+        Err((fault, Some(dialect))) => {
+            let faults = in_dialect(text, dialect).err();
+            return Err(faults.unwrap_or_else(|| vec![fault]));
+        }
+        Err((fault, None)) => return Err(vec![fault]),
+    };
+    in_dialect(text, dialect)
+}
+
+/// The same where it is known what separates cells and decimals.
+fn in_dialect(text: &str, dialect: Dialect) -> Result<Columns, Vec<Fault>> {
     let lines = Cells::new(text, dialect.delimiter);
     let mut head: Vec<Line<'_>> = Vec::new();
-    let mut begun: Option<(Beginning, Columns)> = None;
+    let mut begun: Option<Columns> = None;
     let mut faults = Vec::new();
     for line in lines {
         let line = line.map_err(|fault| vec![fault])?;
-        let Some((_, columns)) = &mut begun else {
+        let Some(columns) = &mut begun else {
             let is_data = dialect::is_data(&line, dialect.decimal);
             head.push(line);
             if is_data {
                 let found = beginning(&head, dialect).map_err(|fault| vec![fault])?;
-                let mut columns = found.columns(text, dialect);
+                let mut columns = found.columns(dialect);
                 if let Some(first) = head.last() {
                     take(&mut columns, first, &mut faults);
                 }
-                begun = Some((found, columns));
+                begun = Some(columns);
             }
             continue;
         };
@@ -187,7 +202,7 @@ fn table(text: &str, known: Known) -> Result<Columns, Vec<Fault>> {
             break;
         }
     }
-    let Some((_, mut columns)) = begun else {
+    let Some(mut columns) = begun else {
         return Err(vec![dialect::no_rows(text)]);
     };
     if !faults.is_empty() {
@@ -214,12 +229,17 @@ fn take(columns: &mut Columns, line: &Line<'_>, faults: &mut Vec<Fault>) {
         return;
     }
     let decimal = columns.dialect.decimal;
-    let is_missing = |cell: &cells::Cell<'_>| content(&cell.text, decimal) == Content::Missing;
-    if line.cells.iter().all(is_missing) {
+    let contents: Vec<Content> = line
+        .cells
+        .iter()
+        .map(|it| content(&it.text, decimal))
+        .collect();
+    if contents.iter().all(|it| *it == Content::Missing) {
         return;
     }
-    for (column, cell) in columns.columns.iter_mut().zip(&line.cells) {
-        let value = match content(&cell.text, decimal) {
+    let cells = line.cells.iter().zip(contents);
+    for (column, (cell, content)) in columns.columns.iter_mut().zip(cells) {
+        let value = match content {
             _ if column.is_text => None,
             Content::Number(_, value) => Some(value),
             Content::Missing => None,
@@ -232,4 +252,5 @@ fn take(columns: &mut Columns, line: &Line<'_>, faults: &mut Vec<Fault>) {
         column.spans.push(cell.span);
     }
     columns.rows += 1;
+    columns.lines.push(line.number);
 }

@@ -64,7 +64,10 @@ impl Why {
 /// What stands in a cell.
 pub(super) fn content(cell: &str, decimal: Decimal) -> Content {
     let cell = cell.trim();
-    if MISSING.contains(&cell.to_ascii_lowercase().as_str()) {
+    // What begins with a digit is not looked up.
+    let is_digit =
+        cell.starts_with(|it: char| it.is_ascii_digit()) && !cell.ends_with(char::is_alphabetic);
+    if !is_digit && MISSING.contains(&cell.to_ascii_lowercase().as_str()) {
         return Content::Missing;
     }
     let mut written = String::with_capacity(cell.len());

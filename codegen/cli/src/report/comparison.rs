@@ -24,9 +24,9 @@ const DIGITS: usize = 3;
 
 /// Units that people measure in, and how many of them the unit of SI has.
 const HINTS: [(&str, f64, [i32; 4]); 4] = [
-    ("mm", 1e3, [1, 0, 0, 0]),
-    ("cm", 1e2, [1, 0, 0, 0]),
-    ("in", 1e4 / 254.0, [1, 0, 0, 0]),
+    ("mm", 1000.0, [1, 0, 0, 0]),
+    ("cm", 100.0, [1, 0, 0, 0]),
+    ("in", 10_000.0 / 254.0, [1, 0, 0, 0]),
     ("deg", 180.0 / std::f64::consts::PI, [0, 0, 0, 1]),
 ];
 
