@@ -22,6 +22,7 @@
 //! ```
 
 mod cargo;
+mod columns;
 mod consequences;
 pub mod diagnostic;
 mod emit;
@@ -144,11 +145,24 @@ pub struct GeneratedFiles {
 /// # Errors
 /// Every error of the text and of its names, values and forms.
 pub fn read(source: &Source) -> Result<Read, Diagnostics> {
-    read_for(source, Language::default())
+    read_for(source, Language::default(), None)
 }
 
-/// The same with names as a language wants them.
-fn read_for(source: &Source, language: Language) -> Result<Read, Diagnostics> {
+/// The same with the sensitivities to these parameters in place of those that the description asks for. A name that no parameter has
+/// is passed over.
+///
+/// # Errors
+/// Those of [`read`].
+pub fn read_along(source: &Source, parameters: &[&str]) -> Result<Read, Diagnostics> {
+    read_for(source, Language::default(), Some(parameters))
+}
+
+/// The same with names as a language wants them, perhaps along parameters that somebody else asks for.
+fn read_for(
+    source: &Source,
+    language: Language,
+    along: Option<&[&str]>,
+) -> Result<Read, Diagnostics> {
     let mut diagnostics = Diagnostics::new();
     let Some(document) = syntax::parse(source, &mut diagnostics) else {
         return Err(diagnostics);
@@ -160,9 +174,16 @@ fn read_for(source: &Source, language: Language) -> Result<Read, Diagnostics> {
         return Err(diagnostics);
     }
     diagnostics.extend(resolving);
-    let Some(mechanisms) = mechanisms else {
+    let Some(mut mechanisms) = mechanisms else {
         return Err(diagnostics);
     };
+    for mechanism in along.and(Some(&mut mechanisms)).into_iter().flatten() {
+        let own = |name: &&str| mechanism.parameters.iter().position(|it| it.name == *name);
+        let mut wanted: Vec<usize> = along.into_iter().flatten().filter_map(own).collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        mechanism.sensitivities = wanted;
+    }
     let motions: Vec<System> = mechanisms.into_iter().map(structure::released).collect();
     let found = of_motions(&motions, finiteness::of_system);
     diagnostics.extend(found);
@@ -276,7 +297,7 @@ pub fn generate_files(
     stem: &str,
     options: &Options,
 ) -> Result<GeneratedFiles, Diagnostics> {
-    let read = read_for(source, language)?;
+    let read = read_for(source, language, None)?;
     check_all(&read.motions)?;
     files_of(read, language, stem, options)
 }

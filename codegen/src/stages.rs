@@ -17,7 +17,7 @@ pub mod joint {
 
 /// Descriptions with their names resolved.
 pub mod model {
-    pub use crate::model::{Joint, Requested, Role, set};
+    pub use crate::model::{Dimension, Joint, Requested, Role, set};
 }
 
 /// Descriptions as they are written.
@@ -59,4 +59,12 @@ pub mod emit {
 /// Files that are named in messages as a person names them.
 pub mod files {
     pub use crate::files::{folder_of, may_write_in, noun, read, reason, replace};
+}
+
+/// Tables as other programs export them.
+pub mod columns {
+    pub use crate::columns::{
+        Column, Columns, Decimal, Delimiter, Dialect, Encoding, Fault, Header, Known, LARGEST,
+        Unit, Unreadable,
+    };
 }

@@ -4,6 +4,7 @@
 
 pub mod baseline;
 pub mod c;
+pub mod calibration;
 pub mod description;
 pub mod deviation;
 pub mod dyad_chain;

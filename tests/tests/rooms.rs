@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 18] = [
+const ORDER: [&str; 19] = [
     "diagnostic",
+    "columns",
     "syntax",
     "consequences",
     "expr",
@@ -28,14 +29,23 @@ const ORDER: [&str; 18] = [
 ];
 
 /// The folders of the packages that are published, each with those of ours that it is built from.
-const PACKAGES: [(&str, &[&str]); 6] = [
+const PACKAGES: [(&str, &[&str]); 7] = [
     ("runtime/math", &[]),
     ("runtime", &["linkwright-math"]),
     ("codegen", &["linkwright-math"]),
     ("codegen/solver", &["linkwright", "linkwright-codegen"]),
     (
-        "codegen/cli",
+        "codegen/calibrate",
         &["linkwright", "linkwright-codegen", "linkwright-solver"],
+    ),
+    (
+        "codegen/cli",
+        &[
+            "linkwright",
+            "linkwright-calibrate",
+            "linkwright-codegen",
+            "linkwright-solver",
+        ],
     ),
     ("mechanisms", &["linkwright", "linkwright-codegen"]),
 ];

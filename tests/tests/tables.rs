@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::expr::Tape;
 
 use linkwright_tests::description;
@@ -389,4 +390,42 @@ fn a_table_of_a_file_is_the_same_as_the_one_that_lists_its_points() {
         travelled = travelled.max(q.x_first);
     }
     assert!(travelled > 0.03, "{travelled}");
+}
+
+/// However a table is written in a file, and among which other columns: the code is the same to the last byte.
+#[test]
+fn tables_of_other_programs_give_the_same_code() {
+    let code = |statement: &str, bytes: &[u8]| {
+        let text = format!(
+            "mechanism moved {{\n    table lift = \"lift.csv\"{statement} periodic;\n    body slide at (0, 0);\n    absolute_y(slide) = 0;\n    absolute_angle(slide) = 0;\n    drive x(slide) = lift(1.5*t);\n}}\n"
+        );
+        let source = Source::new("moved.mech", text);
+        let source = source.with_attachment("lift.csv", Ok(bytes.to_vec()));
+        let generated = linkwright_codegen::generate(&source);
+        generated
+            .unwrap_or_else(|found| panic!("{}", found.render(&source)))
+            .code
+    };
+    let plain = code(
+        " in (deg, mm)",
+        b"angle, lift # of the follower\n0,0\n90,12.5\n180,20\n360,0\n",
+    );
+    assert!(plain.contains("0.0125"), "{plain}");
+    let german =
+        "Zeit;Winkel (deg);lift (mm)\r\n0;0;0\r\n0,1;90;12,5\r\n0,2;180;2,0e1\r\n0,3;360;0\r\n";
+    let wide: Vec<u8> = german.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    for (statement, bytes) in [
+        (" columns (Winkel, lift) in (deg, mm)", german.as_bytes()),
+        (" columns (Winkel, lift)", german.as_bytes()),
+        (" columns (2, 3)", german.as_bytes()),
+        (" columns (Winkel, 3)", &wide),
+        ("", b"# angle lift\n%\ta comment\n0 0\n1.5707963267948966 12.5e-3\n3.141592653589793 .02\n6.283185307179586 0\n"),
+    ] {
+        let found = code(statement, bytes);
+        match statement.is_empty() {
+            // Radians are no exact parts of a turn.
+            true => assert!(found.contains("0.0125"), "{found}"),
+            false => assert_eq!(found, plain, "{statement}"),
+        }
+    }
 }

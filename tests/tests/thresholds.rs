@@ -19,10 +19,11 @@ use linkwright_tests::files;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The folders with the sources of the packages that are published.
-const SOURCES: [&str; 4] = [
+const SOURCES: [&str; 5] = [
     "runtime/src",
     "codegen/src",
     "codegen/solver/src",
+    "codegen/calibrate/src",
     "codegen/cli/src",
 ];
 

@@ -5,6 +5,7 @@
 
 pub mod arguments;
 pub mod command;
+pub mod data;
 pub mod motion;
 pub mod output;
 pub mod page;

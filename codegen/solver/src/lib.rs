@@ -8,6 +8,7 @@
 pub mod approach;
 pub mod assemblies;
 pub mod check;
+pub mod comparison;
 pub mod concerned;
 pub mod condition;
 pub mod dense;
@@ -27,6 +28,7 @@ mod known_poses;
 pub mod measures;
 mod newton;
 pub mod number;
+pub mod observable;
 mod operation;
 mod path;
 pub mod pressure;

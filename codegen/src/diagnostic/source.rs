@@ -54,8 +54,8 @@ pub struct Position {
 pub struct Attachment {
     /// The path as the description writes it.
     pub path: String,
-    /// Its text, or why there is none.
-    pub text: Result<String, String>,
+    /// What it holds, or why that is not known.
+    pub bytes: Result<Vec<u8>, String>,
 }
 
 /// The text of a description and the name it is reported under.
@@ -88,14 +88,12 @@ impl Source {
         path: impl Into<String>,
         bytes: Result<Vec<u8>, String>,
     ) -> Source {
-        let text = bytes.and_then(|bytes| {
-            if bytes.len() > Source::LARGEST {
-                return Err(format!("it is larger than {} MiB", Source::LARGEST >> 20));
-            }
-            String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_string())
+        let bytes = bytes.and_then(|bytes| match bytes.len() > Source::LARGEST {
+            true => Err(format!("it is larger than {} MiB", Source::LARGEST >> 20)),
+            false => Ok(bytes),
         });
         let path = path.into();
-        self.attachments.push(Attachment { path, text });
+        self.attachments.push(Attachment { path, bytes });
         self
     }
 

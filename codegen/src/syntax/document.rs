@@ -147,7 +147,7 @@ pub struct Constant {
     pub span: Span,
 }
 
-/// `table NAME = [(X, Y), (X, Y)] ENDS;` or `table NAME = "FILE" in (UNIT, UNIT) ENDS;`: a function that goes through these points.
+/// `table NAME = [(X, Y), (X, Y)] ENDS;` or `table NAME = "FILE" columns (X, Y) in (UNIT, UNIT) ENDS;`: a function that goes through these points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// The `///` lines above it.
@@ -169,10 +169,12 @@ pub struct Table {
 pub enum TablePoints {
     /// `[(X, Y), (X, Y)]`: here, in written order.
     Listed(Vec<Pair>),
-    /// `"FILE" in (UNIT, UNIT)`: in a file.
+    /// `"FILE" columns (X, Y) in (UNIT, UNIT)`: in a file.
     InFile {
         /// The path between the quotes.
         path: Name,
+        /// The columns, by their names or their numbers from 1, where they are chosen.
+        columns: Option<[Name; 2]>,
         /// The units of both columns, where they are written; whether such units exist is not checked here.
         units: Option<[Name; 2]>,
     },

@@ -18,6 +18,9 @@ const FORM: &str = "a table is written `table NAME = [(X, Y), (X, Y), …];` or 
 const UNITS: &str =
     "the units of both columns are written `in (deg, mm)`, with `1` for a plain number";
 
+/// How the columns of a file are chosen, for help lines.
+const COLUMNS: &str = "the columns of a file are chosen by their names or their numbers: `columns (angle, lift)`, `columns (1, 3)`";
+
 /// How a table may end, for help lines.
 const ENDS: &str = "a table ends in `;`, `natural;`, `clamped(SLOPE, SLOPE);` or `periodic;`";
 
@@ -28,11 +31,20 @@ pub(super) fn table(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> 
     let (points, place) = match tokens.text() {
         Some(path) => {
             let place = path.span;
-            let units = match tokens.keyword("in") {
-                Some(_) => Some(units(tokens)?),
+            let columns = match tokens.keyword("columns") {
+                Some(_) => Some(pair(tokens, "`(COLUMN, COLUMN)`", "a column", COLUMNS)?),
                 None => None,
             };
-            (TablePoints::InFile { path, units }, place)
+            let units = match tokens.keyword("in") {
+                Some(_) => Some(pair(tokens, "`(UNIT, UNIT)`", "a unit", UNITS)?),
+                None => None,
+            };
+            let points = TablePoints::InFile {
+                path,
+                columns,
+                units,
+            };
+            (points, place)
         }
         None => listed(tokens)?,
     };
@@ -67,15 +79,19 @@ fn listed(tokens: &mut Tokens<'_>) -> Outcome<(TablePoints, Span)> {
     Ok((TablePoints::Listed(points), place))
 }
 
-/// `(deg, mm)` behind `in`; `1` for a plain number.
-fn units(tokens: &mut Tokens<'_>) -> Outcome<[Name; 2]> {
-    let wanted = "`(UNIT, UNIT)`";
+/// `(deg, mm)` behind `in`, `1` for a plain number; `(angle, lift)` behind `columns`, `2` for the second one.
+fn pair(
+    tokens: &mut Tokens<'_>,
+    wanted: &str,
+    noun: &str,
+    help: &'static str,
+) -> Outcome<[Name; 2]> {
     let Some((mut inner, _)) = tokens.group(Delimiter::Parenthesis) else {
-        return Err(tokens.unexpected(wanted, UNITS));
+        return Err(tokens.unexpected(wanted, help));
     };
-    let mut unit = |ends: bool| {
-        let unit = inner.word().or_else(|| inner.number());
-        let unit = unit.ok_or_else(|| inner.unexpected("a unit", UNITS))?;
+    let mut one = |ends: bool| {
+        let found = inner.word().or_else(|| inner.number());
+        let found = found.ok_or_else(|| inner.unexpected(noun, help))?;
         let closed = if ends {
             inner.at_end()
         } else {
@@ -83,11 +99,11 @@ fn units(tokens: &mut Tokens<'_>) -> Outcome<[Name; 2]> {
         };
         if !closed {
             let wanted = if ends { "`)`" } else { "`,`" };
-            return Err(inner.unexpected(wanted, UNITS));
+            return Err(inner.unexpected(wanted, help));
         }
-        Ok(unit)
+        Ok(found)
     };
-    Ok([unit(false)?, unit(true)?])
+    Ok([one(false)?, one(true)?])
 }
 
 fn ends(tokens: &mut Tokens<'_>) -> Outcome<Ends> {

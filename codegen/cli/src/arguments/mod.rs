@@ -1,10 +1,12 @@
 //! *The command line → typed arguments.* Numbers are finite and steps positive afterwards; files are not opened here.
 
+mod measured;
 mod simulate;
 mod solve;
 mod values;
 mod view;
 
+pub use measured::{Calibrate, Compare, Mark, Separator, Table};
 pub use simulate::Simulate;
 pub use solve::{Equations, Solve, TurnUnit};
 pub use view::View;
@@ -34,10 +36,11 @@ Examples:
   linkwright inspect mechanisms/two_body.mech --format unicode
   linkwright plan mechanisms/excavator.mech
   linkwright check mechanisms/two_body.mech
+  linkwright compare mechanisms/arm.mech measured.csv
   linkwright generate mechanisms/two_body.mech -o two_body.rs
 
 Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` found a difference,
-or `check --deny-warnings` something to look at), 2 bad input.";
+`check --deny-warnings` something to look at, `compare` a difference beyond its tolerance), 2 bad input.";
 
 /// The commands.
 #[derive(Subcommand, Debug)]
@@ -58,6 +61,10 @@ pub enum Command {
     Plan(Plan),
     /// List the assemblies and say where the mechanism comes closest to singular
     Check(Check),
+    /// Hold measured data against the motion
+    Compare(Compare),
+    /// Fit parameters to measured data
+    Calibrate(Calibrate),
 }
 
 /// Draws the mechanism in one pose as a mechanical engineer does: bodies by the points they carry, supports and guides hatched,

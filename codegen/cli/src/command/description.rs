@@ -32,12 +32,20 @@ pub fn source(path: &Path) -> Result<Source, Problem> {
 
 /// The files that a command writes besides those that it reads: the description, and the tables that it names.
 pub fn outputs(path: &Path, source: &Source, is_forced: bool) -> Outputs {
+    outputs_besides(path, source, None, is_forced)
+}
+
+/// The same where the command reads one more file.
+pub fn outputs_besides(
+    path: &Path,
+    source: &Source,
+    other: Option<&Path>,
+    is_forced: bool,
+) -> Outputs {
     let folder = files::folder_of(path);
     let tables = source.attachments.iter().map(|it| folder.join(&it.path));
-    Outputs::new(
-        [path.to_path_buf()].into_iter().chain(tables).collect(),
-        is_forced,
-    )
+    let read = [path].into_iter().chain(other).map(Path::to_path_buf);
+    Outputs::new(read.chain(tables).collect(), is_forced)
 }
 
 /// Why a description cannot be read; of a folder, a description in it.

@@ -3,13 +3,16 @@
 //! Results go to stdout, findings and errors to stderr. A reader of stdout that goes away early is no error. What cannot
 //! be done because of the input ends as a [`Problem`], printed once, with exit code 2.
 
+pub mod calibrate;
 pub mod check;
+pub mod compare;
 pub mod description;
 pub mod draw;
 pub mod generate;
 pub mod inspect;
 pub mod plan;
 mod report;
+mod rewritten;
 pub mod simulate;
 pub mod solve;
 mod solve_files;
@@ -60,6 +63,8 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Inspect(inspect) => inspect::run(&inspect),
         Command::Plan(plan) => plan::run(&plan),
         Command::Check(check) => check::run(&check),
+        Command::Compare(compare) => compare::run(&compare),
+        Command::Calibrate(calibrate) => calibrate::run(&calibrate),
     };
     match outcome {
         Ok(outcome) => ExitCode::from(outcome as u8),

@@ -3,9 +3,12 @@
 //! One file per output. None of them evaluates more than the motion of points, and none knows where its output goes.
 
 pub mod assembly_table;
+pub mod calibration;
 pub mod check_json;
 pub mod check_text;
 pub mod comma_separated;
+pub mod comparison;
+pub mod comparison_plot;
 pub mod drawing;
 pub mod first_step;
 pub mod forces;

@@ -38,13 +38,13 @@ const SMALLEST_PLAIN: f64 = 1e-4;
 const ZERO: f64 = 1e-9;
 
 /// What one panel shows.
-struct Panel<'a> {
-    title: String,
-    unit: &'a str,
+pub(super) struct Panel<'a> {
+    pub title: String,
+    pub unit: &'a str,
     /// Each curve with its symbol.
-    curves: Vec<(&'static str, Vec<Extreme>)>,
+    pub curves: Vec<(&'static str, Vec<Extreme>)>,
     /// The magnitude that variations are compared with.
-    reference: f64,
+    pub reference: f64,
 }
 
 /// The largest magnitude of a value among all.
@@ -197,7 +197,8 @@ pub(super) fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
 pub(super) type Drawing<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 pub(super) type Refused = Box<dyn std::error::Error>;
 
-fn picture(title: &str, panels: &[Panel<'_>]) -> Result<String, Refused> {
+/// Panels one below the other.
+pub(super) fn picture(title: &str, panels: &[Panel<'_>]) -> Result<String, Refused> {
     drawn(title, SIZE, |body| {
         for (area, panel) in body.split_evenly((panels.len(), 1)).iter().zip(panels) {
             draw_panel(area, panel)?;
@@ -231,9 +232,15 @@ fn draw_panel(area: &Drawing<'_>, panel: &Panel<'_>) -> Result<(), Refused> {
     let all = || panel.curves.iter().flat_map(|(_, curve)| curve);
     let (low, high) = range(all().map(|it| it.1), panel.reference);
     let (begin, end) = extent(all().map(|it| it.0));
+    let is_word = |it: &(&str, Vec<Extreme>)| it.0.len() > 2;
+    let beside = if panel.curves.iter().any(is_word) {
+        92
+    } else {
+        72
+    };
     let mut chart = ChartBuilder::on(area)
         .margin(8 * UNITS)
-        .margin_right(72 * UNITS)
+        .margin_right(beside * UNITS)
         .x_label_area_size(42 * UNITS)
         .y_label_area_size(84 * UNITS)
         .build_cartesian_2d(begin..end, low..high)?;
@@ -254,7 +261,7 @@ fn draw_panel(area: &Drawing<'_>, panel: &Panel<'_>) -> Result<(), Refused> {
         .y_desc(format!("{} ({})", panel.title, panel.unit))
         .draw()?;
     let (width, _) = area.dim_in_pixel();
-    let left = (width - 62 * UNITS) as i32;
+    let left = (width - (beside - 10) * UNITS) as i32;
     for (row, ((symbol, points), color)) in panel.curves.iter().zip(COLORS).enumerate() {
         let stroke = color.stroke_width(2 * UNITS);
         chart.draw_series(LineSeries::new(points.iter().copied(), stroke))?;

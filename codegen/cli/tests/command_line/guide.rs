@@ -1,6 +1,6 @@
 //! Does the command print what the guide says?
 //!
-//! A block marked `mech` below a line that begins with a file name in backticks is that file. In a block marked `console` each line
+//! A block marked `mech` or `csv` below a line that begins with a file name in backticks is that file. In a block marked `console` each line
 //! after `$` is a command, and what follows is what it prints, line by line; `…` stands for lines that are left out. A picture that
 //! a page shows is one that a command of the guide writes.
 //!
@@ -176,7 +176,7 @@ fn commands_print_what_the_guide_says() {
         }
         for (mark, before, lines) in blocks(&page) {
             match mark {
-                "mech" => {
+                "mech" | "csv" => {
                     let name = before.strip_prefix('`').and_then(|it| it.split('`').next());
                     let name =
                         name.unwrap_or_else(|| panic!("{}: no name: {before}", path.display()));

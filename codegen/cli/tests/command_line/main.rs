@@ -1,7 +1,9 @@
 //! The command from the outside: exit codes, output and files.
 
 mod branch;
+mod calibrate;
 mod check;
+mod compare;
 mod derivatives;
 mod draw;
 mod files;

@@ -2,36 +2,31 @@
 
 use super::super::dimension::Dimension;
 use super::super::resolve::Resolver;
-use super::{Columns, Point, csv};
-use crate::diagnostic::{Attachment, Code, Diagnostic};
+use super::{Columns, Point};
+use crate::columns::{self, Known, Unit};
+use crate::diagnostic::{Attachment, Code, Diagnostic, Position, Source, nearest};
 use crate::expr::{ExprId, Number};
 use crate::syntax::{Name, is_relative, leaves_folder};
 
 impl Resolver<'_> {
     /// The points of a file, each column in its unit.
-    pub(super) fn in_file(&mut self, path: &Name, units: Option<&[Name; 2]>) -> Option<Columns> {
-        let one = (self.graph.one(), Dimension::Number);
-        let units = match units {
-            Some(units) => {
-                let found = [0, 1].map(|column| match units[column].text.as_str() {
-                    "1" => Some(one),
-                    _ => self.unit(&units[column]),
-                });
-                let [x, y] = found;
-                [x?, y?]
-            }
-            None => [one, one],
-        };
+    pub(super) fn in_file(
+        &mut self,
+        path: &Name,
+        columns: Option<&[Name; 2]>,
+        units: Option<&[Name; 2]>,
+    ) -> Option<Columns> {
         let attachments = self.declared.attachments;
-        let text = match file_of(attachments, path) {
-            Ok(text) => text,
+        let bytes = match file_of(attachments, path) {
+            Ok(bytes) => bytes,
             Err((message, help)) => {
+                self.units(units, None)?;
                 self.report_file(path, message, help);
                 return None;
             }
         };
         // One file may stand behind many tables.
-        self.graph.spend(text.len() / 16);
+        self.graph.spend(bytes.len() / 16);
         if leaves_folder(&path.text) {
             let message = format!("`{}` leaves the folder of the description", path.text);
             self.diagnostics.push(
@@ -40,32 +35,62 @@ impl Resolver<'_> {
                     .help("put the file beside the description, so that both are copied together"),
             );
         }
-        let rows = match csv::rows(text) {
-            Ok(rows) => rows,
-            Err(faults) => {
-                for fault in faults {
-                    let message =
-                        format!("line {} of `{}`: {}", fault.line, path.text, fault.message);
-                    self.report_file(path, message, fault.help);
+        let table = match columns::Columns::read(bytes, Known::default()) {
+            Ok(table) => table,
+            Err(refused) => {
+                self.units(units, None);
+                let source = Source::new(path.text.as_str(), refused.text);
+                for fault in refused.faults {
+                    let Position { line, column } = source.position(fault.span.start);
+                    let message = format!(
+                        "line {line}, column {column} of `{}`: {}",
+                        path.text, fault.message
+                    );
+                    self.report_file(path, message, &fault.help);
                 }
                 return None;
             }
         };
-        let mut points = Vec::new();
-        for row in rows {
-            let [x, y] = [0, 1].map(|column| self.cell(row.cells[column], units[column].0));
-            let (Some(x), Some(y)) = (x, y) else {
-                let message = format!(
-                    "line {} of `{}` holds a number that is too large",
-                    row.line, path.text
-                );
-                self.report_file(path, message, "is its unit or its exponent wrong?");
-                return None;
-            };
+        let chosen = self.chosen(path, &table, columns);
+        let written = chosen.map(|chosen| {
+            chosen.map(|column| {
+                let unit = table.columns[column].unit.clone();
+                unit.map(|text| Name {
+                    text,
+                    span: path.span,
+                })
+            })
+        });
+        let units = self.units(units, written.as_ref());
+        let (chosen, units) = (chosen?, units?);
+        let mut points = Vec::with_capacity(table.rows);
+        for row in 0..table.rows {
+            let line = table.lines[row];
+            let mut values = [0.0; 2];
+            for (value, (column, unit)) in values.iter_mut().zip(chosen.into_iter().zip(units)) {
+                let own = &table.columns[column];
+                let Some(number) = own.values[row].and(table.written(own.spans[row])) else {
+                    let message = format!(
+                        "line {line} of `{}` has no number for `{}`",
+                        path.text, own.name
+                    );
+                    self.report_file(path, message, "leave out the line, or write the number");
+                    return None;
+                };
+                let Some(found) = self.cell(&number, unit.0) else {
+                    let message = format!(
+                        "line {line} of `{}` holds a number that is too large",
+                        path.text
+                    );
+                    self.report_file(path, message, "is its unit or its exponent wrong?");
+                    return None;
+                };
+                *value = found;
+            }
             points.push(Point {
-                values: [x, y],
+                values,
                 spans: [path.span; 2],
-                line: Some(row.line),
+                line: Some(line),
             });
         }
         Some(Columns {
@@ -74,9 +99,100 @@ impl Resolver<'_> {
         })
     }
 
+    /// The places of both columns: those that are chosen, or the only two.
+    fn chosen(
+        &mut self,
+        path: &Name,
+        table: &columns::Columns,
+        wanted: Option<&[Name; 2]>,
+    ) -> Option<[usize; 2]> {
+        let names: Vec<&str> = table.columns.iter().map(|it| it.name.as_str()).collect();
+        let listed = format!("its columns are: {}", names.join(", "));
+        let Some(wanted) = wanted else {
+            if let [_, _] = names.as_slice() {
+                return Some([0, 1]);
+            }
+            let message = format!("`{}` has {} columns", path.text, names.len());
+            let help = format!(
+                "choose two of them with `columns (X, Y)`: {}",
+                names.join(", ")
+            );
+            self.report_file(path, message, &help);
+            return None;
+        };
+        let found = [0, 1].map(|place| {
+            let name = &wanted[place];
+            let number = name
+                .text
+                .parse::<usize>()
+                .ok()
+                .and_then(|it| it.checked_sub(1));
+            let mut named = table.named(&name.text);
+            let cause = match (named.next(), named.next(), number) {
+                (Some(column), None, _) => return Some(column),
+                (None, _, Some(number)) if number < names.len() => return Some(number),
+                (Some(_), Some(_), _) => format!(
+                    "several columns of `{}` are called `{}`",
+                    path.text, name.text
+                ),
+                _ => format!("no column of `{}` is called `{}`", path.text, name.text),
+            };
+            let help = match nearest(&name.text, names.iter().copied()) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => listed.clone(),
+            };
+            self.diagnostics.push(
+                Diagnostic::error(Code::UnreadableTable, name.span, cause)
+                    .label("a column by its name, or its number from 1")
+                    .help(help),
+            );
+            None
+        });
+        let [x, y] = found;
+        Some([x?, y?])
+    }
+
+    /// The units of both columns: those that the description says, otherwise those of the header, otherwise those of SI. What both say
+    /// is the same.
+    fn units(
+        &mut self,
+        said: Option<&[Name; 2]>,
+        written: Option<&[Option<Name>; 2]>,
+    ) -> Option<[(ExprId, Dimension); 2]> {
+        let one = (self.graph.one(), Dimension::Number);
+        let found = [0, 1].map(|column| {
+            let said = said.map(|units| &units[column]);
+            let written = written.and_then(|units| units[column].as_ref());
+            if let (Some(said), Some(written)) = (said, written) {
+                let units = [said, written].map(|it| Unit::parse(&it.text));
+                // A unit of this language that other programs do not know is believed.
+                if let [Some(said_unit), Some(written_unit)] = units
+                    && said_unit != written_unit
+                {
+                    let message =
+                        format!("the file says `{}`, and not `{}`", written.text, said.text);
+                    self.diagnostics.push(
+                        Diagnostic::error(Code::UnreadableTable, said.span, message)
+                            .label("the unit of this column")
+                            .also(written.span, "in the header of this file")
+                            .help("write the unit of the file, or none"),
+                    );
+                    return None;
+                }
+            }
+            match said.or(written) {
+                None => Some(one),
+                Some(unit) if matches!(unit.text.as_str(), "1" | "-") => Some(one),
+                Some(unit) => self.unit(unit),
+            }
+        });
+        let [x, y] = found;
+        Some([x?, y?])
+    }
+
     /// The number in a cell, in SI units, rounded once: the same that a listed point would have.
     fn cell(&mut self, cell: &str, unit: ExprId) -> Option<f64> {
-        let unsigned = cell.strip_prefix(['-', '+']).unwrap_or(cell);
+        let unsigned = cell.strip_prefix('-').unwrap_or(cell);
         let number = match unsigned.starts_with('.') {
             true => Number::parse(&format!("0{unsigned}")),
             false => Number::parse(unsigned),
@@ -97,11 +213,11 @@ impl Resolver<'_> {
     }
 }
 
-/// The text of the file that a table names, or what is wrong with it and what to do.
+/// The bytes of the file that a table names, or what is wrong with it and what to do.
 fn file_of<'a>(
     attachments: &'a [Attachment],
     path: &Name,
-) -> Result<&'a str, (String, &'static str)> {
+) -> Result<&'a [u8], (String, &'static str)> {
     let name = &path.text;
     if !is_relative(name) {
         let message = format!("`{name}` is no path relative to the description");
@@ -111,9 +227,11 @@ fn file_of<'a>(
         ));
     }
     match attachments.iter().find(|file| file.path == *name) {
-        Some(Attachment { text: Ok(text), .. }) => Ok(text),
         Some(Attachment {
-            text: Err(cause), ..
+            bytes: Ok(bytes), ..
+        }) => Ok(bytes),
+        Some(Attachment {
+            bytes: Err(cause), ..
         }) => Err((
             format!("cannot read `{name}`: {cause}"),
             "paths are relative to the folder of the description",

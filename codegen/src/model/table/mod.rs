@@ -3,7 +3,6 @@
 //! A table is a function of any argument, twice continuously differentiable through its points. Its pieces are computed here,
 //! once; so its points are numbers: neither t nor a parameter moves them. Deliberately unknown here: what depends on it.
 
-mod csv;
 mod ends;
 mod file;
 mod pieces;
@@ -130,7 +129,11 @@ impl Resolver<'_> {
     fn columns(&mut self, written: &syntax::Table) -> Option<Columns> {
         let columns = match &written.points {
             TablePoints::Listed(pairs) => self.listed(pairs),
-            TablePoints::InFile { path, units } => self.in_file(path, units.as_ref()),
+            TablePoints::InFile {
+                path,
+                columns,
+                units,
+            } => self.in_file(path, columns.as_ref(), units.as_ref()),
         }?;
         let mut sound = true;
         for pair in columns.points.windows(2) {

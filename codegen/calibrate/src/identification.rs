@@ -1,0 +1,253 @@
+//! *The weighted sensitivity matrix* → *what of the parameters it tells apart*.
+//!
+//! Its columns are scaled to unit length, so that units and sizes do not matter (van der Sluis 1969), and decomposed into singular
+//! values. A singular value that is zero, but for rounding, belongs to a combination of parameters that can change and leave every
+//! measured value as it is; one that is small to a combination that hardly shows. The ratio of the largest to it is its condition
+//! index (Belsley, Kuh and Welsch 1980, *Regression Diagnostics*, section 3.2).
+
+use nalgebra::{DMatrix, DVector};
+
+/// The share of the largest singular value below which one is rounding.
+const RANK: f64 = 1e-9;
+
+/// The condition index above which a combination hardly shows: three digits of what is measured are lost.
+const HARDLY: f64 = 1e3;
+
+/// The length of a column, beside the longest one when a parameter changes by its own size, below which the parameter moves nothing.
+const NOTHING: f64 = 1e-12;
+
+/// The component, beside the largest one, below which a parameter takes no part in a combination.
+const PART: f64 = 1e-3;
+
+/// Parameters that can change together and leave what is measured as it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Indistinct {
+    /// Each parameter by its place, with how much it changes in SI units, the first one by one; a single one moves nothing at all.
+    pub changes: Vec<(usize, f64)>,
+    /// The condition index; `None` where nothing changes at all.
+    pub index: Option<f64>,
+}
+
+/// What a motion tells apart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Identification {
+    /// The ratio of the largest to the smallest singular value of what is determined, columns having unit length.
+    pub condition: f64,
+    /// Combinations that cannot be told apart, and then those that hardly can.
+    pub indistinct: Vec<Indistinct>,
+    names: Vec<String>,
+    lengths: Vec<f64>,
+    /// Singular values with their vectors: those of what is determined.
+    determined: Vec<(f64, DVector<f64>)>,
+    is_determined: Vec<bool>,
+}
+
+impl Identification {
+    pub(crate) fn of(jacobian: &DMatrix<f64>, values: &[f64], names: &[String]) -> Identification {
+        let count = names.len();
+        let lengths: Vec<f64> = jacobian.column_iter().map(|it| it.norm()).collect();
+        let size = |place: usize| {
+            if values[place] == 0.0 {
+                1.0
+            } else {
+                values[place].abs()
+            }
+        };
+        let longest = (0..count).fold(0.0_f64, |most, it| most.max(lengths[it] * size(it)));
+        let moves = |place: &usize| lengths[*place] * size(*place) > NOTHING * longest;
+        let moving: Vec<usize> = (0..count).filter(moves).collect();
+        let mut indistinct: Vec<Indistinct> = (0..count)
+            .filter(|it| !moves(it))
+            .map(|place| Indistinct {
+                changes: vec![(place, 1.0)],
+                index: None,
+            })
+            .collect();
+        let mut is_determined: Vec<bool> = (0..count).map(|it| moves(&it)).collect();
+        let mut determined: Vec<(f64, DVector<f64>)> = Vec::new();
+        let mut hardly = Vec::new();
+        // With fewer rows than columns the decomposition would leave out what is not determined.
+        let rows = jacobian.nrows().max(moving.len());
+        let scaled = DMatrix::from_fn(rows, moving.len(), |row, column| {
+            let place = moving[column];
+            jacobian
+                .get((row, place))
+                .map_or(0.0, |it| it / lengths[place])
+        });
+        let decomposed = scaled.svd(false, true);
+        let values_of = decomposed.singular_values;
+        let largest = values_of.iter().copied().fold(0.0, f64::max);
+        for (place, row) in decomposed
+            .v_t
+            .iter()
+            .flat_map(|it| it.row_iter())
+            .enumerate()
+        {
+            let singular = values_of[place];
+            let mut whole = DVector::zeros(count);
+            for (component, place) in row.iter().zip(&moving) {
+                whole[*place] = *component;
+            }
+            let is_zero = singular <= RANK * largest;
+            let index = largest / singular;
+            if is_zero || index > HARDLY {
+                let combination = combination(&whole, &lengths, (!is_zero).then_some(index));
+                if is_zero {
+                    for (place, _) in &combination.changes {
+                        is_determined[*place] = false;
+                    }
+                    indistinct.push(combination);
+                } else {
+                    hardly.push(combination);
+                }
+            }
+            if !is_zero {
+                determined.push((singular, whole));
+            }
+        }
+        indistinct.extend(hardly);
+        let smallest = determined
+            .iter()
+            .fold(f64::INFINITY, |least, it| least.min(it.0));
+        Identification {
+            condition: largest / smallest,
+            names: names.to_vec(),
+            indistinct,
+            lengths,
+            determined,
+            is_determined,
+        }
+    }
+
+    /// How many combinations of parameters are determined.
+    pub fn rank(&self) -> usize {
+        self.determined.len()
+    }
+
+    /// Whether a parameter is determined on its own.
+    pub fn determines(&self, place: usize) -> bool {
+        self.is_determined[place]
+    }
+
+    /// Whether all are.
+    pub fn determines_all(&self) -> bool {
+        self.is_determined.iter().all(|it| *it)
+    }
+
+    /// The covariance of the parameters, of what is determined of them.
+    pub(crate) fn covariance(&self, variance: f64) -> DMatrix<f64> {
+        let count = self.lengths.len();
+        let mut covariance = DMatrix::zeros(count, count);
+        for (singular, vector) in &self.determined {
+            covariance += vector * vector.transpose() * (variance / (singular * singular));
+        }
+        let lengths = &self.lengths;
+        let unscaled = |row: usize, column: usize| {
+            covariance[(row, column)] / (lengths[row] * lengths[column])
+        };
+        DMatrix::from_fn(count, count, |row, column| {
+            match covariance[(row, column)] == 0.0 {
+                true => 0.0,
+                false => unscaled(row, column),
+            }
+        })
+    }
+
+    /// What cannot be told apart, in one sentence each.
+    pub fn sentences(&self) -> Vec<String> {
+        let name = |place: usize| format!("`{}`", self.names[place]);
+        let each = self.indistinct.iter().map(|it| match (it.changes.as_slice(), it.index) {
+            ([(place, _)], None) => format!("{} changes nothing that is measured", name(*place)),
+            (changes, index) => {
+                let names: Vec<String> = changes.iter().map(|it| name(it.0)).collect();
+                let listed = match names.as_slice() {
+                    [all @ .., last] if !all.is_empty() => format!("{} and {last}", all.join(", ")),
+                    names => names.join(", "),
+                };
+                let ratio: Vec<String> = changes.iter().map(|it| number(it.1)).collect();
+                let ratio = ratio.join(" : ");
+                match index {
+                    None => format!(
+                        "{listed} cannot be told apart: changed as {ratio} they leave everything that is measured as it is"
+                    ),
+                    Some(index) => format!(
+                        "{listed} can hardly be told apart: changed as {ratio} they show {index:.0} times less than the best combination"
+                    ),
+                }
+            }
+        });
+        each.collect()
+    }
+}
+
+/// A few digits.
+fn number(value: f64) -> String {
+    let text = format!("{value:.3}");
+    match text.trim_end_matches('0').trim_end_matches('.') {
+        "" | "-" | "0" | "-0" => format!("{value:.2e}"),
+        short => short.to_string(),
+    }
+}
+
+/// The parameters of a singular vector, the first one changing by one.
+fn combination(vector: &DVector<f64>, lengths: &[f64], index: Option<f64>) -> Indistinct {
+    let largest = vector.amax();
+    let parts = vector
+        .iter()
+        .enumerate()
+        .filter(|(_, it)| it.abs() > PART * largest);
+    let mut changes: Vec<(usize, f64)> = parts
+        .map(|(place, it)| (place, it / lengths[place]))
+        .collect();
+    let first = changes.first().map_or(1.0, |it| it.1);
+    for (_, change) in &mut changes {
+        *change /= first;
+    }
+    Indistinct { changes, index }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(count: usize) -> Vec<String> {
+        (0..count).map(|it| format!("p{it}")).collect()
+    }
+
+    #[test]
+    fn a_pair_is_named_with_its_ratio_and_others_are_determined() {
+        // The third column is twice the first one, the last one is nothing.
+        let jacobian = DMatrix::from_row_slice(
+            4,
+            4,
+            &[
+                1.0, 0.3, 2.0, 0.0, 2.0, -0.5, 4.0, 0.0, 3.0, 0.1, 6.0, 0.0, -1.0, 0.9, -2.0, 0.0,
+            ],
+        );
+        let found = Identification::of(&jacobian, &[1.0; 4], &names(4));
+        assert_eq!(found.rank(), 2);
+        let determined: Vec<bool> = (0..4).map(|it| found.determines(it)).collect();
+        assert_eq!(determined, [false, true, false, false]);
+        assert_eq!(
+            found.sentences(),
+            [
+                "`p3` changes nothing that is measured",
+                "`p0` and `p2` cannot be told apart: changed as 1 : -0.5 they leave everything that is measured as it is",
+            ]
+        );
+    }
+
+    #[test]
+    fn the_covariance_is_the_inverse_of_the_normal_matrix() {
+        let jacobian = DMatrix::from_row_slice(3, 2, &[1.0, 200.0, 2.0, 500.0, 3.0, -100.0]);
+        let found = Identification::of(&jacobian, &[1.0, 0.01], &names(2));
+        let normal = (jacobian.transpose() * &jacobian)
+            .try_inverse()
+            .expect("regular");
+        let covariance = found.covariance(2.0);
+        for (one, other) in covariance.iter().zip(&(normal * 2.0)) {
+            assert!((one - other).abs() < 1e-12 * other.abs(), "{one} {other}");
+        }
+        assert!(found.determines_all() && found.indistinct.is_empty());
+    }
+}

@@ -1,0 +1,287 @@
+//! *A described mechanism and measured values* → *the parameters with which it moves as measured*, how certain they are, and which of
+//! them this motion cannot tell apart.
+//!
+//! The sum of the squared differences is minimized by Levenberg and Marquardt's method with the derived sensitivities; no difference
+//! quotient is taken anywhere. Deliberately unknown here: files, tables, arguments and how anything is printed.
+//!
+//! ```
+//! use linkwright_calibrate::{Calibrator, Column, Measurements};
+//! use linkwright_codegen::diagnostic::Source;
+//! use linkwright_solver::observable;
+//!
+//! let text = "mechanism crank {
+//!     param L = 40mm;
+//!     body arm at (0, 0, 0deg) { A: (0, 0), B: (L, 0) }
+//!     point A = (0, 0);
+//!     revolute A(ground, arm);
+//!     drive phi(arm) = t;
+//! }";
+//! let read = linkwright_codegen::read_along(&Source::new("crank.mech", text), &["L"]);
+//! let system = read.expect("no errors").only().expect("one motion");
+//! let calibrator = Calibrator::new(&system, 0.1).expect("its equations can be ordered");
+//!
+//! // Where B was seen, of a crank that is 42 mm long.
+//! let quantities = observable::all(&system);
+//! let x = quantities.iter().find(|it| it.name == "B_x").expect("a point");
+//! let times: Vec<f64> = (0..20).map(|step| 0.1 * f64::from(step)).collect();
+//! let values = times.iter().map(|t| Some(0.042 * t.cos())).collect();
+//! let column = Column { observable: x.observable, values, deviation: None, group: 0 };
+//! let measured = Measurements { times, columns: vec![column] };
+//!
+//! let fit = calibrator.fit(&measured, &calibrator.nominal()).expect("it moves so");
+//! assert!((fit.values[0] - 0.042).abs() < 1e-12);
+//! assert!(fit.identified.indistinct.is_empty());
+//! ```
+
+mod identification;
+mod model;
+mod weights;
+
+pub use identification::{Identification, Indistinct};
+pub use model::{Calibrator, NotDerived};
+
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use linkwright_solver::observable::Observable;
+use nalgebra::storage::Owned;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use model::Sampled;
+
+/// How often the weights of groups are found anew from what is left.
+const REWEIGHTED: usize = 4;
+
+/// A trial with which the mechanism cannot be solved counts as this many times as far off as the start.
+const FAR: f64 = 1e3;
+
+/// How many times as often as there are parameters the motion is solved before the minimizer gives up.
+const PATIENCE: usize = 60;
+
+/// What is measured of a motion at some times.
+#[derive(Clone, Debug)]
+pub struct Measurements {
+    /// Times in s, which never go back.
+    pub times: Vec<f64>,
+    /// What is measured at them.
+    pub columns: Vec<Column>,
+}
+
+/// One measured quantity.
+#[derive(Clone, Debug)]
+pub struct Column {
+    /// What it is: a coordinate, a point, or a rate of one.
+    pub observable: Observable,
+    /// In SI units, time by time; `None` where it is missing.
+    pub values: Vec<Option<f64>>,
+    /// The standard deviation of one value in SI units, where it is known.
+    pub deviation: Option<f64>,
+    /// Columns of one group are measured equally well where no deviation is known; what differs in its unit differs in its group.
+    pub group: usize,
+}
+
+/// The parameters with which a mechanism moves as measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fit {
+    /// The values in SI units, in the order of [`Calibrator::names`].
+    pub values: Vec<f64>,
+    /// The standard deviation of each; `None` where this motion does not determine it.
+    pub deviations: Vec<Option<f64>>,
+    /// The correlation of each pair, row by row; `None` where one of both is not determined.
+    pub correlations: Vec<Vec<Option<f64>>>,
+    /// What this motion tells apart.
+    pub identified: Identification,
+    /// Measured less solved at the start and in the end, column by column and time by time.
+    pub residuals: [Vec<Vec<Option<f64>>>; 2],
+    /// The standard deviation that each column was taken to have in the end, in SI units.
+    pub column_deviations: Vec<f64>,
+    /// How many values are left over: measured ones less parameters that are determined.
+    pub freedom: usize,
+    /// How often the motion was solved.
+    pub evaluations: usize,
+}
+
+/// Why there are no such parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unfit {
+    /// The mechanism cannot be solved at the start, or its motion ends before the times do; in words.
+    Unsolved(String),
+    /// There are fewer measured values than parameters: both numbers.
+    TooFew(usize, usize),
+    /// No parameter is asked for.
+    NoParameters,
+    /// The minimizer does not come to an end.
+    NotConverged,
+}
+
+impl Calibrator {
+    /// The values of the parameters, in the order of [`Calibrator::names`], with which the mechanism moves as measured, from these on.
+    ///
+    /// # Errors
+    /// There are none, or too few values are measured.
+    pub fn fit(&self, measured: &Measurements, start: &[f64]) -> Result<Fit, Unfit> {
+        let parameters = self.names().len();
+        let all = measured.columns.iter().flat_map(|it| &it.values);
+        let count = all.filter(|it| it.is_some()).count();
+        if parameters == 0 {
+            return Err(Unfit::NoParameters);
+        }
+        if count < parameters {
+            return Err(Unfit::TooFew(count, parameters));
+        }
+        let first = self.sample(measured, start).map_err(Unfit::Unsolved)?;
+        let mut deviations = weights::initial(measured);
+        let groups = weights::unknown_groups(measured);
+        let rounds = if groups > 1 { REWEIGHTED } else { 1 };
+        let (mut values, mut evaluations) = (start.to_vec(), 1);
+        for round in 0..rounds {
+            let problem = Problem::new(self, measured, &deviations, &values);
+            let minimizer = LevenbergMarquardt::new().with_patience(PATIENCE);
+            let (problem, report) = minimizer.minimize(problem);
+            // Where rounding leaves nothing to improve, this is the end, too.
+            let is_done = report.termination.was_successful()
+                || matches!(
+                    report.termination,
+                    levenberg_marquardt::TerminationReason::NoImprovementPossible(_)
+                );
+            if !is_done || !problem.values.iter().all(|it| it.is_finite()) {
+                return Err(Unfit::NotConverged);
+            }
+            evaluations += problem.evaluations;
+            values = problem.values.as_slice().to_vec();
+            if round + 1 < rounds {
+                let sampled = self.sample(measured, &values).map_err(Unfit::Unsolved)?;
+                weights::improve(&mut deviations, measured, &sampled, parameters);
+            }
+        }
+        let last = self.sample(measured, &values).map_err(Unfit::Unsolved)?;
+        let jacobian = weighted(&last, &deviations, parameters);
+        let identified = Identification::of(&jacobian, &values, self.names());
+        let determined = identified.rank();
+        let freedom = count - determined;
+        let scale = weights::scale(measured, &last, &mut deviations, freedom);
+        let covariance = identified.covariance(scale);
+        let deviation = |place: usize| {
+            identified
+                .determines(place)
+                .then(|| covariance[(place, place)].sqrt())
+        };
+        let deviations_of_values: Vec<Option<f64>> = (0..parameters).map(deviation).collect();
+        let correlation = |row: usize, column: usize| {
+            let both = deviations_of_values[row]? * deviations_of_values[column]?;
+            Some(if row == column {
+                1.0
+            } else {
+                covariance[(row, column)] / both
+            })
+        };
+        Ok(Fit {
+            correlations: (0..parameters)
+                .map(|row| {
+                    (0..parameters)
+                        .map(|column| correlation(row, column))
+                        .collect()
+                })
+                .collect(),
+            deviations: deviations_of_values,
+            residuals: [first.residuals, last.residuals],
+            column_deviations: deviations,
+            identified,
+            values,
+            freedom,
+            evaluations,
+        })
+    }
+}
+
+/// −∂r/∂p of the residuals r that there are, each in standard deviations of its column.
+fn weighted(sampled: &Sampled, deviations: &[f64], parameters: usize) -> DMatrix<f64> {
+    let mut entries = Vec::new();
+    for ((residuals, slopes), deviation) in sampled
+        .residuals
+        .iter()
+        .zip(&sampled.slopes)
+        .zip(deviations)
+    {
+        for (place, _) in residuals.iter().enumerate().filter(|it| it.1.is_some()) {
+            let slopes = &slopes[place * parameters..][..parameters];
+            entries.extend(slopes.iter().map(|it| it / deviation));
+        }
+    }
+    DMatrix::from_row_slice(entries.len() / parameters.max(1), parameters, &entries)
+}
+
+/// What is minimized.
+struct Problem<'a> {
+    calibrator: &'a Calibrator,
+    measured: &'a Measurements,
+    deviations: &'a [f64],
+    values: DVector<f64>,
+    sampled: Option<Sampled>,
+    /// What stands for residuals where there are none.
+    far: f64,
+    count: usize,
+    evaluations: usize,
+}
+
+impl<'a> Problem<'a> {
+    fn new(
+        calibrator: &'a Calibrator,
+        measured: &'a Measurements,
+        deviations: &'a [f64],
+        start: &[f64],
+    ) -> Problem<'a> {
+        let all = measured.columns.iter().flat_map(|it| &it.values);
+        let mut problem = Problem {
+            calibrator,
+            measured,
+            deviations,
+            values: DVector::from_column_slice(start),
+            sampled: None,
+            far: 0.0,
+            count: all.filter(|it| it.is_some()).count(),
+            evaluations: 0,
+        };
+        problem.sample();
+        let largest = problem.residuals().map_or(1.0, |it| it.amax());
+        problem.far = FAR * largest.max(1.0);
+        problem
+    }
+
+    fn sample(&mut self) {
+        self.evaluations += 1;
+        self.sampled = self
+            .calibrator
+            .sample(self.measured, self.values.as_slice())
+            .ok();
+    }
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, values: &DVector<f64>) {
+        self.values.copy_from(values);
+        self.sample();
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.values.clone()
+    }
+
+    /// Where the mechanism cannot be solved residuals are so large that the step is taken back.
+    fn residuals(&self) -> Option<DVector<f64>> {
+        let Some(sampled) = &self.sampled else {
+            return Some(DVector::from_element(self.count, self.far));
+        };
+        let columns = sampled.residuals.iter().zip(self.deviations);
+        let all = columns
+            .flat_map(|(column, deviation)| column.iter().flatten().map(move |it| it / deviation));
+        Some(DVector::from_iterator(self.count, all))
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let sampled = self.sampled.as_ref()?;
+        Some(-weighted(sampled, self.deviations, self.values.len()))
+    }
+}

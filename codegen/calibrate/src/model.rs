@@ -1,0 +1,302 @@
+//! *A system and its parameters* → *what is measured of its motion, and how that depends on them*.
+//!
+//! Coordinates and their rates have derived sensitivities. Those of a point follow by the chain rule from the expressions of its
+//! position and velocity, which are differentiated, too.
+
+use std::collections::HashMap;
+
+use linkwright::{Blocks, Settings, Shell};
+use linkwright_codegen::stages::expr::{ExprId, SymbolId};
+use linkwright_codegen::stages::system::{Cause, System};
+use linkwright_solver::comparison::difference;
+use linkwright_solver::instant::Instant;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::observable::{Observable, values};
+use linkwright_solver::reader::Reader;
+use linkwright_solver::schedule::Schedule;
+use linkwright_solver::supplied::Modes;
+use linkwright_solver::trajectory::follow;
+use linkwright_solver::view::View;
+
+use crate::Measurements;
+
+/// A quantity whose dependence on parameters is not derived: an acceleration or a force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotDerived;
+
+/// A mechanism whose parameters can be fitted.
+#[derive(Clone, Debug)]
+pub struct Calibrator {
+    view: Interpreted,
+    modes: Modes,
+    /// The place of each parameter among all of the mechanism.
+    places: Vec<usize>,
+    names: Vec<String>,
+    nominal: Vec<f64>,
+    /// The largest time between frames (s).
+    step: f64,
+    points: HashMap<[usize; 3], PointSlopes>,
+}
+
+/// How a component of a point depends on what it is made of.
+#[derive(Clone, Debug)]
+struct PointSlopes {
+    /// Coordinates (0) and rates (1) with their places, in the order of the first values of the reader; those by parameter follow.
+    along: Vec<(usize, usize)>,
+    reader: Reader,
+}
+
+/// What is measured and what is solved, with these parameters.
+#[derive(Clone, Debug)]
+pub(crate) struct Sampled {
+    /// Measured less solved, column by column and time by time.
+    pub residuals: Vec<Vec<Option<f64>>>,
+    /// The derivatives of what is solved, column by column: by parameter, time by time.
+    pub slopes: Vec<Vec<f64>>,
+}
+
+impl Calibrator {
+    /// Of a system with the sensitivities to the parameters that are to be fitted, as [`linkwright_codegen::read_along`] gives it;
+    /// `step` is the largest time between frames (s). `None` where its blocks cannot be ordered.
+    pub fn new(system: &System, step: f64) -> Option<Calibrator> {
+        let view = Interpreted::new(system)?;
+        let modes = view.drawn_branches();
+        let own = view.system();
+        let places: Vec<usize> = own
+            .directions
+            .iter()
+            .filter_map(|it| match it.cause {
+                Cause::Parameter(place) => Some(place),
+                Cause::Driver { .. } => None,
+            })
+            .collect();
+        let parameters = &own.mechanism.parameters;
+        let names = places
+            .iter()
+            .map(|it| parameters[*it].name.clone())
+            .collect();
+        let all = view.nominal_parameters();
+        let nominal = places.iter().map(|it| all.0[*it]).collect();
+        let symbols: Vec<SymbolId> = places.iter().map(|it| parameters[*it].symbol).collect();
+        let points = point_slopes(&view, &symbols);
+        Some(Calibrator {
+            nominal,
+            places,
+            names,
+            modes,
+            step,
+            points,
+            view,
+        })
+    }
+
+    /// The same in these assembly modes, instead of those of the drawing.
+    pub fn in_modes(mut self, modes: Modes) -> Calibrator {
+        self.modes = modes;
+        self
+    }
+
+    /// What is solved.
+    pub fn view(&self) -> &Interpreted {
+        &self.view
+    }
+
+    /// The names of the parameters, in the order of the description.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Their values in the description, in SI units.
+    pub fn nominal(&self) -> Vec<f64> {
+        self.nominal.clone()
+    }
+
+    /// Whether a quantity can be fitted.
+    ///
+    /// # Errors
+    /// Its dependence on parameters is not derived.
+    pub fn can_fit(observable: Observable) -> Result<(), NotDerived> {
+        match observable {
+            Observable::Coordinate { level: 0 | 1, .. }
+            | Observable::Point { level: 0 | 1, .. } => Ok(()),
+            _ => Err(NotDerived),
+        }
+    }
+
+    /// What is solved with these parameters, in SI units, column by column and time by time.
+    ///
+    /// # Errors
+    /// The mechanism cannot be assembled, or its motion ends early; in words.
+    pub fn solved(
+        &self,
+        observables: &[Observable],
+        times: &[f64],
+        parameters: &[f64],
+    ) -> Result<Vec<Vec<f64>>, String> {
+        let mut solved = vec![Vec::with_capacity(times.len()); observables.len()];
+        self.follow(times, parameters, |instant| {
+            for (column, value) in solved
+                .iter_mut()
+                .zip(values(&self.view, observables, instant))
+            {
+                column.push(value);
+            }
+        })?;
+        Ok(solved)
+    }
+
+    /// Moves the mechanism through the times, which may repeat.
+    fn follow(
+        &self,
+        times: &[f64],
+        parameters: &[f64],
+        mut see: impl FnMut(&Instant),
+    ) -> Result<(), String> {
+        let Some(&start) = times.first() else {
+            return Ok(());
+        };
+        let mut all = self.view.nominal_parameters();
+        for (place, value) in self.places.iter().zip(parameters) {
+            all.0[*place] = *value;
+        }
+        let laws = self.view.input_laws();
+        let schedule = Schedule::instants(start, times, self.step)?;
+        let shell = Shell::assemble(
+            self.view.clone(),
+            &all,
+            &self.view.drawn_pose(&all),
+            self.modes.clone(),
+            start,
+            &laws.at(start),
+            Settings::default(),
+        );
+        let mut shell = shell.map_err(|failure| self.view.not_assembled(&failure))?;
+        let mut next = 0;
+        let mut show = |instant: &Instant| {
+            while times.get(next) == Some(&instant.t()) {
+                see(instant);
+                next += 1;
+            }
+        };
+        show(shell.frame());
+        let end = follow(&mut shell, &laws, &schedule.forward, |shell, wanted| {
+            if wanted {
+                show(shell.frame());
+            }
+            Ok::<(), std::convert::Infallible>(())
+        });
+        match end {
+            Ok(None) => Ok(()),
+            Ok(Some(end)) => Err(self.view.ended(&end.failure, &end.last)),
+            Err(never) => match never {},
+        }
+    }
+
+    /// What is left of the measured values, and how it depends on the parameters.
+    pub(crate) fn sample(
+        &self,
+        measured: &Measurements,
+        parameters: &[f64],
+    ) -> Result<Sampled, String> {
+        let columns = &measured.columns;
+        let count = self.names.len();
+        let rows = measured.times.len();
+        let observables: Vec<Observable> = columns.iter().map(|it| it.observable).collect();
+        let system = self.view.system();
+        let is_angle: Vec<bool> = observables.iter().map(|it| it.is_angle(system)).collect();
+        let mut sampled = Sampled {
+            residuals: vec![Vec::with_capacity(rows); columns.len()],
+            slopes: vec![Vec::with_capacity(rows * count); columns.len()],
+        };
+        self.follow(&measured.times, parameters, |instant| {
+            let solved = values(&self.view, &observables, instant);
+            let derivatives = self.view.derivatives(instant).unwrap_or_default();
+            for (place, value) in solved.iter().enumerate() {
+                let row = sampled.residuals[place].len();
+                let measured = columns[place].values[row];
+                let residual = measured.map(|it| difference(it, *value, is_angle[place]));
+                sampled.residuals[place].push(residual);
+                self.slopes(
+                    observables[place],
+                    instant,
+                    &derivatives,
+                    &mut sampled.slopes[place],
+                );
+            }
+        })?;
+        let all = sampled.slopes.iter().flatten();
+        match all
+            .chain(sampled.residuals.iter().flatten().flatten())
+            .all(|it| it.is_finite())
+        {
+            true => Ok(sampled),
+            false => Err("is singular at one of the measured times".to_string()),
+        }
+    }
+
+    /// Adds the derivatives of a quantity by every parameter. `derivatives` ends with those of all coordinates, and of all their
+    /// rates, parameter by parameter.
+    fn slopes(
+        &self,
+        observable: Observable,
+        instant: &Instant,
+        derivatives: &[f64],
+        slopes: &mut Vec<f64>,
+    ) {
+        let coordinates = instant.q().len();
+        let count = self.names.len();
+        let first = derivatives.len().saturating_sub(2 * coordinates * count);
+        let of = |parameter: usize, level: usize, place: usize| {
+            let at = first + (2 * parameter + level) * coordinates + place;
+            derivatives.get(at).copied().unwrap_or(f64::NAN)
+        };
+        match observable {
+            Observable::Coordinate { place, level } => {
+                slopes.extend((0..count).map(|parameter| of(parameter, level, place)));
+            }
+            Observable::Point { place, axis, level } => {
+                let Some(own) = self.points.get(&[place, axis, level]) else {
+                    slopes.extend((0..count).map(|_| f64::NAN));
+                    return;
+                };
+                let read = own.reader.values(instant);
+                let (along, direct) = read.split_at(own.along.len());
+                slopes.extend((0..count).map(|parameter| {
+                    let moved = own.along.iter().zip(along);
+                    let moved =
+                        moved.map(|((level, place), slope)| slope * of(parameter, *level, *place));
+                    moved.sum::<f64>() + direct[parameter]
+                }));
+            }
+            Observable::Force(_) => slopes.extend((0..count).map(|_| f64::NAN)),
+        }
+    }
+}
+
+/// How every component of every point and of its velocity depends on coordinates, rates and parameters.
+fn point_slopes(view: &Interpreted, parameters: &[SymbolId]) -> HashMap<[usize; 3], PointSlopes> {
+    let system = view.system();
+    let mut graph = system.mechanism.graph.clone();
+    let coordinates = system.coordinates.iter().enumerate();
+    let known: HashMap<SymbolId, (usize, usize)> = coordinates
+        .flat_map(|(place, it)| [(it.position, (0, place)), (it.rate, (1, place))])
+        .collect();
+    let mut found = HashMap::new();
+    for (place, output) in system.outputs.iter().enumerate() {
+        for (level, components) in [output.position, output.velocity].into_iter().enumerate() {
+            for (axis, expr) in components.into_iter().enumerate() {
+                let mut symbols: Vec<SymbolId> = graph.symbols(expr).to_vec();
+                symbols.retain(|it| known.contains_key(it));
+                let along = symbols.iter().map(|it| known[it]).collect();
+                symbols.extend(parameters);
+                let roots: Vec<ExprId> = symbols
+                    .iter()
+                    .map(|it| graph.derivative(expr, *it))
+                    .collect();
+                let reader = Reader::new(&graph, view.layout(), &roots);
+                found.insert([place, axis, level], PointSlopes { along, reader });
+            }
+        }
+    }
+    found
+}

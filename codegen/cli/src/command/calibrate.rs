@@ -1,0 +1,199 @@
+//! *A description, a table and names of parameters* → *the values with which the mechanism moves as measured*.
+
+use linkwright_calibrate::{Calibrator, Column, Measurements, Unfit};
+use linkwright_codegen::diagnostic::{Source, nearest};
+use linkwright_codegen::stages::model::set;
+use linkwright_codegen::stages::system::System;
+
+use super::description::{chosen, determined, no_order, outputs_besides, rendered, source};
+use super::rewritten::rewritten;
+use super::{Outcome, Problem, print, say};
+use crate::arguments::Calibrate;
+use crate::data::Data;
+use crate::output::{Beginning, Signature};
+use crate::report::calibration::{self, Report};
+use crate::report::comparison;
+
+/// A description is nobody's to replace.
+const SIGNATURE: Signature = Signature {
+    noun: "a new file",
+    beginning: Beginning::Line(|_| false),
+};
+
+/// Fits and reports it.
+///
+/// # Errors
+/// The description or the table has errors, an option cannot be used, or the new description cannot be written. That nothing fits is
+/// an outcome.
+pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
+    let source = source(&arguments.file)?;
+    let plain = determined(&source, arguments.motion.as_deref())?;
+    check_names(&plain, &arguments.param)?;
+    let mut system = along(&source, arguments)?;
+    for assignment in &arguments.set {
+        set(&mut system.mechanism, assignment).map_err(Problem)?;
+    }
+    let mut data = Data::read(&arguments.table, &system).map_err(Problem)?;
+    keep_fitted(&mut data)?;
+    let deviations =
+        comparison::sizes("--deviation", &arguments.deviation, &data).map_err(Problem)?;
+    if let Some(place) = deviations.iter().position(|it| *it == Some(0.0)) {
+        let name = &data.measured[place].name;
+        return Err(Problem(format!(
+            "error: the deviation of `{name}` is zero\n  = help: leave it out where it is not known"
+        )));
+    }
+    let output = match &arguments.out {
+        Some(path) => {
+            let data = Some(arguments.table.data.as_path());
+            let mut outputs = outputs_besides(&arguments.file, &source, data, arguments.force);
+            Some(outputs.file(path, SIGNATURE)?)
+        }
+        None => None,
+    };
+    let calibrator = Calibrator::new(&system, arguments.step);
+    let mut calibrator = calibrator.ok_or_else(|| no_order(&arguments.file))?;
+    if let Some((_, modes)) = chosen(&arguments.branch, calibrator.view(), data.times[0])? {
+        calibrator = calibrator.in_modes(modes);
+    }
+    let mut kinds: Vec<[i32; 4]> = Vec::new();
+    let columns = data
+        .measured
+        .iter()
+        .zip(deviations)
+        .map(|(measured, deviation)| {
+            let powers = measured.quantity.powers;
+            let known = kinds.iter().position(|it| *it == powers);
+            Column {
+                group: known.unwrap_or_else(|| {
+                    kinds.push(powers);
+                    kinds.len() - 1
+                }),
+                observable: measured.quantity.observable,
+                values: measured.values.clone(),
+                deviation,
+            }
+        });
+    let measurements = Measurements {
+        columns: columns.collect(),
+        times: data.times.clone(),
+    };
+    let start = calibrator.nominal();
+    let title = system.mechanism.title();
+    let fit = match calibrator.fit(&measurements, &start) {
+        Ok(fit) => fit,
+        Err(unfit) => {
+            let why = match unfit {
+                Unfit::Unsolved(why) => format!("error: `{title}` {why}\n  = help: `linkwright compare` shows how far it moves as measured; `--set` gives other values to begin with"),
+                Unfit::TooFew(values, parameters) => format!("error: {values} measured values are too few for {parameters} parameters"),
+                Unfit::NoParameters => "error: no parameter is to be fitted".to_string(),
+                Unfit::NotConverged => "error: the fit does not converge\n  = help: fit fewer parameters first, or begin nearer with `--set`".to_string(),
+            };
+            say(&why);
+            return Ok(Outcome::Failed);
+        }
+    };
+    let report = Report {
+        start: &start,
+        names: calibrator.names(),
+        system: &system,
+        title,
+        fit: &fit,
+        data: &data,
+    };
+    print(|output| match arguments.json {
+        true => calibration::write_json(&report, output),
+        false => calibration::write(&report, output),
+    })?;
+    if !fit.identified.determines_all() {
+        say(
+            "error: this motion does not determine all parameters\n  = help: leave one of each combination out of `--param`, or measure something else",
+        );
+        return Ok(Outcome::Failed);
+    }
+    if let Some(output) = output {
+        let values: Vec<(&str, f64, Option<f64>)> = (0..start.len())
+            .map(|place| {
+                (
+                    calibrator.names()[place].as_str(),
+                    fit.values[place],
+                    fit.deviations[place],
+                )
+            })
+            .collect();
+        let text = rewritten(&source, &values, &system).map_err(Problem)?;
+        let path = output.path().to_path_buf();
+        output.write(|output| output.write_all(text.as_bytes()))?;
+        if !arguments.json {
+            print(|output| writeln!(output, "wrote {}", path.display()))?;
+        }
+    }
+    Ok(Outcome::Done)
+}
+
+/// The equations with the sensitivities to the parameters that are fitted.
+fn along(source: &Source, arguments: &Calibrate) -> Result<System, Problem> {
+    let names: Vec<&str> = arguments.param.iter().map(|it| it.trim()).collect();
+    let read = linkwright_codegen::read_along(source, &names);
+    let read = read.map_err(|found| rendered(&found, source))?;
+    let system = match &arguments.motion {
+        Some(name) => read.motion(name).cloned(),
+        None => read.only(),
+    };
+    // What is wrong with the names of motions has been said.
+    system.ok_or_else(|| no_order(&arguments.file))
+}
+
+/// That all names are those of parameters, each once.
+fn check_names(system: &System, names: &[String]) -> Result<(), Problem> {
+    let mechanism = &system.mechanism;
+    let known = || mechanism.parameters.iter().map(|it| it.name.as_str());
+    for (place, name) in names.iter().enumerate() {
+        let name = name.trim();
+        if names[..place].iter().any(|it| it.trim() == name) {
+            return Err(Problem(format!("error: `--param` names `{name}` twice")));
+        }
+        if known().any(|it| it == name) {
+            continue;
+        }
+        let help = match (nearest(name, known()), known().next()) {
+            (Some(meant), _) => format!("did you mean `{meant}`?"),
+            (None, None) => {
+                "what is to be fitted is declared with `param`, for example `param L2 = 40mm;`"
+                    .to_string()
+            }
+            (None, Some(_)) => format!(
+                "its parameters are: {}",
+                known().collect::<Vec<_>>().join(", ")
+            ),
+        };
+        return Err(Problem(format!(
+            "error: `{}` has no parameter `{name}`\n  = help: {help}",
+            mechanism.title()
+        )));
+    }
+    Ok(())
+}
+
+/// Leaves out what cannot be fitted.
+fn keep_fitted(data: &mut Data) -> Result<(), Problem> {
+    let (kept, left): (Vec<_>, Vec<_>) = std::mem::take(&mut data.measured)
+        .into_iter()
+        .partition(|it| Calibrator::can_fit(it.quantity.observable).is_ok());
+    let left = left.into_iter().map(|it| {
+        let why = format!(
+            "nothing is fitted to accelerations and forces such as `{}`",
+            it.quantity.name
+        );
+        (it.name, why)
+    });
+    data.left_out.extend(left);
+    data.measured = kept;
+    match data.measured.is_empty() {
+        true => Err(Problem(format!(
+            "error: `{}` has neither positions nor rates\n  = help: nothing is fitted to accelerations and forces",
+            data.name
+        ))),
+        false => Ok(()),
+    }
+}

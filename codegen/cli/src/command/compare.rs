@@ -1,0 +1,156 @@
+//! *A description and a table* → *how far the measured motion is from the solved one*.
+
+use std::io;
+
+use linkwright_codegen::stages::model::set;
+use linkwright_solver::comparison::{Comparison, difference};
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::observable::{Observable, values};
+use linkwright_solver::schedule::Schedule;
+
+use super::description::{chosen, determined, interpreted, outputs_besides, source};
+use super::{Outcome, Problem, in_folder, print, say};
+use crate::arguments::Compare;
+use crate::data::Data;
+use crate::motion::{Followed, Shown, Sink, Wanted};
+use crate::output::Output;
+use crate::progress::Progress;
+use crate::report::comparison::{self, Column, Report};
+use crate::report::{comparison_plot, picture};
+
+/// Compares and reports it.
+///
+/// # Errors
+/// The description or the table has errors, an option cannot be used, or a picture cannot be written. That the mechanism cannot be
+/// solved is an outcome, and so is a difference.
+pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
+    let source = source(&arguments.file)?;
+    let mut system = determined(&source, arguments.motion.as_deref())?;
+    for assignment in &arguments.set {
+        set(&mut system.mechanism, assignment).map_err(Problem)?;
+    }
+    let data = Data::read(&arguments.table, &system).map_err(Problem)?;
+    let tolerances =
+        comparison::sizes("--tolerance", &arguments.tolerance, &data).map_err(Problem)?;
+    let start = arguments.from.unwrap_or(data.times[0]);
+    let schedule = Schedule::instants(start, &data.times, arguments.step)
+        .map_err(|text| Problem(format!("error: {text}")))?;
+    let mut pictures: Vec<Output> = Vec::new();
+    if let Some(folder) = &arguments.plot {
+        let mut outputs = outputs_besides(
+            &arguments.file,
+            &source,
+            Some(&arguments.table.data),
+            arguments.force,
+        );
+        for name in comparison_plot::file_names(&data) {
+            let path = in_folder(folder, &name)?;
+            pictures.push(outputs.file(&path, picture::SIGNATURE)?);
+        }
+    }
+    let interpreted = interpreted(&system, &arguments.file)?;
+    let chosen = chosen(&arguments.branch, &interpreted, start)?;
+    let wanted = Wanted {
+        points: Vec::new(),
+        coordinates: Vec::new(),
+        monitor: false,
+        curves: false,
+    };
+    let mut collected = Collected {
+        view: interpreted.clone(),
+        observables: data
+            .measured
+            .iter()
+            .map(|it| it.quantity.observable)
+            .collect(),
+        times: Vec::new(),
+        values: Vec::new(),
+    };
+    let mut motion = Followed::new(interpreted, wanted, start, chosen);
+    let mut progress = Progress::new(schedule.visits());
+    motion
+        .follow(&schedule, &mut [&mut collected], |count| {
+            progress.reached(count)
+        })
+        .map_err(Problem::of)?;
+    progress.finish();
+    let columns = data.measured.iter().enumerate().map(|(place, measured)| {
+        let is_angle = measured.quantity.observable.is_angle(&system);
+        let solved: Vec<Option<f64>> = data
+            .times
+            .iter()
+            .map(|t| Some(collected.at(*t)?[place]).filter(|it| it.is_finite()))
+            .collect();
+        let rows = data.times.iter().zip(measured.values.iter().zip(&solved));
+        let differences = rows.filter_map(|(t, (measured, solved))| {
+            Some((*t, difference((*measured)?, (*solved)?, is_angle)))
+        });
+        Column {
+            comparison: Comparison::of(differences),
+            tolerance: tolerances[place],
+            measured,
+            is_angle,
+            solved,
+        }
+    });
+    let report = Report {
+        title: motion.title(),
+        columns: columns.collect(),
+        error: motion.error.as_deref(),
+        data: &data,
+    };
+    print(|output| match arguments.json {
+        true => comparison::write_json(&report, output),
+        false => comparison::write(&report, output),
+    })?;
+    if !arguments.json {
+        for warning in &motion.warnings {
+            say(&format!("warning: {warning}"));
+        }
+        for hint in report.hints() {
+            say(&hint);
+        }
+    }
+    if let Some(error) = &motion.error {
+        say(&format!("error: `{}` {error}", motion.title()));
+    }
+    for (output, column) in pictures.into_iter().zip(&report.columns) {
+        let picture = comparison_plot::picture(&report, column)
+            .map_err(|text| Problem(format!("error: {text}")))?;
+        let Some(picture) = picture else { continue };
+        let path = output.path().to_path_buf();
+        output.write(|output| output.write_all(picture.as_bytes()))?;
+        if !arguments.json {
+            print(|output| writeln!(output, "wrote {}", path.display()))?;
+        }
+    }
+    Ok(match report.is_within() && motion.error.is_none() {
+        true => Outcome::Done,
+        false => Outcome::Failed,
+    })
+}
+
+/// What is compared, instant by instant.
+struct Collected {
+    view: Interpreted,
+    observables: Vec<Observable>,
+    times: Vec<f64>,
+    values: Vec<Vec<f64>>,
+}
+
+impl Collected {
+    /// The values at a time that was visited.
+    fn at(&self, t: f64) -> Option<&[f64]> {
+        let place = self.times.binary_search_by(|it| it.total_cmp(&t)).ok()?;
+        self.values.get(place).map(Vec::as_slice)
+    }
+}
+
+impl Sink for Collected {
+    fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
+        self.times.push(shown.instant.t());
+        self.values
+            .push(values(&self.view, &self.observables, shown.instant));
+        Ok(())
+    }
+}

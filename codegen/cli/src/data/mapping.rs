@@ -1,0 +1,184 @@
+//! *The names of columns* → *which one holds times, and what the others measure*.
+
+use linkwright_codegen::diagnostic::nearest;
+use linkwright_codegen::stages::columns::Columns;
+use linkwright_codegen::stages::system::System;
+use linkwright_solver::observable::{Named, all, guess};
+
+use crate::arguments::Table;
+
+/// What columns of times are called, in lower case.
+const TIMES: [&str; 8] = [
+    "t", "time", "times", "zeit", "temps", "tiempo", "tempo", "czas",
+];
+
+/// How many names are listed of those that something could be called by.
+const LISTED: usize = 40;
+
+/// How it is known what a column measures.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum How {
+    /// It is called so.
+    Named,
+    /// An option says it.
+    Chosen,
+    /// It is a guess; with what else it could mean.
+    Guessed(String),
+}
+
+/// What is measured.
+pub struct Mapped {
+    pub time: usize,
+    pub measured: Vec<(usize, Named, How)>,
+    pub left_out: Vec<(String, String)>,
+}
+
+/// The only column of a name.
+pub fn column(file: &str, columns: &Columns, name: &str) -> Result<usize, String> {
+    let mut found = columns.named(name);
+    match (found.next(), found.next()) {
+        (Some(column), None) => Ok(column),
+        (Some(first), Some(second)) => Err(format!(
+            "error: columns {} and {} of `{file}` are both called `{name}`\n  = help: give them names of their own",
+            first + 1,
+            second + 1
+        )),
+        (None, _) => {
+            let names = || columns.columns.iter().map(|it| it.name.as_str());
+            let meant = nearest(name, names())
+                .map_or(String::new(), |it| format!("; did you mean `{it}`?"));
+            let names: Vec<&str> = names().collect();
+            Err(format!(
+                "error: no column of `{file}` is called `{name}`{meant}\n  = help: its columns are: {}",
+                listed(&names)
+            ))
+        }
+    }
+}
+
+fn listed(names: &[&str]) -> String {
+    let shown = names[..names.len().min(LISTED)].join(", ");
+    match names.len() > LISTED {
+        true => format!("{shown}, … ({} in all)", names.len()),
+        false => shown,
+    }
+}
+
+fn time(asked: &Table, file: &str, columns: &Columns) -> Result<usize, String> {
+    if let Some(name) = &asked.time {
+        return column(file, columns, name);
+    }
+    let is_time =
+        |place: &usize| TIMES.contains(&columns.columns[*place].name.to_lowercase().as_str());
+    let found: Vec<usize> = (0..columns.columns.len()).filter(is_time).collect();
+    let names = |places: &mut dyn Iterator<Item = usize>| {
+        let names: Vec<&str> = places.map(|it| columns.columns[it].name.as_str()).collect();
+        listed(&names)
+    };
+    match found.as_slice() {
+        [column] => Ok(*column),
+        [] => Err(format!(
+            "error: no column of `{file}` is called `t` or `time`\n  = help: name the column of times with `--time`: {}",
+            names(&mut (0..columns.columns.len()))
+        )),
+        several => Err(format!(
+            "error: several columns of `{file}` could hold times\n  = help: name one of them with `--time`: {}",
+            names(&mut several.iter().copied())
+        )),
+    }
+}
+
+/// What the columns measure.
+pub fn mapped(
+    asked: &Table,
+    file: &str,
+    columns: &Columns,
+    system: &System,
+) -> Result<Mapped, String> {
+    let time = time(asked, file, columns)?;
+    let quantities = all(system);
+    let mut chosen: Vec<(usize, usize)> = Vec::new();
+    for wish in &asked.column {
+        let Some((name, quantity)) = wish.rsplit_once('=') else {
+            return Err(format!(
+                "error: `--column` takes `COLUMN=QUANTITY`, such as `--column 'Sensor 3=phi2'`, not `{wish}`"
+            ));
+        };
+        let own = column(file, columns, name.trim())?;
+        let quantity = quantity.trim();
+        let Some(place) = quantities.iter().position(|it| it.name == quantity) else {
+            return Err(unknown(system, &quantities, quantity));
+        };
+        if chosen.iter().any(|it| it.0 == own) {
+            return Err(format!("error: `--column` names `{}` twice", name.trim()));
+        }
+        chosen.push((own, place));
+    }
+    let mut skipped = Vec::new();
+    for name in &asked.skip {
+        skipped.push(column(file, columns, name)?);
+    }
+    let mut mapped = Mapped {
+        time,
+        measured: Vec::new(),
+        left_out: Vec::new(),
+    };
+    for (place, own) in columns.columns.iter().enumerate() {
+        let option = chosen.iter().find(|it| it.0 == place).map(|it| it.1);
+        if place == time && option.is_none() {
+            continue;
+        }
+        let name = own.name.as_str();
+        let mut leave = |why: &str| mapped.left_out.push((name.to_string(), why.to_string()));
+        if skipped.contains(&place) {
+            leave("`--skip`");
+            continue;
+        }
+        if own.is_text {
+            leave("its cells are words");
+            continue;
+        }
+        let named = || quantities.iter().position(|it| it.name == name);
+        let found = match option {
+            Some(quantity) => Some((quantity, How::Chosen)),
+            None => match named() {
+                Some(quantity) => Some((quantity, How::Named)),
+                None => {
+                    guess(system, &quantities, name).map(|it| (it.place, How::Guessed(it.doubt)))
+                }
+            },
+        };
+        match found {
+            None => leave("it names nothing of the mechanism"),
+            Some(_) if own.values.iter().all(Option::is_none) => leave("it has no numbers"),
+            Some((quantity, how)) => {
+                mapped
+                    .measured
+                    .push((place, quantities[quantity].clone(), how))
+            }
+        }
+    }
+    if mapped.measured.is_empty() {
+        let names: Vec<&str> = quantities.iter().map(|it| it.name.as_str()).collect();
+        let left: Vec<&str> = mapped.left_out.iter().map(|it| it.0.as_str()).collect();
+        return Err(format!(
+            "error: no column of `{file}` measures anything of `{}`: {}\n  = help: say what a column measures with `--column COLUMN=QUANTITY`; the quantities are: {}",
+            system.mechanism.title(),
+            listed(&left),
+            listed(&names)
+        ));
+    }
+    Ok(mapped)
+}
+
+fn unknown(system: &System, quantities: &[Named], name: &str) -> String {
+    let names = || quantities.iter().map(|it| it.name.as_str());
+    let meant =
+        nearest(name, names()).map_or(String::new(), |it| format!("; did you mean `{it}`?"));
+    let names: Vec<&str> = names().collect();
+    format!(
+        "error: nothing of `{}` is called `{name}`{meant}\n  = help: the quantities are: {}",
+        system.mechanism.title(),
+        listed(&names)
+    )
+}

@@ -1,0 +1,274 @@
+//! *A fit* → *tables of text, or one JSON object*.
+//!
+//! | key | value |
+//! |---|---|
+//! | `mechanism`, `data`, `read` | as `compare` prints them |
+//! | `parameters` | `{name, unit, start, value, deviation}` each, in SI units; `deviation` is null where the motion does not determine it |
+//! | `correlations` | a row for each parameter; null where one of both is not determined |
+//! | `columns` | `{column, quantity, unit, count, deviation, rms_before, rms_after}` each, in the unit of the column |
+//! | `freedom` | measured values less determined parameters |
+//! | `rank`, `condition` | how many combinations are determined, and the condition of the scaled sensitivities |
+//! | `indistinct` | `{parameters, changes, index}` each: what cannot be told apart, `index` null, or hardly |
+
+use std::io::{self, Write};
+
+use linkwright_calibrate::Fit;
+use linkwright_codegen::stages::model::Dimension;
+use linkwright_codegen::stages::system::System;
+use linkwright_solver::number::{counted, fixed, scientific};
+use serde::Serialize;
+
+use super::comparison::{aligned, taken_for, write_data, write_notes};
+use crate::data::{Data, Measured};
+
+/// Decimals of what is printed in scientific notation.
+const DIGITS: usize = 2;
+
+/// The same of residuals.
+const RESIDUAL_DIGITS: usize = 3;
+
+/// Of how many parameters correlations are printed.
+const TABLED: usize = 12;
+
+/// What was fitted.
+pub struct Report<'a> {
+    /// What messages call the mechanism.
+    pub title: String,
+    /// The measured values.
+    pub data: &'a Data,
+    /// The equations.
+    pub system: &'a System,
+    /// The fitted parameters.
+    pub names: &'a [String],
+    /// Their values at the start, in SI units.
+    pub start: &'a [f64],
+    /// What was found.
+    pub fit: &'a Fit,
+}
+
+impl Report<'_> {
+    /// The SI unit of a parameter.
+    fn unit(&self, place: usize) -> String {
+        let parameters = &self.system.mechanism.parameters;
+        let own = parameters.iter().find(|it| it.name == self.names[place]);
+        match own.map(|it| it.dimension) {
+            Some(Dimension::Angle) => "rad".to_string(),
+            Some(Dimension::Marked { length, time, mass }) => {
+                let powers = [("kg", mass), ("m", length), ("s", time)];
+                let parts = powers
+                    .iter()
+                    .filter(|it| it.1 != 0)
+                    .map(|(unit, power)| match power {
+                        1 => unit.to_string(),
+                        power => format!("{unit}^{power}"),
+                    });
+                parts.collect::<Vec<_>>().join(" ")
+            }
+            _ => String::new(),
+        }
+    }
+
+    /// What is left of a column before and after, root of mean square, in its unit.
+    fn left(&self, column: usize) -> [f64; 2] {
+        let unit = self.data.measured[column].scale.unit;
+        [0, 1].map(|stage: usize| {
+            let residuals = self.fit.residuals[stage][column].iter().flatten();
+            let (count, square) = residuals.fold((0.0_f64, 0.0), |(count, square), it| {
+                (count + 1.0, square + it * it)
+            });
+            unit.of_si((square / count.max(1.0)).sqrt())
+        })
+    }
+}
+
+fn count(measured: &Measured) -> usize {
+    measured.values.iter().flatten().count()
+}
+
+/// Writes the tables.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
+    let fit = report.fit;
+    write_data(&report.title, report.data, output)?;
+    writeln!(output)?;
+    let mut rows = vec![
+        ["parameter", "unit", "before", "fitted", "deviation"]
+            .map(str::to_string)
+            .to_vec(),
+    ];
+    for (place, name) in report.names.iter().enumerate() {
+        let deviation = fit.deviations[place];
+        let shown = |value: f64| match deviation.filter(|it| *it > 0.0) {
+            Some(deviation) => fixed(
+                value,
+                (1.0 - deviation.log10().floor()).clamp(0.0, 15.0) as usize,
+            ),
+            None => value.to_string(),
+        };
+        let fitted = match deviation {
+            Some(_) => shown(fit.values[place]),
+            None => "not determined".to_string(),
+        };
+        rows.push(vec![
+            name.clone(),
+            report.unit(place),
+            shown(report.start[place]),
+            fitted,
+            deviation.map_or(String::new(), |it| scientific(it, DIGITS)),
+        ]);
+    }
+    aligned(&rows, output)?;
+    let determined = fit.deviations.iter().flatten().count();
+    if determined > 1 && report.names.len() <= TABLED {
+        writeln!(output)?;
+        let mut heading = vec!["correlation".to_string()];
+        heading.extend(report.names.iter().cloned());
+        let mut rows = vec![heading];
+        for (name, row) in report.names.iter().zip(&fit.correlations) {
+            let cells = row
+                .iter()
+                .map(|it| it.map_or(String::new(), |it| fixed(it, 3)));
+            rows.push([name.clone()].into_iter().chain(cells).collect());
+        }
+        aligned(&rows, output)?;
+    }
+    writeln!(output)?;
+    let heading = [
+        "column",
+        "quantity",
+        "unit",
+        "values",
+        "rms before",
+        "rms after",
+    ];
+    let mut rows = vec![heading.map(str::to_string).to_vec()];
+    for (place, own) in report.data.measured.iter().enumerate() {
+        let [quantity, unit] = taken_for(own);
+        let left = report.left(place).map(|it| scientific(it, RESIDUAL_DIGITS));
+        let mut row = vec![own.name.clone(), quantity, unit, count(own).to_string()];
+        row.extend(left);
+        rows.push(row);
+    }
+    aligned(&rows, output)?;
+    writeln!(output)?;
+    write_notes(report.data, output)?;
+    let sentences = fit.identified.sentences();
+    for sentence in &sentences {
+        writeln!(output, "{sentence}")?;
+    }
+    let condition = scientific(fit.identified.condition, 1);
+    match fit.identified.determines_all() {
+        true => writeln!(
+            output,
+            "this motion determines {}: condition {condition}, {} left over",
+            match report.names.len() {
+                1 => "the parameter".to_string(),
+                count => format!("all {count} parameters"),
+            },
+            counted(fit.freedom, "value")
+        ),
+        false => writeln!(
+            output,
+            "this motion determines {} of {} combinations",
+            fit.identified.rank(),
+            report.names.len()
+        ),
+    }
+}
+
+#[derive(Serialize)]
+struct Object<'a> {
+    mechanism: &'a str,
+    data: &'a str,
+    read: String,
+    parameters: Vec<Parameter<'a>>,
+    correlations: &'a [Vec<Option<f64>>],
+    columns: Vec<Column<'a>>,
+    freedom: usize,
+    rank: usize,
+    condition: f64,
+    indistinct: Vec<Combination<'a>>,
+}
+
+#[derive(Serialize)]
+struct Parameter<'a> {
+    name: &'a str,
+    unit: String,
+    start: f64,
+    value: f64,
+    deviation: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Column<'a> {
+    column: &'a str,
+    quantity: &'a str,
+    unit: &'a str,
+    count: usize,
+    deviation: f64,
+    rms_before: f64,
+    rms_after: f64,
+}
+
+#[derive(Serialize)]
+struct Combination<'a> {
+    parameters: Vec<&'a str>,
+    changes: Vec<f64>,
+    index: Option<f64>,
+}
+
+/// Writes the object and a line break.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write_json(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
+    let fit = report.fit;
+    let parameters = report
+        .names
+        .iter()
+        .enumerate()
+        .map(|(place, name)| Parameter {
+            unit: report.unit(place),
+            start: report.start[place],
+            value: fit.values[place],
+            deviation: fit.deviations[place],
+            name,
+        });
+    let columns = report.data.measured.iter().enumerate().map(|(place, own)| {
+        let [rms_before, rms_after] = report.left(place);
+        Column {
+            column: &own.name,
+            quantity: &own.quantity.name,
+            unit: &own.scale.text,
+            count: count(own),
+            deviation: own.scale.unit.of_si(fit.column_deviations[place]),
+            rms_before,
+            rms_after,
+        }
+    });
+    let indistinct = fit.identified.indistinct.iter().map(|it| Combination {
+        parameters: it
+            .changes
+            .iter()
+            .map(|it| report.names[it.0].as_str())
+            .collect(),
+        changes: it.changes.iter().map(|it| it.1).collect(),
+        index: it.index,
+    });
+    let object = Object {
+        mechanism: &report.title,
+        data: &report.data.name,
+        read: report.data.columns.reading(),
+        parameters: parameters.collect(),
+        correlations: &fit.correlations,
+        columns: columns.collect(),
+        freedom: fit.freedom,
+        rank: fit.identified.rank(),
+        condition: fit.identified.condition,
+        indistinct: indistinct.collect(),
+    };
+    serde_json::to_writer_pretty(&mut *output, &object)?;
+    writeln!(output)
+}

@@ -1,0 +1,223 @@
+//! `linkwright calibrate` from the outside.
+
+use crate::folder::Folder;
+use crate::printed::{json, number};
+
+/// A crank that is pinned to the origin, and a point on it.
+const CRANK: &str = "\
+/// A crank.
+mechanism crank {
+    /// How long it is.
+    param L = 40mm; // as drawn
+    param offset = 0.1;
+    param speed = 3/1s;
+    param gap = 5mm;
+
+    point A = (0, 0);
+    body arm at (0, 0, offset) { A: (0, 0), B: (L, 0), C: (L + gap, 0) }
+    revolute A(ground, arm);
+    drive phi(arm) = offset + speed*t;
+}
+";
+
+/// B of a crank of 42 mm, which begins at 0.15 rad and turns at 3.2 rad/s, with a little noise.
+fn table() -> String {
+    let mut text = "t,B_x (mm),B_y (mm)\n".to_string();
+    let mut seed = 1_u64;
+    let mut noise = || {
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        ((seed >> 33) as f64 / f64::from(1_u32 << 31) - 0.5) * 0.02
+    };
+    for step in 0..60 {
+        let t = f64::from(step) * 0.03;
+        let angle = 0.15 + 3.2 * t;
+        text += &format!(
+            "{t},{},{}\n",
+            42.0 * angle.cos() + noise(),
+            42.0 * angle.sin() + noise()
+        );
+    }
+    text
+}
+
+fn folder(name: &str) -> Folder {
+    let folder = Folder::new(name, CRANK);
+    std::fs::write(folder.file("data.csv"), table()).expect("it can be written");
+    folder
+}
+
+#[test]
+fn parameters_are_found_and_written_where_they_stood() {
+    let folder = folder("calibrate");
+    let ran = folder
+        .run("calibrate a.mech data.csv --param L,offset,speed --out new.mech --json")
+        .exits_with(0);
+    let found = json(&ran.stdout);
+    let truth = [
+        ("L", "m", 0.042),
+        ("offset", "", 0.15),
+        ("speed", "s^-1", 3.2),
+    ];
+    for (entry, (name, unit, truth)) in found["parameters"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .zip(truth)
+    {
+        assert_eq!(
+            (&entry["name"], &entry["unit"]),
+            (&name.into(), &unit.into())
+        );
+        let (value, deviation) = (number(&entry["value"]), number(&entry["deviation"]));
+        assert!(
+            (value - truth).abs() < 4.0 * deviation && deviation < 1e-3 * truth,
+            "{name}: {value} ± {deviation}"
+        );
+    }
+    assert_eq!(
+        (&found["rank"], &found["freedom"]),
+        (&3.into(), &117.into())
+    );
+    for column in found["columns"].as_array().expect("a list") {
+        // Evenly distributed noise of ±0.01 mm has a standard deviation of 0.0058 mm.
+        let after = number(&column["rms_after"]);
+        assert!(
+            (0.004..0.008).contains(&after) && number(&column["rms_before"]) > 1.0,
+            "{column}"
+        );
+    }
+    let new = folder.read("new.mech");
+    let pairs: Vec<(&str, &str)> = CRANK
+        .lines()
+        .zip(new.lines())
+        .filter(|(a, b)| a != b)
+        .collect();
+    let [length, offset, speed] = pairs.as_slice() else {
+        panic!("{pairs:?}");
+    };
+    assert!(
+        length.1.starts_with("    param L = 4") && length.1.ends_with("mm; // as drawn"),
+        "{length:?}"
+    );
+    assert!(offset.1.starts_with("    param offset = 0.1"), "{offset:?}");
+    assert!(
+        speed.1.starts_with("    param speed = 3.") && speed.1.ends_with("/1s;"),
+        "{speed:?}"
+    );
+    // With the new values the mechanism moves as measured.
+    folder
+        .run("compare new.mech data.csv --tolerance 0.03mm")
+        .exits_with(0);
+    folder
+        .run("compare a.mech data.csv --tolerance 0.03mm")
+        .exits_with(1);
+    // A description is nobody's to replace.
+    let ran = folder
+        .run("calibrate a.mech data.csv --param L --out new.mech")
+        .exits_with(2);
+    assert!(
+        ran.stderr.contains("cannot write `new.mech`"),
+        "{}",
+        ran.stderr
+    );
+    let ran = folder
+        .run("calibrate a.mech data.csv --param L --out a.mech --force")
+        .exits_with(2);
+    assert!(ran.stderr.contains("which is read"), "{}", ran.stderr);
+    assert_eq!(
+        (folder.read("a.mech").as_str(), folder.read("new.mech")),
+        (CRANK, new)
+    );
+    folder
+        .run("calibrate a.mech data.csv --param L,offset,speed --out new.mech --force")
+        .exits_with(0);
+}
+
+#[test]
+fn what_cannot_be_told_apart_is_named_and_nothing_is_written() {
+    let folder = folder("calibrate_indistinct");
+    let table = table().replace("B_", "C_");
+    std::fs::write(folder.file("data.csv"), table).expect("written");
+    let ran = folder
+        .run("calibrate a.mech data.csv --param L,gap,offset,speed --out new.mech")
+        .exits_with(1);
+    let said = "`L` and `gap` cannot be told apart: changed as 1 : -1 they leave everything that is measured as it is";
+    assert!(ran.stdout.contains(said), "{}", ran.stdout);
+    assert!(
+        ran.stdout
+            .contains("this motion determines 3 of 4 combinations"),
+        "{}",
+        ran.stdout
+    );
+    assert!(
+        ran.stderr.contains("does not determine all parameters"),
+        "{}",
+        ran.stderr
+    );
+    assert!(!folder.file("new.mech").exists());
+    let found = folder
+        .run("calibrate a.mech data.csv --param L,gap,offset,speed --json")
+        .exits_with(1);
+    let found = json(&found.stdout);
+    let parameters = found["parameters"].as_array().expect("a list");
+    let is_null: Vec<bool> = parameters
+        .iter()
+        .map(|it| it["deviation"].is_null())
+        .collect();
+    assert_eq!(is_null, [true, false, false, true], "{found}");
+    assert!(found["correlations"][0][3].is_null() && number(&found["correlations"][1][2]) < 0.0);
+}
+
+#[test]
+fn known_deviations_count() {
+    let folder = folder("calibrate_deviations");
+    let of = |options: &str| {
+        let ran = folder.run(&format!(
+            "calibrate a.mech data.csv --param L,offset,speed --json {options}"
+        ));
+        let found = json(&ran.exits_with(0).stdout);
+        number(&found["parameters"][0]["deviation"])
+    };
+    let (one, ten) = (of("--deviation 0.01mm"), of("--deviation 0.1mm"));
+    assert!((ten / one - 10.0).abs() < 1e-6, "{one} {ten}");
+    // 120 values, of which each tells 1/√2 of the length on average.
+    assert!((one / (1e-5 / 60.0_f64.sqrt()) - 1.0).abs() < 1e-3, "{one}");
+}
+
+#[test]
+fn what_cannot_be_fitted_is_said() {
+    let folder = folder("calibrate_errors");
+    for (options, code, said) in [
+        ("--param M", 2, "`crank` has no parameter `M`"),
+        ("--param L,L", 2, "`--param` names `L` twice"),
+        ("--param sped", 2, "did you mean `speed`?"),
+        (
+            "--param L --deviation 0mm",
+            2,
+            "the deviation of `B_x` is zero",
+        ),
+        (
+            "--param L --column B_x=B_ax --skip B_y --unit B_x=m/s^2",
+            2,
+            "has neither positions nor rates",
+        ),
+        ("", 2, "--param"),
+    ] {
+        let ran = folder
+            .run(&format!("calibrate a.mech data.csv {options}"))
+            .exits_with(code);
+        assert!(ran.stderr.contains(said), "{options}: {}", ran.stderr);
+    }
+    std::fs::write(folder.file("data.csv"), "t,B_x\n0,0.04\n").expect("written");
+    let ran = folder
+        .run("calibrate a.mech data.csv --param L,offset")
+        .exits_with(1);
+    assert!(
+        ran.stderr
+            .contains("1 measured values are too few for 2 parameters"),
+        "{}",
+        ran.stderr
+    );
+}

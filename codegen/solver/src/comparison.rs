@@ -1,0 +1,67 @@
+//! *Measured and solved values* → *how far they are apart*: the root of the mean square, the largest difference, and when.
+
+use std::f64::consts::TAU;
+
+/// How far a column is from the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Comparison {
+    /// How many values were compared.
+    pub count: usize,
+    /// The root of the mean square of the differences.
+    pub rms: f64,
+    /// The difference of the largest size, measured less solved.
+    pub largest: f64,
+    /// When (s).
+    pub at: f64,
+}
+
+/// Measured less solved; of angles the difference that is nearest to zero, since whole turns are no difference.
+pub fn difference(measured: f64, solved: f64, is_angle: bool) -> f64 {
+    let difference = measured - solved;
+    match is_angle {
+        true => difference - TAU * (difference / TAU).round(),
+        false => difference,
+    }
+}
+
+impl Comparison {
+    /// Of times and differences; `None` where there are none.
+    pub fn of(differences: impl Iterator<Item = (f64, f64)>) -> Option<Comparison> {
+        let (mut count, mut square) = (0, 0.0);
+        let mut largest: Option<(f64, f64)> = None;
+        for (t, difference) in differences {
+            count += 1;
+            square += difference * difference;
+            if largest.is_none_or(|it| difference.abs() > it.1.abs()) {
+                largest = Some((t, difference));
+            }
+        }
+        let (at, largest) = largest?;
+        Some(Comparison {
+            count,
+            rms: (square / count as f64).sqrt(),
+            largest,
+            at,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_difference_keeps_its_sign_and_its_time() {
+        let found = Comparison::of([(0.0, 3.0), (1.0, -4.0), (2.0, 0.0)].into_iter());
+        let found = found.expect("there are some");
+        assert_eq!((found.count, found.largest, found.at), (3, -4.0, 1.0));
+        assert!((found.rms - (25.0_f64 / 3.0).sqrt()).abs() < 1e-15);
+        assert_eq!(Comparison::of(std::iter::empty()), None);
+    }
+
+    #[test]
+    fn whole_turns_are_no_difference() {
+        assert!((difference(TAU + 0.1, 0.0, true) - 0.1).abs() < 1e-15);
+        assert_eq!(difference(TAU + 0.1, 0.0, false), TAU + 0.1);
+    }
+}

@@ -1,0 +1,291 @@
+//! *The beginning of a text* → *what separates its cells and its decimals*.
+//!
+//! Every pair is tried: it must make lines of equal length whose cells are numbers. Where two pairs do and read different numbers, the
+//! file is ambiguous, which is a fault.
+
+use std::fmt;
+
+use super::cells::{ANNOUNCEMENT, Cell, Cells, Line};
+use super::header::beginning;
+use super::number::{Content, Why, content};
+use super::{Fault, Known};
+use crate::diagnostic::Span;
+
+/// How many lines are looked at before one is chosen.
+const LINES: usize = 200;
+
+/// What separates cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Delimiter {
+    /// `;`
+    Semicolon,
+    /// A tab.
+    Tab,
+    /// `|`
+    Bar,
+    /// `,`
+    Comma,
+    /// Spaces or tabs, as many as there are.
+    Spaces,
+}
+
+/// What separates decimals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decimal {
+    /// `0.5`
+    Point,
+    /// `0,5`
+    Comma,
+}
+
+/// What separates cells, and decimals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dialect {
+    /// What separates cells.
+    pub delimiter: Delimiter,
+    /// What separates decimals.
+    pub decimal: Decimal,
+}
+
+impl Delimiter {
+    const ALL: [Delimiter; 5] = [
+        Delimiter::Semicolon,
+        Delimiter::Tab,
+        Delimiter::Bar,
+        Delimiter::Comma,
+        Delimiter::Spaces,
+    ];
+
+    /// The separator; `None` where there may be several.
+    pub fn character(self) -> Option<char> {
+        match self {
+            Delimiter::Semicolon => Some(';'),
+            Delimiter::Tab => Some('\t'),
+            Delimiter::Bar => Some('|'),
+            Delimiter::Comma => Some(','),
+            Delimiter::Spaces => None,
+        }
+    }
+}
+
+impl Decimal {
+    /// The mark itself.
+    pub fn mark(self) -> char {
+        match self {
+            Decimal::Point => '.',
+            Decimal::Comma => ',',
+        }
+    }
+}
+
+impl fmt::Display for Dialect {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let delimiter = match self.delimiter {
+            Delimiter::Semicolon => "`;`",
+            Delimiter::Tab => "tabs",
+            Delimiter::Bar => "`|`",
+            Delimiter::Comma => "`,`",
+            Delimiter::Spaces => "spaces",
+        };
+        let decimal = match self.decimal {
+            Decimal::Point => "points",
+            Decimal::Comma => "commas",
+        };
+        write!(formatter, "{delimiter} between cells, decimal {decimal}")
+    }
+}
+
+/// Whether a cell is a word, and not a number with a fault.
+pub(super) fn is_word(cell: &Cell<'_>, decimal: Decimal) -> bool {
+    content(&cell.text, decimal) == Content::Words(Why::NoNumber)
+}
+
+/// Whether a line is a row: at least two cells, one of them a number, and fewer words than anything else.
+pub(super) fn is_data(line: &Line<'_>, decimal: Decimal) -> bool {
+    let words = line.cells.iter().filter(|it| is_word(it, decimal)).count();
+    let missing = line
+        .cells
+        .iter()
+        .filter(|it| content(&it.text, decimal) == Content::Missing);
+    let missing = missing.count();
+    let others = line.cells.len() - words;
+    !line.is_comment && line.cells.len() > 1 && others > missing && words < others
+}
+
+/// How well a dialect suits.
+struct Suited {
+    dialect: Dialect,
+    /// Columns of words.
+    words: usize,
+    /// The number of the line that is the first row.
+    line: usize,
+    /// The numbers of the first row.
+    first: Vec<Option<f64>>,
+}
+
+/// How far a dialect suits, and what is then wrong.
+struct Unsuited {
+    dialect: Dialect,
+    cells: usize,
+    fault: Fault,
+}
+
+/// What separates cells and decimals; otherwise the first fault, and the dialect that suits best all the same.
+pub(super) fn of(text: &str, known: Known) -> Result<Dialect, (Fault, Option<Dialect>)> {
+    let announced = text
+        .strip_prefix(ANNOUNCEMENT)
+        .and_then(|rest| rest.chars().next());
+    let announced = Delimiter::ALL
+        .into_iter()
+        .find(|it| announced.is_some() && it.character() == announced);
+    let delimiter = known.delimiter.or(announced);
+    let delimiters = Delimiter::ALL
+        .into_iter()
+        .filter(|it| delimiter.is_none_or(|known| known == *it));
+    let decimals = |it| {
+        [Decimal::Point, Decimal::Comma].map(|decimal| Dialect {
+            delimiter: it,
+            decimal,
+        })
+    };
+    let dialects = delimiters.flat_map(decimals);
+    let dialects = dialects.filter(|it| known.decimal.is_none_or(|known| known == it.decimal));
+    let (mut suited, mut unsuited): (Vec<Suited>, Option<Unsuited>) = (Vec::new(), None);
+    for dialect in dialects {
+        match suits(text, dialect) {
+            Ok(found) => suited.push(found),
+            Err(found)
+                if unsuited
+                    .as_ref()
+                    .is_none_or(|best| best.cells < found.cells) =>
+            {
+                unsuited = Some(found)
+            }
+            Err(_) => {}
+        }
+    }
+    // Names above rows hold no numbers, so that an early first row is the better one. Of several that suit alike the first one is
+    // taken, the most particular separator.
+    let key = |it: &Suited| (it.words, it.line);
+    let Some(best) = (0..suited.len()).min_by_key(|&it| key(&suited[it])) else {
+        return Err(unsuited
+            .filter(|it| it.cells > 0)
+            .map_or_else(|| (no_rows(text), None), |it| (it.fault, Some(it.dialect))));
+    };
+    let best = &suited[best];
+    let rival = suited
+        .iter()
+        .find(|it| key(it) == key(best) && it.first != best.first);
+    match rival {
+        None => Ok(best.dialect),
+        Some(rival) => Err((
+            Fault::new(
+                Span::new(0, 0),
+                format!(
+                    "this can be read in two ways: {}, or {}",
+                    best.dialect, rival.dialect
+                ),
+                "say which: `--delimiter` and `--decimal`",
+            ),
+            None,
+        )),
+    }
+}
+
+fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
+    let mut head = Vec::new();
+    let (mut first, mut cells): (Option<Line<'_>>, usize) = (None, 0);
+    let unsuited = |cells, fault| Unsuited {
+        dialect,
+        cells,
+        fault,
+    };
+    for line in Cells::new(text, dialect.delimiter).take(LINES) {
+        let line = line.map_err(|fault| unsuited(cells, fault))?;
+        let Some(first) = &first else {
+            if is_data(&line, dialect.decimal) {
+                cells += line.cells.len();
+                for cell in &line.cells {
+                    if let Content::Words(why) = content(&cell.text, dialect.decimal)
+                        && why != Why::NoNumber
+                    {
+                        let fault = Fault::new(cell.span, why.message(&cell.text), why.help());
+                        return Err(unsuited(cells, fault));
+                    }
+                }
+                first = Some(line.clone());
+            }
+            head.push(line);
+            continue;
+        };
+        if line.is_comment {
+            continue;
+        }
+        let wanted = first.cells.len();
+        if line.cells.len() != wanted {
+            return Err(unsuited(cells, wrong_length(&line, wanted)));
+        }
+        for (cell, above) in line.cells.iter().zip(&first.cells) {
+            let is_text = is_word(above, dialect.decimal);
+            match content(&cell.text, dialect.decimal) {
+                Content::Words(why) if !is_text => {
+                    let fault = Fault::new(cell.span, why.message(&cell.text), why.help());
+                    return Err(unsuited(cells, fault));
+                }
+                Content::Number(..) => cells += 1,
+                _ => {}
+            }
+        }
+    }
+    let Some(first) = first else {
+        return Err(unsuited(0, no_rows(text)));
+    };
+    beginning(&head, dialect).map_err(|fault| unsuited(cells, fault))?;
+    let contents = || {
+        first
+            .cells
+            .iter()
+            .map(|it| content(&it.text, dialect.decimal))
+    };
+    Ok(Suited {
+        dialect,
+        line: first.number,
+        words: contents()
+            .filter(|it| matches!(it, Content::Words(_)))
+            .count(),
+        first: contents()
+            .map(|it| match it {
+                Content::Number(_, value) => Some(value),
+                _ => None,
+            })
+            .collect(),
+    })
+}
+
+/// That a line has more cells than the first row, or fewer.
+pub(super) fn wrong_length(line: &Line<'_>, wanted: usize) -> Fault {
+    let found = line.cells.len();
+    let cells = if found == 1 { "cell" } else { "cells" };
+    Fault::new(
+        line.span(),
+        format!("{found} {cells} where the lines above have {wanted}"),
+        "complete the line, or make it a comment with `#`; decimal commas need another separator than `,`",
+    )
+}
+
+/// That nothing in a text is a row of numbers.
+pub(super) fn no_rows(text: &str) -> Fault {
+    let end = text.find(['\r', '\n']).unwrap_or(text.len());
+    match text.trim().is_empty() {
+        true => Fault::new(
+            Span::new(0, 0),
+            "the file is empty",
+            "export the table again",
+        ),
+        false => Fault::new(
+            Span::new(0, end),
+            "no line of this file is a row of at least two numbers",
+            "a table has a line of names, and below it lines of numbers, for example `t,x` and `0.1,2.5`",
+        ),
+    }
+}

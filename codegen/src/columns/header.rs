@@ -1,0 +1,148 @@
+//! *The lines up to the first row* → *what the columns are called and measured in*.
+//!
+//! Names stand in the line before the first row, or in the last comment before it; a line of units may stand between. What stands
+//! above is no part of the table. A unit may also stand behind a name, in parentheses or brackets.
+
+use super::cells::{Cell, Line};
+use super::dialect::is_word;
+use super::{Column, Columns, Dialect, Encoding, Fault, Unit};
+
+/// Where names stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Header {
+    /// In this line, counted from 1.
+    Line(usize),
+    /// In this line, which is a comment.
+    Comment(usize),
+    /// Nowhere.
+    None,
+}
+
+/// How a table begins.
+pub(super) struct Beginning {
+    header: Header,
+    unit_line: Option<usize>,
+    skipped: usize,
+    columns: Vec<Column>,
+}
+
+impl Beginning {
+    /// The table without rows.
+    pub fn columns(&self, dialect: Dialect) -> Columns {
+        Columns {
+            text: String::new(),
+            encoding: Encoding::Utf8,
+            dialect,
+            header: self.header,
+            unit_line: self.unit_line,
+            skipped: self.skipped,
+            columns: self.columns.clone(),
+            rows: 0,
+            lines: Vec::new(),
+        }
+    }
+}
+
+/// The brackets around units.
+const BRACKETS: [[char; 2]; 3] = [['(', ')'], ['[', ']'], ['{', '}']];
+
+/// `x (mm)` → `x` and `mm`.
+fn parted(name: &str) -> (String, Option<String>) {
+    for [open, close] in BRACKETS {
+        let parts = name.strip_suffix(close).and_then(|it| it.rsplit_once(open));
+        if let Some((before, unit)) = parts
+            && !before.trim().is_empty()
+            && Unit::parse(unit).is_some()
+        {
+            return (before.trim().to_string(), Some(unit.trim().to_string()));
+        }
+    }
+    // `x / mm` is how the standards want it.
+    match name.split_once('/') {
+        Some((before, unit)) if !before.trim().is_empty() && Unit::parse(unit).is_some() => {
+            (before.trim().to_string(), Some(unit.trim().to_string()))
+        }
+        _ => (name.to_string(), None),
+    }
+}
+
+/// A unit that stands alone in a cell.
+fn alone(cell: &Cell<'_>) -> Option<String> {
+    let text = cell.text.trim();
+    let inner = BRACKETS
+        .iter()
+        .find_map(|[open, close]| text.strip_prefix(*open)?.strip_suffix(*close));
+    let unit = inner.unwrap_or(text).trim();
+    Unit::parse(unit).map(|_| unit.to_string())
+}
+
+/// Whether a line holds units, and nothing else.
+fn are_units(line: &Line<'_>) -> bool {
+    let mut filled = line
+        .cells
+        .iter()
+        .filter(|it| !it.text.is_empty())
+        .peekable();
+    filled.peek().is_some() && filled.all(|it| alone(it).is_some())
+}
+
+/// How a table begins whose first row is the last of these lines.
+pub(super) fn beginning(head: &[Line<'_>], dialect: Dialect) -> Result<Beginning, Fault> {
+    let Some((first, above)) = head.split_last() else {
+        return Ok(Beginning {
+            header: Header::None,
+            unit_line: None,
+            skipped: 0,
+            columns: Vec::new(),
+        });
+    };
+    let width = first.cells.len();
+    let suits = |line: &&Line<'_>| line.cells.len() == width;
+    let plain: Vec<&Line<'_>> = above.iter().filter(|it| !it.is_comment).collect();
+    let comment = above.iter().rev().find(|it| it.is_comment && suits(it));
+    let (names, units, skipped) = match plain.as_slice() {
+        [before @ .., names, units] if are_units(units) && suits(names) && suits(units) => {
+            (Some(*names), Some(*units), before.len())
+        }
+        [before @ .., names] if suits(names) => (Some(*names), None, before.len()),
+        [.., other] if comment.is_none_or(|it| it.number < other.number) => {
+            let found = other.cells.len();
+            let cells = if found == 1 { "cell" } else { "cells" };
+            return Err(Fault::new(
+                other.span(),
+                format!(
+                    "{found} {cells} above rows of {width}: the line before the first row names the columns"
+                ),
+                "name every column, or put `#` before this line",
+            ));
+        }
+        others => (comment, None, others.len()),
+    };
+    let header = match names {
+        Some(line) if line.is_comment => Header::Comment(line.number),
+        Some(line) => Header::Line(line.number),
+        None => Header::None,
+    };
+    let columns = (0..width).map(|place| {
+        let name = names.map(|line| &line.cells[place]);
+        let unit_below = units.and_then(|line| alone(&line.cells[place]));
+        let (text, unit) = name.map_or((String::new(), None), |it| parted(it.text.trim()));
+        Column {
+            name: match text.is_empty() {
+                true => (place + 1).to_string(),
+                false => text.split_whitespace().collect::<Vec<_>>().join(" "),
+            },
+            unit: unit_below.or(unit),
+            span: name.map_or(first.cells[place].span, |it| it.span),
+            values: Vec::new(),
+            spans: Vec::new(),
+            is_text: is_word(&first.cells[place], dialect.decimal),
+        }
+    });
+    Ok(Beginning {
+        header,
+        unit_line: units.map(|line| line.number),
+        skipped,
+        columns: columns.collect(),
+    })
+}
