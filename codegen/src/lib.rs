@@ -29,6 +29,7 @@ mod expr;
 mod files;
 mod finiteness;
 mod force;
+mod format;
 mod joint;
 mod model;
 mod modes;
@@ -41,6 +42,7 @@ mod words;
 
 pub use cargo::{attach_files, build, build_with};
 pub use emit::{Language, OutputFile, Scalar};
+pub use format::format;
 pub use program::{Operations, Report};
 pub use system::System;
 

@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 18] = [
+const ORDER: [&str; 19] = [
     "diagnostic",
     "syntax",
+    "format",
     "consequences",
     "expr",
     "joint",
