@@ -1,9 +1,11 @@
 //! *The command line → typed arguments.* Numbers are finite and steps positive afterwards; files are not opened here.
 
+mod shell;
 mod solve;
 mod values;
 mod view;
 
+pub use shell::{Completions, Fmt, Man, New};
 pub use solve::{Equations, Solve, TurnUnit};
 pub use view::View;
 
@@ -16,12 +18,15 @@ use values::{size, step, time};
 /// Reads descriptions of planar mechanisms: solves them, draws them, shows their equations, derives
 /// their solution, writes them as Rust.
 #[derive(Parser, Debug)]
-#[command(name = "linkwright", version, after_help = EXAMPLES)]
+#[command(name = "linkwright", version = VERSION, after_help = EXAMPLES)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
 }
+
+/// The version, and the commit where it is known.
+const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), env!("LINKWRIGHT_COMMIT"));
 
 const EXAMPLES: &str = "\
 Examples:
@@ -33,9 +38,13 @@ Examples:
   linkwright plan mechanisms/excavator.mech
   linkwright check mechanisms/two_body.mech
   linkwright generate mechanisms/two_body.mech -o two_body.rs
+  linkwright fmt mechanisms --check
+  linkwright new walker
 
-Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` found a difference,
-or `check --deny-warnings` something to look at), 2 bad input.";
+A description called `-` is read from stdin; its tables lie in the current folder.
+
+Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` or `fmt --check` found a
+difference, or `check --deny-warnings` something to look at), 2 bad input.";
 
 /// The commands.
 #[derive(Subcommand, Debug)]
@@ -54,6 +63,14 @@ pub enum Command {
     Plan(Plan),
     /// List the assemblies and say where the mechanism comes closest to singular
     Check(Check),
+    /// Lay descriptions out as is usual
+    Fmt(Fmt),
+    /// Write a crate with a mechanism, a loop and a test, to start from
+    New(New),
+    /// Print a script that completes arguments in a shell
+    Completions(Completions),
+    /// Write manual pages
+    Man(Man),
 }
 
 /// Draws the mechanism in one pose as a mechanical engineer does: bodies by the points they carry, supports and guides hatched,
@@ -64,7 +81,7 @@ pub enum Command {
 #[derive(Args, Debug)]
 #[command(after_help = DRAW_EXAMPLES)]
 pub struct Draw {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Which motion, where the mechanism has several
     #[arg(long, value_name = "NAME")]
@@ -136,7 +153,7 @@ Examples:
 Exit codes: 0 checked, 1 the mechanism cannot be assembled or its motion ends early, with `--deny-warnings` also where there
 are warnings, 2 bad input.")]
 pub struct Check {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Which motion, where the mechanism has several
     #[arg(long, value_name = "NAME")]
@@ -185,7 +202,7 @@ equations, and the textbook view, Φ, Φ_q, Φ_t and γ as functions. Above 150 
 
 Exit codes: 0 written or unchanged, 1 `--check` found a difference, 2 bad input.")]
 pub struct Generate {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Where to write the module; `-` is stdout [default: stdout]. The other files of C are written beside it
     #[arg(short, long, value_name = "FILE")]
@@ -235,7 +252,7 @@ the generated code solves: its blocks in their order, what no `output` needs, an
 
 Exit codes: 0 shown, 2 bad input, with `--format rust` also where the equations do not determine the motion.")]
 pub struct Inspect {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Only this motion, where the mechanism has several
     #[arg(long, value_name = "NAME")]
@@ -269,7 +286,7 @@ Examples:
 
 Exit codes: 0 derived, 2 bad input, also where the equations do not determine the motion.")]
 pub struct Plan {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Which motion, where the mechanism has several
     #[arg(long, value_name = "NAME")]

@@ -4,10 +4,14 @@
 //! be done because of the input ends as a [`Problem`], printed once, with exit code 2.
 
 pub mod check;
+pub mod completions;
 pub mod description;
 pub mod draw;
+pub mod fmt;
 pub mod generate;
 pub mod inspect;
+pub mod man;
+pub mod new;
 pub mod plan;
 pub mod solve;
 mod solve_files;
@@ -19,6 +23,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use crate::arguments::{Arguments, Command};
+use crate::colors;
 use crate::output::Refused;
 
 /// How a command ended; the discriminant is the exit code.
@@ -57,6 +62,10 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Inspect(inspect) => inspect::run(&inspect),
         Command::Plan(plan) => plan::run(&plan),
         Command::Check(check) => check::run(&check),
+        Command::Fmt(fmt) => fmt::run(&fmt),
+        Command::New(new) => new::run(&new),
+        Command::Completions(completions) => completions::run(&completions),
+        Command::Man(man) => man::run(&man),
     };
     match outcome {
         Ok(outcome) => ExitCode::from(outcome as u8),
@@ -100,5 +109,6 @@ pub fn in_folder(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
 
 /// Writes a line to stderr; if that is closed there is nobody to tell.
 pub fn say(text: &str) {
-    let _ = writeln!(io::stderr(), "{}", text.trim_end_matches('\n'));
+    let text = colors::on_terminal(text.trim_end_matches('\n'));
+    let _ = writeln!(io::stderr(), "{text}");
 }
