@@ -21,6 +21,8 @@
 //! linkwright_codegen::build_with("descriptions", &options);
 //! ```
 
+#![doc(html_root_url = "https://docs.rs/linkwright-codegen/0.1.0")]
+
 mod cargo;
 mod consequences;
 pub mod diagnostic;

@@ -72,6 +72,7 @@
 //! # Ok(())
 //! # }
 //! ```
+#![doc(html_root_url = "https://docs.rs/linkwright/0.1.0")]
 #![no_std]
 
 pub mod assembly;
@@ -167,6 +168,7 @@ macro_rules! include_mechanism {
                 ".md"
             ))
         )]
+        #[allow(clippy::pedantic, clippy::nursery)]
         $visibility mod $name {
             $crate::include_mechanism!($name);
         }
