@@ -42,7 +42,7 @@ mod syntax;
 mod system;
 mod words;
 
-pub use cargo::{attach_files, build, build_with};
+pub use cargo::{attach_files, build, build_with, write_module};
 pub use emit::{Language, OutputFile, Scalar};
 pub use format::format;
 pub use program::{Operations, Report};

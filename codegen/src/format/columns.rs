@@ -161,7 +161,7 @@ impl Columns<'_> {
     fn hang(&mut self, above: &Row, below: &Row) {
         let first = below.pieces.start;
         let place = self.pieces[first].column;
-        if !below.goes_on || place == below.indent {
+        if !below.goes_on {
             return;
         }
         let mut upper = above.pieces.clone();
