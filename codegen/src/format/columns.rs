@@ -1,6 +1,6 @@
 //! *Lines → the gap before each piece.* One blank or none, except where columns are written.
 //!
-//! Pieces of one sort that stand at the same place in lines without a blank line between them, at least one of them behind a gap of
+//! Pieces of one sort that stand at the same place in statements of one kind without a blank line between them, at least one of them behind a gap of
 //! two or more blanks, are a column, and so is what goes on below something in its statement's last line. A column stays one, as far
 //! left as its widest line and its narrowest written gap let it; a piece behind such a gap that just misses a column of its sort
 //! joins it. Numbers that are written below one another, by their first or by their last digit, keep the gap that they have.
@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use super::pieces::{Piece, What};
 use super::rows::Row;
 use super::spacing;
+use crate::syntax;
 
 /// The gaps before the pieces; that before the first piece of a row is its indentation.
 pub(super) fn gaps(pieces: &[Piece<'_>], rows: &[Row], keeps_number_columns: bool) -> Vec<usize> {
@@ -53,14 +54,17 @@ pub(super) fn gaps(pieces: &[Piece<'_>], rows: &[Row], keeps_number_columns: boo
 }
 
 /// What stands below one another.
-struct Column {
+struct Column<'a> {
     /// Where it is written.
     place: usize,
-    sort: Option<Sort>,
+    sort: Option<Alike<'a>>,
     members: Vec<usize>,
     /// Whether it stays a column.
     is_meant: bool,
 }
+
+/// What may stand below one another: pieces of one sort in lines of one kind of statement, in its first line or below.
+type Alike<'a> = (&'a str, bool, Sort);
 
 /// Pieces of one sort may stand below one another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -83,7 +87,7 @@ struct Columns<'a> {
     /// Which pieces are signs of numbers.
     signs: Vec<bool>,
     usual: Vec<usize>,
-    columns: Vec<Column>,
+    columns: Vec<Column<'a>>,
     /// The column that each piece belongs to.
     column_of: Vec<Option<usize>>,
     /// Which pieces begin a line below something in the line above.
@@ -92,7 +96,7 @@ struct Columns<'a> {
     kept: Vec<usize>,
 }
 
-impl Columns<'_> {
+impl<'a> Columns<'a> {
     /// Looks which pieces stand below one another.
     fn find(&mut self) {
         let mut paragraph = Vec::new();
@@ -114,7 +118,7 @@ impl Columns<'_> {
     /// The same in lines without a blank line between them.
     fn find_in(&mut self, rows: &[&Row]) {
         let first_column = self.columns.len();
-        let mut found: BTreeMap<(Sort, usize), usize> = BTreeMap::new();
+        let mut found: BTreeMap<(Alike<'_>, usize), usize> = BTreeMap::new();
         let mut last: Option<&Row> = None;
         for row in rows {
             if let Some(above) = last {
@@ -124,6 +128,7 @@ impl Columns<'_> {
                 let Some(sort) = self.sort(index) else {
                     continue;
                 };
+                let sort = (self.kind(row), row.goes_on, sort);
                 let place = self.pieces[index].column;
                 let column = *found.entry((sort, place)).or_insert_with(|| {
                     self.columns.push(Column {
@@ -252,6 +257,18 @@ impl Columns<'_> {
         is_number.then(|| piece.column + piece.width())
     }
 
+    /// The kind of the statement that a row belongs to: its first word, one for all declarations and one for all joints.
+    fn kind(&self, row: &Row) -> &'a str {
+        let mut words = self.pieces[row.statement..].iter();
+        let word = words.find(|it| !it.is_comment()).map_or("", |it| it.text);
+        match word {
+            "param" | "input" => "const",
+            "damper" => "spring",
+            _ if syntax::KEYWORDS.contains(&word) => word,
+            _ => "",
+        }
+    }
+
     /// What a piece can stand below, where a blank stands before it. Numbers have rules of their own.
     fn sort(&self, index: usize) -> Option<Sort> {
         if self.usual[index] == 0 || self.end_of_number(index).is_some() {
@@ -270,7 +287,7 @@ impl Columns<'_> {
 
     /// Gives the pieces of each column their gaps, columns from left to right.
     fn settle(&self, rows_of: &[usize], gaps: &mut [usize]) {
-        let mut columns: Vec<&Column> = self.columns.iter().filter(|it| it.is_meant).collect();
+        let mut columns: Vec<&Column<'_>> = self.columns.iter().filter(|it| it.is_meant).collect();
         columns.sort_by_key(|column| column.place);
         // How far each row is laid out: the next piece, and the column behind what stands before it.
         let mut reached: Vec<(usize, usize)> =

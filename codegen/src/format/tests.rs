@@ -102,6 +102,17 @@ fn columns_by_hand_stay_columns() {
 }
 
 #[test]
+fn statements_of_different_kinds_have_no_columns_in_common() {
+    let written =
+        inside(" point A=(0,0),   D = (1, 2);\n body crank at    A { A }\n body x     at D { D }");
+    let expected = "    point A = (0, 0), D = (1, 2);
+    body crank at A { A }
+    body x     at D { D }
+";
+    assert_eq!(written, expected);
+}
+
+#[test]
 fn what_goes_on_below_something_stays_below_it() {
     let written = inside(
         "
