@@ -9,11 +9,10 @@ mod sensing;
 mod single_study;
 mod transmitting;
 
-use std::path::Path;
-use std::{env, fs};
+use std::fs;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Options, Scalar, generate_with};
+use linkwright_codegen::{Options, Scalar, generate_with, write_module};
 use registry::Listed;
 
 fn main() {
@@ -28,9 +27,7 @@ fn main() {
     let tables = fs::read_to_string("descriptions/tables.mech").expect("the description");
     // One with errors is reported where it is built for itself.
     if let Ok(tables) = generate_with(&Source::new("tables.mech", tables), &single) {
-        let output = env::var_os("OUT_DIR").expect("cargo sets it");
-        let target = Path::new(&output).join("linkwright/tables_single.rs");
-        fs::write(target, tables.code).expect("the module is written");
+        write_module("tables_single", &tables.code).expect("the module is written");
     }
     write_counted();
     monitoring::write(&["descriptions", "../mechanisms"]);
@@ -47,9 +44,7 @@ fn write_counted() {
     };
     let text = fs::read_to_string("../mechanisms/four_bar.mech").expect("the description");
     if let Ok(module) = generate_with(&Source::new("four_bar.mech", text), &options) {
-        let output = env::var_os("OUT_DIR").expect("cargo sets it");
-        let target = Path::new(&output).join("linkwright/counted_four_bar.rs");
-        fs::write(target, module.code).expect("the module is written");
+        write_module("counted_four_bar", &module.code).expect("the module is written");
     }
 }
 

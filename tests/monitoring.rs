@@ -47,8 +47,9 @@ pub fn write(folders: &[&str]) {
                 ..Options::default()
             };
             if let Ok(module) = generate_with(&Source::new(name, text.clone()), &single) {
-                let target = output.join(format!("linkwright/{own}_single.rs"));
-                fs::write(target, module.code).expect("the module is written");
+                let name = format!("{own}_single");
+                linkwright_codegen::write_module(&name, &module.code)
+                    .expect("the module is written");
             }
         }
         fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");

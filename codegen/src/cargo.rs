@@ -5,6 +5,7 @@
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use std::{env, fs, io};
 
 use crate::diagnostic::Source;
@@ -101,8 +102,44 @@ fn write_modules(
                 format!("cannot write `{}`: {reason}", target.display())
             })?;
         }
+        say_module(&name, &output.join(format!("{name}.rs")), say);
         names.push((name, file));
     }
+    Ok(())
+}
+
+/// What this build script has generated so far, for `include_mechanism!` to say where it is asked for something else. Cargo takes the
+/// last value of a variable, so it must hold what was generated before.
+static GENERATED: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+/// Tells `linkwright::include_mechanism!` where a module is, and which there are.
+fn say_module(name: &str, path: &Path, say: Say<'_>) {
+    let mut names = GENERATED.lock().unwrap_or_else(PoisonError::into_inner);
+    names.push(format!("`{name}`"));
+    names.sort();
+    names.dedup();
+    say(&format!(
+        "cargo::rustc-env=LINKWRIGHT_{name}={}",
+        path.display()
+    ));
+    say(&format!(
+        "cargo::rustc-env=LINKWRIGHT_MECHANISMS=build.rs has generated {}",
+        names.join(", ")
+    ));
+}
+
+/// Writes a module that a build script has generated otherwise than by [`build`], so that `linkwright::include_mechanism!` finds it by
+/// its name.
+///
+/// # Errors
+/// It cannot be written.
+pub fn write_module(name: &str, code: &str) -> io::Result<()> {
+    let output = env::var_os("OUT_DIR").ok_or(io::ErrorKind::NotFound)?;
+    let folder = PathBuf::from(output).join("linkwright");
+    fs::create_dir_all(&folder)?;
+    let path = folder.join(format!("{name}.rs"));
+    write_if_changed(&path, code)?;
+    say_module(name, &path, &mut |line| println!("{line}"));
     Ok(())
 }
 
@@ -213,7 +250,8 @@ mod tests {
             let output = self.0.join("out");
             build_folder(&descriptions, &output, &Options::default(), &mut |line| {
                 let line = line.replace(&format!("{}/", descriptions.display()), "");
-                if !line.starts_with("cargo::rerun-if-changed=") {
+                let is_usual = ["cargo::rerun-if-changed=", "cargo::rustc-env="];
+                if !is_usual.iter().any(|it| line.starts_with(it)) {
                     said.push(line);
                 }
             });

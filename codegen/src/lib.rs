@@ -21,6 +21,8 @@
 //! linkwright_codegen::build_with("descriptions", &options);
 //! ```
 
+#![doc(html_root_url = "https://docs.rs/linkwright-codegen/0.1.0")]
+
 mod cargo;
 mod columns;
 mod consequences;
@@ -30,6 +32,7 @@ mod expr;
 mod files;
 mod finiteness;
 mod force;
+mod format;
 mod joint;
 mod model;
 mod modes;
@@ -40,8 +43,9 @@ mod syntax;
 mod system;
 mod words;
 
-pub use cargo::{attach_files, build, build_with};
+pub use cargo::{attach_files, build, build_with, write_module};
 pub use emit::{Language, OutputFile, Scalar};
+pub use format::format;
 pub use program::{Operations, Report};
 pub use system::System;
 

@@ -72,6 +72,7 @@
 //! # Ok(())
 //! # }
 //! ```
+#![doc(html_root_url = "https://docs.rs/linkwright/0.1.0")]
 #![no_std]
 
 pub mod assembly;
@@ -121,7 +122,6 @@ pub use closed_form::{Branch, Mode};
 pub use equations::Equations;
 pub use explained::{BlockName, Explained};
 pub use failure::{Failure, FailureKind};
-pub use generated::{double, single};
 pub use guard::{Guard, Pair};
 pub use kinematics::{Frame, advance, assemble};
 pub use linear::{Factorization, Measure};
@@ -138,6 +138,18 @@ pub use span::{Span, Tube, isolate};
 pub use substeps::{Broken, in_steps};
 pub use table::Table;
 pub use torn::Torn;
+
+// Here, so that documentation elsewhere finds their items where this one shows them.
+generated::precision!(
+    /// What generated modules in f64 are written with.
+    double,
+    f64
+);
+generated::precision!(
+    /// What generated modules in f32 are written with.
+    single,
+    f32
+);
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
 ///
@@ -167,16 +179,23 @@ macro_rules! include_mechanism {
                 ".md"
             ))
         )]
+        #[allow(clippy::pedantic, clippy::nursery)]
         $visibility mod $name {
             $crate::include_mechanism!($name);
         }
     };
     ($name:ident) => {
-        include!(concat!(
-            env!("OUT_DIR"),
-            "/linkwright/",
-            stringify!($name),
-            ".rs"
+        include!(env!(
+            concat!("LINKWRIGHT_", stringify!($name)),
+            concat!(
+                "no mechanism is named `",
+                stringify!($name),
+                "`: ",
+                env!(
+                    "LINKWRIGHT_MECHANISMS",
+                    "nothing is generated; call `linkwright_codegen::build` in build.rs"
+                )
+            )
         ));
     };
 }

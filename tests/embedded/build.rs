@@ -7,7 +7,7 @@ use std::{env, fs};
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::emit::rust::type_name;
-use linkwright_codegen::{Options, Scalar, generate_with};
+use linkwright_codegen::{Options, Scalar, generate_with, write_module};
 
 const MECHANISMS: [&str; 5] = ["two_body", "four_bar", "excavator", "arm", "platform_3rpr"];
 const SCALARS: [(&str, Scalar); 2] = [("f32", Scalar::F32), ("f64", Scalar::F64)];
@@ -20,7 +20,6 @@ fn main() {
     let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
     let chosen = env::var("VARIANT").ok();
     let is_chosen = |name: &str| chosen.as_deref().is_none_or(|it| it == name);
-    fs::create_dir_all(output.join("linkwright")).expect("a folder of its own");
     let (mut modules, mut calls) = (String::new(), String::new());
     for mechanism in MECHANISMS {
         let text = fs::read_to_string(Path::new(FOLDER).join(mechanism).with_extension("mech"));
@@ -35,7 +34,7 @@ fn main() {
                     "" => text.clone(),
                     _ => unguarded(&text),
                 };
-                write_module(&output, &variant, &text, scalar);
+                write_variant(&variant, &text, scalar);
                 let type_name = type_name(mechanism);
                 modules += &format!(
                     "/// See the crate.\n#[allow(missing_docs)]\npub mod {variant} {{\n    linkwright::include_mechanism!({variant});\n}}\nmoved!({variant}, {type_name}, {real});\n"
@@ -62,7 +61,7 @@ fn unguarded(text: &str) -> String {
     format!("{}    unguarded;\n{}", &text[..end], &text[end..])
 }
 
-fn write_module(output: &Path, variant: &str, text: &str, scalar: Scalar) {
+fn write_variant(variant: &str, text: &str, scalar: Scalar) {
     let source = Source::new(format!("{variant}.mech"), text.to_string());
     let options = Options {
         scalar,
@@ -70,8 +69,7 @@ fn write_module(output: &Path, variant: &str, text: &str, scalar: Scalar) {
     };
     match generate_with(&source, &options) {
         Ok(generated) => {
-            let target = output.join(format!("linkwright/{variant}.rs"));
-            fs::write(target, generated.code).expect("the module is written");
+            write_module(variant, &generated.code).expect("the module is written");
         }
         Err(found) => panic!("{}", found.render(&source)),
     }

@@ -130,6 +130,23 @@ fn mistakes_in_a_description_are_errors_with_their_place() {
 
 /// Cargo runs the build script again when the file of a table changes, because the generator has told it which file that is.
 #[test]
+fn a_wrong_name_says_which_mechanisms_there_are() {
+    let package = copy("user-wrong-name", &good());
+    let library = package.join("src/lib.rs");
+    let text = fs::read_to_string(&library).expect("the library");
+    let wrong = text.replace("slider_crank", "slider_krank");
+    assert_ne!(wrong, text);
+    fs::write(library, wrong).expect("the copy is writable");
+    let output = cargo(&package, "check");
+    let printed = String::from_utf8_lossy(&output.stderr).into_owned();
+    let expected = "no mechanism is named `slider_krank`: build.rs has generated `slider_crank`";
+    assert!(
+        !output.status.success() && printed.contains(expected),
+        "{printed}"
+    );
+}
+
+#[test]
 fn a_table_that_changes_is_read_again() {
     let written = fs::read_to_string(good()).expect("the description");
     let drive = written.lines().find(|line| line.contains("drive phi(1)"));

@@ -9,6 +9,8 @@ use linkwright_tests::random::Random;
 
 #[path = "../fuzz/src/expressions.rs"]
 mod expressions;
+#[path = "../fuzz/src/format.rs"]
+mod format;
 #[path = "../fuzz/src/language.rs"]
 mod language;
 #[path = "../fuzz/src/numbers.rs"]

@@ -10,6 +10,7 @@ const ORDER: [&str; 19] = [
     "diagnostic",
     "columns",
     "syntax",
+    "format",
     "consequences",
     "expr",
     "joint",

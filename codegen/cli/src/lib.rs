@@ -4,6 +4,7 @@
 //! package holds arguments, reports and pictures.
 
 pub mod arguments;
+pub mod colors;
 pub mod command;
 pub mod data;
 pub mod motion;

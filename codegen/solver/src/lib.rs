@@ -5,6 +5,8 @@
 //! and trajectories. Deliberately unknown here: files, arguments and how anything is printed; the package also builds for
 //! `wasm32-unknown-unknown`.
 
+#![doc(html_root_url = "https://docs.rs/linkwright-solver/0.1.0")]
+
 pub mod approach;
 pub mod assemblies;
 pub mod check;

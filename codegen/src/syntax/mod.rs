@@ -41,6 +41,7 @@ pub(crate) use files::{is_relative, leaves_folder};
 pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Reaction, Torque};
 pub use formula::*;
 pub use output::LEVELS;
+pub(crate) use scan::{Kind, block_comment_length, lexemes};
 
 use proc_macro2::Delimiter;
 use syn::buffer::TokenBuffer;

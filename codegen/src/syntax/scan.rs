@@ -9,22 +9,30 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 
 /// What a lexeme is. Brackets and marks are ASCII characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
+    /// A name or a keyword.
     Word,
+    /// A number with its unit.
     Number,
     /// A text in quotes, with them.
     Text,
+    /// An opening bracket.
     Open(u8),
+    /// A closing bracket.
     Close(u8),
+    /// One character of punctuation.
     Mark(u8),
 }
 
 /// One word, number, mark or bracket.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Lexeme {
+pub(crate) struct Lexeme {
     pub kind: Kind,
+    /// Offset of its first byte.
     pub start: usize,
+    /// Offset after its last byte.
     pub end: usize,
+    /// Whether only white space and comments stand before it on its line.
     pub first_on_line: bool,
 }
 
@@ -78,6 +86,11 @@ impl Scan {
     pub(super) fn edit(&mut self, start: usize, end: usize, fill: Fill) {
         self.edits.push(Edit { start, end, fill });
     }
+}
+
+/// The words, numbers, marks and brackets of a text that is read without an error: between two of them stand white space and comments.
+pub(crate) fn lexemes(text: &str) -> Vec<Lexeme> {
+    scan(text).lexemes
 }
 
 /// Scans a whole text.
@@ -366,7 +379,7 @@ fn number_length(text: &str) -> usize {
 }
 
 /// The length of a block comment with the comments nested in it; `None` when it is not closed.
-fn block_comment_length(text: &str) -> Option<usize> {
+pub(crate) fn block_comment_length(text: &str) -> Option<usize> {
     let bytes = text.as_bytes();
     let mut depth = 0_usize;
     let mut at = 0;

@@ -21,6 +21,7 @@
 //!
 //! The crate does not know mechanisms. It stands below both the runtime and the generator, because numbers that are computed
 //! while code is generated must be those that the code would compute.
+#![doc(html_root_url = "https://docs.rs/linkwright-math/0.1.0")]
 #![no_std]
 
 mod arctangent;

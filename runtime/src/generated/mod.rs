@@ -62,13 +62,4 @@ macro_rules! precision {
     };
 }
 
-precision!(
-    /// What generated modules in f64 are written with.
-    double,
-    f64
-);
-precision!(
-    /// What generated modules in f32 are written with.
-    single,
-    f32
-);
+pub(crate) use precision;

@@ -1,11 +1,14 @@
-//! *Any bytes* → *a description that is read or refused*. Neither panics, and whatever is said can be printed.
+//! *Any bytes* → *a description that is read or refused*. Neither panics, whatever is said can be printed, and what can be read can be
+//! formatted.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
+
+use super::format;
 
 /// The largest number of coordinates for which the code is generated too: what is larger only takes longer.
 const LARGEST: usize = 12;
 
-/// Reads, checks and generates.
+/// Formats, reads, checks and generates.
 ///
 /// # Panics
 /// Where the library does, or where a finding cannot be printed.
@@ -17,6 +20,7 @@ pub fn run(bytes: &[u8]) {
             return;
         }
     };
+    format::run(&source);
     let read = match linkwright_codegen::read(&source) {
         Ok(read) => read,
         Err(findings) => {

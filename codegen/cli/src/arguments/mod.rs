@@ -1,12 +1,14 @@
 //! *The command line → typed arguments.* Numbers are finite and steps positive afterwards; files are not opened here.
 
 mod measured;
+mod shell;
 mod simulate;
 mod solve;
 mod values;
 mod view;
 
 pub use measured::{Calibrate, Compare, Mark, Separator, Table};
+pub use shell::{Completions, Fmt, Man, New};
 pub use simulate::Simulate;
 pub use solve::{Equations, Solve, TurnUnit};
 pub use view::View;
@@ -20,12 +22,15 @@ use values::{size, step, time};
 /// Reads descriptions of planar mechanisms: solves them, draws them, shows their equations, derives
 /// their solution, writes them as Rust.
 #[derive(Parser, Debug)]
-#[command(name = "linkwright", version, after_help = EXAMPLES)]
+#[command(name = "linkwright", version = VERSION, after_help = EXAMPLES)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
 }
+
+/// The version, and the commit where it is known.
+const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), env!("LINKWRIGHT_COMMIT"));
 
 const EXAMPLES: &str = "\
 Examples:
@@ -38,9 +43,14 @@ Examples:
   linkwright check mechanisms/two_body.mech
   linkwright compare mechanisms/arm.mech measured.csv
   linkwright generate mechanisms/two_body.mech -o two_body.rs
+  linkwright fmt mechanisms --check
+  linkwright new walker
 
-Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` found a difference,
-`check --deny-warnings` something to look at, `compare` a difference beyond its tolerance), 2 bad input.";
+A description called `-` is read from stdin; its tables lie in the current folder.
+
+Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` or `fmt --check` found a
+difference, `check --deny-warnings` something to look at, `compare` a difference beyond its
+tolerance), 2 bad input.";
 
 /// The commands.
 #[derive(Subcommand, Debug)]
@@ -65,6 +75,14 @@ pub enum Command {
     Compare(Compare),
     /// Fit parameters to measured data
     Calibrate(Calibrate),
+    /// Lay descriptions out as is usual
+    Fmt(Fmt),
+    /// Write a crate with a mechanism, a loop and a test, to start from
+    New(New),
+    /// Print a script that completes arguments in a shell
+    Completions(Completions),
+    /// Write manual pages
+    Man(Man),
 }
 
 /// Draws the mechanism in one pose as a mechanical engineer does: bodies by the points they carry, supports and guides hatched,
@@ -75,7 +93,7 @@ pub enum Command {
 #[derive(Args, Debug)]
 #[command(after_help = DRAW_EXAMPLES)]
 pub struct Draw {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Which motion, where the mechanism has several
     #[arg(long, value_name = "NAME")]
@@ -147,7 +165,7 @@ Examples:
 Exit codes: 0 checked, 1 the mechanism cannot be assembled or its motion ends early, with `--deny-warnings` also where there
 are warnings, 2 bad input.")]
 pub struct Check {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Which motion, where the mechanism has several
     #[arg(long, value_name = "NAME")]
@@ -196,7 +214,7 @@ equations, and the textbook view, Φ, Φ_q, Φ_t and γ as functions. Above 150 
 
 Exit codes: 0 written or unchanged, 1 `--check` found a difference, 2 bad input.")]
 pub struct Generate {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Where to write the module; `-` is stdout [default: stdout]. The other files of C are written beside it
     #[arg(short, long, value_name = "FILE")]
@@ -246,7 +264,7 @@ the generated code solves: its blocks in their order, what no `output` needs, an
 
 Exit codes: 0 shown, 2 bad input, with `--format rust` also where the equations do not determine the motion.")]
 pub struct Inspect {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Only this motion, where the mechanism has several
     #[arg(long, value_name = "NAME")]
@@ -280,7 +298,7 @@ Examples:
 
 Exit codes: 0 derived, 2 bad input, also where the equations do not determine the motion.")]
 pub struct Plan {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Which motion, where the mechanism has several
     #[arg(long, value_name = "NAME")]

@@ -14,7 +14,7 @@ use super::values::{step, time};
 #[derive(Args, Debug)]
 #[command(after_help = VIEW_EXAMPLES)]
 pub struct View {
-    /// The description, a `.mech` file
+    /// The description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
     /// Which motion, where the mechanism has several
     #[arg(long, value_name = "NAME")]

@@ -1,5 +1,6 @@
 //! *A path → the source and the system of each motion, findings printed.* What every command begins with.
 
+use std::io::Read as _;
 use std::path::Path;
 use std::{fs, io};
 
@@ -14,16 +15,47 @@ use linkwright_solver::wishes::Wishes;
 use super::{Problem, say};
 use crate::output::Outputs;
 
-/// The text of the description at `path`, under the name that was given.
+/// What a description is called that is read from stdin.
+const STDIN: &str = "<stdin>";
+
+/// Whether a description is to be read from stdin.
+pub fn is_stdin(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// The text of the description at `path`, under the name that was given; of `-` what stdin holds.
 ///
 /// # Errors
 /// The file cannot be read, or it is not UTF-8.
-pub fn source(path: &Path) -> Result<Source, Problem> {
-    let bytes = files::read(path, Source::LARGEST).map_err(|error| unreadable(path, &error))?;
-    let source = Source::from_bytes(path.display().to_string(), &bytes).map_err(|refused| {
+pub fn text(path: &Path) -> Result<Source, Problem> {
+    let (name, bytes) = match is_stdin(path) {
+        true => (STDIN.to_string(), from_stdin()),
+        false => {
+            let name = path.display().to_string();
+            (name, files::read(path, Source::LARGEST))
+        }
+    };
+    let bytes = bytes.map_err(|error| unreadable(path, &error))?;
+    Source::from_bytes(name, &bytes).map_err(|refused| {
         let (source, found) = *refused;
         rendered(&found, &source)
-    })?;
+    })
+}
+
+/// All that stdin holds; of more than is read, one byte more than that.
+fn from_stdin() -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let mut limited = io::stdin().lock().take(Source::LARGEST as u64 + 1);
+    limited.read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The same with the tables that it names.
+///
+/// # Errors
+/// Those of [`text`].
+pub fn source(path: &Path) -> Result<Source, Problem> {
+    let source = text(path)?;
     Ok(linkwright_codegen::attach_files(
         source,
         files::folder_of(path),

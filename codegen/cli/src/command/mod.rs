@@ -6,10 +6,14 @@
 pub mod calibrate;
 pub mod check;
 pub mod compare;
+pub mod completions;
 pub mod description;
 pub mod draw;
+pub mod fmt;
 pub mod generate;
 pub mod inspect;
+pub mod man;
+pub mod new;
 pub mod plan;
 mod report;
 mod rewritten;
@@ -24,6 +28,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use crate::arguments::{Arguments, Command};
+use crate::colors;
 use crate::output::Refused;
 
 /// How a command ended; the discriminant is the exit code.
@@ -65,6 +70,10 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Check(check) => check::run(&check),
         Command::Compare(compare) => compare::run(&compare),
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),
+        Command::Fmt(fmt) => fmt::run(&fmt),
+        Command::New(new) => new::run(&new),
+        Command::Completions(completions) => completions::run(&completions),
+        Command::Man(man) => man::run(&man),
     };
     match outcome {
         Ok(outcome) => ExitCode::from(outcome as u8),
@@ -108,5 +117,6 @@ pub fn in_folder(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
 
 /// Writes a line to stderr; if that is closed there is nobody to tell.
 pub fn say(text: &str) {
-    let _ = writeln!(io::stderr(), "{}", text.trim_end_matches('\n'));
+    let text = colors::on_terminal(text.trim_end_matches('\n'));
+    let _ = writeln!(io::stderr(), "{text}");
 }

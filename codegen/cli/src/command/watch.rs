@@ -14,7 +14,7 @@ use std::time::{Duration, SystemTime};
 
 use linkwright_codegen::stages::files;
 
-use super::description::source;
+use super::description::{is_stdin, source};
 use super::view::made;
 use super::{Outcome, Problem, print, say};
 use crate::arguments::View;
@@ -56,8 +56,13 @@ impl Shared {
 /// Serves the page until it is interrupted.
 ///
 /// # Errors
-/// The address cannot be used.
+/// The address cannot be used, or there is no file to follow.
 pub fn run(arguments: &View) -> Result<Outcome, Problem> {
+    if is_stdin(&arguments.file) {
+        return Err(Problem(
+            "error: `--watch` follows a file, and `-` is stdin".to_string(),
+        ));
+    }
     let refused = |error: io::Error| {
         let port = arguments.port;
         let text = format!("error: cannot serve at port {port}: {error}");

@@ -1,7 +1,8 @@
 //! Does the command print what the guide says?
 //!
-//! A block marked `mech` or `csv` below a line that begins with a file name in backticks is that file. In a block marked `console` each line
-//! after `$` is a command, and what follows is what it prints, line by line; `…` stands for lines that are left out. A picture that
+//! A block marked `mech` or `csv` below a line that begins with a file name in backticks is that file, also where it is marked as not
+//! formatted, `mech loose`. In a block marked `console` each line after `$` is a command, after `<` with what it reads, and what follows is
+//! what it prints, line by line; `…` stands for lines that are left out. A picture that
 //! a page shows is one that a command of the guide writes.
 //!
 //! Where the command says something else on purpose, `GUIDE_UPDATE=1 cargo test -p linkwright-cli guide` writes it into the pages: as
@@ -9,6 +10,7 @@
 //! like those of a snapshot, and to be looked at.
 
 use std::path::{Path, PathBuf};
+use std::process::Stdio;
 
 use crate::folder::{Folder, Ran};
 
@@ -176,7 +178,7 @@ fn commands_print_what_the_guide_says() {
         }
         for (mark, before, lines) in blocks(&page) {
             match mark {
-                "mech" | "csv" => {
+                "mech" | "mech loose" | "csv" => {
                     let name = before.strip_prefix('`').and_then(|it| it.split('`').next());
                     let name =
                         name.unwrap_or_else(|| panic!("{}: no name: {before}", path.display()));
@@ -186,7 +188,15 @@ fn commands_print_what_the_guide_says() {
                 }
                 "console" => {
                     for (command, expected) in commands(&lines) {
-                        let output = folder.command().args(arguments(command)).output();
+                        let (program, input) = match command.split_once(" < ") {
+                            Some((program, name)) => {
+                                let file = std::fs::File::open(folder.file(name));
+                                (program, Stdio::from(file.expect("a file of the page")))
+                            }
+                            None => (command, Stdio::null()),
+                        };
+                        let mut run = folder.command();
+                        let output = run.args(arguments(program)).stdin(input).output();
                         let found = Ran::from(output.expect("the command starts"));
                         let text = found.stdout + &found.stderr;
                         let printed: Vec<&str> = text.lines().collect();

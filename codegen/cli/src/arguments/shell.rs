@@ -1,0 +1,72 @@
+//! What the commands around a description are asked: formatting, new crates, completions, manual pages.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use clap_complete::Shell;
+
+/// Lays descriptions out as is usual: a line for each statement, four blanks for each brace, one blank between words. Comments, the
+/// line breaks inside a statement, single blank lines and columns stay.
+///
+/// A file with an error is left as it is. Files that are laid out so already are not touched.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  linkwright fmt mechanisms/two_body.mech
+  linkwright fmt descriptions --check        all descriptions of a folder, for a build
+  linkwright fmt - < arm.mech                the formatted text on stdout, for an editor
+
+Exit codes: 0 formatted, 1 `--check` found a file that is not, 2 bad input.")]
+pub struct Fmt {
+    /// Descriptions, or folders of them; `-` is stdin, and is printed
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// Write nothing; name the files that are not formatted, and exit with 1 if there are some
+    #[arg(long)]
+    pub check: bool,
+}
+
+/// Writes a crate with a mechanism, a loop that moves it and a test, to start from.
+///
+/// NAME may be a path, whose last part is the name of the crate. Nothing that exists is touched.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  linkwright new walker
+  linkwright new walker --path ~/linkwright      with the crates of a clone instead of published ones
+
+Exit codes: 0 written, 2 bad input.")]
+pub struct New {
+    /// The crate, which is also its folder
+    pub name: PathBuf,
+    /// A clone of the repository of Linkwright, whose crates are used
+    #[arg(long, value_name = "DIR")]
+    pub path: Option<PathBuf>,
+}
+
+/// Prints a script that completes this command's arguments in a shell.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  linkwright completions bash > ~/.local/share/bash-completion/completions/linkwright
+  linkwright completions zsh > ~/.zfunc/_linkwright
+  linkwright completions fish > ~/.config/fish/completions/linkwright.fish")]
+pub struct Completions {
+    /// The shell
+    pub shell: Shell,
+}
+
+/// Writes a manual page for this command, and one for each of its commands.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  linkwright man --out ~/.local/share/man/man1
+  man linkwright-solve")]
+pub struct Man {
+    /// The folder for the pages
+    #[arg(short, long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Replace files that are not what this command has written
+    #[arg(long)]
+    pub force: bool,
+}

@@ -1,0 +1,48 @@
+//! *The arguments of this command → manual pages*, one for it and one for each of its commands.
+
+use std::io;
+
+use clap::CommandFactory as _;
+use clap_mangen::Man as Page;
+
+use super::{Outcome, Problem, print};
+use crate::arguments::{Arguments, Man};
+use crate::output::{Beginning, Outputs, Signature};
+
+/// How a manual page is known again.
+const SIGNATURE: Signature = Signature {
+    noun: "a manual page of this command",
+    beginning: Beginning::Bytes(|start| {
+        let text = String::from_utf8_lossy(start);
+        text.contains(".TH linkwright")
+    }),
+};
+
+/// Writes the pages.
+///
+/// # Errors
+/// A page cannot be written; all were looked at before the first was.
+pub fn run(arguments: &Man) -> Result<Outcome, Problem> {
+    let mut command = Arguments::command().disable_help_subcommand(true);
+    command.build();
+    let mut pages = vec![("linkwright".to_string(), Page::new(command.clone()))];
+    for sub in command.get_subcommands() {
+        let name = format!("linkwright-{}", sub.get_name());
+        pages.push((name, Page::new(sub.clone())));
+    }
+    let mut outputs = Outputs::new(Vec::new(), arguments.force);
+    let mut written = Vec::new();
+    for (name, page) in pages {
+        let output = outputs.file(&arguments.out.join(format!("{name}.1")), SIGNATURE)?;
+        let mut text = Vec::new();
+        page.render(&mut text).map_err(Problem::of)?;
+        written.push((output, text));
+    }
+    let number = written.len();
+    for (output, text) in written {
+        output.write(|output| -> io::Result<()> { output.write_all(&text) })?;
+    }
+    let folder = arguments.out.display();
+    print(|output| writeln!(output, "wrote {number} pages to {folder}"))?;
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,158 @@
+//! *Pieces → lines*: which pieces stand on one, how deep it begins, and whether a blank line stands before it.
+
+use std::ops::Range;
+
+use super::pieces::{Piece, What};
+
+/// How much deeper what stands inside begins.
+const STEP: usize = 4;
+
+/// One line.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    pub pieces: Range<usize>,
+    /// Where the statement starts that its first piece belongs to, by its piece; the row's own first piece where one starts there.
+    pub statement: usize,
+    /// Whether it goes on with what began above.
+    pub goes_on: bool,
+    /// How deep it begins.
+    pub indent: usize,
+    pub blank_before: bool,
+}
+
+/// A bracket that is open.
+struct Opened {
+    /// Whether statements stand in it.
+    holds_statements: bool,
+    /// The row on which it stands.
+    row: usize,
+}
+
+struct Walk<'a> {
+    pieces: &'a [Piece<'a>],
+    rows: Vec<Row>,
+    open: Vec<Opened>,
+    /// Where the statement that is being read starts, and how many brackets were open there.
+    statement: Option<(usize, usize)>,
+    /// Whether the last row has something besides comments.
+    has_words: bool,
+    /// Whether braces with statements have just been opened.
+    just_opened: bool,
+}
+
+/// The lines of a text.
+pub(super) fn rows(pieces: &[Piece<'_>]) -> Vec<Row> {
+    let mut walk = Walk {
+        pieces,
+        rows: Vec::new(),
+        open: Vec::new(),
+        statement: None,
+        has_words: false,
+        just_opened: false,
+    };
+    for (index, piece) in pieces.iter().enumerate() {
+        walk.place(index);
+        if !piece.is_comment() {
+            walk.read(index);
+        }
+    }
+    walk.rows
+}
+
+impl Walk<'_> {
+    /// Puts a piece at the end of the last row or on a new one.
+    fn place(&mut self, index: usize) {
+        let piece = &self.pieces[index];
+        let closes_statements = self.closes_statements(piece);
+        let is_empty_braces = closes_statements && index > 0 && {
+            matches!(self.pieces[index - 1].what, What::Open(_))
+        };
+        let starts = self.statement.is_none() && !piece.is_comment() && self.has_words;
+        let is_new = match self.rows.is_empty() {
+            true => true,
+            false if is_empty_braces => false,
+            false => piece.breaks > 0 || starts,
+        };
+        if !is_new {
+            if let Some(row) = self.rows.last_mut() {
+                row.pieces.end = index + 1;
+            }
+            self.has_words |= !piece.is_comment();
+            return;
+        }
+        let is_first_inside = self.just_opened || closes_statements;
+        let indent = self.indent(piece);
+        self.rows.push(Row {
+            pieces: index..index + 1,
+            statement: self.statement.map_or(index, |it| it.0),
+            goes_on: self.statement.is_some(),
+            indent,
+            blank_before: piece.breaks > 1 && !self.rows.is_empty() && !is_first_inside,
+        });
+        self.has_words = !piece.is_comment();
+        self.just_opened = false;
+    }
+
+    fn closes_statements(&self, piece: &Piece<'_>) -> bool {
+        let closes = matches!(piece.what, What::Close(_));
+        closes && self.open.last().is_some_and(|it| it.holds_statements)
+    }
+
+    /// How deep a row begins that starts with this piece.
+    fn indent(&self, piece: &Piece<'_>) -> usize {
+        let around = self.open.iter().filter(|it| it.holds_statements).count();
+        let Some((_, depth)) = self.statement else {
+            let around = around - usize::from(self.closes_statements(piece));
+            return STEP * around;
+        };
+        match self.open.last() {
+            Some(opened) if self.open.len() > depth => {
+                let outside = self.rows[opened.row].indent;
+                let inside = usize::from(!matches!(piece.what, What::Close(_)));
+                outside + STEP * inside
+            }
+            _ => STEP * (around + 1),
+        }
+    }
+
+    /// Follows the statements.
+    fn read(&mut self, index: usize) {
+        let piece = &self.pieces[index];
+        let row = self.rows.len().saturating_sub(1);
+        if self.closes_statements(piece) {
+            self.open.pop();
+            self.statement = None;
+            return;
+        }
+        let (first, depth) = *self.statement.get_or_insert((index, self.open.len()));
+        match piece.what {
+            What::Open(bracket) => {
+                let word = &self.pieces[first];
+                let is_outer = self.open.len() == depth;
+                let holds_statements = bracket == b'{'
+                    && is_outer
+                    && (word.is_word("mechanism") || word.is_word("motion"));
+                self.open.push(Opened {
+                    holds_statements,
+                    row,
+                });
+                if holds_statements {
+                    (self.statement, self.just_opened) = (None, true);
+                }
+            }
+            What::Close(bracket) => {
+                self.open.pop();
+                let ends_body = bracket == b'}'
+                    && self.open.len() == depth
+                    && self.pieces[first].is_word("body");
+                let mut after = self.pieces[index + 1..].iter();
+                let next = after.find(|it| !it.is_comment());
+                if ends_body && next.is_none_or(|it| it.what != What::Mark(b';')) {
+                    self.statement = None;
+                }
+            }
+            What::Mark(b';') if self.open.len() == depth => self.statement = None,
+            _ => {}
+        }
+    }
+}
