@@ -429,9 +429,12 @@ fn faults(bytes: &[u8], known: Known) -> Vec<(usize, usize, String)> {
     each.collect()
 }
 
+/// What a file is called, its bytes, the line and column of its fault, and what is said of it.
+type Faulty = (&'static str, &'static [u8], (usize, usize), &'static str);
+
 #[test]
 fn what_is_wrong_is_said_with_line_and_column() {
-    let cases: [(&str, &[u8], (usize, usize), &str); 22] = [
+    let cases: [Faulty; 22] = [
         ("empty", b"", (1, 1), "the file is empty"),
         ("blank", b"\n \n", (1, 1), "the file is empty"),
         (

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 19] = [
+const ORDER: [&str; 20] = [
     "diagnostic",
     "columns",
     "syntax",
