@@ -430,11 +430,11 @@ fn faults(bytes: &[u8], known: Known) -> Vec<(usize, usize, String)> {
 }
 
 /// What a file is called, its bytes, the line and column of its fault, and what is said of it.
-type Faulty = (&'static str, &'static [u8], (usize, usize), &'static str);
+type Faulty<'a> = (&'a str, &'a [u8], (usize, usize), &'a str);
 
 #[test]
 fn what_is_wrong_is_said_with_line_and_column() {
-    let cases: [Faulty; 22] = [
+    let cases: [Faulty<'_>; 22] = [
         ("empty", b"", (1, 1), "the file is empty"),
         ("blank", b"\n \n", (1, 1), "the file is empty"),
         (
