@@ -177,7 +177,8 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut folders: Vec<PathBuf> = fs::read_dir(folder)
         .expect("a folder")
         .map(|entry| entry.expect("a listed file").path())
-        .filter(|path| path.is_dir() && !path.ends_with("tests"))
+        // What `new` writes belongs to whoever it is written for.
+        .filter(|path| path.is_dir() && !["tests", "template"].iter().any(|it| path.ends_with(it)))
         .collect();
     folders.sort();
     found.extend(folders.iter().flat_map(|it| sources(it)));
