@@ -154,30 +154,19 @@ fn unwind<T: Real, D: Dim, E: Equations<T, D>>(
         Some(near) if equations.is_angle(column) => turn * ((angle - *near) / turn).round(),
         _ => T::ZERO,
     };
-    let mut unwound = q.clone();
-    for (column, angle) in unwound.as_mut_slice().iter_mut().enumerate() {
-        *angle -= whole(column, *angle);
-    }
-    if unwound == *q {
-        return;
-    }
     let scales = Scales::of(equations);
     let mut phi = zero_vector(equations.dimension());
-    let mut holds = |q: &OVector<T, D>| {
-        equations.residual(q, t, &mut phi);
-        scales.residual(&phi).magnitude <= settings.tolerance
-    };
-    if holds(&unwound) {
-        *q = unwound;
-        return;
-    }
-    for (column, angle) in unwound.as_slice().iter().enumerate() {
+    let each = (0..q.len()).map(Some);
+    for only in core::iter::once(None).chain(each) {
         let mut trial = q.clone();
-        if let Some(entry) = trial.as_mut_slice().get_mut(column)
-            && *entry != *angle
-        {
-            *entry = *angle;
-            if holds(&trial) {
+        for (column, angle) in trial.as_mut_slice().iter_mut().enumerate() {
+            if only.is_none_or(|it| it == column) {
+                *angle -= whole(column, *angle);
+            }
+        }
+        if trial != *q {
+            equations.residual(&trial, t, &mut phi);
+            if scales.residual(&phi).magnitude <= settings.tolerance {
                 *q = trial;
             }
         }
