@@ -43,7 +43,7 @@ pub fn point_names<B: Blocks>(blocks: &B) -> Vec<&str> {
     (0..).map_while(|index| blocks.point_name(index)).collect()
 }
 
-/// A mechanism with its nominal parameters, in the modes of its drawing and near this pose.
+/// A mechanism with its nominal parameters and its inputs at rest, in the modes of its drawing and near this pose.
 ///
 /// # Errors
 /// Where it cannot be assembled so.
@@ -53,16 +53,31 @@ pub fn assembled_from<B: Blocks>(
     t: f64,
     settings: Settings<B::Scalar>,
 ) -> Result<Shell<B>, Failure<B::Scalar>> {
+    let inputs = blocks.initial_inputs();
+    assembled_with(blocks, estimate, t, &inputs, settings)
+}
+
+/// The same with these inputs.
+///
+/// # Errors
+/// Where it cannot be assembled so.
+pub fn assembled_with<B: Blocks>(
+    blocks: B,
+    estimate: &[f64],
+    t: f64,
+    inputs: &B::Inputs,
+    settings: Settings<B::Scalar>,
+) -> Result<Shell<B>, Failure<B::Scalar>> {
     let parameters = blocks.nominal_parameters();
     let (estimate, branches) = (pose(&blocks, estimate), blocks.drawn_branches());
-    let (inputs, t) = (blocks.initial_inputs(), B::Scalar::from_f64(t));
+    let t = B::Scalar::from_f64(t);
     Shell::assemble(
         blocks,
         &parameters,
         &estimate,
         branches,
         t,
-        &inputs,
+        inputs,
         settings,
     )
 }

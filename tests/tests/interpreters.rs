@@ -8,7 +8,7 @@ use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_solver::view::View;
 use linkwright_tests::description;
-use linkwright_tests::values::assembled_from;
+use linkwright_tests::values::{assembled_from, assembled_with};
 
 /// How far a motion is followed (s), and in how many frames.
 const END: f64 = 0.5;
@@ -29,11 +29,14 @@ fn difference(system: &System) -> Option<[f64; 3]> {
     for step in 0..=FRAMES {
         let t = END * f64::from(step) / f64::from(FRAMES);
         let found = match &mut shell {
-            None => assembled_from(solved.clone(), &[], t, settings).map(|assembled| {
-                let instant = assembled.frame().clone();
-                shell = Some(assembled);
-                instant
-            }),
+            None => {
+                let assembled = assembled_with(solved.clone(), &[], t, &laws.at(t), settings);
+                assembled.map(|assembled| {
+                    let instant = assembled.frame().clone();
+                    shell = Some(assembled);
+                    instant
+                })
+            }
             Some(shell) => shell.advance(t, &laws.at(t)).cloned(),
         };
         let frame = match (&last, &found) {
