@@ -154,8 +154,6 @@ fn unwind<T: Real, D: Dim, E: Equations<T, D>>(
         Some(near) if equations.is_angle(column) => turn * ((angle - *near) / turn).round(),
         _ => T::ZERO,
     };
-    let scales = Scales::of(equations);
-    let mut phi = zero_vector(equations.dimension());
     let each = (0..q.len()).map(Some);
     for only in core::iter::once(None).chain(each) {
         let mut trial = q.clone();
@@ -164,11 +162,17 @@ fn unwind<T: Real, D: Dim, E: Equations<T, D>>(
                 *angle -= whole(column, *angle);
             }
         }
-        if trial != *q {
-            equations.residual(&trial, t, &mut phi);
-            if scales.residual(&phi).magnitude <= settings.tolerance {
-                *q = trial;
+        if trial == *q {
+            // Of all together: nothing is wound up.
+            if only.is_none() {
+                return;
             }
+            continue;
+        }
+        let mut phi = zero_vector(equations.dimension());
+        equations.residual(&trial, t, &mut phi);
+        if Scales::of(equations).residual(&phi).magnitude <= settings.tolerance {
+            *q = trial;
         }
     }
 }
