@@ -33,6 +33,8 @@
 //! assert!(fit.identified.indistinct.is_empty());
 //! ```
 
+#![doc(html_root_url = "https://docs.rs/linkwright-calibrate/0.1.0")]
+
 mod identification;
 mod model;
 mod weights;

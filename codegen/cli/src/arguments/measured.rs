@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::described::Described;
+use super::setting::Setting;
 use super::values::{step, time};
 
 /// A table of measured values, and how it is read.
@@ -67,27 +69,21 @@ pub enum Mark {
 #[derive(Args, Debug)]
 #[command(after_help = COMPARE_EXAMPLES)]
 pub struct Compare {
-    /// The description, a `.mech` file
-    pub file: PathBuf,
+    /// The description.
+    #[command(flatten)]
+    pub described: Described,
     /// The measured values.
     #[command(flatten)]
     pub table: Table,
-    /// Which motion, where the mechanism has several
-    #[arg(long, value_name = "NAME")]
-    pub motion: Option<String>,
     /// When the mechanism is assembled, in s [default: the first time of the table]
     #[arg(long, value_name = "T0", value_parser = time, allow_hyphen_values = true)]
     pub from: Option<f64>,
     /// The largest time between frames, in s
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
-    /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
-    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
-    pub set: Vec<String>,
-    /// The assembly mode of a loop: `positive` or `negative`, `other` than drawn, or of a loop without a closed form the letter of a
-    /// pose that `check` lists; may be repeated. A wrong name lists the loops
-    #[arg(long, value_name = "LOOP=MODE")]
-    pub branch: Vec<String>,
+    /// Where the motion departs from it.
+    #[command(flatten)]
+    pub setting: Setting,
     /// How large differences may be: `1e-6` of every column in SI units, `0.5mm` of those in this unit, `K_x=2mm` of one
     #[arg(long, value_name = "[COLUMN=]VALUE[UNIT]", value_delimiter = ',')]
     pub tolerance: Vec<String>,
@@ -122,27 +118,21 @@ table does, 2 bad input.";
 #[derive(Args, Debug)]
 #[command(after_help = CALIBRATE_EXAMPLES)]
 pub struct Calibrate {
-    /// The description, a `.mech` file
-    pub file: PathBuf,
+    /// The description.
+    #[command(flatten)]
+    pub described: Described,
     /// The measured values.
     #[command(flatten)]
     pub table: Table,
-    /// The parameters that are fitted, separated by commas
+    /// The parameters that are fitted, separated by commas, from their values in the description or of `--set`
     #[arg(long, value_name = "L1,L2", value_delimiter = ',', required = true)]
     pub param: Vec<String>,
-    /// Which motion, where the mechanism has several
-    #[arg(long, value_name = "NAME")]
-    pub motion: Option<String>,
     /// The largest time between frames, in s
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
-    /// Another value of a parameter, from which it is fitted, or the motion of an input as an expression of t; may be repeated
-    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
-    pub set: Vec<String>,
-    /// The assembly mode of a loop: `positive` or `negative`, `other` than drawn, or of a loop without a closed form the letter of a
-    /// pose that `check` lists; may be repeated. A wrong name lists the loops
-    #[arg(long, value_name = "LOOP=MODE")]
-    pub branch: Vec<String>,
+    /// Where the motion departs from it.
+    #[command(flatten)]
+    pub setting: Setting,
     /// The standard deviation of measured values: `0.1mm` of columns in this unit, `K_x=2mm` of one [default: what is left of them]
     #[arg(long, value_name = "[COLUMN=]VALUE[UNIT]", value_delimiter = ',')]
     pub deviation: Vec<String>,

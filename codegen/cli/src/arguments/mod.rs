@@ -1,16 +1,22 @@
 //! *The command line → typed arguments.* Numbers are finite and steps positive afterwards; files are not opened here.
 
+mod described;
 mod measured;
+mod reported;
+mod setting;
 mod shell;
 mod simulate;
 mod solve;
 mod values;
 mod view;
 
+pub use described::Described;
 pub use measured::{Calibrate, Compare, Mark, Separator, Table};
+pub use reported::{Reported, TurnUnit};
+pub use setting::Setting;
 pub use shell::{Completions, Fmt, Man, New};
 pub use simulate::Simulate;
-pub use solve::{Equations, Solve, TurnUnit};
+pub use solve::{Equations, Solve};
 pub use view::View;
 
 use std::path::PathBuf;
@@ -93,11 +99,9 @@ pub enum Command {
 #[derive(Args, Debug)]
 #[command(after_help = DRAW_EXAMPLES)]
 pub struct Draw {
-    /// The description, a `.mech` file; `-` is stdin
-    pub file: PathBuf,
-    /// Which motion, where the mechanism has several
-    #[arg(long, value_name = "NAME")]
-    pub motion: Option<String>,
+    /// The description.
+    #[command(flatten)]
+    pub described: Described,
     /// Where to write the picture, `.svg` or `.png`; `-` is stdout [default: NAME.svg]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -128,13 +132,9 @@ pub struct Draw {
     /// Width and height in pixels [default: as large as the drawing needs, up to 760x620]
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<[u32; 2]>,
-    /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
-    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
-    pub set: Vec<String>,
-    /// The assembly mode of a loop: `positive` or `negative`, `other` than drawn, or of a loop without a closed form the letter of a
-    /// pose that `check` lists; may be repeated. A wrong name lists the loops
-    #[arg(long, value_name = "LOOP=MODE")]
-    pub branch: Vec<String>,
+    /// Where the motion departs from it.
+    #[command(flatten)]
+    pub setting: Setting,
     /// Replace a file that is not what this command has written
     #[arg(long)]
     pub force: bool,
@@ -165,11 +165,9 @@ Examples:
 Exit codes: 0 checked, 1 the mechanism cannot be assembled or its motion ends early, with `--deny-warnings` also where there
 are warnings, 2 bad input.")]
 pub struct Check {
-    /// The description, a `.mech` file; `-` is stdin
-    pub file: PathBuf,
-    /// Which motion, where the mechanism has several
-    #[arg(long, value_name = "NAME")]
-    pub motion: Option<String>,
+    /// The description.
+    #[command(flatten)]
+    pub described: Described,
     /// When the motion starts, in s; the assemblies are those of this time
     #[arg(long, value_name = "T0", default_value = "0", value_parser = time, allow_hyphen_values = true)]
     pub from: f64,
@@ -298,11 +296,9 @@ Examples:
 
 Exit codes: 0 derived, 2 bad input, also where the equations do not determine the motion.")]
 pub struct Plan {
-    /// The description, a `.mech` file; `-` is stdin
-    pub file: PathBuf,
-    /// Which motion, where the mechanism has several
-    #[arg(long, value_name = "NAME")]
-    pub motion: Option<String>,
+    /// The description.
+    #[command(flatten)]
+    pub described: Described,
     /// How words and formulas are written
     #[arg(long, value_enum, default_value_t = Script::Text)]
     pub format: Script,

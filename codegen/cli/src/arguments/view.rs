@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::described::Described;
+use super::setting::Setting;
 use super::values::{step, time};
 
 /// Makes one HTML file that shows the mechanism in motion, its equations, their solution block by block, its singular poses, its
@@ -14,11 +16,9 @@ use super::values::{step, time};
 #[derive(Args, Debug)]
 #[command(after_help = VIEW_EXAMPLES)]
 pub struct View {
-    /// The description, a `.mech` file; `-` is stdin
-    pub file: PathBuf,
-    /// Which motion, where the mechanism has several
-    #[arg(long, value_name = "NAME")]
-    pub motion: Option<String>,
+    /// The description.
+    #[command(flatten)]
+    pub described: Described,
     /// Where to write the page; `-` is stdout [default: NAME.html]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -31,13 +31,9 @@ pub struct View {
     /// The time between frames, in s, and that of the first Newton-Raphson step
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
-    /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
-    #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
-    pub set: Vec<String>,
-    /// The assembly mode of a loop: `positive` or `negative`, `other` than drawn, or of a loop without a closed form the letter of a
-    /// pose that `check` lists; may be repeated. A wrong name lists the loops
-    #[arg(long, value_name = "LOOP=MODE")]
-    pub branch: Vec<String>,
+    /// Where the motion departs from it.
+    #[command(flatten)]
+    pub setting: Setting,
     /// Replace a file that is not a page of this command
     #[arg(long)]
     pub force: bool,

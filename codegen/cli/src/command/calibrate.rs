@@ -2,10 +2,11 @@
 
 use linkwright_calibrate::{Calibrator, Column, Measurements, Unfit};
 use linkwright_codegen::diagnostic::{Source, nearest};
-use linkwright_codegen::stages::model::set;
 use linkwright_codegen::stages::system::System;
 
-use super::description::{chosen, determined, no_order, outputs_besides, rendered, source};
+use super::description::{
+    chosen, determined, no_order, outputs_besides, rendered, set_all, source,
+};
 use super::rewritten::rewritten;
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Calibrate;
@@ -26,13 +27,11 @@ const SIGNATURE: Signature = Signature {
 /// The description or the table has errors, an option cannot be used, or the new description cannot be written. That nothing fits is
 /// an outcome.
 pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
-    let source = source(&arguments.file)?;
-    let plain = determined(&source, arguments.motion.as_deref())?;
+    let source = source(&arguments.described.file)?;
+    let plain = determined(&source, arguments.described.motion.as_deref())?;
     check_names(&plain, &arguments.param)?;
     let mut system = along(&source, arguments)?;
-    for assignment in &arguments.set {
-        set(&mut system.mechanism, assignment).map_err(Problem)?;
-    }
+    set_all(&mut system, &arguments.setting.set)?;
     let mut data = Data::read(&arguments.table, &system).map_err(Problem)?;
     keep_fitted(&mut data)?;
     let deviations =
@@ -46,14 +45,15 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     let output = match &arguments.out {
         Some(path) => {
             let data = Some(arguments.table.data.as_path());
-            let mut outputs = outputs_besides(&arguments.file, &source, data, arguments.force);
+            let mut outputs =
+                outputs_besides(&arguments.described.file, &source, data, arguments.force);
             Some(outputs.file(path, SIGNATURE)?)
         }
         None => None,
     };
     let calibrator = Calibrator::new(&system, arguments.step);
-    let mut calibrator = calibrator.ok_or_else(|| no_order(&arguments.file))?;
-    if let Some((_, modes)) = chosen(&arguments.branch, calibrator.view(), data.times[0])? {
+    let mut calibrator = calibrator.ok_or_else(|| no_order(&arguments.described.file))?;
+    if let Some((_, modes)) = chosen(&arguments.setting.branch, calibrator.view(), data.times[0])? {
         calibrator = calibrator.in_modes(modes);
     }
     let mut kinds: Vec<[i32; 4]> = Vec::new();
@@ -136,12 +136,12 @@ fn along(source: &Source, arguments: &Calibrate) -> Result<System, Problem> {
     let names: Vec<&str> = arguments.param.iter().map(|it| it.trim()).collect();
     let read = linkwright_codegen::read_along(source, &names);
     let read = read.map_err(|found| rendered(&found, source))?;
-    let system = match &arguments.motion {
+    let system = match &arguments.described.motion {
         Some(name) => read.motion(name).cloned(),
         None => read.only(),
     };
     // What is wrong with the names of motions has been said.
-    system.ok_or_else(|| no_order(&arguments.file))
+    system.ok_or_else(|| no_order(&arguments.described.file))
 }
 
 /// That all names are those of parameters, each once.

@@ -1,11 +1,10 @@
 //! *A description and times → its assemblies and where it comes closest to singular.*
 
-use linkwright_codegen::stages::model::set;
 use linkwright_solver::check::Check;
 use linkwright_solver::schedule::Schedule;
 use linkwright_solver::view::View;
 
-use super::description::{determined, interpreted, outputs, source};
+use super::description::{determined, interpreted, outputs, set_all, source};
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Check as Arguments;
 use crate::progress::Progress;
@@ -21,23 +20,21 @@ const WIDTH: usize = 110;
 /// The description has errors, its equations do not determine the motion, an option cannot be used, or the picture cannot be
 /// written. That the mechanism cannot be solved is an outcome.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
-    let source = source(&arguments.file)?;
-    let mut system = determined(&source, arguments.motion.as_deref())?;
-    for assignment in &arguments.set {
-        set(&mut system.mechanism, assignment).map_err(Problem)?;
-    }
+    let source = source(&arguments.described.file)?;
+    let mut system = determined(&source, arguments.described.motion.as_deref())?;
+    set_all(&mut system, &arguments.set)?;
     let schedule = Schedule::range(arguments.from, arguments.to, arguments.step)
         .map_err(|text| Problem(format!("error: {text}")))?;
     let output = match &arguments.plot {
         Some(folder) => {
             let path = in_folder(folder, "assemblies.svg")?;
-            let mut outputs = outputs(&arguments.file, &source, arguments.force);
+            let mut outputs = outputs(&arguments.described.file, &source, arguments.force);
             Some(outputs.file(&path, picture::SIGNATURE)?)
         }
         None => None,
     };
     let mut progress = Progress::new(schedule.visits());
-    let interpreted = interpreted(&system, &arguments.file)?;
+    let interpreted = interpreted(&system, &arguments.described.file)?;
     let check = Check::new(interpreted, &schedule, |count| progress.reached(count));
     progress.finish();
     print(|output| match arguments.json {

@@ -2,13 +2,12 @@
 
 use std::io;
 
-use linkwright_codegen::stages::model::set;
 use linkwright_solver::comparison::{Comparison, difference};
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::observable::{Observable, values};
 use linkwright_solver::schedule::Schedule;
 
-use super::description::{chosen, determined, interpreted, outputs_besides, source};
+use super::description::{chosen, determined, interpreted, outputs_besides, set_all, source};
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Compare;
 use crate::data::Data;
@@ -24,11 +23,9 @@ use crate::report::{comparison_plot, picture};
 /// The description or the table has errors, an option cannot be used, or a picture cannot be written. That the mechanism cannot be
 /// solved is an outcome, and so is a difference.
 pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
-    let source = source(&arguments.file)?;
-    let mut system = determined(&source, arguments.motion.as_deref())?;
-    for assignment in &arguments.set {
-        set(&mut system.mechanism, assignment).map_err(Problem)?;
-    }
+    let source = source(&arguments.described.file)?;
+    let mut system = determined(&source, arguments.described.motion.as_deref())?;
+    set_all(&mut system, &arguments.setting.set)?;
     let data = Data::read(&arguments.table, &system).map_err(Problem)?;
     let tolerances =
         comparison::sizes("--tolerance", &arguments.tolerance, &data).map_err(Problem)?;
@@ -38,7 +35,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
     let mut pictures: Vec<Output> = Vec::new();
     if let Some(folder) = &arguments.plot {
         let mut outputs = outputs_besides(
-            &arguments.file,
+            &arguments.described.file,
             &source,
             Some(&arguments.table.data),
             arguments.force,
@@ -48,8 +45,8 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
             pictures.push(outputs.file(&path, picture::SIGNATURE)?);
         }
     }
-    let interpreted = interpreted(&system, &arguments.file)?;
-    let chosen = chosen(&arguments.branch, &interpreted, start)?;
+    let interpreted = interpreted(&system, &arguments.described.file)?;
+    let chosen = chosen(&arguments.setting.branch, &interpreted, start)?;
     let wanted = Wanted {
         points: Vec::new(),
         coordinates: Vec::new(),

@@ -6,6 +6,7 @@ use std::{fs, io};
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source, nearest};
 use linkwright_codegen::stages::files;
+use linkwright_codegen::stages::model::set;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
@@ -105,6 +106,15 @@ fn unreadable(path: &Path, error: &io::Error) -> Problem {
     Problem(format!(
         "error: cannot read `{shown}`: {reason}\n  = help: {help}"
     ))
+}
+
+/// Carries out the assignments of `--set`.
+///
+/// # Errors
+/// One of them cannot be.
+pub fn set_all(system: &mut System, assignments: &[String]) -> Result<(), Problem> {
+    let mut assignments = assignments.iter();
+    assignments.try_for_each(|it| set(&mut system.mechanism, it).map_err(Problem))
 }
 
 /// The equations of every motion of a description, or of the one that is wanted; warnings go to stderr.

@@ -5,14 +5,15 @@ use std::path::{Path, PathBuf};
 
 use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::stages::emit::drawing::{self, Options, Pose, Traced};
-use linkwright_codegen::stages::model::set;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::drawn::pose;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::schedule::Schedule;
 
-use super::description::{chosen, determined, interpreted, motions, outputs, several, source};
+use super::description::{
+    chosen, determined, interpreted, motions, outputs, set_all, several, source,
+};
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Draw;
 use crate::motion::{self, Followed, Shown, Sink, Wanted};
@@ -35,8 +36,8 @@ const FINE: f32 = 2.0;
 /// The description has errors, an option cannot be used, or the picture cannot be written. That the mechanism cannot be assembled, or
 /// that its motion ends before what is wanted, is an outcome.
 pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
-    let source = source(&arguments.file)?;
-    let motion = arguments.motion.as_deref();
+    let source = source(&arguments.described.file)?;
+    let motion = arguments.described.motion.as_deref();
     let mut system = match arguments.as_written {
         false => determined(&source, motion)?,
         true => {
@@ -48,9 +49,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
             found.remove(0)
         }
     };
-    for assignment in &arguments.set {
-        set(&mut system.mechanism, assignment).map_err(Problem)?;
-    }
+    set_all(&mut system, &arguments.setting.set)?;
     let mut options = Options {
         size: arguments.size,
         frames: frames(&system, &arguments.frame)?,
@@ -70,7 +69,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     let output = match is_stdout(&path) {
         true => None,
         false => {
-            let mut outputs = outputs(&arguments.file, &source, arguments.force);
+            let mut outputs = outputs(&arguments.described.file, &source, arguments.force);
             Some(outputs.file(&path, signature)?)
         }
     };
@@ -133,7 +132,7 @@ fn solved(arguments: &Draw, system: &System) -> Result<Solved, Problem> {
         true => None,
         false => Some(Schedule::range(from, to, step).map_err(refused)?),
     };
-    let view = interpreted(system, &arguments.file)?;
+    let view = interpreted(system, &arguments.described.file)?;
     let mut frames = Frames::new(1);
     let error = follow(arguments, &view, Vec::new(), &schedule, &mut frames)?;
     let mut solved = Solved {
@@ -174,7 +173,7 @@ fn follow(
     schedule: &Schedule,
     frames: &mut Frames,
 ) -> Result<Option<String>, Problem> {
-    let start = chosen(&arguments.branch, view, schedule.start.t)?;
+    let start = chosen(&arguments.setting.branch, view, schedule.start.t)?;
     let wanted = Wanted {
         points,
         coordinates: Vec::new(),

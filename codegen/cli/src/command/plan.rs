@@ -13,9 +13,10 @@ use crate::terminal;
 /// # Errors
 /// The description has errors, or its equations do not determine the motion.
 pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
-    let source = source(&arguments.file)?;
-    let mut system = determined(&source, arguments.motion.as_deref())?;
-    let plan = structure::plan_of_motion(&mut system).ok_or_else(|| no_order(&arguments.file))?;
+    let source = source(&arguments.described.file)?;
+    let mut system = determined(&source, arguments.described.motion.as_deref())?;
+    let plan = structure::plan_of_motion(&mut system)
+        .ok_or_else(|| no_order(&arguments.described.file))?;
     let text = match arguments.format {
         Script::Text => derivation::text(&system, &plan, Notation::Ascii),
         Script::Unicode => derivation::text(&system, &plan, Notation::Unicode),

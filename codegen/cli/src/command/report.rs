@@ -10,13 +10,13 @@ use linkwright_solver::view::View;
 
 use super::solve_files::Files;
 use super::{Outcome, Problem, print, say};
-use crate::arguments::Solve;
+use crate::arguments::Reported;
 use crate::motion::{Followed, Shown, Sink};
 use crate::output::{Output, Refused};
 use crate::progress::{PATIENCE, Progress};
 use crate::report::comma_separated::{self, Table};
 use crate::report::json::Object;
-use crate::report::summary::{self, How};
+use crate::report::summary::{self, Layout};
 
 /// A table of more gigabytes than this is announced.
 const LARGE: f64 = 1.0;
@@ -28,8 +28,8 @@ const GIGABYTE: f64 = 1e9;
 ///
 /// # Errors
 /// Both are asked for.
-pub(super) fn check_stdout(arguments: &Solve) -> Result<(), Problem> {
-    match is_stdout(&arguments.csv) && arguments.json {
+pub(super) fn check_stdout(reported: &Reported) -> Result<(), Problem> {
+    match is_stdout(&reported.csv) && reported.json {
         true => Err(Problem(
             "error: `--json` and `--csv -` both want stdout".to_string(),
         )),
@@ -53,7 +53,8 @@ pub(super) type Course<'a, V> = &'a mut dyn FnMut(
 /// # Errors
 /// A file cannot be written.
 pub(super) fn report<V: View>(
-    arguments: &Solve,
+    reported: &Reported,
+    layout: Layout,
     mut motion: Followed<V>,
     schedule: &Schedule,
     mut files: Files,
@@ -76,20 +77,20 @@ pub(super) fn report<V: View>(
         .map(|it| it.path().display().to_string())
         .collect();
     let mut reached = |count| progress.reached(count);
-    let to_stdout = is_stdout(&arguments.csv);
-    if arguments.json || to_stdout {
+    let to_stdout = is_stdout(&reported.csv);
+    if reported.json || to_stdout {
         let mut refused = Ok(());
-        print(|output| match arguments.json {
+        print(|output| match reported.json {
             true => {
                 let mut object = Object::new(&motion, output)?;
-                let table = (table, arguments.units);
+                let table = (table, reported.units);
                 let sink = Some(&mut object as &mut dyn Sink);
                 refused = follow(&mut motion, schedule, sink, table, course, &mut reached)?;
                 object.finish(&motion)
             }
             false => {
-                let mut rows = Table::new(&motion, arguments.units, output)?;
-                let table = (table, arguments.units);
+                let mut rows = Table::new(&motion, reported.units, output)?;
+                let table = (table, reported.units);
                 let sink = Some(&mut rows as &mut dyn Sink);
                 refused = follow(&mut motion, schedule, sink, table, course, &mut reached)?;
                 rows.finish()
@@ -97,29 +98,23 @@ pub(super) fn report<V: View>(
         })?;
         refused?;
     } else {
-        let table = (table, arguments.units);
+        let table = (table, reported.units);
         follow(&mut motion, schedule, None, table, course, &mut reached).map_err(Problem::of)??;
     }
     let elapsed = progress.finish();
-    let how = How {
-        points_chosen: !arguments.points.is_empty(),
-        coordinates_chosen: !arguments.show.is_empty(),
-        angles: arguments.angles,
-        first_step: arguments.first_step,
-    };
     if to_stdout {
         // If stderr is closed there is nobody to tell.
-        let _ = summary::write(&motion, &how, &mut io::stderr());
-    } else if !arguments.json {
+        let _ = summary::write(&motion, &layout, &mut io::stderr());
+    } else if !reported.json {
         print(|output| {
-            summary::write(&motion, &how, output)?;
+            summary::write(&motion, &layout, output)?;
             match elapsed > PATIENCE {
                 true => writeln!(output, "solved in {:.1} s", elapsed.as_secs_f64()),
                 false => Ok(()),
             }
         })?;
     }
-    if !arguments.json {
+    if !reported.json {
         for warning in &motion.warnings {
             say(&format!("warning: {warning}"));
         }
@@ -127,8 +122,8 @@ pub(super) fn report<V: View>(
     if let Some(error) = &motion.error {
         say(&format!("error: `{}` {error}", motion.title()));
     }
-    written.extend(files.draw(&motion, arguments.angles)?);
-    if !arguments.json && !to_stdout {
+    written.extend(files.draw(&motion, reported.angles)?);
+    if !reported.json && !to_stdout {
         print(|output| {
             written
                 .iter()

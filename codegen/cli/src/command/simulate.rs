@@ -3,13 +3,14 @@
 use linkwright_solver::schedule::Schedule;
 use linkwright_solver::simulation::{Options, Tolerances};
 
-use super::description::{chosen, determined, interpreted, source};
+use super::description::{chosen, determined, interpreted, outputs, set_all, source};
 use super::report::{check_stdout, report};
-use super::solve::{set_all, shown};
+use super::solve::shown;
 use super::solve_files::Files;
 use super::{Outcome, Problem};
 use crate::arguments::Simulate;
 use crate::motion::{Followed, Wanted};
+use crate::report::summary::Layout;
 
 /// Simulates the motion and reports it.
 ///
@@ -17,31 +18,32 @@ use crate::motion::{Followed, Wanted};
 /// The description has errors, or nothing in it is free, an option cannot be used, or a file cannot be written. That the motion ends
 /// early is an outcome.
 pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
-    let reported = arguments.reported();
-    check_stdout(&reported)?;
-    let source = source(&arguments.file)?;
-    let mut system = determined(&source, arguments.motion.as_deref())?;
+    let reported = &arguments.reported;
+    check_stdout(reported)?;
+    let source = source(&arguments.described.file)?;
+    let mut system = determined(&source, arguments.described.motion.as_deref())?;
     set_all(&mut system, &arguments.set)?;
     let forces = &mut system.mechanism.forces;
     if forces.free.is_empty() {
         return Err(Problem(format!(
             "error: no coordinate of `{}` is free, so forces move nothing\n  = help: write `free NAME: phi(BODY) = START;` in place of a `drive` statement, or use `linkwright solve`",
-            arguments.file.display()
+            arguments.described.file.display()
         )));
     }
     // The drift of the energy is always said.
     forces.energy = true;
     let schedule = Schedule::range(0.0, arguments.to, arguments.step);
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
-    let [points, coordinates] = shown(&reported, &system)?;
-    let files = Files::new(&reported, &source, &system, &points, &schedule)?;
+    let [points, coordinates] = shown(reported, &system)?;
+    let writable = outputs(&arguments.described.file, &source, reported.force);
+    let files = Files::new(reported, writable, false, &system, &points, &schedule)?;
     let wanted = Wanted {
         points,
         coordinates,
         monitor: false,
         curves: files.has_pictures(),
     };
-    let view = interpreted(&system, &arguments.file)?;
+    let view = interpreted(&system, &arguments.described.file)?;
     let chosen = chosen(&arguments.branch, &view, 0.0)?;
     let options = Options {
         tolerances: Tolerances {
@@ -52,7 +54,8 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     };
     let motion = Followed::new(view, wanted, 0.0, chosen.clone());
     report(
-        &reported,
+        reported,
+        Layout::of(reported),
         motion,
         &schedule,
         files,

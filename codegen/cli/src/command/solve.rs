@@ -3,18 +3,18 @@
 use std::io;
 
 use linkwright_codegen::stages::joint::Quantity;
-use linkwright_codegen::stages::model::set;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::dense::Dense;
 use linkwright_solver::schedule::Schedule;
 use linkwright_solver::view::View;
 
-use super::description::{chosen, determined, interpreted, source};
+use super::description::{chosen, determined, interpreted, outputs, set_all, source};
 use super::report::{check_stdout, report};
 use super::solve_files::Files;
 use super::{Outcome, Problem};
-use crate::arguments::{Equations, Solve};
+use crate::arguments::{Equations, Reported, Solve};
 use crate::motion::{self, Followed, Sink, Wanted};
+use crate::report::summary::Layout;
 
 /// Solves the motion and reports it.
 ///
@@ -22,22 +22,29 @@ use crate::motion::{self, Followed, Sink, Wanted};
 /// The description has errors, its equations do not determine the motion, an option cannot be used, or a file cannot
 /// be written. That the mechanism cannot be solved is an outcome.
 pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
-    check_stdout(arguments)?;
-    let source = source(&arguments.file)?;
-    let mut system = determined(&source, arguments.motion.as_deref())?;
-    set_all(&mut system, &arguments.set)?;
+    check_stdout(&arguments.reported)?;
+    let source = source(&arguments.described.file)?;
+    let mut system = determined(&source, arguments.described.motion.as_deref())?;
+    set_all(&mut system, &arguments.setting.set)?;
     if arguments.at_rest {
         if !system.mechanism.forces.are_wanted() {
             return Err(Problem(format!(
                 "error: `--static` needs something that is asked for\n  = help: write `effort;` or `reactions;` into `{}`",
-                arguments.file.display()
+                arguments.described.file.display()
             )));
         }
         system.rest();
     }
     let schedule = schedule(arguments)?;
-    let [points, coordinates] = shown(arguments, &system)?;
-    let files = Files::new(arguments, &source, &system, &points, &schedule)?;
+    let [points, coordinates] = shown(&arguments.reported, &system)?;
+    let reported = &arguments.reported;
+    let writable = outputs(&arguments.described.file, &source, reported.force);
+    let is_brief = !arguments.at.is_empty();
+    let files = Files::new(reported, writable, is_brief, &system, &points, &schedule)?;
+    let layout = Layout {
+        first_step: arguments.first_step,
+        ..Layout::of(reported)
+    };
     let wanted = Wanted {
         points,
         coordinates,
@@ -48,24 +55,15 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
         Equations::Textbook => {
             let dense = Dense::new(&system);
             let motion = Followed::new(dense, wanted, schedule.start.t, None);
-            report(arguments, motion, &schedule, files, &mut follow)
+            report(reported, layout, motion, &schedule, files, &mut follow)
         }
         Equations::Blocks => {
-            let interpreted = interpreted(&system, &arguments.file)?;
-            let chosen = chosen(&arguments.branch, &interpreted, schedule.start.t)?;
+            let interpreted = interpreted(&system, &arguments.described.file)?;
+            let chosen = chosen(&arguments.setting.branch, &interpreted, schedule.start.t)?;
             let motion = Followed::new(interpreted, wanted, schedule.start.t, chosen);
-            report(arguments, motion, &schedule, files, &mut follow)
+            report(reported, layout, motion, &schedule, files, &mut follow)
         }
     }
-}
-
-/// Carries out the assignments of `--set`.
-///
-/// # Errors
-/// One of them cannot be.
-pub(super) fn set_all(system: &mut System, assignments: &[String]) -> Result<(), Problem> {
-    let mut assignments = assignments.iter();
-    assignments.try_for_each(|it| set(&mut system.mechanism, it).map_err(Problem))
 }
 
 /// The motion as its drivers and inputs have it.
@@ -90,13 +88,13 @@ fn schedule(arguments: &Solve) -> Result<Schedule, Problem> {
 }
 
 /// The points and the coordinates that are shown: what is chosen, otherwise all points and all angles.
-pub(super) fn shown(arguments: &Solve, system: &System) -> Result<[Vec<usize>; 2], Problem> {
+pub(super) fn shown(reported: &Reported, system: &System) -> Result<[Vec<usize>; 2], Problem> {
     let refused = |text| Problem(format!("error: {text}"));
-    let points = match (&arguments.points[..], &arguments.show[..]) {
+    let points = match (&reported.points[..], &reported.show[..]) {
         ([], [_, ..]) => Vec::new(),
         (names, _) => motion::points(system, names).map_err(refused)?,
     };
-    let coordinates = match (&arguments.points[..], &arguments.show[..]) {
+    let coordinates = match (&reported.points[..], &reported.show[..]) {
         ([], []) => {
             let all = system.coordinates.iter().enumerate();
             let angles = all.filter(|(_, it)| it.quantity == Quantity::Angle);

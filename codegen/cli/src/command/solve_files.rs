@@ -2,16 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::schedule::Schedule;
 use linkwright_solver::view::View;
 
-use super::description::outputs;
 use super::{Problem, in_folder};
-use crate::arguments::{Solve, TurnUnit};
+use crate::arguments::{Reported, TurnUnit};
 use crate::motion::Followed;
-use crate::output::{Output, Refused};
+use crate::output::{Output, Outputs, Refused};
 use crate::report::{comma_separated, paths, picture, plot};
 
 /// What is said of a file that cannot be written and that nobody asked for.
@@ -35,27 +33,27 @@ struct Picture {
 }
 
 impl Files {
-    /// Those of a motion whose points are shown.
+    /// Those of a motion whose points are shown; of a brief one only what is asked for.
     ///
     /// # Errors
     /// One of them cannot be written.
     pub fn new(
-        arguments: &Solve,
-        source: &Source,
+        reported: &Reported,
+        mut outputs: Outputs,
+        is_brief: bool,
         system: &System,
         points: &[usize],
         schedule: &Schedule,
     ) -> Result<Files, Problem> {
-        let is_quiet = arguments.json || arguments.no_files || !arguments.at.is_empty();
-        let default = match &arguments.out {
+        let is_quiet = reported.json || reported.no_files || is_brief;
+        let default = match &reported.out {
             Some(folder) => Some(folder.clone()),
             None => (!is_quiet).then(|| folder(system)),
         };
-        let mut outputs = outputs(&arguments.file, source, arguments.force);
-        let frames = arguments.csv.clone();
+        let frames = reported.csv.clone();
         let frames = frames.or_else(|| Some(default.as_ref()?.join("motion.csv")));
         let frames = frames.filter(|path| path != Path::new("-"));
-        let is_asked = arguments.csv.is_some() || arguments.out.is_some();
+        let is_asked = reported.csv.is_some() || reported.out.is_some();
         let frames = frames
             .map(|path| placed(is_asked, outputs.file(&path, comma_separated::SIGNATURE)))
             .transpose()?;
@@ -65,19 +63,19 @@ impl Files {
             coordinates: Vec::new(),
             forces: Vec::new(),
             paths: None,
-            folder: arguments.plot.clone().or(default).unwrap_or_default(),
+            folder: reported.plot.clone().or(default).unwrap_or_default(),
         };
         // A curve needs two frames.
         if files.folder == Path::new("") || schedule.wanted() < 2 {
             return Ok(files);
         }
         let names = points.iter().map(|&it| system.outputs[it].name.as_str());
-        let shown = arguments.show.iter().map(String::as_str);
+        let shown = reported.show.iter().map(String::as_str);
         let paths = (!points.is_empty()).then_some("paths");
         let forces = linkwright_solver::forces::names(system);
         let forces = forces.iter().map(|(name, _)| name.as_str());
         let names = distinct(names.chain(shown).chain(forces).chain(paths));
-        let is_asked = arguments.plot.is_some() || arguments.out.is_some();
+        let is_asked = reported.plot.is_some() || reported.out.is_some();
         let mut pictures = Vec::with_capacity(names.len());
         for name in names {
             let path = in_folder(&files.folder, &format!("{name}.svg"))?;
@@ -85,7 +83,7 @@ impl Files {
             pictures.push(Picture { name, output });
         }
         files.paths = paths.and_then(|_| pictures.pop());
-        files.forces = pictures.split_off(points.len() + arguments.show.len());
+        files.forces = pictures.split_off(points.len() + reported.show.len());
         files.coordinates = pictures.split_off(points.len());
         files.points = pictures;
         Ok(files)

@@ -3,11 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::model::set;
 use linkwright_solver::check::Check;
 use linkwright_solver::schedule::Schedule;
 
-use super::description::{chosen, determined, findings, interpreted, outputs, source};
+use super::description::{chosen, determined, findings, interpreted, outputs, set_all, source};
 use super::{Outcome, Problem, print, say, watch};
 use crate::arguments::View;
 use crate::output::{Beginning, Signature};
@@ -31,7 +30,7 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     if arguments.watch {
         return watch::run(arguments);
     }
-    let source = source(&arguments.file)?;
+    let source = source(&arguments.described.file)?;
     let made = made(arguments, &source, Live::No)?;
     let path = match &arguments.out {
         Some(path) => path.clone(),
@@ -43,7 +42,7 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     if path == Path::new("-") {
         print(|output| output.write_all(made.html.as_bytes()))?;
     } else {
-        let mut outputs = outputs(&arguments.file, &source, arguments.force);
+        let mut outputs = outputs(&arguments.described.file, &source, arguments.force);
         let output = outputs.file(&path, SIGNATURE)?;
         output.write(|output| output.write_all(made.html.as_bytes()))?;
         print(|output| writeln!(output, "wrote {}", path.display()))?;
@@ -69,16 +68,14 @@ pub struct Made {
 /// # Errors
 /// Those of [`run`] but the last.
 pub fn made(arguments: &View, source: &Source, live: Live) -> Result<Made, Problem> {
-    let mut system = determined(source, arguments.motion.as_deref())?;
+    let mut system = determined(source, arguments.described.motion.as_deref())?;
     let findings = findings(source, &system);
-    for assignment in &arguments.set {
-        set(&mut system.mechanism, assignment).map_err(Problem)?;
-    }
+    set_all(&mut system, &arguments.setting.set)?;
     let (from, to, step) = (arguments.from, arguments.to, arguments.step);
     let schedule = Schedule::range(from, to, step);
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
-    let view = interpreted(&system, &arguments.file)?;
-    let chosen = chosen(&arguments.branch, &view, schedule.start.t)?;
+    let view = interpreted(&system, &arguments.described.file)?;
+    let chosen = chosen(&arguments.setting.branch, &view, schedule.start.t)?;
     let check = Check::new(view, &schedule, |_| {});
     let (html, error) = page(
         &Page {

@@ -58,7 +58,7 @@ impl Shared {
 /// # Errors
 /// The address cannot be used, or there is no file to follow.
 pub fn run(arguments: &View) -> Result<Outcome, Problem> {
-    if is_stdin(&arguments.file) {
+    if is_stdin(&arguments.described.file) {
         return Err(Problem(
             "error: `--watch` follows a file, and `-` is stdin".to_string(),
         ));
@@ -76,7 +76,7 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     let shared = Arc::new(Shared::default());
     let mut seen = renew(arguments, &shared);
     print(|output| {
-        let name = arguments.file.display();
+        let name = arguments.described.file.display();
         writeln!(
             output,
             "{name} is at http://{address}/ until this is interrupted"
@@ -114,9 +114,9 @@ fn renew(arguments: &View, shared: &Shared) -> Vec<(PathBuf, Stamp)> {
         let stamp = stamp_of(&path);
         (path, stamp)
     };
-    let mut seen = vec![stamped(arguments.file.clone())];
-    let made = source(&arguments.file).and_then(|source| {
-        let folder = files::folder_of(&arguments.file);
+    let mut seen = vec![stamped(arguments.described.file.clone())];
+    let made = source(&arguments.described.file).and_then(|source| {
+        let folder = files::folder_of(&arguments.described.file);
         let tables = source.attachments.iter().map(|it| folder.join(&it.path));
         seen.extend(tables.map(stamped));
         made(arguments, &source, Live::Version(version))
@@ -130,7 +130,11 @@ fn renew(arguments: &View, shared: &Shared) -> Vec<(PathBuf, Stamp)> {
         }
         Err(Problem(text)) => {
             say(&text);
-            problem(&arguments.file.display().to_string(), &text, version)
+            problem(
+                &arguments.described.file.display().to_string(),
+                &text,
+                version,
+            )
         }
     };
     *shared.current() = Current { version, html };

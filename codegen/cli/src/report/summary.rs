@@ -15,7 +15,7 @@ use super::forces;
 use super::motion_table::Column;
 use super::units::Units;
 use super::{first_step, motion_table};
-use crate::arguments::TurnUnit;
+use crate::arguments::{Reported, TurnUnit};
 use crate::motion::{Followed, Row};
 
 /// The width that lists are wrapped to, in characters.
@@ -30,9 +30,9 @@ const TABLES: usize = 6;
 /// Where the second column begins.
 const INDENT: usize = 24;
 
-/// How a summary is written.
+/// What a summary shows, and how.
 #[derive(Clone, Copy, Debug)]
-pub struct How {
+pub struct Layout {
     /// A table of every shown point, and not of the first few that move.
     pub points_chosen: bool,
     /// A table of every shown coordinate, and not all beside one another.
@@ -43,21 +43,37 @@ pub struct How {
     pub first_step: bool,
 }
 
+impl Layout {
+    /// As what is reported asks, without the first step.
+    pub fn of(reported: &Reported) -> Layout {
+        Layout {
+            points_chosen: !reported.points.is_empty(),
+            coordinates_chosen: !reported.show.is_empty(),
+            angles: reported.angles,
+            first_step: false,
+        }
+    }
+}
+
 /// Writes the summary; without frames only what is known of the mechanism itself.
 ///
 /// # Errors
 /// Those of `output`.
-pub fn write<V: View>(motion: &Followed<V>, how: &How, output: &mut dyn Write) -> io::Result<()> {
+pub fn write<V: View>(
+    motion: &Followed<V>,
+    layout: &Layout,
+    output: &mut dyn Write,
+) -> io::Result<()> {
     writeln!(output, "{}", motion.title())?;
     start(motion, output)?;
     mechanism(motion, output)?;
-    if how.first_step {
+    if layout.first_step {
         first_step::write(&motion.view, motion.start, output)?;
     }
     if motion.count == 0 {
         return Ok(());
     }
-    motions(motion, how, output)?;
+    motions(motion, layout, output)?;
     forces::write(motion, output)?;
     writeln!(output)?;
     pressure_angles(motion, output)?;
@@ -173,15 +189,19 @@ fn start<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()
     line(output, &when, &text)
 }
 
-fn motions<V: View>(motion: &Followed<V>, how: &How, output: &mut dyn Write) -> io::Result<()> {
+fn motions<V: View>(
+    motion: &Followed<V>,
+    layout: &Layout,
+    output: &mut dyn Write,
+) -> io::Result<()> {
     let size = motion.system().mechanism.characteristic_length;
     let rows = motion.rows.numbered(&motion_table::shown(motion.count));
     let times: Vec<f64> = rows.iter().map(|row| row.t).collect();
     let times = Column::of_times(&times);
-    if how.coordinates_chosen {
-        chosen_coordinates(motion, &rows, &times, how, output)?;
+    if layout.coordinates_chosen {
+        chosen_coordinates(motion, &rows, &times, layout, output)?;
     } else {
-        angles(motion, &rows, &times, how, output)?;
+        angles(motion, &rows, &times, layout, output)?;
     }
     let (mut tables, mut unprinted, mut resting) = (0, Vec::new(), Vec::new());
     for (position, name) in motion.point_names().enumerate() {
@@ -189,7 +209,7 @@ fn motions<V: View>(motion: &Followed<V>, how: &How, output: &mut dyn Write) -> 
         if motion_table::rests(&motions, size) {
             let [x, y] = motions[0].position.map(|it| fixed(it, 6));
             resting.push(format!("{name} stays at ({x}, {y}) m"));
-        } else if tables == TABLES && !how.points_chosen {
+        } else if tables == TABLES && !layout.points_chosen {
             unprinted.push(name);
         } else {
             tables += 1;
@@ -229,14 +249,14 @@ fn angles<V: View>(
     motion: &Followed<V>,
     rows: &[&Row],
     times: &Column,
-    how: &How,
+    layout: &Layout,
     output: &mut dyn Write,
 ) -> io::Result<()> {
     let (mut columns, mut unprinted, mut resting) = (vec![], vec![], vec![]);
     let mut width = 2 + times.width();
     let mut unit = "";
     for (place, &coordinate) in motion.wanted.coordinates.iter().enumerate() {
-        let units = Units::of(motion.system(), coordinate, how.angles);
+        let units = Units::of(motion.system(), coordinate, layout.angles);
         let name = motion.system().coordinates[coordinate].name.as_str();
         let values: Vec<[f64; 3]> = rows.iter().map(|row| row.coordinates[place]).collect();
         let angles: Vec<f64> = values.iter().map(|it| it[0] * units.factor).collect();
@@ -268,11 +288,11 @@ fn chosen_coordinates<V: View>(
     motion: &Followed<V>,
     rows: &[&Row],
     times: &Column,
-    how: &How,
+    layout: &Layout,
     output: &mut dyn Write,
 ) -> io::Result<()> {
     for (place, &coordinate) in motion.wanted.coordinates.iter().enumerate() {
-        let units = Units::of(motion.system(), coordinate, how.angles);
+        let units = Units::of(motion.system(), coordinate, layout.angles);
         let name = motion.system().coordinates[coordinate].name.as_str();
         let [value, rate, acceleration] = units.levels;
         writeln!(
