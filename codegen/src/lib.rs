@@ -171,10 +171,29 @@ fn read_for(
     let Some(document) = syntax::parse(source, &mut diagnostics) else {
         return Err(diagnostics);
     };
+    let read = resolved(&document, source, language, along, diagnostics);
+    let said = |found: Diagnostics| found.respelled(&document.spellings);
+    match read {
+        Ok(Read { motions, warnings }) => Ok(Read {
+            motions,
+            warnings: said(warnings),
+        }),
+        Err(found) => Err(said(found)),
+    }
+}
+
+/// The equations of a document, and all that is found on the way after what was found before.
+fn resolved(
+    document: &syntax::Document,
+    source: &Source,
+    language: Language,
+    along: Option<&[&str]>,
+    mut diagnostics: Diagnostics,
+) -> Result<Read, Diagnostics> {
     let mut resolving = Diagnostics::new();
-    let mechanisms = model::resolve(&document, language.naming(), &mut resolving);
+    let mechanisms = model::resolve(document, language.naming(), &mut resolving);
     if diagnostics.has_errors() {
-        consequences::add_independent(resolving, &document, source, &mut diagnostics);
+        consequences::add_independent(resolving, document, source, &mut diagnostics);
         return Err(diagnostics);
     }
     diagnostics.extend(resolving);
@@ -205,7 +224,8 @@ fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnostics) -> Diag
     let found = motions.iter().map(|system| {
         let motion = system.mechanism.motion.as_ref();
         let name = motion.map_or("", |motion| motion.name.as_str());
-        (name, None, find(system))
+        let found = find(system).respelled(&system.mechanism.spellings);
+        (name, None, found)
     });
     diagnostic::merged(found.collect())
 }
@@ -215,9 +235,10 @@ fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnostics) -> Diag
 /// # Errors
 /// Too few or too many equations, with the bodies and joints concerned; numbers that become infinite or undefined.
 pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
+    let spellings = &system.mechanism.spellings;
     let mut diagnostics = Diagnostics::new();
     if !structure::analyze(system, &mut diagnostics) {
-        return Err(diagnostics);
+        return Err(diagnostics.respelled(spellings));
     }
     let mut system = system.clone();
     let solved = structure::plan(&mut system);
@@ -228,10 +249,10 @@ pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
         finiteness::Range::F64,
     ));
     if diagnostics.has_errors() {
-        return Err(diagnostics);
+        return Err(diagnostics.respelled(spellings));
     }
     diagnostics.extend(program.iter().flat_map(|it| modes::of_program(&system, it)));
-    Ok(diagnostics)
+    Ok(diagnostics.respelled(spellings))
 }
 
 /// The same for every motion; a finding of some motions alone names the motion.
@@ -328,7 +349,7 @@ fn files_of(
         let name = motion.map_or(String::new(), |motion| motion.name.clone());
         let mut own = finiteness::of_program(&system, program.as_ref(), range);
         own.extend(program.iter().flat_map(|it| modes::of_program(&system, it)));
-        found.push((name, own));
+        found.push((name, own.respelled(&system.mechanism.spellings)));
         if let (Some(plan), Some(program)) = (plan, program) {
             lowered.push((system, plan, program));
         }

@@ -11,6 +11,7 @@ mod merge;
 mod render;
 mod sink;
 mod source;
+mod spelling;
 mod suggestion;
 
 pub use code::Code;

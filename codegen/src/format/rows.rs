@@ -4,6 +4,9 @@ use std::ops::Range;
 
 use super::pieces::{Piece, What};
 
+/// Statements with statements in their braces.
+const HOLDING: [&str; 3] = ["mechanism", "motion", "repeat"];
+
 /// How much deeper what stands inside begins.
 const STEP: usize = 4;
 
@@ -129,9 +132,8 @@ impl Walk<'_> {
             What::Open(bracket) => {
                 let word = &self.pieces[first];
                 let is_outer = self.open.len() == depth;
-                let holds_statements = bracket == b'{'
-                    && is_outer
-                    && (word.is_word("mechanism") || word.is_word("motion"));
+                let holds_statements =
+                    bracket == b'{' && is_outer && HOLDING.iter().any(|it| word.is_word(it));
                 self.open.push(Opened {
                     holds_statements,
                     row,

@@ -44,6 +44,8 @@ fn is_apart(
         (Word, Open(b'(')) => {
             is_clause(pieces, index - 1) || is_unnamed_joint(pieces, index, first)
         }
+        // An index, and what follows a name with one.
+        (Word | Close(b']'), Open(b'[')) | (Close(b']'), Open(b'(')) => false,
         (Number, Open(b'(')) => false,
         _ => true,
     }

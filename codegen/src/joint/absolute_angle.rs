@@ -40,6 +40,10 @@ impl Kind for AbsoluteAngle {
         Some(Feature::Orientation)
     }
 
+    fn is_global(&self, _on_ground: bool) -> bool {
+        true
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         angle_row(operands, graph)
     }

@@ -96,6 +96,11 @@ pub trait Kind: Sync {
     fn without(&self, _component: &str) -> Option<&'static str> {
         None
     }
+    /// Whether it speaks of the global origin or axes, so that it means something else where its bodies are drawn elsewhere;
+    /// `on_ground` says whether one of them is the ground.
+    fn is_global(&self, _on_ground: bool) -> bool {
+        false
+    }
     /// The unknowns of its vector form beyond the coordinates.
     fn auxiliaries(&self) -> &'static [Auxiliary] {
         &[]

@@ -43,6 +43,10 @@ impl Kind for RelativeAngle {
         Some(Feature::RelativeOrientation)
     }
 
+    fn is_global(&self, on_ground: bool) -> bool {
+        on_ground
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let value = operands.value.iter();
         value

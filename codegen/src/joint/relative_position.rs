@@ -44,6 +44,10 @@ impl Kind for RelativeX {
         Some(Feature::Offset(0))
     }
 
+    fn is_global(&self, _on_ground: bool) -> bool {
+        true
+    }
+
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         apart(operands, 0, graph)
     }
@@ -68,6 +72,10 @@ impl Kind for RelativeY {
 
     fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
         Some(Feature::Offset(1))
+    }
+
+    fn is_global(&self, _on_ground: bool) -> bool {
+        true
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

@@ -3,14 +3,13 @@
 //! Afterwards a curve is a pair of expressions of constants and of its own parameter, with the range in which it is drawn.
 
 use super::Dimension;
-use super::expression::BUILT_IN;
 use super::resolve::Resolver;
 use super::search::{Range, minima};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
 use crate::joint::geometry::{BodyId, Vector};
-use crate::syntax;
+use crate::syntax::{self, BUILT_IN};
 
 /// The square of the share of the largest speed below which the point of a curve stops.
 const STANDSTILL: f64 = 1e-10;

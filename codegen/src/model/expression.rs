@@ -8,13 +8,10 @@ use super::resolve::Resolver;
 use super::synonyms::{self, meant};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Node, Number, Rational};
-use crate::syntax::{Expression, ExpressionKind, Name, Operation, Reference, Sign};
+use crate::syntax::{BUILT_IN, Expression, ExpressionKind, Name, Operation, Reference, Sign};
 
 /// A value and what it measures.
 pub(super) type Value = (ExprId, Dimension);
-
-/// The names that are always declared.
-pub(super) const BUILT_IN: &[&str] = &["t", "pi"];
 
 impl Resolver<'_> {
     /// An expression that must not move, by t or by an input, and must fit `expected`.

@@ -44,6 +44,7 @@ impl Resolver<'_> {
             operands: &joint.operands,
             along: joint.along.as_ref(),
             value: joint.value.as_ref(),
+            placed: joint.placed,
             span: joint.span,
         };
         self.add_rows_of(&given, joint.redundant, &joint.docs);
@@ -103,6 +104,7 @@ impl Resolver<'_> {
             operands: &operands,
             along: None,
             value: Some(value),
+            placed: drive.placed,
             span: drive.span,
         };
         self.add_rows_of(&given, None, &drive.docs);
@@ -145,6 +147,17 @@ impl Resolver<'_> {
     }
 
     fn add_rows_of(&mut self, given: &WrittenJoint<'_>, redundant: Option<Span>, docs: &[String]) {
+        if let Some(part) = given.placed
+            && is_global(given)
+        {
+            let message = format!("`{}` is not moved with a part", label(given));
+            self.diagnostics.push(
+                Diagnostic::error(Code::WrongForm, given.span, message)
+                    .label("speaks of the global axes")
+                    .also(part, "the part has a place here")
+                    .help("write it in the mechanism, with names such as `PART.BODY`"),
+            );
+        }
         let Some(operands) = self.operands(given) else {
             self.linkage.broken_lines.extend(given.along.cloned());
             return;
@@ -164,6 +177,15 @@ impl Resolver<'_> {
         };
         self.linkage.push_joint(joint, given.along.cloned());
     }
+}
+
+/// Whether a joint means something else where its bodies are drawn elsewhere.
+fn is_global(given: &WrittenJoint<'_>) -> bool {
+    let mut bodies = given
+        .operands
+        .iter()
+        .map(|it| it.body.as_ref().unwrap_or(&it.name));
+    given.kind.is_global(bodies.any(|it| it.text == "ground"))
 }
 
 fn kind_named(keyword: &str, kinds: &[&'static dyn Kind]) -> Option<&'static dyn Kind> {

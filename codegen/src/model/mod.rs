@@ -58,6 +58,7 @@ use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SplineId, SymbolId};
 use crate::joint::geometry::{BodyFrame, Mark, Vector};
 use crate::joint::{Kind, Resolved};
+use crate::syntax::Spellings;
 
 /// A resolved mechanism.
 #[derive(Clone, Debug)]
@@ -101,6 +102,8 @@ pub struct Mechanism {
     pub monitor: bool,
     /// Whether an `unguarded` statement leaves out what shows that frames lie on the path of the last one.
     pub is_unguarded: bool,
+    /// How names are written that are called otherwise.
+    pub spellings: Spellings,
     /// The largest coordinate of an origin or of a point that a joint holds, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }

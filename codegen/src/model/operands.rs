@@ -22,6 +22,8 @@ pub(super) struct WrittenJoint<'a> {
     pub operands: &'a [Reference],
     pub along: Option<&'a Direction>,
     pub value: Option<&'a Expression>,
+    /// Where the part that it comes from is given a place.
+    pub placed: Option<Span>,
     pub span: Span,
 }
 

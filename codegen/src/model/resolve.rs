@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::bodies::coordinate_names;
 use super::bounds::beyond_bounds;
 use super::declared::Declared;
-use super::expression::{BUILT_IN, listed};
+use super::expression::listed;
 use super::forces::Forces;
 use super::formulas::Formulas;
 use super::linkage::Linkage;
@@ -15,7 +15,7 @@ use super::{Dimension, Mechanism, Motion};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::Vector;
-use crate::syntax::{self, WishKind};
+use crate::syntax::{self, BUILT_IN, WishKind};
 
 /// A description that is being read.
 pub(super) struct Resolver<'a> {
@@ -132,6 +132,7 @@ pub(super) fn resolve_statements<'a>(
         forces,
         monitor,
         is_unguarded,
+        spellings: document.spellings.clone(),
         characteristic_length,
     }
 }

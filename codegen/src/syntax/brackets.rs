@@ -73,7 +73,7 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
                     balance.close_parentheses(end_of_previous);
                 }
                 let holds_statements = bracket == b'{'
-                    && (balance.open.is_empty() || opens_motion(text, &lexemes[..index]));
+                    && (balance.open.is_empty() || opens_statements(text, &lexemes[..index]));
                 balance.open(bracket, lexeme.start, holds_statements, holds_formula);
             }
             Kind::Mark(b';') => balance.close_formulas(end_of_previous),
@@ -320,21 +320,27 @@ fn word<'a>(text: &'a str, lexeme: &Lexeme) -> Option<&'a str> {
     (lexeme.kind == Kind::Word).then(|| &text[lexeme.start..lexeme.end])
 }
 
-/// Whether a brace after these lexemes opens a motion: after `motion NAME`, or after `motion` where the name was forgotten.
-fn opens_motion(text: &str, before: &[Lexeme]) -> bool {
+/// Whether a brace after these lexemes opens a motion or a repetition: after `motion NAME`, after `motion` where the name was
+/// forgotten, and in a statement that begins with `repeat`.
+fn opens_statements(text: &str, before: &[Lexeme]) -> bool {
     let mut last = before.iter().rev().take(2);
-    last.any(|lexeme| word(text, lexeme) == Some("motion"))
+    let is_motion = last.any(|lexeme| word(text, lexeme) == Some("motion"));
+    let statement = before.iter().rev().take_while(|it| !ends_piece(it.kind));
+    let first = statement.last().and_then(|lexeme| word(text, lexeme));
+    is_motion || first == Some("repeat")
+}
+
+/// Whether a statement, or what stands in braces, ends or begins with this lexeme.
+fn ends_piece(kind: Kind) -> bool {
+    matches!(
+        kind,
+        Kind::Open(b'{') | Kind::Close(b'}') | Kind::Mark(b';')
+    )
 }
 
 /// Whether a brace after these lexemes opens a piece of a formula: after `else`, or after `if` and a condition.
 fn opens_piece(text: &str, before: &[Lexeme]) -> bool {
-    let ends = |kind: Kind| {
-        matches!(
-            kind,
-            Kind::Open(b'{') | Kind::Close(b'}') | Kind::Mark(b';')
-        )
-    };
-    let mut condition = before.iter().rev().take_while(|lexeme| !ends(lexeme.kind));
+    let mut condition = before.iter().rev().take_while(|it| !ends_piece(it.kind));
     condition.any(|lexeme| matches!(word(text, lexeme), Some("if" | "else")))
 }
 
@@ -353,7 +359,23 @@ fn looks_like_statement(text: &str, lexemes: &[Lexeme]) -> bool {
     let opens = |it: &Lexeme| it.kind == Kind::Open(b'(') && !it.first_on_line;
     KEYWORDS.contains(&name) && is_name(second)
         || opens(second)
-        || is_name(second) && rest.first().is_some_and(opens)
+        || is_name(second) && behind_indices(rest).first().is_some_and(opens)
+}
+
+/// What follows the indices of a name.
+fn behind_indices(mut lexemes: &[Lexeme]) -> &[Lexeme] {
+    while let [
+        Lexeme {
+            kind: Kind::Open(b'['),
+            ..
+        },
+        inside @ ..,
+    ] = lexemes
+        && let Some(end) = inside.iter().position(|it| it.kind == Kind::Close(b']'))
+    {
+        lexemes = &inside[end + 1..];
+    }
+    lexemes
 }
 
 /// Whether a line after this lexeme continues what stands before it.

@@ -4,6 +4,7 @@
 
 use super::forces::{Element, Force, Gravity, Mass, Reaction, Torque};
 use super::formula::{Direction, Expression, Name, Pair, Reference};
+use super::scope::Spellings;
 use crate::diagnostic::{Attachment, Span};
 
 /// A file: its inner documentation and its mechanism.
@@ -13,8 +14,10 @@ pub struct Document {
     pub docs: Vec<String>,
     /// The files that it names, as far as they could be read.
     pub attachments: Vec<Attachment>,
-    /// The one mechanism of the file.
+    /// The mechanism that the file describes, its last one; its parts are written out.
     pub mechanism: MechanismItem,
+    /// How names are written that are called otherwise.
+    pub spellings: Spellings,
 }
 
 /// `mechanism NAME { statements }`.
@@ -314,6 +317,8 @@ pub struct Joint {
     pub along: Option<Direction>,
     /// The value after `=`.
     pub value: Option<Expression>,
+    /// Where the part that it comes from is given a place.
+    pub placed: Option<Span>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }
@@ -333,6 +338,8 @@ pub struct Drive {
     pub dotted: bool,
     /// The prescribed motion, an expression of `t`.
     pub value: Expression,
+    /// Where the part that it comes from is given a place.
+    pub placed: Option<Span>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }

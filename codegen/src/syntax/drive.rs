@@ -38,6 +38,7 @@ pub(super) fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> 
         operands,
         dotted,
         value,
+        placed: None,
         span,
     }))
 }
@@ -69,6 +70,7 @@ pub(super) fn free(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
             operands,
             dotted,
             value,
+            placed: None,
             span,
         },
         rate,
@@ -78,13 +80,15 @@ pub(super) fn free(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
 /// `NAME:`, where it is written.
 fn name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Option<Name>> {
     let mut ahead = *tokens;
-    match (ahead.word(), ahead.mark(':')) {
-        (Some(_), Some(_)) => {
+    let is_word = ahead.word().is_some();
+    ahead.skip_indices();
+    match is_word && ahead.peek_mark(':') {
+        true => {
             let name = identifier(tokens, wanted)?;
             tokens.mark(':');
             Ok(Some(name))
         }
-        _ => Ok(None),
+        false => Ok(None),
     }
 }
 

@@ -33,8 +33,9 @@ pub(super) fn equation(
 /// `NAME:`, where it is written.
 fn name(tokens: &mut Tokens<'_>) -> Outcome<Option<Name>> {
     let mut ahead = *tokens;
-    let is_named = (ahead.word().is_some() || ahead.number().is_some()) && ahead.peek_mark(':');
-    if !is_named {
+    let is_named = ahead.word().is_some() || ahead.number().is_some();
+    ahead.skip_indices();
+    if !is_named || !ahead.peek_mark(':') {
         return Ok(None);
     }
     let name = identifier(tokens, "the name of the equation")?;

@@ -12,7 +12,7 @@ use super::formula::{
 };
 use super::reference::reference_or_component;
 use super::tokens::{Outcome, Tokens};
-use super::{DEEPEST, literal};
+use super::{DEEPEST, indexed, literal};
 use crate::diagnostic::{Code, Diagnostic};
 
 /// What to do where a formula is wanted and something else stands.
@@ -228,6 +228,12 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         return Err(Box::new(finding));
     }
     let (reference, axis) = reference_or_component(tokens, "a formula")?;
+    let index = tokens
+        .reader
+        .known(|scope| scope.index(&reference.name.text));
+    if let (Some(value), None, None) = (index, &reference.body, &axis) {
+        return Ok(indexed::number(value, reference.span));
+    }
     // A bracket on the next line starts something else: a semicolon is missing.
     if axis.is_some() || !tokens.peek_group(Delimiter::Parenthesis) || tokens.at_line_start() {
         return Ok(named_value(reference, axis));

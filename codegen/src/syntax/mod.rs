@@ -21,13 +21,19 @@ mod expression;
 mod files;
 mod forces;
 mod formula;
+mod indexed;
 mod literal;
 mod motion;
 mod output;
+mod part;
+mod placed;
 mod recovery;
 mod reference;
+mod renamed;
 mod repair;
+mod repeat;
 mod scan;
+mod scope;
 mod statement;
 mod table;
 #[cfg(test)]
@@ -42,10 +48,12 @@ pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Reaction, T
 pub use formula::*;
 pub use output::LEVELS;
 pub(crate) use scan::{Kind, block_comment_length, lexemes};
+pub use scope::Spellings;
 
 use proc_macro2::Delimiter;
 use syn::buffer::TokenBuffer;
 
+use self::part::Part;
 use self::tokens::{Reader, Tokens};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 
@@ -53,7 +61,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 27] = [
+pub const KEYWORDS: [&str; 29] = [
     "const",
     "param",
     "input",
@@ -81,7 +89,12 @@ pub const KEYWORDS: [&str; 27] = [
     "reactions",
     "energy",
     "motion",
+    "repeat",
+    "part",
 ];
+
+/// Names that have a fixed meaning in formulas.
+pub const BUILT_IN: &[&str] = &["t", "pi"];
 
 /// Reads a description. Never panics and never overflows the stack, whatever the text.
 ///
@@ -115,15 +128,19 @@ pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document>
     };
     let buffer = TokenBuffer::new2(stream);
     let reader = Reader::new(text, &repaired, &starts, &scan.documentation, &scan.damage);
-    let document = file(Tokens::all(&reader, buffer.begin()));
+    let mut idle_parts = Vec::new();
+    let document = file(Tokens::all(&reader, buffer.begin()), &mut idle_parts);
+    let idle = reader.idle_documentation();
+    let (findings, spellings) = reader.into_parts();
+    diagnostics.extend(findings);
     let document = document.map(|document| Document {
         attachments: source.attachments.clone(),
+        spellings,
         ..document
     });
-    let idle = reader.idle_documentation();
-    diagnostics.extend(reader.into_findings());
     // What a statement that failed was to say is no concern of the documentation.
     if !diagnostics.has_errors() {
+        diagnostics.extend(idle_parts);
         diagnostics.extend(idle.into_iter().map(|span| {
             Diagnostic::warning(
                 Code::UnexpectedToken,
@@ -136,10 +153,10 @@ pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document>
     document
 }
 
-/// `mechanism NAME { … }` and nothing else.
-fn file(mut tokens: Tokens<'_>) -> Option<Document> {
+/// `mechanism NAME { … }` and nothing else, but for mechanisms that are parts of it above.
+fn file(mut tokens: Tokens<'_>, idle: &mut Vec<Diagnostic>) -> Option<Document> {
     let reader = tokens.reader;
-    let start = tokens.next_span();
+    let mut start = tokens.next_span();
     if tokens.at_end() {
         // Inner documentation alone describes nothing.
         let finding = Diagnostic::error(
@@ -153,7 +170,27 @@ fn file(mut tokens: Tokens<'_>) -> Option<Document> {
     }
     let file_docs = reader.docs(start.start, true);
     let mut docs = reader.docs(start.start, false);
-    let Some(name) = opening(&mut tokens) else {
+    let mut above: Vec<Part<'_>> = Vec::new();
+    let name = loop {
+        let name = opening(&mut tokens);
+        let mut ahead = tokens;
+        match (&name, ahead.group(Delimiter::Brace)) {
+            (Some(name), Some((inner, _))) if ahead.peek_word() == Some("mechanism") => {
+                // It is a part of what follows; what documents it is read with it.
+                reader.docs(inner.next_span().start, true);
+                above.push(Part::new(name.clone(), inner));
+                start = ahead.next_span();
+                docs = reader.docs(start.start, false);
+                tokens = ahead;
+            }
+            _ => break name,
+        }
+    };
+    for (number, part) in above.iter().enumerate() {
+        part.check(&above[..number]);
+    }
+    let mut tokens = tokens.with_parts(&above);
+    let Some(name) = name else {
         // Statements without a mechanism around them are worth reading for their errors; other text is not.
         if tokens.at_statement() {
             recovery::statements(&mut tokens);
@@ -177,19 +214,12 @@ fn file(mut tokens: Tokens<'_>) -> Option<Document> {
     };
     if !tokens.at_end() && !reader.is_full() {
         let next = tokens.next_span();
-        let finding = match tokens.peek_word() {
-            Some("mechanism") => {
-                Diagnostic::error(Code::UnexpectedToken, next, "a second mechanism")
-                    .label("a file describes one mechanism")
-                    .also(start, "the first starts here")
-                    .help("move it to a file of its own")
-            }
-            _ => Diagnostic::error(Code::UnexpectedToken, next, "text after the mechanism")
-                .label("expected the end of the file")
-                .help("statements stand inside the braces of the mechanism"),
-        };
+        let finding = Diagnostic::error(Code::UnexpectedToken, next, "text after the mechanism")
+            .label("expected the end of the file")
+            .help("statements stand inside the braces of the mechanism");
         reader.report(finding, next.start, reader.end_of_text().end);
     }
+    idle.extend(above.iter().filter_map(Part::idle));
     let mechanism = MechanismItem {
         docs,
         name,
@@ -200,6 +230,7 @@ fn file(mut tokens: Tokens<'_>) -> Option<Document> {
         docs: file_docs,
         attachments: Vec::new(),
         mechanism,
+        spellings: Spellings::new(),
     })
 }
 

@@ -5,6 +5,8 @@ use proc_macro2::Delimiter;
 
 use super::body;
 use super::document::Statement;
+use super::part::part;
+use super::repeat::repeat;
 use super::statement::statement;
 use super::tokens::Tokens;
 
@@ -13,8 +15,20 @@ pub(super) fn statements(tokens: &mut Tokens<'_>) -> Vec<Statement> {
     let mut statements = Vec::new();
     while !tokens.at_end() && !tokens.reader.is_full() {
         let start = *tokens;
-        match statement(tokens) {
-            Ok(statement) => statements.push(statement),
+        let first = tokens.next_span();
+        let read = match tokens.peek_word() {
+            Some("repeat") => {
+                tokens.skip();
+                repeat(tokens, first, &mut statements)
+            }
+            Some("part") => {
+                tokens.skip();
+                part(tokens, first, &mut statements)
+            }
+            _ => statement(tokens).map(|it| statements.push(it)),
+        };
+        match read {
+            Ok(()) => {}
             Err(failure) => {
                 *tokens = start;
                 pass(tokens);

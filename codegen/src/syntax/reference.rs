@@ -3,6 +3,7 @@
 use proc_macro2::Delimiter;
 
 use super::formula::{Direction, Name, Reference};
+use super::indexed::qualified;
 use super::tokens::{Outcome, Tokens};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
@@ -22,13 +23,13 @@ pub(super) fn identifier(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name>
     let Some(name) = tokens.word() else {
         return Err(tokens.unexpected(wanted, NAME));
     };
-    check_word(name)
+    qualified(tokens, check_word(name)?)
 }
 
 /// An identifier, or an integer.
 pub(super) fn body_name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name> {
     if let Some(name) = tokens.word() {
-        return check_word(name);
+        return qualified(tokens, check_word(name)?);
     }
     let Some(name) = tokens.number() else {
         return Err(tokens.unexpected(wanted, NAME));
@@ -36,7 +37,8 @@ pub(super) fn body_name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name> 
     integer(name)
 }
 
-fn check_word(name: Name) -> Outcome<Name> {
+/// A name that is made of more than `_`.
+pub(super) fn check_word(name: Name) -> Outcome<Name> {
     if name.text.bytes().all(|byte| byte == b'_') {
         let finding = Diagnostic::error(
             Code::NameNotAllowed,
@@ -129,6 +131,7 @@ fn one_or_two_names(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Reference>
 
 fn member_of(tokens: &mut Tokens<'_>, body: Name) -> Outcome<Reference> {
     let name = identifier(tokens, "the name of a point")?;
+    let name = point_of(tokens, &body, name);
     let span = body.span.to(name.span);
     Ok(Reference {
         body: Some(body),
@@ -137,10 +140,22 @@ fn member_of(tokens: &mut Tokens<'_>, body: Name) -> Outcome<Reference> {
     })
 }
 
+/// What a point of a body is called; the points of a part are called after it, too.
+fn point_of(tokens: &Tokens<'_>, body: &Name, point: Name) -> Name {
+    let called = tokens
+        .reader
+        .known(|scope| scope.point_of_part(&body.text, &point.text));
+    Name {
+        text: called.unwrap_or(point.text),
+        span: point.span,
+    }
+}
+
 /// `K.x`, `c1.K.x`, `1.x`: what a coordinate belongs to, and which it is. `None` where there is no such thing, and nothing is read.
 pub(super) fn driven_coordinate(tokens: &mut Tokens<'_>) -> Outcome<Option<(Reference, Name)>> {
     let mut ahead = *tokens;
     let named = ahead.word().is_some() || ahead.number().is_some();
+    ahead.skip_indices();
     if !named || !ahead.peek_mark('.') {
         return Ok(None);
     }
@@ -160,6 +175,10 @@ pub(super) fn driven_coordinate(tokens: &mut Tokens<'_>) -> Outcome<Option<(Refe
         return Ok(None);
     };
     let body = parts.pop();
+    let name = match &body {
+        Some(body) => point_of(tokens, body, name),
+        None => name,
+    };
     let span = body
         .as_ref()
         .map_or(name.span, |body| body.span.to(name.span));

@@ -14,6 +14,7 @@ use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
 use super::forces::{self, ElementKind};
 use super::formula::Name;
+use super::indexed;
 use super::motion::motion;
 use super::output::{output, sensitivity, transmission, wish};
 use super::reference::{body_name, direction, identifier, operands, separator};
@@ -21,7 +22,7 @@ use super::table::table;
 use super::tokens::{Outcome, Tokens};
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 
-/// One statement with what ends it.
+/// One statement with what ends it, but for those that are [written out](super::repeat).
 pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
     let docs = tokens.reader.docs(tokens.next_span().start, false);
     let Some(first) = tokens.word() else {
@@ -73,6 +74,20 @@ fn constant(
     equals(tokens)?;
     let value = expression(tokens)?;
     let span = start.to(semicolon(tokens, start)?);
+    if tokens
+        .reader
+        .known(|scope| scope.index(&name.text).is_some())
+    {
+        let message = format!("`{}` is the index of a repetition", name.text);
+        let finding = Diagnostic::error(Code::DuplicateName, name.span, message);
+        return Err(Box::new(finding.help("choose another name")));
+    }
+    if what == "a constant" {
+        let whole = indexed::value(&value, tokens.reader);
+        tokens
+            .reader
+            .learn(|scope| scope.add_constant(&name.text, whole));
+    }
     Ok(Constant {
         docs,
         name,
@@ -95,7 +110,9 @@ fn points(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<St
             continue;
         }
         let mut ahead = *tokens;
-        if !tokens.at_statement() && ahead.word().is_some() && ahead.peek_mark('=') {
+        let named = ahead.word().is_some();
+        ahead.skip_indices();
+        if !tokens.at_statement() && named && ahead.peek_mark('=') {
             // `A = (1, 2) B = (3, 4)`: the next point is read all the same.
             let failure = separator(tokens, "`,` or `;`", "points are separated with `,`");
             tokens
@@ -134,6 +151,7 @@ fn joint(
 ) -> Outcome<Statement> {
     let mut ahead = *tokens;
     let named = ahead.word().is_some() || ahead.number().is_some();
+    ahead.skip_indices();
     if !ahead.peek_group(Delimiter::Parenthesis) {
         return Err(unknown_statement(&kind));
     }
@@ -174,6 +192,7 @@ fn joint(
         operands,
         along,
         value,
+        placed: None,
         span: start.to(end),
     }))
 }

@@ -1,7 +1,7 @@
 //! *`syn`'s tokens → names, marks, numbers and groups with our spans.* The only place that touches a span of `syn`: those are bound
 //! to the thread, and at the end of the input they are empty and at offset 0. Here the end of a group is its closing bracket.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 
 use proc_macro2::Delimiter;
@@ -10,8 +10,10 @@ use syn::buffer::Cursor;
 use super::brackets::StatementStarts;
 use super::files::unquoted;
 use super::formula::Name;
+use super::part::Part;
 use super::repair::Repaired;
 use super::scan::Documentation;
+use super::scope::{Scope, Spellings};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 
 /// The most characters of a text that a message repeats.
@@ -31,8 +33,11 @@ pub(super) struct Reader<'a> {
     /// The place after the last thing written.
     end: Span,
     findings: RefCell<Vec<Diagnostic>>,
+    /// Whether what is read has been read before, and its findings are known.
+    is_muted: Cell<bool>,
     /// Where documentation has been taken from.
     documented: RefCell<BTreeSet<u32>>,
+    scope: RefCell<Scope>,
 }
 
 impl<'a> Reader<'a> {
@@ -51,7 +56,9 @@ impl<'a> Reader<'a> {
             damage,
             end: Span::empty(text.trim_end().len()),
             findings: RefCell::default(),
+            is_muted: Cell::new(false),
             documented: RefCell::default(),
+            scope: RefCell::new(Scope::new()),
         }
     }
 
@@ -63,7 +70,7 @@ impl<'a> Reader<'a> {
             .get(first)
             .is_some_and(|place| *place <= to as usize);
         let mut findings = self.findings.borrow_mut();
-        if !damaged && findings.len() < Diagnostics::MOST {
+        if !damaged && !self.is_muted.get() && findings.len() < Diagnostics::MOST {
             findings.push(finding);
         }
     }
@@ -73,8 +80,59 @@ impl<'a> Reader<'a> {
         self.findings.borrow().len() >= Diagnostics::MOST
     }
 
-    pub(super) fn into_findings(self) -> Vec<Diagnostic> {
-        self.findings.into_inner()
+    /// Reads something again whose findings are known, where that is so.
+    pub(super) fn again<T>(&self, is_known: bool, read: impl FnOnce() -> T) -> T {
+        let before = self.is_muted.replace(is_known || self.is_muted.get());
+        let read = read();
+        self.is_muted.set(before);
+        read
+    }
+
+    pub(super) fn count_of_findings(&self) -> usize {
+        self.findings.borrow().len()
+    }
+
+    /// The findings, and how names are written.
+    pub(super) fn into_parts(self) -> (Vec<Diagnostic>, Spellings) {
+        (
+            self.findings.into_inner(),
+            self.scope.into_inner().spellings,
+        )
+    }
+
+    /// Asks what is known by name. The question reads nothing.
+    pub(super) fn known<T>(&self, ask: impl FnOnce(&Scope) -> T) -> T {
+        ask(&self.scope.borrow())
+    }
+
+    /// Changes what is known by name, in the same manner.
+    pub(super) fn learn<T>(&self, change: impl FnOnce(&mut Scope) -> T) -> T {
+        change(&mut self.scope.borrow_mut())
+    }
+
+    /// How a name is written.
+    pub(super) fn spelled(&self, name: &str) -> String {
+        self.known(|scope| scope.spelled(name).to_string())
+    }
+
+    /// Keeps how a name is written.
+    ///
+    /// # Errors
+    /// Another one is called so.
+    pub(super) fn spell(&self, name: &Name, written: String) -> Outcome<()> {
+        let known = self.learn(|scope| {
+            let known = scope.spellings.entry(name.text.clone());
+            known.or_insert_with(|| written.clone()).clone()
+        });
+        if known == written {
+            return Ok(());
+        }
+        let message = format!("`{written}` and `{known}` are one name");
+        let finding = Diagnostic::error(Code::DuplicateName, name.span, message)
+            .label(format!("both would be called {}", name.text));
+        Err(Box::new(
+            finding.help("choose another name for one of them"),
+        ))
     }
 
     /// The text of a span.
@@ -129,6 +187,8 @@ impl<'a> Reader<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct Tokens<'a> {
     pub reader: &'a Reader<'a>,
+    /// The mechanisms that may be parts here.
+    pub parts: &'a [Part<'a>],
     cursor: Cursor<'a>,
     /// The bracket that closes the group, or the end of the file.
     close: Span,
@@ -141,10 +201,19 @@ impl<'a> Tokens<'a> {
     pub(super) fn all(reader: &'a Reader<'a>, cursor: Cursor<'a>) -> Self {
         Self {
             reader,
+            parts: &[],
             cursor,
             close: reader.end_of_text(),
             previous: Span::empty(0),
         }
+    }
+
+    /// The same place where these mechanisms may be parts.
+    pub(super) fn with_parts<'b>(self, parts: &'b [Part<'b>]) -> Tokens<'b>
+    where
+        'a: 'b,
+    {
+        Tokens { parts, ..self }
     }
 
     pub(super) fn at_end(&self) -> bool {
@@ -273,12 +342,20 @@ impl<'a> Tokens<'a> {
         );
         let inner = Tokens {
             reader: self.reader,
+            parts: self.parts,
             cursor: inside,
             close,
             previous: open,
         };
         self.advance(open.to(close), rest);
         Some((inner, open.to(close)))
+    }
+
+    /// Passes the indices of a name.
+    pub(super) fn skip_indices(&mut self) {
+        while self.peek_group(Delimiter::Bracket) {
+            self.skip();
+        }
     }
 
     /// Passes one token or group.

@@ -15,8 +15,9 @@ pub fn points(system: &System, names: &[String]) -> Result<Vec<usize>, String> {
     }
     let mut selected = Vec::with_capacity(names.len());
     for name in names {
-        let own = known.iter().position(|known| known == name);
-        match own.or_else(|| of_body(system, name)) {
+        let called = called(system, name);
+        let own = known.iter().position(|known| *known == called);
+        match own.or_else(|| of_body(system, &called)) {
             Some(point) if selected.contains(&point) => {}
             Some(point) => selected.push(point),
             None => return Err(unknown(system, "point", name, &known)),
@@ -37,13 +38,29 @@ pub fn coordinates(system: &System, names: &[String]) -> Result<Vec<usize>, Stri
         .collect();
     let mut selected = Vec::with_capacity(names.len());
     for name in names {
-        match known.iter().position(|known| known == name) {
+        let called = called(system, name);
+        match known.iter().position(|known| *known == called) {
             Some(coordinate) if selected.contains(&coordinate) => {}
             Some(coordinate) => selected.push(coordinate),
             None => return Err(unknown(system, "coordinate", name, &known)),
         }
     }
     Ok(selected)
+}
+
+/// What is called otherwise than it is written, `rod[3]`, `phi_rod[3]`, by what it is called.
+fn called(system: &System, written: &str) -> String {
+    let axes = ["x_", "y_", "phi_"].into_iter();
+    let axes = axes.filter(|it| written.starts_with(it)).chain([""]);
+    let called = axes.flat_map(|axis| {
+        let spellings = system.mechanism.spellings.iter();
+        let same = spellings.filter(move |(_, it)| **it == written[axis.len()..]);
+        same.map(move |(called, _)| format!("{axis}{called}"))
+    });
+    called
+        .into_iter()
+        .next()
+        .unwrap_or_else(|| written.to_string())
 }
 
 fn unknown(system: &System, what: &str, name: &str, known: &[&str]) -> String {

@@ -113,7 +113,7 @@ error: 2 errors in bad.mech
         codes(&drivers),
         vec!["K02 2:15", "K02 2:33", "K02 2:57", "K02 2:70", "K02 2:81"]
     );
-    assert_eq!(codes("mechanism a {}\nmechanism b {}"), vec!["K02 2:1"]);
+    assert_eq!(codes("mechanism a {}\nmechanism b {} c"), vec!["K02 2:16"]);
     assert_eq!(codes("mechanism a {} x"), vec!["K02 1:16"]);
     assert_eq!(codes("hello world"), vec!["K02 1:1"]);
     assert_eq!(
@@ -341,7 +341,7 @@ error: 2 errors in bad.mech
         expected
     );
     for formula in [
-        "2 t", "2(3)", "1e", "0x10", "a[1]", "(1, 2)", "{1}", "a = b", "f(a b)", "(a b)",
+        "2 t", "2(3)", "1e", "0x10", "(a)[1]", "(1, 2)", "{1}", "a = b", "f(a b)", "(a b)",
     ] {
         let found = codes(&inside(&format!("const a = {formula};")));
         assert!(

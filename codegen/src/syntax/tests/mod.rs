@@ -3,6 +3,7 @@
 mod errors;
 mod forms;
 mod motions;
+mod repetition;
 mod robustness;
 
 use super::{Document, parse};

@@ -1,0 +1,285 @@
+//! *Tokens → a mechanism as a part of another, written out:* `part leg[1] = leg(L2 = 41.5mm) at (0, 80mm) turned 10deg;`.
+//!
+//! The mechanisms above the last one of a file are its parts. Wherever one is used its statements are read again, and everything in
+//! them is [called after the part](super::renamed) and [placed](super::placed).
+
+use std::cell::Cell;
+use std::collections::{HashMap, HashSet};
+
+use proc_macro2::Delimiter;
+
+use super::document::{Body, Constant, Member, Statement};
+use super::expression::{after_expression, coordinates, expression};
+use super::formula::{Expression, Name};
+use super::indexed::{indexed, value};
+use super::placed::Place;
+use super::recovery;
+use super::reference::{check_word, identifier};
+use super::renamed::Renaming;
+use super::repeat::write_out;
+use super::statement::{equals, semicolon};
+use super::tokens::{Outcome, Tokens};
+use crate::diagnostic::{Code, Diagnostic, Span, nearest};
+
+/// How a part is written, for help lines.
+const FORM: &str = "a part is written `part NAME = MECHANISM(L = 50mm) at (X, Y) turned ANGLE;`, with what is needed of it";
+
+/// A mechanism that may be a part of those below it.
+pub(super) struct Part<'a> {
+    pub name: Name,
+    /// What stands in its braces.
+    inner: Tokens<'a>,
+    is_sound: Cell<bool>,
+    is_used: Cell<bool>,
+}
+
+impl<'a> Part<'a> {
+    pub(super) fn new(name: Name, inner: Tokens<'a>) -> Part<'a> {
+        Part {
+            name,
+            inner,
+            is_sound: Cell::new(true),
+            is_used: Cell::new(false),
+        }
+    }
+
+    /// Reads it once for its errors; `above` are the mechanisms above it.
+    pub(super) fn check<'b>(&self, above: &'b [Part<'b>])
+    where
+        'a: 'b,
+    {
+        let reader = self.inner.reader;
+        let before = reader.count_of_findings();
+        reader.learn(|scope| scope.enter(HashMap::new()));
+        let statements = self.statements(above);
+        reader.learn(|scope| scope.leave_unused());
+        for statement in &statements {
+            if let Some(what) = of_the_whole(statement) {
+                let span = statement.span();
+                let message = format!("{what} inside a part");
+                let finding = Diagnostic::error(Code::UnexpectedToken, span, message)
+                    .also(self.name.span, "a mechanism above the last one is a part")
+                    .help("move it into the mechanism that the file describes, the last one");
+                reader.report(finding, span.start, span.end);
+            }
+        }
+        self.is_sound.set(reader.count_of_findings() == before);
+    }
+
+    /// The warning that nothing uses it.
+    pub(super) fn idle(&self) -> Option<Diagnostic> {
+        let name = &self.name;
+        let is_idle = !self.is_used.get() && !name.text.is_empty();
+        is_idle.then(|| {
+            let message = format!("`{}` is not a part of anything", name.text);
+            Diagnostic::warning(Code::UnusedName, name.span, message)
+                .label("above the last mechanism")
+                .help(format!(
+                    "a file describes its last mechanism; write `part NAME = {};` there, or move this one to a file of its own",
+                    name.text
+                ))
+        })
+    }
+
+    fn statements<'b>(&self, above: &'b [Part<'b>]) -> Vec<Statement>
+    where
+        'a: 'b,
+    {
+        recovery::statements(&mut self.inner.with_parts(above))
+    }
+}
+
+/// What a statement says that only a whole mechanism can say.
+fn of_the_whole(statement: &Statement) -> Option<&'static str> {
+    match statement {
+        Statement::Motion(_) => Some("a motion"),
+        Statement::Gravity(_) => Some("gravity"),
+        Statement::Wish(_) => Some("a statement about the whole mechanism"),
+        _ => None,
+    }
+}
+
+/// A use of a part, as written.
+struct Used {
+    name: Name,
+    /// Values for its constants and parameters.
+    given: Vec<(Name, Expression)>,
+    place: Place,
+}
+
+/// The statements of the part, after the first word.
+pub(super) fn part(
+    tokens: &mut Tokens<'_>,
+    start: Span,
+    statements: &mut Vec<Statement>,
+) -> Outcome<()> {
+    let (used, definition) = used(tokens, start)?;
+    let (above, part) = tokens.parts.split_at(definition);
+    let Some(part) = part.first() else {
+        return Ok(());
+    };
+    let reader = tokens.reader;
+    part.is_used.set(true);
+    let given: HashMap<String, Option<i64>> = used
+        .given
+        .iter()
+        .map(|(name, given)| (name.text.clone(), value(given, reader)))
+        .collect();
+    reader.learn(|scope| scope.enter(given));
+    let mut own = reader.again(!part.is_sound.get(), || part.statements(above));
+    let bodies: Vec<_> = own.iter().filter_map(points_of_body).collect();
+    reader.learn(|scope| scope.leave(&used.name, bodies.clone()));
+    let report = |finding: Box<Diagnostic>| {
+        let span = finding.primary.span;
+        reader.report(*finding, span.start, span.end);
+    };
+    check_given(&used, part, &own).unwrap_or_else(report);
+    let mut renaming = Renaming::new(reader, &used.name.text, bodies, &own);
+    for statement in &mut own {
+        let given = given_for(&used, statement);
+        let placed = renaming.statement(statement).and_then(|global| {
+            if let Some(given) = given {
+                replace(statement, given);
+            }
+            used.place.take(statement, global)
+        });
+        placed.unwrap_or_else(report);
+    }
+    write_out(tokens, own, start, statements)
+}
+
+/// The statement after its first word, and the number of the mechanism among those above.
+fn used(tokens: &mut Tokens<'_>, start: Span) -> Outcome<(Used, usize)> {
+    let Some(word) = tokens.word() else {
+        return Err(tokens.unexpected("the name of the part", FORM));
+    };
+    let name = indexed(tokens, check_word(word)?)?;
+    if let Some(first) = tokens.reader.known(|scope| scope.part(&name.text)) {
+        let written = tokens.reader.spelled(&name.text);
+        let message = format!("part `{written}` is declared twice");
+        let finding = Diagnostic::error(Code::DuplicateName, name.span, message)
+            .also(first, "first declared here")
+            .help("give each part a name of its own");
+        return Err(Box::new(finding));
+    }
+    equals(tokens)?;
+    let mechanism = identifier(tokens, "the name of a mechanism above")?;
+    let known = || tokens.parts.iter().map(|it| it.name.text.as_str());
+    let Some(definition) = known().position(|it| it == mechanism.text) else {
+        let message = format!("no mechanism above is named `{}`", mechanism.text);
+        let finding = Diagnostic::error(Code::UnknownName, mechanism.span, message);
+        let help = match (nearest(&mechanism.text, known()), known().next()) {
+            (Some(meant), _) => format!("did you mean `{meant}`?"),
+            (None, Some(_)) => format!(
+                "the mechanisms above are {}",
+                known()
+                    .map(|it| format!("`{it}`"))
+                    .collect::<Vec<_>>()
+                    .join(", ")
+            ),
+            (None, None) => "write the mechanism that is a part above this one".to_string(),
+        };
+        return Err(Box::new(finding.help(help)));
+    };
+    let given = match tokens.group(Delimiter::Parenthesis) {
+        Some((mut inner, _)) => given(&mut inner)?,
+        None => Vec::new(),
+    };
+    let origin = match tokens.keyword("at") {
+        Some(_) => Some(coordinates(tokens, 2)?.0),
+        None => None,
+    };
+    let angle = match tokens.keyword("turned") {
+        Some(_) => Some(expression(tokens)?),
+        None => None,
+    };
+    let span = start.to(semicolon(tokens, start)?);
+    let used = Used {
+        name,
+        given,
+        place: Place {
+            origin,
+            angle,
+            span,
+        },
+    };
+    Ok((used, definition))
+}
+
+/// `L = 50mm, n = 3`
+fn given(inner: &mut Tokens<'_>) -> Outcome<Vec<(Name, Expression)>> {
+    let mut given: Vec<(Name, Expression)> = Vec::new();
+    while !inner.at_end() {
+        let name = identifier(inner, "the name of a constant or a parameter")?;
+        if let Some((first, _)) = given.iter().find(|it| it.0.text == name.text) {
+            let message = format!("`{}` is given twice", name.text);
+            let finding = Diagnostic::error(Code::DuplicateName, name.span, message)
+                .also(first.span, "first given here");
+            return Err(Box::new(finding.help("keep one of them")));
+        }
+        equals(inner)?;
+        given.push((name, expression(inner)?));
+        if inner.mark(',').is_none() && !inner.at_end() {
+            return Err(after_expression(inner, "an operation, `,` or `)`", FORM));
+        }
+    }
+    Ok(given)
+}
+
+/// The name of a body and those of its points.
+fn points_of_body(statement: &Statement) -> Option<(String, HashSet<String>)> {
+    let Statement::Body(Body { name, members, .. }) = statement else {
+        return None;
+    };
+    let points = members.iter().map(|it| match it {
+        Member::Local { name, .. } | Member::Carried { name, .. } => name.text.clone(),
+    });
+    Some((name.text.clone(), points.collect()))
+}
+
+fn valued(statement: &Statement) -> Option<&Constant> {
+    match statement {
+        Statement::Constant(constant) | Statement::Parameter(constant) => Some(constant),
+        _ => None,
+    }
+}
+
+/// What is given is a constant or a parameter of the part.
+fn check_given(used: &Used, part: &Part<'_>, own: &[Statement]) -> Outcome<()> {
+    let known = || {
+        own.iter()
+            .filter_map(|it| Some(valued(it)?.name.text.as_str()))
+    };
+    for (name, _) in &used.given {
+        if known().any(|it| it == name.text) {
+            continue;
+        }
+        let message = format!("`{}` has no parameter `{}`", part.name.text, name.text);
+        let finding = Diagnostic::error(Code::UnknownName, name.span, message).also(
+            part.name.span,
+            "its `param` and `const` statements can be given other values",
+        );
+        let finding = match nearest(&name.text, known()) {
+            Some(meant) => finding.help(format!("did you mean `{meant}`?")),
+            None => finding,
+        };
+        return Err(Box::new(finding));
+    }
+    Ok(())
+}
+
+fn given_for(used: &Used, statement: &Statement) -> Option<Expression> {
+    let name = &valued(statement)?.name.text;
+    let given = used.given.iter().find(|it| it.0.text == *name)?;
+    Some(given.1.clone())
+}
+
+/// Gives a constant or a parameter a value, which it keeps.
+fn replace(statement: &mut Statement, given: Expression) {
+    if let Some(constant) = valued(statement) {
+        *statement = Statement::Constant(Constant {
+            value: given,
+            ..constant.clone()
+        });
+    }
+}

@@ -1,0 +1,100 @@
+//! *Tokens → statements written out:* `repeat i from 1 to 5 { revolute K[i](rod[i], rod[i + 1]); }`.
+//!
+//! The statements are read once for each value of the index, so that everything behind this room sees what a person would have
+//! written by hand, with the places of what was written.
+
+use proc_macro2::Delimiter;
+
+use super::document::Statement;
+use super::formula::Name;
+use super::indexed::whole_number;
+use super::recovery;
+use super::scope::MOST;
+use super::tokens::{Outcome, Tokens};
+use super::{BUILT_IN, KEYWORDS};
+use crate::diagnostic::{Code, Diagnostic, Span};
+
+/// How a repetition is written, for help lines.
+const FORM: &str = "a repetition is written `repeat i from 1 to 5 { … }`";
+
+/// The statements of all repetitions, after the first word.
+pub(super) fn repeat(
+    tokens: &mut Tokens<'_>,
+    start: Span,
+    statements: &mut Vec<Statement>,
+) -> Outcome<()> {
+    let reader = tokens.reader;
+    let index = index(tokens)?;
+    if tokens.keyword("from").is_none() {
+        return Err(tokens.unexpected("`from`", FORM));
+    }
+    let first = whole_number(tokens)?;
+    if tokens.keyword("to").is_none() {
+        return Err(tokens.unexpected("an operation or `to`", FORM));
+    }
+    let last = whole_number(tokens)?;
+    let Some((inner, _)) = tokens.group(Delimiter::Brace) else {
+        return Err(tokens.unexpected("an operation or `{`", FORM));
+    };
+    // Without a repetition the statements are read for their errors.
+    let is_empty = last < first;
+    let last = last.max(first);
+    let before = reader.count_of_findings();
+    for value in first..=last {
+        let mut inner = inner;
+        reader.learn(|scope| scope.set_index(&index.text, Some(value)));
+        // What is wrong with one is wrong with all.
+        let is_known = reader.count_of_findings() > before;
+        let own = reader.again(is_known, || recovery::statements(&mut inner));
+        reader.learn(|scope| scope.set_index(&index.text, None));
+        if is_empty {
+            continue;
+        }
+        write_out(tokens, own, start, statements)?;
+    }
+    Ok(())
+}
+
+fn index(tokens: &mut Tokens<'_>) -> Outcome<Name> {
+    let taken = |it: &str| BUILT_IN.contains(&it) || KEYWORDS.contains(&it) || it == "from";
+    match tokens.peek_word() {
+        Some(word) if !taken(word) => {}
+        _ => return Err(tokens.unexpected("the name of an index", FORM)),
+    }
+    let index = tokens.word();
+    let index = index.ok_or_else(|| tokens.unexpected("the name of an index", FORM))?;
+    let known = tokens.reader.known(|scope| scope.whole_number(&index.text));
+    if known.is_some() {
+        let message = format!("`{}` has a value already", index.text);
+        let finding = Diagnostic::error(Code::DuplicateName, index.span, message)
+            .label("an index or a constant")
+            .help("choose another name for this index");
+        return Err(Box::new(finding));
+    }
+    Ok(index)
+}
+
+/// Adds statements to those that are written out.
+///
+/// # Errors
+/// They are too many.
+pub(super) fn write_out(
+    tokens: &Tokens<'_>,
+    own: Vec<Statement>,
+    start: Span,
+    statements: &mut Vec<Statement>,
+) -> Outcome<()> {
+    let written_out = tokens.reader.learn(|scope| {
+        scope.written_out += own.len() + 1;
+        scope.written_out
+    });
+    if written_out > MOST {
+        let message = "this writes out more statements than one description may have";
+        let finding = Diagnostic::error(Code::TooMuchWork, start, message)
+            .label(format!("beyond {MOST} statements and repetitions"))
+            .help("repeat less often");
+        return Err(Box::new(finding));
+    }
+    statements.extend(own);
+    Ok(())
+}
