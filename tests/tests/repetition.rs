@@ -93,6 +93,42 @@ fn a_repetition_is_what_is_written_by_hand() {
     }
 }
 
+/// The statements of the scissor lift between its documentation and its driver.
+const SCISSOR: &str = "
+    point A = (0, 0), B = (0.8, 0);
+    repeat i from 1 to 6 {
+        point M[i] = (0.4, 0.6*i - 0.3), L[i] = (0, 0.6*i), R[i] = (0.8, 0.6*i);
+    }
+
+    /// The moving end of the cylinder.
+    body shoe at B { B }
+    body rising[1] at M[1] facing A -> R[1] { A, M[1], R[1] }
+    body falling[1] at M[1] facing B -> L[1] { B, M[1], L[1] }
+    repeat i from 2 to 6 {
+        body rising[i] at M[i] facing L[i - 1] -> R[i] { L[i - 1], M[i], R[i] }
+        body falling[i] at M[i] facing R[i - 1] -> L[i] { R[i - 1], M[i], L[i] }
+    }
+
+    revolute A(ground, rising[1]);
+    translational (ground, shoe) along A -> B;
+    revolute B(shoe, falling[1]);
+    revolute M[1](rising[1], falling[1]);
+    repeat i from 2 to 6 {
+        revolute L[i - 1](falling[i - 1], rising[i]);
+        revolute R[i - 1](rising[i - 1], falling[i]);
+        revolute M[i](rising[i], falling[i]);
+    }
+";
+
+#[test]
+fn the_scissor_lift_can_be_written_with_repetitions() {
+    let by_hand = description::source("scissor").text;
+    let (before, rest) = by_hand.split_once("    point A").expect("points");
+    let (_, driver) = rest.split_once("    drive").expect("a driver");
+    let repeated = format!("{before}{SCISSOR}    drive{driver}");
+    assert_eq!(code(&repeated), code(&by_hand));
+}
+
 #[test]
 fn the_code_grows_by_the_same_amount_with_every_repetition() {
     // Names of one length and numbers of one number of digits.
