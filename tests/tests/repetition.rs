@@ -286,6 +286,17 @@ fn a_text_that_repeats_too_much_is_refused_at_once() {
         let found = findings(text).into_sorted();
         assert_eq!(found[0].code.name(), "K37", "{text}: {found:?}");
     }
+    // Each is twice the one above, and the first is empty.
+    let mut doubled = "mechanism a0 {}".to_string();
+    for level in 1..=60 {
+        let above = level - 1;
+        let _ = writeln!(
+            doubled,
+            "mechanism a{level} {{ part x = a{above}; part y = a{above}; }}"
+        );
+    }
+    let found = findings(&doubled);
+    assert!(found.iter().any(|it| it.code.name() == "K37"), "{found:?}");
 }
 
 #[test]

@@ -16,7 +16,7 @@ use super::placed::Place;
 use super::recovery;
 use super::reference::{check_word, identifier};
 use super::renamed::Renaming;
-use super::repeat::write_out;
+use super::repeat::{check_work, write_out};
 use super::statement::{equals, semicolon};
 use super::tokens::{Outcome, Tokens};
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
@@ -114,6 +114,7 @@ pub(super) fn part(
     statements: &mut Vec<Statement>,
 ) -> Outcome<()> {
     let (used, definition) = used(tokens, start)?;
+    check_work(tokens, start)?;
     let (above, part) = tokens.parts.split_at(definition);
     let Some(part) = part.first() else {
         return Ok(());

@@ -84,17 +84,25 @@ pub(super) fn write_out(
     start: Span,
     statements: &mut Vec<Statement>,
 ) -> Outcome<()> {
-    let written_out = tokens.reader.learn(|scope| {
-        scope.written_out += own.len() + 1;
-        scope.written_out
-    });
-    if written_out > MOST {
+    tokens
+        .reader
+        .learn(|scope| scope.written_out += own.len() + 1);
+    check_work(tokens, start)?;
+    statements.extend(own);
+    Ok(())
+}
+
+/// Refuses to go on once too much has been written out.
+///
+/// # Errors
+/// It has.
+pub(super) fn check_work(tokens: &Tokens<'_>, start: Span) -> Outcome<()> {
+    if tokens.reader.known(|scope| scope.written_out) > MOST {
         let message = "this writes out more statements than one description may have";
         let finding = Diagnostic::error(Code::TooMuchWork, start, message)
             .label(format!("beyond {MOST} statements and repetitions"))
             .help("repeat less often");
         return Err(Box::new(finding));
     }
-    statements.extend(own);
     Ok(())
 }
