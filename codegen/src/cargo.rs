@@ -9,7 +9,7 @@ use std::sync::{Mutex, PoisonError};
 use std::{env, fs, io};
 
 use crate::diagnostic::Source;
-use crate::{Generated, Options, files, generate_with_page, syntax};
+use crate::{Generated, Options, Page, files, generate_with_page, syntax};
 
 /// Generates the module of every `.mech` file in `folder` (relative to the package) for `linkwright::include_mechanism!`, and beside
 /// it a page with the drawing and the derivation, which `rustdoc` shows with the module; files whose names begin with a dot are left
@@ -95,7 +95,7 @@ fn write_modules(
             say_error(&problem, say);
             continue;
         }
-        for (ending, text) in [("rs", &code), ("md", &page)] {
+        for (ending, text) in [("rs", &code), ("md", &page.html)] {
             let target = output.join(format!("{name}.{ending}"));
             write_if_changed(&target, text).map_err(|error| {
                 let reason = files::reason(&error);
@@ -151,7 +151,7 @@ fn is_description(path: &Path) -> bool {
 }
 
 /// The module of one file and its page; its errors are said.
-fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Generated, String)> {
+fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Generated, Page)> {
     let name = file.display().to_string();
     let bytes = match files::read(file, Source::LARGEST) {
         Ok(bytes) => bytes,

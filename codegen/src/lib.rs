@@ -133,6 +133,15 @@ impl Generated {
     }
 }
 
+/// What `rustdoc` shows with a module.
+#[derive(Clone, Debug)]
+pub struct Page {
+    /// What the description says of the mechanism: lines of Markdown of which nothing is compiled, run or resolved.
+    pub documentation: Vec<String>,
+    /// The drawing and the derivation, a block of HTML that follows the documentation.
+    pub html: String,
+}
+
 /// The files that a mechanism becomes in a language.
 #[derive(Clone, Debug)]
 pub struct GeneratedFiles {
@@ -299,14 +308,21 @@ pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Di
     Ok(Generated::of(files))
 }
 
-/// The same with the page that `rustdoc` shows with the module.
-pub(crate) fn generate_with_page(
+/// The same with what `rustdoc` is to show with the module.
+///
+/// # Errors
+/// Every error of the description; nothing is written then.
+pub fn generate_with_page(
     source: &Source,
     options: &Options,
-) -> Result<(Generated, String), Diagnostics> {
+) -> Result<(Generated, Page), Diagnostics> {
     let read = read(source)?;
     check_all(&read.motions)?;
-    let page = emit::rust::page(&read.motions);
+    let first = read.motions.first();
+    let page = Page {
+        documentation: first.map(emit::rust::documentation).unwrap_or_default(),
+        html: emit::rust::page(&read.motions),
+    };
     let files = files_of(read, Language::Rust, "", options)?;
     Ok((Generated::of(files), page))
 }

@@ -4,6 +4,13 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::markdown::inert;
+use crate::emit::module;
+use crate::system::System;
+
+/// What a description says of its mechanism, line by line.
+pub fn documentation(system: &System) -> Vec<String> {
+    doc_lines(module::documentation::of_mechanism(system))
+}
 
 /// One `///` line per line of text, of which nothing is compiled or run, whoever wrote it.
 pub(super) fn docs<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> TokenStream {

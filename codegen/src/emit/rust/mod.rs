@@ -34,6 +34,7 @@ mod textbook;
 mod torn;
 mod transmission;
 
+pub use docs::documentation;
 pub use file::file;
 pub(super) use names::WORDS;
 pub use names::{NAMING, type_name};

@@ -1,0 +1,130 @@
+//! *The tokens of an invocation → a module, or errors.* The only place that knows all of the others.
+
+use std::path::{Path, PathBuf};
+use std::{env, path};
+
+use linkwright_codegen::diagnostic::{Diagnostics, Source};
+use linkwright_codegen::{Generated, Options, Page, attach_files, generate_with_page};
+use proc_macro2::{Ident, Span, TokenStream, fallback};
+use quote::quote;
+
+use crate::findings;
+use crate::head::Head;
+use crate::tokens::{Token, flat};
+use crate::written::Written;
+
+/// The module of a mechanism, or what is wrong with its description.
+pub fn expand(input: TokenStream) -> TokenStream {
+    let head = Head::read(input);
+    let tokens = flat(head.description);
+    let written = Written::of(&tokens);
+    let mistakes = head.mistakes.iter();
+    let mistakes = mistakes.map(|(place, mistake)| findings::error(*place, mistake));
+    let mistakes: TokenStream = mistakes.collect();
+    let source = Source::new("mechanism!", written.text.as_str());
+    let folder = folder(&tokens);
+    let (source, generated) = generated(source, &folder, &head.options);
+    let (generated, page) = match generated {
+        Ok(generated) => generated,
+        Err(found) => {
+            let errors = findings::errors(found, &written);
+            return quote!(#mistakes #errors);
+        }
+    };
+    if !mistakes.is_empty() {
+        return mistakes;
+    }
+    let name = match module_name(&generated.name, &tokens) {
+        Ok(name) => name,
+        Err(error) => return error,
+    };
+    let Ok(code) = generated.code.parse::<TokenStream>() else {
+        let problem = "what is generated is no Rust: this is an error of Linkwright";
+        return findings::error([Span::call_site(); 2], problem);
+    };
+    let (attributes, visibility) = (head.attributes, head.visibility);
+    let Page { documentation, html } = page;
+    let warnings = findings::warnings(generated.warnings, &written);
+    let files = watched(&source, &folder);
+    let style = match generated.name.chars().any(char::is_uppercase) {
+        true => quote!(#[allow(non_snake_case)]),
+        false => TokenStream::new(),
+    };
+    // All of the module has one place, that of the macro: what clippy reads from places means nothing.
+    quote! {
+        #(#[doc = #documentation])*
+        #[cfg_attr(doc, doc = #html)]
+        #attributes
+        #style
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        #visibility mod #name {
+            #code
+            #files
+            #warnings
+        }
+    }
+}
+
+/// What the generator makes of a description, with the files that it names. The generator reads text of its own and must know where
+/// in it a token stands: for as long as it runs, tokens are not the compiler's.
+fn generated(
+    source: Source,
+    folder: &Path,
+    options: &Options,
+) -> (
+    Source,
+    Result<(Generated, Page), Diagnostics>,
+) {
+    /// Leaves tokens to the compiler again.
+    struct Aside;
+
+    impl Drop for Aside {
+        fn drop(&mut self) {
+            fallback::unforce();
+        }
+    }
+
+    fallback::force();
+    let _aside = Aside;
+    let source = attach_files(source, folder);
+    let generated = generate_with_page(&source, options);
+    (source, generated)
+}
+
+/// The folder that files are named from: that of the file of the description, or of the package.
+fn folder(tokens: &[Token]) -> PathBuf {
+    let first = tokens
+        .first()
+        .map_or_else(Span::call_site, |token| token.span);
+    let file = first.local_file();
+    let folder = file.as_deref().and_then(Path::parent).map(PathBuf::from);
+    let package = || env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    folder.or_else(package).unwrap_or_default()
+}
+
+/// Items that make cargo build again when a file changes that the description names.
+fn watched(source: &Source, folder: &Path) -> TokenStream {
+    let files = source.attachments.iter();
+    files
+        .filter_map(|file| {
+            let path = path::absolute(folder.join(&file.path)).ok()?;
+            let path = path.to_str()?;
+            Some(quote!(const _: &[u8] = ::core::include_bytes!(#path);))
+        })
+        .collect()
+}
+
+/// The name of the module, which leads to that of the description.
+fn module_name(name: &str, tokens: &[Token]) -> Result<Ident, TokenStream> {
+    let mut tokens = tokens.iter();
+    let token = tokens.find(|token| token.text == name);
+    let span = token.map_or_else(Span::call_site, |token| token.span);
+    if syn::parse_str::<Ident>(name).is_ok() {
+        return Ok(Ident::new(name, span));
+    }
+    if matches!(name, "crate" | "self" | "super") {
+        let problem = format!("`{name}` gives no name for a module: Rust reserves this word");
+        return Err(findings::error([span; 2], &problem));
+    }
+    Ok(Ident::new_raw(name, span))
+}

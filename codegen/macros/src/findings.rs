@@ -1,0 +1,79 @@
+//! *Findings in the text of a description → findings of the compiler at its tokens.*
+//!
+//! An error is a `compile_error!`. The compiler lets no macro warn, so a warning is a constant that is deprecated: it is used where the
+//! warning points to, and its note says what there is to say. So it shows in an editor, is repeated by every build, and follows
+//! `#[allow(deprecated)]` and `#![deny(warnings)]` as any other warning of code does.
+
+use std::fmt::Write as _;
+
+use linkwright_codegen::diagnostic::{Diagnostic, Diagnostics, Severity};
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream};
+use quote::{quote, quote_spanned};
+
+use crate::written::Written;
+
+/// The errors.
+pub fn errors(found: Diagnostics, written: &Written) -> TokenStream {
+    let found = found.into_iter();
+    found
+        .map(|finding| match finding.severity {
+            Severity::Error => {
+                let message = format!("{}: {}", finding.code, message(&finding, written));
+                error(written.tokens_at(finding.primary.span), &message)
+            }
+            Severity::Warning => TokenStream::new(),
+        })
+        .collect()
+}
+
+/// An error from the first to the last of two places.
+pub fn error([first, last]: [Span; 2], message: &str) -> TokenStream {
+    // The compiler marks from the beginning of the path to the end of the braces.
+    let mut braces = Group::new(Delimiter::Brace, quote_spanned!(last=> #message));
+    braces.set_span(last);
+    quote_spanned!(first=> ::core::compile_error! #braces)
+}
+
+/// Items that make the compiler warn.
+pub fn warnings(found: Diagnostics, written: &Written) -> TokenStream {
+    let found = found.into_iter();
+    found
+        .map(|finding| {
+            let [place, _] = written.tokens_at(finding.primary.span);
+            let name = Ident::new(finding.code.name(), place);
+            let message = message(&finding, written);
+            quote! {
+                const _: () = {
+                    #[deprecated(note = #message)]
+                    const #name: () = ();
+                    #name
+                };
+            }
+        })
+        .collect()
+}
+
+/// All that a finding says, but for its code; other places by their lines.
+fn message(finding: &Diagnostic, written: &Written) -> String {
+    let mut text = finding.message.clone();
+    if !finding.primary.text.is_empty() {
+        let _ = write!(text, "\n{}", finding.primary.text);
+    }
+    for label in &finding.secondary {
+        let [place, _] = written.tokens_at(label.span);
+        let (file, start) = (place.file(), place.start());
+        let said = match label.text.as_str() {
+            "" => "see",
+            said => said,
+        };
+        let column = start.column + 1;
+        let _ = write!(text, "\n{said}: {file}:{}:{column}", start.line);
+    }
+    for note in &finding.notes {
+        let _ = write!(text, "\nnote: {note}");
+    }
+    for help in &finding.help {
+        let _ = write!(text, "\nhelp: {help}");
+    }
+    text
+}

@@ -1,0 +1,122 @@
+//! *The tokens of an invocation → what is said of the module, and those of the description.* Of the language it knows the comments that
+//! document it: they are left to it. Everything else before the first word of the description is Rust's.
+
+use linkwright_codegen::{Options, Scalar};
+use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
+use quote::quote;
+
+use crate::tokens::{said, spliced};
+
+/// What an invocation begins with.
+pub struct Head {
+    /// The attributes of the module.
+    pub attributes: TokenStream,
+    /// `pub`, `pub(crate)`, … or nothing.
+    pub visibility: TokenStream,
+    /// What is chosen about the generated code.
+    pub options: Options,
+    /// The description.
+    pub description: Vec<TokenTree>,
+    /// What is wrong with the options, with the first and the last place.
+    pub mistakes: Vec<([Span; 2], String)>,
+}
+
+impl Head {
+    /// Reads the head of an invocation. What nobody understands is left to the description.
+    pub fn read(input: TokenStream) -> Head {
+        let mut head = Head {
+            attributes: TokenStream::new(),
+            visibility: TokenStream::new(),
+            options: Options::default(),
+            description: Vec::new(),
+            mistakes: Vec::new(),
+        };
+        let mut given = Vec::new();
+        let mut rest = spliced(input).into_iter();
+        loop {
+            let length = match rest.as_slice() {
+                [TokenTree::Punct(hash), TokenTree::Group(group), ..]
+                    if hash.as_char() == '#' && group.delimiter() == Delimiter::Bracket =>
+                {
+                    if said(&spliced(group.stream())).is_none() {
+                        head.attributes.extend(quote!(#hash #group));
+                        rest.nth(1);
+                        continue;
+                    }
+                    2
+                }
+                [
+                    TokenTree::Punct(hash),
+                    TokenTree::Punct(mark),
+                    TokenTree::Group(group),
+                    ..,
+                ] if hash.as_char() == '#'
+                    && mark.as_char() == '!'
+                    && group.delimiter() == Delimiter::Bracket =>
+                {
+                    let inside = spliced(group.stream());
+                    if said(&inside).is_none() {
+                        let place = [hash.span(), group.span_close()];
+                        if let Err(mistake) = head.choose(&inside, &mut given) {
+                            head.mistakes.push((place, mistake));
+                        }
+                        rest.nth(2);
+                        continue;
+                    }
+                    3
+                }
+                _ => break,
+            };
+            head.description.extend(rest.by_ref().take(length));
+        }
+        if let Some(TokenTree::Ident(word)) = rest.as_slice().first()
+            && word == "pub"
+        {
+            head.visibility.extend(rest.next());
+            if let Some(TokenTree::Group(place)) = rest.as_slice().first()
+                && place.delimiter() == Delimiter::Parenthesis
+            {
+                head.visibility.extend(rest.next());
+            }
+        }
+        head.description.extend(rest);
+        head
+    }
+
+    /// Takes an option; `given` holds the names of those before it.
+    fn choose(&mut self, inside: &[TokenTree], given: &mut Vec<String>) -> Result<(), String> {
+        let (name, value) = match inside {
+            [TokenTree::Ident(name), TokenTree::Group(value)]
+                if value.delimiter() == Delimiter::Parenthesis =>
+            {
+                (name.to_string(), value)
+            }
+            _ => return Err(unknown()),
+        };
+        match name.as_str() {
+            "scalar" => self.options.scalar = scalar(value)?,
+            // An option lives as long as the compiler does.
+            "math" => self.options.math = Some(value.stream().to_string().leak()),
+            _ => return Err(unknown()),
+        }
+        if given.contains(&name) {
+            return Err(format!("the option `{name}` is given twice"));
+        }
+        given.push(name);
+        Ok(())
+    }
+}
+
+fn scalar(value: &Group) -> Result<Scalar, String> {
+    let value = value.stream().to_string();
+    match value.as_str() {
+        "f64" => Ok(Scalar::F64),
+        "f32" => Ok(Scalar::F32),
+        _ => Err(format!("the scalar `{value}` is neither `f64` nor `f32`")),
+    }
+}
+
+fn unknown() -> String {
+    "unknown option\nhelp: the options are `#![scalar(f32)]` and `#![math(crate::plain)]`"
+        .to_string()
+}

@@ -1,0 +1,171 @@
+//! *Trees of tokens → one token after another, with brackets, as a description writes them.* Documentation, which the compiler hands on
+//! as attributes, is a comment again. Nothing is known here of the language; trees nest as deeply as they like.
+
+use std::vec::IntoIter;
+
+use proc_macro2::{Delimiter, Group, LineColumn, Punct, Spacing, Span, TokenTree};
+use syn::LitStr;
+
+/// A word, a number, a text, a mark, a bracket or a comment.
+pub struct Token {
+    /// What the description is to say.
+    pub text: String,
+    /// Where the compiler is to report what is wrong with it.
+    pub span: Span,
+    /// From where to where it is written; `None` where something else is written there, as with what other macros make.
+    pub extent: Option<[LineColumn; 2]>,
+    /// Whether the next mark belongs to it, as in `->`.
+    pub joint: bool,
+}
+
+impl Token {
+    fn new(text: String, span: Span) -> Token {
+        let extent = [span.start(), span.end()];
+        let is_there = behind(extent[0], &text) == extent[1];
+        Token {
+            text,
+            span,
+            extent: is_there.then_some(extent),
+            joint: false,
+        }
+    }
+
+    fn mark(mark: &Punct) -> Token {
+        Token {
+            joint: mark.spacing() == Spacing::Joint,
+            ..Token::new(mark.to_string(), mark.span())
+        }
+    }
+
+    /// Whether it ends with its line only.
+    pub fn is_line_comment(&self) -> bool {
+        self.text.starts_with("//")
+    }
+}
+
+/// The place behind a text that begins at `start`.
+fn behind(start: LineColumn, text: &str) -> LineColumn {
+    text.chars().fold(start, |at, letter| match letter {
+        '\n' => LineColumn {
+            line: at.line + 1,
+            column: 0,
+        },
+        _ => LineColumn {
+            line: at.line,
+            column: at.column + 1,
+        },
+    })
+}
+
+/// All tokens in their order.
+pub fn flat(trees: Vec<TokenTree>) -> Vec<Token> {
+    let mut found = Vec::new();
+    // The groups that are open, each with what closes it.
+    let mut open = vec![(trees.into_iter(), None)];
+    while let Some((trees, _)) = open.last_mut() {
+        if let Some(comment) = documentation(trees) {
+            found.push(comment);
+            continue;
+        }
+        match trees.next() {
+            None => found.extend(open.pop().and_then(|(_, close)| close)),
+            Some(TokenTree::Group(group)) => {
+                let inside: Vec<TokenTree> = group.stream().into_iter().collect();
+                let [before, close] = match brackets(&group, &inside) {
+                    Some([before, close]) => [Some(before), Some(close)],
+                    None => [None, None],
+                };
+                found.extend(before);
+                open.push((inside.into_iter(), close));
+            }
+            Some(TokenTree::Punct(mark)) => found.push(Token::mark(&mark)),
+            Some(other) => found.push(Token::new(other.to_string(), other.span())),
+        }
+    }
+    found
+}
+
+/// What a group stands between. What a macro has put in for a variable stands between nothing, but a sum remains one term.
+fn brackets(group: &Group, inside: &[TokenTree]) -> Option<[Token; 2]> {
+    let is_operator =
+        |it: &TokenTree| matches!(it, TokenTree::Punct(mark) if "+-*/^".contains(mark.as_char()));
+    let [open, close] = match group.delimiter() {
+        Delimiter::Brace => ["{", "}"],
+        Delimiter::Bracket => ["[", "]"],
+        Delimiter::None if !inside.iter().any(is_operator) => return None,
+        Delimiter::Parenthesis | Delimiter::None => ["(", ")"],
+    };
+    Some([
+        Token::new(open.to_string(), group.span_open()),
+        Token::new(close.to_string(), group.span_close()),
+    ])
+}
+
+/// The comment that the next trees stand for, which are taken then: `#[doc = "…"]` or `#![doc = "…"]`.
+fn documentation(trees: &mut IntoIter<TokenTree>) -> Option<Token> {
+    let (hash, inner, group) = match trees.as_slice() {
+        [TokenTree::Punct(hash), TokenTree::Group(group), ..] => (hash, false, group),
+        [
+            TokenTree::Punct(hash),
+            TokenTree::Punct(mark),
+            TokenTree::Group(group),
+            ..,
+        ] if mark.as_char() == '!' => (hash, true, group),
+        _ => return None,
+    };
+    if hash.as_char() != '#' || group.delimiter() != Delimiter::Bracket {
+        return None;
+    }
+    let said = said(&spliced(group.stream()))?;
+    let comment = comment(&said, inner, hash.span(), group.span_close());
+    trees.nth(if inner { 2 } else { 1 });
+    Some(comment)
+}
+
+/// The words of `doc = "…"`, the inside of an attribute.
+pub fn said(inside: &[TokenTree]) -> Option<String> {
+    match inside {
+        [
+            TokenTree::Ident(name),
+            TokenTree::Punct(equals),
+            TokenTree::Literal(text),
+        ] if name == "doc" && equals.as_char() == '=' => {
+            let text: LitStr = syn::parse_str(&text.to_string()).ok()?;
+            Some(text.value())
+        }
+        _ => None,
+    }
+}
+
+/// The trees with those of groups without brackets in place of the groups.
+pub fn spliced(stream: impl IntoIterator<Item = TokenTree>) -> Vec<TokenTree> {
+    let mut found = Vec::new();
+    for tree in stream {
+        match tree {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::None => {
+                found.extend(spliced(group.stream()));
+            }
+            other => found.push(other),
+        }
+    }
+    found
+}
+
+/// The comment with these words: the one that is written at `span`, or one in place of an attribute from there to `close`.
+fn comment(words: &str, inner: bool, span: Span, close: Span) -> Token {
+    let (line, block) = if inner { ("//!", "/*!") } else { ("///", "/**") };
+    let written = [format!("{line}{words}"), format!("{block}{words}*/")];
+    let written = written.map(|text| Token::new(text, span));
+    if let Some(written) = written.into_iter().find(|it| it.extent.is_some()) {
+        return written;
+    }
+    // Whatever follows it on its line is none of it.
+    let words = words.replace("*/", "* /").replace("/*", "/ *");
+    let (start, end) = (span.start(), close.end());
+    Token {
+        text: format!("{block} {words} */"),
+        span,
+        extent: (start < end).then_some([start, end]),
+        joint: false,
+    }
+}
