@@ -43,7 +43,10 @@ pub fn expand(input: TokenStream) -> TokenStream {
         return findings::error([Span::call_site(); 2], problem);
     };
     let (attributes, visibility) = (head.attributes, head.visibility);
-    let Page { documentation, html } = page;
+    let Page {
+        documentation,
+        html,
+    } = page;
     let warnings = findings::warnings(generated.warnings, &written);
     let files = watched(&source, &folder);
     let style = match generated.name.chars().any(char::is_uppercase) {
@@ -71,10 +74,7 @@ fn generated(
     source: Source,
     folder: &Path,
     options: &Options,
-) -> (
-    Source,
-    Result<(Generated, Page), Diagnostics>,
-) {
+) -> (Source, Result<(Generated, Page), Diagnostics>) {
     /// Leaves tokens to the compiler again.
     struct Aside;
 
@@ -109,7 +109,9 @@ fn watched(source: &Source, folder: &Path) -> TokenStream {
         .filter_map(|file| {
             let path = path::absolute(folder.join(&file.path)).ok()?;
             let path = path.to_str()?;
-            Some(quote!(const _: &[u8] = ::core::include_bytes!(#path);))
+            Some(quote!(
+                const _: &[u8] = ::core::include_bytes!(#path);
+            ))
         })
         .collect()
 }

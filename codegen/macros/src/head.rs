@@ -4,6 +4,8 @@
 use linkwright_codegen::{Options, Scalar};
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 use quote::quote;
+use syn::parse::Parser as _;
+use syn::{Attribute, Visibility};
 
 use crate::tokens::{said, spliced};
 
@@ -39,7 +41,14 @@ impl Head {
                     if hash.as_char() == '#' && group.delimiter() == Delimiter::Bracket =>
                 {
                     if said(&spliced(group.stream())).is_none() {
-                        head.attributes.extend(quote!(#hash #group));
+                        let attribute = quote!(#hash #group);
+                        match Attribute::parse_outer.parse2(attribute.clone()) {
+                            Ok(_) => head.attributes.extend(attribute),
+                            Err(error) => {
+                                let place = [hash.span(), group.span_close()];
+                                head.mistakes.push((place, error.to_string()));
+                            }
+                        }
                         rest.nth(1);
                         continue;
                     }
@@ -74,7 +83,7 @@ impl Head {
         {
             head.visibility.extend(rest.next());
             if let Some(TokenTree::Group(place)) = rest.as_slice().first()
-                && place.delimiter() == Delimiter::Parenthesis
+                && syn::parse2::<Visibility>(quote!(pub #place)).is_ok()
             {
                 head.visibility.extend(rest.next());
             }

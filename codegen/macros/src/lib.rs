@@ -5,6 +5,8 @@
 mod expansion;
 mod findings;
 mod head;
+#[cfg(test)]
+mod tests;
 mod tokens;
 mod written;
 

@@ -153,17 +153,28 @@ pub fn spliced(stream: impl IntoIterator<Item = TokenTree>) -> Vec<TokenTree> {
 
 /// The comment with these words: the one that is written at `span`, or one in place of an attribute from there to `close`.
 fn comment(words: &str, inner: bool, span: Span, close: Span) -> Token {
-    let (line, block) = if inner { ("//!", "/*!") } else { ("///", "/**") };
+    let (line, block) = if inner {
+        ("//!", "/*!")
+    } else {
+        ("///", "/**")
+    };
     let written = [format!("{line}{words}"), format!("{block}{words}*/")];
     let written = written.map(|text| Token::new(text, span));
     if let Some(written) = written.into_iter().find(|it| it.extent.is_some()) {
         return written;
     }
-    // Whatever follows it on its line is none of it.
-    let words = words.replace("*/", "* /").replace("/*", "/ *");
+    let text = match words.contains('\n') {
+        true => format!(
+            "{block} {} */",
+            words.replace("*/", "* /").replace("/*", "/ *")
+        ),
+        // A fourth slash would make it a comment that documents nothing.
+        false if words.starts_with('/') => format!("{line} {words}"),
+        false => format!("{line}{words}"),
+    };
     let (start, end) = (span.start(), close.end());
     Token {
-        text: format!("{block} {words} */"),
+        text,
         span,
         extent: (start < end).then_some([start, end]),
         joint: false,

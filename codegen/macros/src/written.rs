@@ -1,5 +1,5 @@
-//! *Tokens → the text of a description, and the way back from its places to tokens.* Where the tokens stand as they were written, the
-//! text has their columns and the distances of their lines; otherwise it has blanks between them, and means the same.
+//! *Tokens → the text of a description, and the way back from its places to tokens.* Where tokens stand one after another, the text
+//! has the blanks and the lines that are written between them; other tokens, such as those that a macro has put together, it keeps apart.
 
 use std::ops::Range;
 
@@ -23,10 +23,22 @@ struct Gap {
     columns: usize,
 }
 
+impl Gap {
+    const NONE: Gap = Gap::columns(0);
+    const LINE: Gap = Gap {
+        lines: 1,
+        columns: 0,
+    };
+
+    const fn columns(columns: usize) -> Gap {
+        Gap { lines: 0, columns }
+    }
+}
+
 impl Written {
     /// What these tokens say.
     pub fn of(tokens: &[Token]) -> Written {
-        let gaps = gaps_as_written(tokens).unwrap_or_else(|| gaps_by_blanks(tokens));
+        let gaps = gaps(tokens);
         let mut written = Written {
             text: String::new(),
             places: Vec::with_capacity(tokens.len()),
@@ -60,45 +72,52 @@ impl Written {
     }
 }
 
-/// The gaps that are written, if the tokens are written one after another.
-fn gaps_as_written(tokens: &[Token]) -> Option<Vec<Gap>> {
-    let indent = |token: &Token| token.extent.map(|[start, _]| start.column);
-    let first = tokens.first().map(|token| {
-        let columns = indent(token)?;
-        Some(Gap { lines: 0, columns })
+/// What stands before each token. Lines are as many as are written where all tokens stand one after another; otherwise they come from
+/// several places, and what lies between those is nothing that is written between tokens.
+fn gaps(tokens: &[Token]) -> Vec<Gap> {
+    let written = tokens.windows(2).map(|pair| match pair {
+        [token, next] => gap_as_written(token, next),
+        _ => None,
     });
-    let others = tokens.windows(2).map(|pair| {
-        let [token, next] = pair else { return None };
-        let ([_, end], [start, _]) = (token.extent?, next.extent?);
-        let gap = if start.line == end.line {
-            let columns = start.column.checked_sub(end.column)?;
-            Gap { lines: 0, columns }
-        } else {
-            let lines = start.line.checked_sub(end.line)?;
-            let columns = start.column;
-            Gap { lines, columns }
-        };
-        let keeps_apart = gap.lines > 0
-            || !token.is_line_comment() && (gap.columns > 0 || !would_merge(token, next));
-        keeps_apart.then_some(gap)
+    let written: Vec<Option<Gap>> = written.collect();
+    let in_order = written.iter().all(Option::is_some);
+    let start = tokens.first().and_then(|token| token.extent);
+    let indent = start.map_or(0, |[start, _]| start.column);
+    let first = tokens.first().map(|_| Gap::columns(indent));
+    let others = tokens.windows(2).zip(written);
+    let others = others.map(|(pair, written)| match (pair, written) {
+        (_, Some(gap)) if in_order || gap.lines == 0 => gap,
+        (_, Some(_)) => Gap::LINE,
+        ([token, next], None) => gap_between(token, next),
+        _ => Gap::NONE,
     });
     first.into_iter().chain(others).collect()
 }
 
-/// Gaps that keep tokens apart, wherever they come from.
-fn gaps_by_blanks(tokens: &[Token]) -> Vec<Gap> {
-    let none = Gap {
-        lines: 0,
-        columns: 0,
-    };
-    let others = tokens.windows(2).map(|pair| match pair {
-        [token, next] if token.joint && !would_merge(token, next) => none,
-        [token, _] if token.is_line_comment() || matches!(token.text.as_str(), ";" | "{" | "}") => {
-            Gap { lines: 1, ..none }
-        }
-        _ => Gap { columns: 1, ..none },
-    });
-    std::iter::once(none).chain(others).collect()
+/// What is written between two tokens, if they are written one after the other.
+fn gap_as_written(token: &Token, next: &Token) -> Option<Gap> {
+    let ([_, end], [start, _]) = (token.extent?, next.extent?);
+    if start.line != end.line {
+        let lines = start.line.checked_sub(end.line)?;
+        let columns = start.column;
+        return Some(Gap { lines, columns });
+    }
+    let columns = start.column.checked_sub(end.column)?;
+    let keeps_apart = !token.is_line_comment() && (columns > 0 || !would_merge(token, next));
+    keeps_apart.then_some(Gap::columns(columns))
+}
+
+/// What keeps two tokens apart of which nobody knows where they are written. No blank separates a quantity from a unit behind `*` or
+/// `/`: of any other factor it says nothing.
+fn gap_between(token: &Token, next: &Token) -> Gap {
+    let is_factor = |it: &Token| matches!(it.text.as_str(), "*" | "/" | "^");
+    if token.is_line_comment() || matches!(token.text.as_str(), ";" | "{" | "}") {
+        Gap::LINE
+    } else if !would_merge(token, next) && (token.joint || is_factor(token) || is_factor(next)) {
+        Gap::NONE
+    } else {
+        Gap::columns(1)
+    }
 }
 
 /// Whether two tokens without a blank between them would be one, or begin a comment.

@@ -1,0 +1,98 @@
+//! What is said before the description.
+
+use crate::expansion::expand;
+
+const CRANK: &str = "mechanism crank {
+    /// The arm.
+    body 1 at (0, 0) { A: (1, 0) }
+    absolute_x(1) = 0;
+    absolute_y(1) = 0;
+    drive phi(1) = t;
+}";
+
+/// The expansion as text.
+fn expanded(head: &str, description: &str) -> String {
+    let input = format!("{head}\n{description}").parse().expect("tokens");
+    expand(input).to_string()
+}
+
+/// The errors, without a word about where.
+fn errors(head: &str, description: &str) -> Vec<String> {
+    let text = expanded(head, description);
+    let parts = text.split(":: core :: compile_error ! {").skip(1);
+    parts.map(|part| part.trim().to_string()).collect()
+}
+
+#[test]
+fn attributes_and_visibility_are_those_of_the_module() {
+    let text = expanded("/// Words.\n#[cfg(test)] pub(crate)", CRANK);
+    let head = text.split("use :: linkwright").next().unwrap_or_default();
+    assert!(head.starts_with("# [doc = \" Words.\"]"), "{head}");
+    assert!(head.contains("# [cfg (test)]"), "{head}");
+    assert!(head.ends_with("pub (crate) mod crank { "), "{head}");
+    let text = expanded("", CRANK);
+    assert!(text.contains("] mod crank {"), "{text}");
+    assert!(text.starts_with("# [doc = \" The mechanism `crank`.\"]"));
+    let text = expanded("pub", &CRANK.replace("crank", "type"));
+    assert!(text.contains("pub mod r#type {"), "{text}");
+    let text = expanded("pub", &CRANK.replace("crank", "BigCrank"));
+    assert!(text.contains("non_snake_case"), "{text}");
+}
+
+#[test]
+fn options_choose_scalar_and_functions() {
+    let uses = |head: &str| {
+        let text = expanded(head, CRANK);
+        let start = text.find("use ::").expect("a module");
+        text[start..]
+            .split(';')
+            .next()
+            .unwrap_or_default()
+            .replace(' ', "")
+    };
+    assert_eq!(uses(""), "use::linkwright::double::*");
+    assert_eq!(uses("#![scalar(f64)]"), "use::linkwright::double::*");
+    assert_eq!(uses("#![scalar(f32)]"), "use::linkwright::single::*");
+    let text = expanded("#![math(crate::plain)]", CRANK);
+    assert!(text.contains("use crate :: plain :: {"), "{text}");
+}
+
+#[test]
+fn options_that_do_not_exist_are_errors() {
+    for (head, expected) in [
+        ("#![scalar(f16)]", "the scalar `f16` is neither"),
+        ("#![scalar]", "unknown option"),
+        ("#![speed(f32)]", "unknown option"),
+        ("#![scalar(f32)] #![scalar(f32)]", "`scalar` is given twice"),
+        ("#![math(1)]", "which is no path of a module"),
+    ] {
+        let found = expanded(head, CRANK);
+        assert!(found.contains("compile_error"), "{head}: {found}");
+        assert!(found.contains(expected), "{head}: {found}");
+    }
+    // Together with those of the description.
+    let found = errors("#![scalar(f16)]", &CRANK.replace("= t", "= s"));
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(found[1].contains("K11: "), "{found:?}");
+}
+
+#[test]
+fn errors_say_code_cause_and_help() {
+    assert_eq!(
+        errors("", &CRANK.replace("= t", "= sine(t)")),
+        [
+            "\"K13: unknown function `sine`\\nnot a function of this language\\nhelp: did you mean `sin`?\" }"
+        ]
+    );
+    let found = errors("", "");
+    assert!(found[0].contains("K06: "), "{found:?}");
+    let found = errors("", &CRANK.replace("crank", "super"));
+    assert!(found[0].contains("Rust reserves this word"), "{found:?}");
+}
+
+#[test]
+fn warnings_are_deprecated_constants() {
+    let text = expanded("", &CRANK.replace("= t;", "= t; /// nothing"));
+    let expected = "# [deprecated (note = \"this comment documents nothing\\nhelp: write `//` for a comment that is not documentation\")] const K02 : () = () ; K02";
+    assert!(text.contains(expected), "{text}");
+}
