@@ -1,6 +1,6 @@
 //! Generates the mechanisms that only tests need, the repository's, one with tables and those of the study of stability in
 //! single precision, a list of the repository's, and all of them once more with what their drivers transmit, and those with
-//! parameters with their sensitivities, and some monitored.
+//! parameters with their sensitivities, and some monitored; and writes some of the repository's into the middle of Rust code.
 
 mod described;
 mod monitoring;
@@ -32,6 +32,7 @@ fn main() {
     write_counted();
     monitoring::write(&["descriptions", "../mechanisms"]);
     list_modules();
+    write_in_code();
     sensing::write("descriptions");
     transmitting::write(&["descriptions", "../mechanisms"]);
 }
@@ -46,6 +47,25 @@ fn write_counted() {
     if let Ok(module) = generate_with(&Source::new("four_bar.mech", text), &options) {
         write_module("counted_four_bar", &module.code).expect("the module is written");
     }
+}
+
+/// Descriptions of the repository, as whoever uses the macro writes them.
+fn write_in_code() {
+    let invocations = [
+        "four_bar",
+        "excavator",
+        "cam_dwell",
+        "rack_steering",
+        "platform_3rpr",
+        "jansen",
+    ]
+    .map(|name| {
+        let path = format!("../mechanisms/{name}.mech");
+        let text = fs::read_to_string(path).expect("the description");
+        let text = text.replacen("\nmechanism ", "\npub mechanism ", 1);
+        format!("linkwright_macros::mechanism! {{\n{text}}}\n")
+    });
+    registry::write("in_code.rs", &invocations.concat());
 }
 
 /// The repository's mechanisms as a list, and each of them in single precision.

@@ -30,7 +30,7 @@ const ORDER: [&str; 20] = [
 ];
 
 /// The folders of the packages that are published, each with those of ours that it is built from.
-const PACKAGES: [(&str, &[&str]); 7] = [
+const PACKAGES: [(&str, &[&str]); 8] = [
     ("runtime/math", &[]),
     ("runtime", &["linkwright-math"]),
     ("codegen", &["linkwright-math"]),
@@ -48,6 +48,7 @@ const PACKAGES: [(&str, &[&str]); 7] = [
             "linkwright-solver",
         ],
     ),
+    ("codegen/macros", &["linkwright-codegen"]),
     ("mechanisms", &["linkwright", "linkwright-codegen"]),
 ];
 
