@@ -4,10 +4,10 @@
 use linkwright_codegen::{Options, Scalar};
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 use quote::quote;
+use syn::Visibility;
 use syn::parse::Parser as _;
-use syn::{Attribute, Visibility};
 
-use crate::tokens::{said, spliced};
+use crate::tokens::{Attribute, spliced};
 
 /// What an invocation begins with.
 pub struct Head {
@@ -35,48 +35,22 @@ impl Head {
         };
         let mut given = Vec::new();
         let mut rest = spliced(input).into_iter();
-        loop {
-            let length = match rest.as_slice() {
-                [TokenTree::Punct(hash), TokenTree::Group(group), ..]
-                    if hash.as_char() == '#' && group.delimiter() == Delimiter::Bracket =>
-                {
-                    if said(&spliced(group.stream())).is_none() {
-                        let attribute = quote!(#hash #group);
-                        match Attribute::parse_outer.parse2(attribute.clone()) {
-                            Ok(_) => head.attributes.extend(attribute),
-                            Err(error) => {
-                                let place = [hash.span(), group.span_close()];
-                                head.mistakes.push((place, error.to_string()));
-                            }
-                        }
-                        rest.nth(1);
-                        continue;
-                    }
-                    2
-                }
-                [
-                    TokenTree::Punct(hash),
-                    TokenTree::Punct(mark),
-                    TokenTree::Group(group),
-                    ..,
-                ] if hash.as_char() == '#'
-                    && mark.as_char() == '!'
-                    && group.delimiter() == Delimiter::Bracket =>
-                {
-                    let inside = spliced(group.stream());
-                    if said(&inside).is_none() {
-                        let place = [hash.span(), group.span_close()];
-                        if let Err(mistake) = head.choose(&inside, &mut given) {
-                            head.mistakes.push((place, mistake));
-                        }
-                        rest.nth(2);
-                        continue;
-                    }
-                    3
-                }
-                _ => break,
+        while let Some(attribute) = Attribute::first_of(rest.as_slice()) {
+            let trees = rest.by_ref().take(attribute.length);
+            let mistake = if attribute.words().is_some() {
+                head.description.extend(trees);
+                continue;
+            } else if attribute.is_inner {
+                trees.for_each(drop);
+                head.choose(&attribute.inside, &mut given).err()
+            } else {
+                let of_module: TokenStream = trees.collect();
+                let parsed = syn::Attribute::parse_outer.parse2(of_module.clone());
+                head.attributes.extend(parsed.is_ok().then_some(of_module));
+                parsed.err().map(|error| error.to_string())
             };
-            head.description.extend(rest.by_ref().take(length));
+            head.mistakes
+                .extend(mistake.map(|mistake| (attribute.place, mistake)));
         }
         if let Some(TokenTree::Ident(word)) = rest.as_slice().first()
             && word == "pub"

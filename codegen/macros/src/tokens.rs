@@ -101,39 +101,90 @@ fn brackets(group: &Group, inside: &[TokenTree]) -> Option<[Token; 2]> {
     ])
 }
 
-/// The comment that the next trees stand for, which are taken then: `#[doc = "…"]` or `#![doc = "…"]`.
+/// The comment that the next trees stand for, which are taken then.
 fn documentation(trees: &mut IntoIter<TokenTree>) -> Option<Token> {
-    let (hash, inner, group) = match trees.as_slice() {
-        [TokenTree::Punct(hash), TokenTree::Group(group), ..] => (hash, false, group),
-        [
-            TokenTree::Punct(hash),
-            TokenTree::Punct(mark),
-            TokenTree::Group(group),
-            ..,
-        ] if mark.as_char() == '!' => (hash, true, group),
-        _ => return None,
-    };
-    if hash.as_char() != '#' || group.delimiter() != Delimiter::Bracket {
-        return None;
-    }
-    let said = said(&spliced(group.stream()))?;
-    let comment = comment(&said, inner, hash.span(), group.span_close());
-    trees.nth(if inner { 2 } else { 1 });
+    let attribute = Attribute::first_of(trees.as_slice())?;
+    let comment = attribute.comment()?;
+    trees.nth(attribute.length - 1);
     Some(comment)
 }
 
-/// The words of `doc = "…"`, the inside of an attribute.
-pub fn said(inside: &[TokenTree]) -> Option<String> {
-    match inside {
-        [
-            TokenTree::Ident(name),
-            TokenTree::Punct(equals),
-            TokenTree::Literal(text),
-        ] if name == "doc" && equals.as_char() == '=' => {
-            let text: LitStr = syn::parse_str(&text.to_string()).ok()?;
-            Some(text.value())
+/// `#[…]` or `#![…]`.
+pub struct Attribute {
+    /// Whether it is of what it stands in, not of what follows.
+    pub is_inner: bool,
+    /// What stands between the brackets.
+    pub inside: Vec<TokenTree>,
+    /// Its first and its last place.
+    pub place: [Span; 2],
+    /// How many trees it consists of.
+    pub length: usize,
+}
+
+impl Attribute {
+    /// The attribute that trees begin with.
+    pub fn first_of(trees: &[TokenTree]) -> Option<Attribute> {
+        let is = |tree: Option<&TokenTree>, mark| matches!(tree, Some(TokenTree::Punct(it)) if it.as_char() == mark);
+        if !is(trees.first(), '#') {
+            return None;
         }
-        _ => None,
+        let is_inner = is(trees.get(1), '!');
+        let before = if is_inner { 2 } else { 1 };
+        match trees.get(before)? {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket => Some(Attribute {
+                is_inner,
+                inside: spliced(group.stream()),
+                place: [trees.first()?.span(), group.span_close()],
+                length: before + 1,
+            }),
+            _ => None,
+        }
+    }
+
+    /// The words of `doc = "…"`.
+    pub fn words(&self) -> Option<String> {
+        match self.inside.as_slice() {
+            [
+                TokenTree::Ident(name),
+                TokenTree::Punct(equals),
+                TokenTree::Literal(text),
+            ] if name == "doc" && equals.as_char() == '=' => {
+                let text: LitStr = syn::parse_str(&text.to_string()).ok()?;
+                Some(text.value())
+            }
+            _ => None,
+        }
+    }
+
+    /// The comment with its words: the one that is written there, or one in its place.
+    fn comment(&self) -> Option<Token> {
+        let words = self.words()?;
+        let [span, close] = self.place;
+        let (line, block) = match self.is_inner {
+            true => ("//!", "/*!"),
+            false => ("///", "/**"),
+        };
+        let written = [format!("{line}{words}"), format!("{block}{words}*/")];
+        let written = written.map(|text| Token::new(text, span));
+        if let Some(written) = written.into_iter().find(|it| it.extent.is_some()) {
+            return Some(written);
+        }
+        let text = match words.contains('\n') {
+            true => format!(
+                "{block} {} */",
+                words.replace("*/", "* /").replace("/*", "/ *")
+            ),
+            // A fourth slash would make it a comment that documents nothing.
+            false if words.starts_with('/') => format!("{line} {words}"),
+            false => format!("{line}{words}"),
+        };
+        let (start, end) = (span.start(), close.end());
+        Some(Token {
+            text,
+            span,
+            extent: (start < end).then_some([start, end]),
+            joint: false,
+        })
     }
 }
 
@@ -149,34 +200,4 @@ pub fn spliced(stream: impl IntoIterator<Item = TokenTree>) -> Vec<TokenTree> {
         }
     }
     found
-}
-
-/// The comment with these words: the one that is written at `span`, or one in place of an attribute from there to `close`.
-fn comment(words: &str, inner: bool, span: Span, close: Span) -> Token {
-    let (line, block) = if inner {
-        ("//!", "/*!")
-    } else {
-        ("///", "/**")
-    };
-    let written = [format!("{line}{words}"), format!("{block}{words}*/")];
-    let written = written.map(|text| Token::new(text, span));
-    if let Some(written) = written.into_iter().find(|it| it.extent.is_some()) {
-        return written;
-    }
-    let text = match words.contains('\n') {
-        true => format!(
-            "{block} {} */",
-            words.replace("*/", "* /").replace("/*", "/ *")
-        ),
-        // A fourth slash would make it a comment that documents nothing.
-        false if words.starts_with('/') => format!("{line} {words}"),
-        false => format!("{line}{words}"),
-    };
-    let (start, end) = (span.start(), close.end());
-    Token {
-        text,
-        span,
-        extent: (start < end).then_some([start, end]),
-        joint: false,
-    }
 }

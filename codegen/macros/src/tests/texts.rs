@@ -27,11 +27,7 @@ fn without_comment(line: &str) -> &str {
 
 #[test]
 fn the_tokens_of_a_description_say_what_its_text_says() {
-    let folders = [
-        "mechanisms",
-        "tests/descriptions",
-        "tests/fixtures/plans",
-    ];
+    let folders = ["mechanisms", "tests/descriptions", "tests/fixtures/plans"];
     let mut count = 0;
     for source in folders.into_iter().flat_map(descriptions) {
         let stream: TokenStream = source.text.parse().expect("tokens");
