@@ -1,7 +1,7 @@
 //! What is read from tokens is what was written.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Options, generate_with_page};
+use linkwright_codegen::generate;
 use proc_macro2::TokenStream;
 
 use super::{descriptions, displaced, tokens};
@@ -9,11 +9,12 @@ use crate::head::Head;
 use crate::tokens::flat;
 use crate::written::Written;
 
-/// A module and its page.
-fn module(source: &Source) -> [String; 2] {
-    let generated = generate_with_page(source, &Options::default());
-    let (generated, page) = generated.unwrap_or_else(|errors| panic!("{}", errors.render(source)));
-    [generated.code, page.html]
+/// The module of a description.
+fn module(source: &Source) -> String {
+    match generate(source) {
+        Ok(generated) => generated.code,
+        Err(errors) => panic!("{}", errors.render(source)),
+    }
 }
 
 /// A line without the comment that it ends with, if that documents nothing, and without blanks at its end.
