@@ -19,11 +19,12 @@ use linkwright_tests::files;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The folders with the sources of the packages that are published.
-const SOURCES: [&str; 5] = [
+const SOURCES: [&str; 6] = [
     "runtime/src",
     "codegen/src",
     "codegen/solver/src",
     "codegen/calibrate/src",
+    "codegen/macros/src",
     "codegen/cli/src",
 ];
 

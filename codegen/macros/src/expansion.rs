@@ -27,8 +27,8 @@ pub fn expand(input: TokenStream) -> TokenStream {
     let (generated, page) = match generated {
         Ok(generated) => generated,
         Err(found) => {
-            let errors = findings::errors(found, &written);
-            return quote!(#mistakes #errors);
+            let found = findings::items(found, &written);
+            return quote!(#mistakes #found);
         }
     };
     if !mistakes.is_empty() {
@@ -47,7 +47,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         documentation,
         html,
     } = page;
-    let warnings = findings::warnings(generated.warnings, &written);
+    let warnings = findings::items(generated.warnings, &written);
     let files = watched(&source, &folder);
     let style = match generated.name.chars().any(char::is_uppercase) {
         true => quote!(#[allow(non_snake_case)]),

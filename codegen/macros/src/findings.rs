@@ -12,16 +12,17 @@ use quote::{quote, quote_spanned};
 
 use crate::written::Written;
 
-/// The errors.
-pub fn errors(found: Diagnostics, written: &Written) -> TokenStream {
+/// Items that make the compiler say what was found.
+pub fn items(found: Diagnostics, written: &Written) -> TokenStream {
     let found = found.into_iter();
     found
-        .map(|finding| match finding.severity {
-            Severity::Error => {
-                let message = format!("{}: {}", finding.code, message(&finding, written));
-                error(written.tokens_at(finding.primary.span), &message)
+        .map(|finding| {
+            let place = written.tokens_at(finding.primary.span);
+            let message = message(&finding, written);
+            match finding.severity {
+                Severity::Error => error(place, &format!("{}: {message}", finding.code)),
+                Severity::Warning => warning(place[0], finding.code.name(), &message),
             }
-            Severity::Warning => TokenStream::new(),
         })
         .collect()
 }
@@ -34,23 +35,16 @@ pub fn error([first, last]: [Span; 2], message: &str) -> TokenStream {
     quote_spanned!(first=> ::core::compile_error! #braces)
 }
 
-/// Items that make the compiler warn.
-pub fn warnings(found: Diagnostics, written: &Written) -> TokenStream {
-    let found = found.into_iter();
-    found
-        .map(|finding| {
-            let [place, _] = written.tokens_at(finding.primary.span);
-            let name = Ident::new(finding.code.name(), place);
-            let message = message(&finding, written);
-            quote! {
-                const _: () = {
-                    #[deprecated(note = #message)]
-                    const #name: () = ();
-                    #name
-                };
-            }
-        })
-        .collect()
+/// A warning, which is called like its code.
+fn warning(place: Span, code: &str, message: &str) -> TokenStream {
+    let name = Ident::new(code, place);
+    quote! {
+        const _: () = {
+            #[deprecated(note = #message)]
+            const #name: () = ();
+            #name
+        };
+    }
 }
 
 /// All that a finding says, but for its code; other places by their lines.

@@ -95,4 +95,7 @@ fn warnings_are_deprecated_constants() {
     let text = expanded("", &CRANK.replace("= t;", "= t; /// nothing"));
     let expected = "# [deprecated (note = \"this comment documents nothing\\nhelp: write `//` for a comment that is not documentation\")] const K02 : () = () ; K02";
     assert!(text.contains(expected), "{text}");
+    // Beside errors as well.
+    let text = expanded("", &CRANK.replace("= t;", "= s; /// nothing"));
+    assert!(text.contains(expected) && text.contains("K11: "), "{text}");
 }
