@@ -118,9 +118,9 @@ fn watched(source: &Source, folder: &Path) -> TokenStream {
 
 /// The name of the module, which leads to that of the description.
 fn module_name(name: &str, tokens: &[Token]) -> Result<Ident, TokenStream> {
-    let mut tokens = tokens.iter();
-    let token = tokens.find(|token| token.text == name);
-    let span = token.map_or_else(Span::call_site, |token| token.span);
+    let mut pairs = tokens.windows(2);
+    let named = pairs.find(|pair| pair[0].text == "mechanism" && pair[1].text == name);
+    let span = named.map_or_else(Span::call_site, |pair| pair[1].span);
     if syn::parse_str::<Ident>(name).is_ok() {
         return Ok(Ident::new(name, span));
     }

@@ -52,15 +52,13 @@ impl Head {
             head.mistakes
                 .extend(mistake.map(|mistake| (attribute.place, mistake)));
         }
-        if let Some(TokenTree::Ident(word)) = rest.as_slice().first()
-            && word == "pub"
-        {
-            head.visibility.extend(rest.next());
-            if let Some(TokenTree::Group(place)) = rest.as_slice().first()
-                && syn::parse2::<Visibility>(quote!(pub #place)).is_ok()
-            {
-                head.visibility.extend(rest.next());
-            }
+        // Of several mechanisms the last one becomes the module.
+        let mut rest: Vec<TokenTree> = rest.collect();
+        let mechanism =
+            |it: &TokenTree| matches!(it, TokenTree::Ident(word) if word == "mechanism");
+        if let Some(last) = rest.iter().rposition(mechanism) {
+            let visibility = start_of_visibility(&rest[..last])..last;
+            head.visibility = rest.drain(visibility).collect();
         }
         head.description.extend(rest);
         head
@@ -87,6 +85,21 @@ impl Head {
         }
         given.push(name);
         Ok(())
+    }
+}
+
+/// Where the visibility begins that trees end with.
+fn start_of_visibility(trees: &[TokenTree]) -> usize {
+    let is_public = |it: &TokenTree| matches!(it, TokenTree::Ident(word) if word == "pub");
+    match trees {
+        [.., word] if is_public(word) => trees.len() - 1,
+        [.., word, place] if is_public(word) => {
+            match syn::parse2::<Visibility>(quote!(#word #place)) {
+                Ok(_) => trees.len() - 2,
+                Err(_) => trees.len(),
+            }
+        }
+        _ => trees.len(),
     }
 }
 

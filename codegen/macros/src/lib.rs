@@ -86,8 +86,8 @@ static EXPANDING: Mutex<()> = Mutex::new(());
 ///
 /// The module is named after the mechanism and stands where the macro stands, among the items of a module or of a function. It is what
 /// `linkwright::include_mechanism! { mod NAME; }` includes of a build script: its documentation is that of the description, and
-/// `rustdoc` shows the drawing and the derivation. It is private unless `pub` stands before the word `mechanism`, and has the attributes
-/// that stand there, such as `#[cfg(test)]`.
+/// `rustdoc` shows the drawing and the derivation. It is private unless `pub` stands before the word `mechanism`. Attributes of the module,
+/// such as `#[cfg(test)]`, stand first. Of several mechanisms the last one becomes the module, and those above it can be its parts.
 ///
 /// ```
 /// mod linkages {

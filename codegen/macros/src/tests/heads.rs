@@ -33,6 +33,12 @@ fn attributes_and_visibility_are_those_of_the_module() {
     let text = expanded("", CRANK);
     assert!(text.contains("] mod crank {"), "{text}");
     assert!(text.starts_with("# [doc = \" The mechanism `crank`.\"]"));
+    let walker = "pub mechanism walker { part leg = crank; }";
+    let text = expanded("", &format!("{CRANK}\n/// Both.\n{walker}"));
+    assert!(text.contains("] pub mod walker {"), "{text}");
+    assert!(text.starts_with("# [doc = \" Both.\"]"), "{text}");
+    let found = errors("pub", &format!("{CRANK}\n{walker}"));
+    assert!(!found.is_empty(), "{found:?}");
     let text = expanded("pub", &CRANK.replace("crank", "type"));
     assert!(text.contains("pub mod r#type {"), "{text}");
     let text = expanded("pub", &CRANK.replace("crank", "BigCrank"));
