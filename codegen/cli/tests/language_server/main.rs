@@ -1,0 +1,5 @@
+//! The language server from the outside: an editor that speaks with the real command.
+
+mod client;
+mod diagnostics;
+mod lifecycle;
