@@ -2,4 +2,8 @@
 
 mod client;
 mod diagnostics;
+mod editing;
+mod grammar;
 mod lifecycle;
+mod names;
+mod robustness;
