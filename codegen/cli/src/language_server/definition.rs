@@ -4,16 +4,15 @@ use linkwright_codegen::diagnostic::Span;
 use lsp_types::Location;
 
 use super::document::Document;
-use super::names::{Names, Symbol};
+use super::names::Names;
 
 /// Where the name at an offset is declared; a point that several bodies list under one name, on each of them.
 pub fn definitions(names: &Names, offset: usize) -> Vec<Span> {
     let Some(mention) = names.mention_at(offset) else {
         return Vec::new();
     };
-    let here = names.mentions.iter().filter(|it| it.span == mention.span);
-    let symbols: Vec<&Symbol> = here.map(|it| &names.symbols[it.symbol]).collect();
-    let mut places: Vec<Span> = symbols.iter().map(|it| it.declared).collect();
+    let here = names.mentioned_at(mention.span);
+    let mut places: Vec<Span> = here.map(|it| names.symbols[it].declared).collect();
     places.sort();
     places.dedup();
     places

@@ -45,7 +45,11 @@ impl About<'_> {
     fn symbol(&self, id: SymbolId, place: Span) -> String {
         let names = &self.description.names;
         let symbol = &names.symbols[id];
-        let mut parts = vec![self.declaration(symbol.opening, symbol.written)];
+        let here = names.mentioned_at(place).map(|it| &names.symbols[it]);
+        let declared: Vec<String> = here
+            .map(|it| self.declaration(it.opening, it.written))
+            .collect();
+        let mut parts = vec![format!("```mech\n{}\n```", declared.join("\n"))];
         let mut what = symbol.sort.noun().to_string();
         match symbol.sort {
             Sort::BodyPoint => {
@@ -94,7 +98,7 @@ impl About<'_> {
         if lines.len() > LONGEST {
             shown.push_str("\n…");
         }
-        format!("```mech\n{opening}{shown}\n```")
+        format!("{opening}{shown}")
     }
 
     /// The joint whose name stands at a place.

@@ -129,7 +129,7 @@ impl Client {
             json!({
                 "textDocument": { "uri": uri },
                 "position": { "line": at.0, "character": at.1 },
-                "context": { "includeDeclaration": true },
+                "context": { "includeDeclaration": true, "triggerKind": 1 },
             }),
         )
     }

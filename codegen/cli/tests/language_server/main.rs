@@ -7,3 +7,4 @@ mod grammar;
 mod lifecycle;
 mod names;
 mod robustness;
+mod speed;

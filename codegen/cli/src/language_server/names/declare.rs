@@ -153,6 +153,10 @@ impl Scopes {
                 motion: None,
             });
             self.carry(body, point);
+            // What is drawn under the name of a point of a body is where that point is drawn.
+            if let Some(drawn) = self.find(Space::Drawn, &name.text) {
+                self.unite(drawn, point);
+            }
         }
     }
 }

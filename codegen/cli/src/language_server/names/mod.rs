@@ -136,19 +136,21 @@ impl Names {
 
     /// The mention that an offset is in, or that ends there.
     pub fn mention_at(&self, offset: usize) -> Option<Mention> {
-        let touches = |it: &&Mention| {
-            let range = it.span.range();
-            range.start <= offset && offset <= range.end
-        };
-        let after = |it: &Mention| it.span.start as usize <= offset;
-        let end = self.mentions.partition_point(after);
+        let begun = |it: &Mention| it.span.start as usize <= offset;
+        let end = self.mentions.partition_point(begun);
         // Where two names touch, the one that begins here is meant.
-        self.mentions[..end]
-            .iter()
-            .rev()
-            .take(3)
-            .find(touches)
-            .copied()
+        let last = self.mentions[..end].last()?.span;
+        let first = self.mentions.partition_point(|it| it.span < last);
+        let own = self.mentions.get(first)?;
+        (offset <= last.range().end).then_some(*own)
+    }
+
+    /// What is mentioned at a place: two points, where they are one.
+    pub fn mentioned_at(&self, place: Span) -> impl Iterator<Item = SymbolId> {
+        let start = self.mentions.partition_point(|it| it.span < place);
+        let here = self.mentions[start..].iter();
+        here.take_while(move |it| it.span == place)
+            .map(|it| it.symbol)
     }
 
     /// Whether two symbols are one thing.
