@@ -145,10 +145,6 @@ fn a_renamed_description_says_the_same() {
                 renamed.text.replace_range(place.range(), FRESH);
             }
             let what = format!("{}: {:?} `{}`", source.name, symbol.sort, symbol.name);
-            // Whatever is called by the name of a body and something else is asked for by that.
-            if asks_for_composed_names(&source.text) && symbol.sort == Sort::Body {
-                continue;
-            }
             let is_point = matches!(symbol.sort, Sort::Point | Sort::BodyPoint);
             let [before, after] = [&source, &renamed].map(|it| equations(it, is_point));
             assert_eq!(before.len(), after.len(), "{what}");
@@ -156,10 +152,7 @@ fn a_renamed_description_says_the_same() {
                 let [before, after] = [words(before), words(after)];
                 assert_eq!(before.len(), after.len(), "{what}");
                 for (one, other) in before.iter().zip(&after) {
-                    // Of two points of one name one is left, which is called by that name alone then.
-                    let name = symbol.name.to_lowercase();
-                    let is_alone = *other == name && one.starts_with(&format!("{name}_"));
-                    let is_same = one == other || other.contains(FRESH) || is_alone;
+                    let is_same = one == other || other.contains(FRESH);
                     assert!(is_same, "{what}: {one} became {other}");
                 }
             }
@@ -167,9 +160,4 @@ fn a_renamed_description_says_the_same() {
         }
     }
     assert!(count > 1000, "only {count} names");
-}
-
-/// Whether a statement asks for a point by the name that it gets where several bodies have one: `K_c1`.
-fn asks_for_composed_names(text: &str) -> bool {
-    text.contains("output K_")
 }
