@@ -1,6 +1,8 @@
 //! *An offset → the words that can stand there.* Statements, kinds, functions and units are asked of the language's own tables, so
 //! that a new one appears by itself.
 
+use std::collections::BTreeSet;
+
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS, Kind as JointKind, Slot};
 use linkwright_codegen::stages::model::{AXES, BUILT_IN, FUNCTIONS, LAWS, UNITS};
@@ -91,7 +93,7 @@ impl<'a> Offer<'a> {
         }
         if matches!(opening, "drive" | "free") && (last == opening || last == ":") {
             let mut items = self.kinds(DRIVERS, "driven quantity");
-            items.extend(self.named(|sort| is_place(sort)));
+            items.extend(self.named(is_place));
             return items;
         }
         let kinds = [CONSTRAINTS, DRIVERS].concat();
@@ -158,12 +160,8 @@ impl<'a> Offer<'a> {
             CompletionItemKind::STRUCT,
             "what does not move",
         ));
-        let mut seen = Vec::new();
-        items.retain(|item| {
-            let is_new = !seen.contains(&item.label);
-            seen.push(item.label.clone());
-            is_new
-        });
+        let mut seen = BTreeSet::new();
+        items.retain(|item| seen.insert(item.label.clone()));
         items
     }
 
@@ -205,13 +203,10 @@ impl<'a> Offer<'a> {
 
     fn named(&self, wanted: impl Fn(Sort) -> bool) -> Vec<CompletionItem> {
         let symbols = &self.description.names.symbols;
-        let mut items: Vec<CompletionItem> = Vec::new();
-        for id in self.known().filter(|&it| wanted(symbols[it].sort)) {
-            if items.iter().all(|it| it.label != symbols[id].name) {
-                items.push(self.item(id));
-            }
-        }
-        items
+        let mut seen = BTreeSet::new();
+        let known = self.known().filter(|&it| wanted(symbols[it].sort));
+        let new = known.filter(|&it| seen.insert(symbols[it].name.as_str()));
+        new.map(|it| self.item(it)).collect()
     }
 
     fn item(&self, id: SymbolId) -> CompletionItem {

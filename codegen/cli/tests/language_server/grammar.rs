@@ -42,7 +42,7 @@ fn with_words(pattern: &str, words: &str) -> String {
         let (inside, rest) = part.split_once(')').unwrap_or((part, ""));
         let is_list = inside.len() > 2
             && inside.split('|').all(|word| {
-                word.len() > 0
+                !word.is_empty()
                     && word
                         .bytes()
                         .all(|it| it.is_ascii_alphanumeric() || it == b'_')

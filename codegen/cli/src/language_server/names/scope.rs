@@ -69,6 +69,8 @@ pub(super) struct Scopes {
     known: HashMap<(Option<Span>, Space, String), SymbolId>,
     /// By the body and the name; only looked up.
     points: HashMap<(SymbolId, String), SymbolId>,
+    /// The first point of each name that bodies carry; only looked up.
+    first_carried: HashMap<String, SymbolId>,
     /// The symbols by the places of their declarations; only looked up.
     declared: HashMap<Span, SymbolId>,
     pub(super) joints: Vec<JointNames>,
@@ -98,8 +100,9 @@ impl Scopes {
 
     /// Says that a body carries a point.
     pub(super) fn carry(&mut self, body: SymbolId, point: SymbolId) {
-        let key = (body, self.symbols[point].name.clone());
-        self.points.entry(key).or_insert(point);
+        let name = self.symbols[point].name.clone();
+        self.first_carried.entry(name.clone()).or_insert(point);
+        self.points.entry((body, name)).or_insert(point);
         self.carried.push((body, point));
     }
 
@@ -159,10 +162,7 @@ impl Scopes {
     /// A point that is named without a body: a drawn one, or the first that bodies carry.
     pub(super) fn bare_point(&self, name: &str) -> Option<SymbolId> {
         let drawn = self.find(Space::Drawn, name);
-        drawn.or_else(|| {
-            let mut points = self.carried.iter().map(|(_, point)| *point);
-            points.find(|&point| self.symbols[point].name == name)
-        })
+        drawn.or_else(|| self.first_carried.get(name).copied())
     }
 
     pub(super) fn into_names(mut self) -> Names {
