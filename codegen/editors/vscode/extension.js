@@ -6,6 +6,8 @@ const { commands, window, workspace } = require("vscode");
 const { LanguageClient } = require("vscode-languageclient/node");
 
 let client;
+// Tables that change beside a description.
+let tables;
 
 function start() {
   const command = workspace.getConfiguration("linkwright").get("path") || "linkwright";
@@ -15,7 +17,8 @@ function start() {
     { scheme: "file", language: "mech" },
     { scheme: "untitled", language: "mech" },
   ];
-  client = new LanguageClient("linkwright", "Linkwright", server, { documentSelector });
+  const options = { documentSelector, synchronize: { fileEvents: tables } };
+  client = new LanguageClient("linkwright", "Linkwright", server, options);
   return client.start().catch((error) => {
     window.showErrorMessage(
       `\`${command} lsp\` does not start: ${error.message}. ` +
@@ -39,7 +42,9 @@ async function restart() {
 }
 
 exports.activate = (context) => {
+  tables = workspace.createFileSystemWatcher("**/*.{csv,tsv,txt,dat}");
   context.subscriptions.push(
+    tables,
     commands.registerCommand("linkwright.restart", restart),
     workspace.onDidChangeConfiguration((event) =>
       event.affectsConfiguration("linkwright.path") ? restart() : undefined,

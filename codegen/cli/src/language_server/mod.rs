@@ -6,7 +6,7 @@
 //! ```
 //! Texts and places of findings are the generator's own, layout is that of `linkwright fmt`, formulas are those of `linkwright
 //! inspect`. What names stand for is found by [`names`], from the statements alone. Every answer is a function of the text and an
-//! offset in it; only [`session`](self) knows that there are several documents and that they change.
+//! offset in it; only `session` knows that there are several documents and that they change.
 
 mod capabilities;
 mod checker;

@@ -1,5 +1,7 @@
 //! *A description → its statements, as an editor lists them.*
 
+use std::collections::BTreeMap;
+
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::syntax::Statement;
 use lsp_types::{DocumentSymbol, SymbolKind};
@@ -13,9 +15,17 @@ const LONGEST: usize = 60;
 
 /// The mechanism with its statements; bodies with their points, motions with their statements.
 pub fn outline(document: &Document, description: &Description) -> Vec<DocumentSymbol> {
+    let mut declared: BTreeMap<Span, Vec<&Symbol>> = BTreeMap::new();
+    for symbol in &description.names.symbols {
+        declared.entry(symbol.statement).or_default().push(symbol);
+    }
+    for symbols in declared.values_mut() {
+        symbols.sort_by_key(|it| it.declared.start);
+    }
     let outline = Outline {
         document,
         description,
+        declared,
     };
     let Some(read) = &description.document else {
         return Vec::new();
@@ -35,6 +45,8 @@ pub fn outline(document: &Document, description: &Description) -> Vec<DocumentSy
 struct Outline<'a> {
     document: &'a Document,
     description: &'a Description,
+    /// What each statement declares, by place.
+    declared: BTreeMap<Span, Vec<&'a Symbol>>,
 }
 
 impl Outline<'_> {
@@ -46,7 +58,7 @@ impl Outline<'_> {
     /// One entry, or one for each point of a `point` statement.
     fn statement(&self, statement: &Statement) -> Vec<DocumentSymbol> {
         let span = statement.span();
-        let declared = self.declared_in(span);
+        let declared = self.declared.get(&span).map_or(&[][..], Vec::as_slice);
         if let Statement::Points(_) = statement {
             let points = declared.iter().map(|it| self.symbol(it));
             return points.collect();
@@ -63,14 +75,6 @@ impl Outline<'_> {
         let kind = own.map_or(SymbolKind::EVENT, |it| kind(it.sort));
         let selected = own.map_or(span, |it| it.declared);
         vec![self.entry(self.head(span), kind, span, selected, children)]
-    }
-
-    /// What a statement declares, by place.
-    fn declared_in(&self, statement: Span) -> Vec<&Symbol> {
-        let symbols = self.description.names.symbols.iter();
-        let mut own: Vec<&Symbol> = symbols.filter(|it| it.statement == statement).collect();
-        own.sort_by_key(|it| it.declared.start);
-        own
     }
 
     fn symbol(&self, symbol: &Symbol) -> DocumentSymbol {

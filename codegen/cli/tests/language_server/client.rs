@@ -36,8 +36,13 @@ pub struct Client {
 impl Client {
     /// A server that has not been spoken to.
     pub fn silent() -> Client {
+        Client::started_with(&["lsp"])
+    }
+
+    /// A server that was started by these arguments.
+    pub fn started_with(arguments: &[&str]) -> Client {
         let mut child = Command::new(env!("CARGO_BIN_EXE_linkwright"))
-            .arg("lsp")
+            .args(arguments)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()

@@ -16,7 +16,8 @@ fn a_session_begins_and_ends() {
 
 #[test]
 fn the_order_of_a_session_is_kept() {
-    let mut client = Client::silent();
+    // Some editors say what they speak on.
+    let mut client = Client::started_with(&["lsp", "--stdio"]);
     let early = client.ask_at("hover", UNSAVED, (0, 0));
     assert_eq!(early, Err("the first request is `initialize`".to_string()));
     let params = json!({ "capabilities": {} });

@@ -25,6 +25,7 @@ test("the server of the setting is started, started again and stopped", async ()
     workspace: {
       getConfiguration: () => ({ get: () => "/opt/linkwright" }),
       onDidChangeConfiguration: () => ({}),
+      createFileSystemWatcher: (pattern) => ({ pattern }),
     },
     window: { showErrorMessage: (text) => happened.push(text) },
   });
@@ -35,8 +36,10 @@ test("the server of the setting is started, started again and stopped", async ()
   assert.strictEqual(typeof library.LanguageClient, "function");
   let fails = false;
   class LanguageClient {
-    constructor(id, name, server, { documentSelector }) {
-      happened.push([server.command, ...server.args, ...documentSelector.map((it) => it.language)]);
+    constructor(id, name, server, { documentSelector, synchronize }) {
+      const languages = documentSelector.map((it) => it.language);
+      const { pattern } = synchronize.fileEvents;
+      happened.push([server.command, ...server.args, ...languages, pattern]);
     }
     start() {
       return fails ? Promise.reject(new Error("not there")) : Promise.resolve();
@@ -51,10 +54,10 @@ test("the server of the setting is started, started again and stopped", async ()
     return other[name] ?? load(name, ...rest);
   };
   const extension = require("../extension.js");
-  const started = ["/opt/linkwright", "lsp", "mech", "mech"];
+  const started = ["/opt/linkwright", "lsp", "mech", "mech", "**/*.{csv,tsv,txt,dat}"];
   const context = { subscriptions: [] };
   await extension.activate(context);
-  assert.strictEqual(context.subscriptions.length, 2);
+  assert.strictEqual(context.subscriptions.length, 3);
   await commands["linkwright.restart"]();
   await extension.deactivate();
   await extension.deactivate();
