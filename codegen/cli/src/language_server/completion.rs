@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS, Kind as JointKind, Slot};
-use linkwright_codegen::stages::model::{AXES, BUILT_IN, FUNCTIONS, LAWS, UNITS};
-use linkwright_codegen::stages::syntax::{CLAUSES, KEYWORDS, Kind};
+use linkwright_codegen::stages::model::{AXES, FUNCTIONS, LAWS, UNITS};
+use linkwright_codegen::stages::syntax::{BUILT_IN, CLAUSES, KEYWORDS, Kind};
 use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, Documentation, TextEdit};
 
 use super::description::Description;
@@ -76,8 +76,7 @@ impl<'a> Offer<'a> {
     fn anything(&self) -> Vec<CompletionItem> {
         let statement = &self.statement;
         if let Some((Kind::Mark(b'.'), _)) = statement.last() {
-            let owner = statement.back(1).map_or("", |(_, text)| text);
-            return self.members(owner);
+            return self.members(&statement.owner());
         }
         let Some(opening) = statement.opening() else {
             return match (statement.open.is_empty(), statement.around()) {
@@ -165,23 +164,40 @@ impl<'a> Offer<'a> {
         items
     }
 
-    /// What stands behind `OWNER.`: the points of a body, and the components of a point or an origin.
+    /// What stands behind `OWNER.`: the points of a body, the bodies and points of a part, and the components of a point or an origin.
+    /// Which repetition is meant makes no difference.
     fn members(&self, owner: &str) -> Vec<CompletionItem> {
+        if owner == "ground" {
+            return self.named(|sort| sort == Sort::Point);
+        }
         let names = &self.description.names;
-        let drawn = |sort: Sort| sort == Sort::Point;
-        let mut items = match owner {
-            "ground" => self.named(drawn),
-            _ => {
-                let is_body = |it: &SymbolId| names.symbols[*it].sort == Sort::Body;
-                let body = self
-                    .known()
-                    .filter(is_body)
-                    .find(|&it| names.symbols[it].name == owner);
-                let points = body.into_iter().flat_map(|it| names.points_of(it));
-                points.map(|it| self.item(it)).collect()
+        let owner = without_indices(owner);
+        let spelled = |it: SymbolId| without_indices(&names.symbols[it].spelled);
+        let is_body = |it: &SymbolId| names.symbols[*it].sort == Sort::Body;
+        let body = self
+            .known()
+            .filter(is_body)
+            .find(|&it| spelled(it) == owner);
+        let points = body.into_iter().flat_map(|it| names.points_of(it));
+        let mut items: Vec<CompletionItem> = points
+            .map(|it| {
+                let symbol = &names.symbols[it];
+                let last = symbol.spelled.rsplit('.').next();
+                self.item_called(it, last.unwrap_or(&symbol.spelled))
+            })
+            .collect();
+        let inside = format!("{owner}.");
+        let mut seen = BTreeSet::new();
+        for id in self.known() {
+            let own = spelled(id);
+            if let Some(rest) = own.strip_prefix(&inside)
+                && !rest.contains('.')
+                && seen.insert(rest.to_string())
+            {
+                items.push(self.item_called(id, rest));
             }
-        };
-        if owner != "ground" {
+        }
+        if seen.is_empty() {
             items.extend(self.words(&COMPONENTS, CompletionItemKind::FIELD, "component"));
         }
         items
@@ -197,7 +213,9 @@ impl<'a> Offer<'a> {
                 .is_none_or(|motion| motion.start <= at && at <= motion.end);
             let runs_here = symbol.sort != Sort::CurveParameter
                 || (symbol.statement.start <= at && at <= symbol.statement.end);
-            (symbol.declared.end <= at && is_near && runs_here).then_some(id)
+            let is_here = !matches!(symbol.sort, Sort::Index | Sort::Mechanism)
+                || (symbol.sort == Sort::Index && self.statement.is_inside(symbol.statement));
+            (symbol.declared.end <= at && is_near && runs_here && is_here).then_some(id)
         })
     }
 
@@ -205,19 +223,23 @@ impl<'a> Offer<'a> {
         let symbols = &self.description.names.symbols;
         let mut seen = BTreeSet::new();
         let known = self.known().filter(|&it| wanted(symbols[it].sort));
-        let new = known.filter(|&it| seen.insert(symbols[it].name.as_str()));
+        let new = known.filter(|&it| seen.insert(symbols[it].spelled.as_str()));
         new.map(|it| self.item(it)).collect()
     }
 
     fn item(&self, id: SymbolId) -> CompletionItem {
+        self.item_called(id, &self.description.names.symbols[id].spelled)
+    }
+
+    fn item_called(&self, id: SymbolId, label: &str) -> CompletionItem {
         let symbol = &self.description.names.symbols[id];
         let docs = symbol.docs.join("\n");
         CompletionItem {
-            label: symbol.name.clone(),
+            label: label.to_string(),
             kind: Some(kind(symbol.sort)),
             detail: Some(symbol.sort.noun().to_string()),
             documentation: (!docs.is_empty()).then_some(Documentation::String(docs)),
-            text_edit: Some(self.edit(&symbol.name)),
+            text_edit: Some(self.edit(label)),
             ..CompletionItem::default()
         }
     }
@@ -255,6 +277,21 @@ impl<'a> Offer<'a> {
     }
 }
 
+/// A name without what stands in brackets.
+fn without_indices(name: &str) -> String {
+    let mut depth = 0_usize;
+    let mut kept = String::new();
+    for character in name.chars() {
+        match character {
+            '[' => depth += 1,
+            ']' => depth = depth.saturating_sub(1),
+            other if depth == 0 => kept.push(other),
+            _ => {}
+        }
+    }
+    kept
+}
+
 /// Whether something has coordinates.
 fn is_place(sort: Sort) -> bool {
     matches!(sort, Sort::Body | Sort::Point)
@@ -264,12 +301,12 @@ fn kind(sort: Sort) -> CompletionItemKind {
     match sort {
         Sort::Mechanism | Sort::Motion => CompletionItemKind::MODULE,
         Sort::Constant => CompletionItemKind::CONSTANT,
-        Sort::Parameter | Sort::Input | Sort::Free | Sort::CurveParameter => {
+        Sort::Parameter | Sort::Input | Sort::Free | Sort::CurveParameter | Sort::Index => {
             CompletionItemKind::VARIABLE
         }
         Sort::Table | Sort::Curve => CompletionItemKind::FUNCTION,
         Sort::Point | Sort::BodyPoint => CompletionItemKind::FIELD,
-        Sort::Body => CompletionItemKind::STRUCT,
+        Sort::Body | Sort::Part => CompletionItemKind::STRUCT,
         Sort::Joint | Sort::Element => CompletionItemKind::INTERFACE,
         Sort::Driver | Sort::Equation => CompletionItemKind::EVENT,
     }

@@ -26,9 +26,13 @@ impl Description {
     pub fn of(source: Source) -> Description {
         let mut found = Diagnostics::new();
         let document = syntax::parse(&source, &mut found);
+        let lexemes = syntax::lexemes(&source.text);
+        let names = document
+            .as_ref()
+            .map(|it| Names::of(it, &source.text, &lexemes));
         Description {
-            lexemes: syntax::lexemes(&source.text),
-            names: document.as_ref().map(Names::of).unwrap_or_default(),
+            lexemes,
+            names: names.unwrap_or_default(),
             is_whole: document.is_some() && !found.has_errors(),
             document,
             source,

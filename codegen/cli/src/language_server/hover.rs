@@ -16,6 +16,9 @@ use super::names::{Sort, SymbolId};
 /// The longest declaration that is shown, in lines.
 const LONGEST: usize = 12;
 
+/// So many declarations or bodies are listed.
+const LISTED: usize = 6;
+
 /// What an editor shows beside the pointer.
 pub fn hover(document: &Document, description: &Description, offset: usize) -> Option<Hover> {
     let about = About {
@@ -46,8 +49,12 @@ impl About<'_> {
         let names = &self.description.names;
         let symbol = &names.symbols[id];
         let here = names.mentioned_at(place).map(|it| &names.symbols[it]);
-        let declared: Vec<String> = here
-            .map(|it| self.declaration(it.opening, it.written))
+        let mut written: Vec<(Span, &str)> = here.map(|it| (it.written, it.opening)).collect();
+        // What is repeated is declared once.
+        written.dedup();
+        let declared = written.iter().take(LISTED);
+        let declared: Vec<String> = declared
+            .map(|(written, opening)| self.declaration(opening, *written))
             .collect();
         let mut parts = vec![format!("```mech\n{}\n```", declared.join("\n"))];
         let mut what = symbol.sort.noun().to_string();
@@ -57,12 +64,12 @@ impl About<'_> {
                     .same(id)
                     .into_iter()
                     .filter_map(|it| names.symbols[it].body)
-                    .map(|it| format!("`{}`", names.symbols[it].name))
+                    .map(|it| format!("`{}`", names.symbols[it].spelled))
                     .collect();
                 what = format!("point of {}", bodies(&carriers));
             }
             Sort::Point => {
-                let carriers = names.carriers_of(id).map(|it| &names.symbols[it].name);
+                let carriers = names.carriers_of(id).map(|it| &names.symbols[it].spelled);
                 let carriers: Vec<String> = carriers.map(|it| format!("`{it}`")).collect();
                 if !carriers.is_empty() {
                     what = format!("{what}, carried by {}", bodies(&carriers));
@@ -71,8 +78,8 @@ impl About<'_> {
             _ => {}
         }
         let read = self.read;
-        let value = read.and_then(|read| equations::of_value(read, symbol.declared));
-        let coordinates = read.and_then(|read| equations::of_body(read, symbol.declared));
+        let value = read.and_then(|read| equations::of_value(read, symbol.place));
+        let coordinates = read.and_then(|read| equations::of_body(read, symbol.place));
         if let Some(value) = value {
             what = format!("{what} {value}");
         }
@@ -107,7 +114,8 @@ impl About<'_> {
             let Statement::Joint(joint) = statement else {
                 return false;
             };
-            joint.name.as_ref().is_some_and(|it| it.span == place)
+            let name = joint.name.as_ref().map(|it| it.span.start);
+            name == Some(place.start)
         });
         found.map(Statement::span)
     }
@@ -165,6 +173,9 @@ impl About<'_> {
 /// One body or several.
 fn bodies(names: &[String]) -> String {
     match names {
+        [first, .., last] if names.len() > LISTED => {
+            format!("{} bodies from {first} to {last}", names.len())
+        }
         [only] => format!("body {only}"),
         [rest @ .., last] => format!("the bodies {} and {last}", rest.join(", ")),
         [] => "a body".to_string(),

@@ -1,6 +1,6 @@
 //! *A description → its statements, as an editor lists them.*
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::syntax::Statement;
@@ -8,7 +8,7 @@ use lsp_types::{DocumentSymbol, SymbolKind};
 
 use super::description::Description;
 use super::document::Document;
-use super::names::{Sort, Symbol};
+use super::names::{Sort, Symbol, Whole, mechanisms};
 
 /// The longest text of an entry, in characters.
 const LONGEST: usize = 60;
@@ -20,7 +20,9 @@ pub fn outline(document: &Document, description: &Description) -> Vec<DocumentSy
         declared.entry(symbol.statement).or_default().push(symbol);
     }
     for symbols in declared.values_mut() {
-        symbols.sort_by_key(|it| it.declared.start);
+        // What is repeated stands at one place.
+        symbols.sort_by_key(|it| it.declared);
+        symbols.dedup_by_key(|it| it.declared);
     }
     let outline = Outline {
         document,
@@ -30,16 +32,15 @@ pub fn outline(document: &Document, description: &Description) -> Vec<DocumentSy
     let Some(read) = &description.document else {
         return Vec::new();
     };
-    let item = &read.mechanism;
-    let children = outline.statements(&item.statements);
-    let name = format!("mechanism {}", item.name.text);
-    vec![outline.entry(
-        name,
-        SymbolKind::MODULE,
-        item.span,
-        item.name.span,
-        children,
-    )]
+    let statements = &read.mechanism.statements;
+    let mechanisms = mechanisms(&description.source.text, &description.lexemes);
+    let entry = |whole: &Whole| {
+        let name = description.source.text.get(whole.name.range());
+        let name = format!("mechanism {}", name.unwrap_or_default());
+        let children = outline.statements(statements, whole.span);
+        outline.entry(name, SymbolKind::MODULE, whole.span, whole.name, children)
+    };
+    mechanisms.iter().map(entry).collect()
 }
 
 struct Outline<'a> {
@@ -50,9 +51,15 @@ struct Outline<'a> {
 }
 
 impl Outline<'_> {
-    fn statements(&self, statements: &[Statement]) -> Vec<DocumentSymbol> {
-        let each = statements.iter().flat_map(|it| self.statement(it));
-        each.collect()
+    /// The statements that are written in a part of the text, each once.
+    fn statements(&self, statements: &[Statement], part: Span) -> Vec<DocumentSymbol> {
+        let inside = |it: &Span| part.start <= it.start && it.end <= part.end;
+        let mut seen = BTreeSet::new();
+        let own = statements.iter().filter(|it| {
+            let span = it.span();
+            inside(&span) && seen.insert(span)
+        });
+        own.flat_map(|it| self.statement(it)).collect()
     }
 
     /// One entry, or one for each point of a `point` statement.
@@ -64,7 +71,7 @@ impl Outline<'_> {
             return points.collect();
         }
         let children = match statement {
-            Statement::Motion(motion) => self.statements(&motion.statements),
+            Statement::Motion(motion) => self.statements(&motion.statements, span),
             Statement::Body(_) => {
                 let points = declared.iter().filter(|it| it.sort == Sort::BodyPoint);
                 points.map(|it| self.symbol(it)).collect()
@@ -78,7 +85,7 @@ impl Outline<'_> {
     }
 
     fn symbol(&self, symbol: &Symbol) -> DocumentSymbol {
-        let name = symbol.name.clone();
+        let name = self.written(symbol.place).to_string();
         self.entry(
             name,
             kind(symbol.sort),
@@ -88,11 +95,15 @@ impl Outline<'_> {
         )
     }
 
+    fn written(&self, span: Span) -> &str {
+        let text = self.description.source.text.get(span.range());
+        text.unwrap_or_default()
+    }
+
     /// How a statement begins: without what stands in braces, on one line.
     fn head(&self, span: Span) -> String {
-        let text = self.description.source.text.get(span.range());
-        let text = text.unwrap_or_default();
-        let head = text.split(['{', ';', '\n']).next().unwrap_or_default();
+        let head = self.written(span);
+        let head = head.split(['{', ';', '\n']).next().unwrap_or_default();
         let head: String = head.trim().chars().take(LONGEST).collect();
         match head.is_empty() {
             true => "…".to_string(),
@@ -129,10 +140,10 @@ fn kind(sort: Sort) -> SymbolKind {
         Sort::Mechanism => SymbolKind::MODULE,
         Sort::Motion => SymbolKind::NAMESPACE,
         Sort::Constant => SymbolKind::CONSTANT,
-        Sort::Parameter | Sort::Input | Sort::Free => SymbolKind::VARIABLE,
+        Sort::Parameter | Sort::Input | Sort::Free | Sort::Index => SymbolKind::VARIABLE,
         Sort::Table | Sort::Curve => SymbolKind::FUNCTION,
         Sort::Point | Sort::BodyPoint | Sort::CurveParameter => SymbolKind::FIELD,
-        Sort::Body => SymbolKind::STRUCT,
+        Sort::Body | Sort::Part => SymbolKind::STRUCT,
         Sort::Joint | Sort::Element => SymbolKind::INTERFACE,
         Sort::Driver | Sort::Equation => SymbolKind::EVENT,
     }

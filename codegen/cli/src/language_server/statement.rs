@@ -1,6 +1,7 @@
 //! *An offset → what is being written there:* the statement that has begun, and the brackets that are open. From the tokens alone,
 //! so that it is known also of a statement that cannot be read yet.
 
+use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::syntax::{Kind, Lexeme};
 
 use super::description::Description;
@@ -102,11 +103,31 @@ impl<'a> Statement<'a> {
         Some((last.kind, self.description.written(*last)))
     }
 
-    /// The lexeme so many before the last.
-    pub fn back(&self, count: usize) -> Option<(Kind, &'a str)> {
-        let place = self.before.len().checked_sub(count + 1)?;
-        let lexeme = self.before[place];
-        Some((lexeme.kind, self.description.written(lexeme)))
+    /// What stands before the `.` that comes last: a name with its indices, perhaps of a part.
+    pub fn owner(&self) -> String {
+        let mut depth = 0_usize;
+        let mut parts = Vec::new();
+        let mut is_name_wanted = true;
+        for lexeme in self.before.iter().rev().skip(1) {
+            match lexeme.kind {
+                Kind::Close(b']') => depth += 1,
+                Kind::Open(b'[') => depth = depth.saturating_sub(1),
+                _ if depth > 0 => {}
+                Kind::Word | Kind::Number if is_name_wanted => is_name_wanted = false,
+                Kind::Mark(b'.') if !is_name_wanted => is_name_wanted = true,
+                _ => break,
+            }
+            parts.push(self.description.written(*lexeme));
+        }
+        parts.reverse();
+        parts.concat()
+    }
+
+    /// Whether this stands in the braces of a statement.
+    pub fn is_inside(&self, statement: Span) -> bool {
+        let opened = self.open.iter().filter_map(|it| it.statement);
+        let mut starts = opened.map(|it| self.before[it].start);
+        starts.any(|it| it == statement.start as usize)
     }
 
     /// The statement in whose braces another would stand here.

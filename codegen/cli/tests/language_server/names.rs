@@ -5,8 +5,10 @@ use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS};
-use linkwright_codegen::stages::model::{AXES, BUILT_IN, ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
-use linkwright_codegen::stages::syntax::{CLAUSES, KEYWORDS, Kind, LEVELS, lexemes, parse};
+use linkwright_codegen::stages::model::{AXES, ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
+use linkwright_codegen::stages::syntax::{
+    BUILT_IN, CLAUSES, KEYWORDS, Kind, LEVELS, lexemes, parse,
+};
 use linkwright_codegen::{attach_files, read};
 
 use crate::client::descriptions;
@@ -34,7 +36,13 @@ fn sources() -> Vec<Source> {
 
 fn names(source: &Source) -> Names {
     let document = parse(source, &mut Diagnostics::new());
-    document.as_ref().map(Names::of).unwrap_or_default()
+    {
+        let lexemes = lexemes(&source.text);
+        document
+            .as_ref()
+            .map(|it| Names::of(it, &source.text, &lexemes))
+            .unwrap_or_default()
+    }
 }
 
 /// The words of the language that may stand anywhere in a statement.

@@ -30,6 +30,8 @@ impl Scopes {
         self.declare(Symbol {
             sort,
             name: name.text.clone(),
+            spelled: name.text.clone(),
+            place: name.span,
             declared: name.span,
             written: statement,
             statement,
@@ -60,6 +62,8 @@ impl Scopes {
                     self.declare(Symbol {
                         sort: Sort::Point,
                         name: point.name.text.clone(),
+                        spelled: point.name.text.clone(),
+                        place: point.name.span,
                         declared: point.name.span,
                         written: point.name.span.to(point.position.span),
                         statement: span,
@@ -122,7 +126,7 @@ impl Scopes {
         let Statement::Body(own) = statement else {
             return;
         };
-        let Some(body) = self.declared_at(own.name.span) else {
+        let Some(body) = self.find(Space::Bodies, &own.name.text) else {
             return;
         };
         for member in &own.members {
@@ -144,6 +148,8 @@ impl Scopes {
             let point = self.declare(Symbol {
                 sort: Sort::BodyPoint,
                 name: name.text.clone(),
+                spelled: name.text.clone(),
+                place: name.span,
                 declared: name.span,
                 written,
                 statement: own.span,

@@ -3,18 +3,20 @@
 //! Names are found as the generator finds them: points by the bodies that carry them, a joint's name as that of its point, a motion's
 //! names in that motion alone. Afterwards every mention belongs to one symbol, and symbols that are one point (as the joint `P(1, 2)`
 //! makes the points P of both bodies one) are known as the same. What names stand for is not computed here, and what nothing
-//! declares is no mention.
+//! declares is no mention. What is repeated, or belongs to a part, has one name for each of its places.
 
 mod declare;
 mod formula;
 mod mention;
 mod operand;
 mod scope;
+mod written;
 
 use linkwright_codegen::diagnostic::Span;
-use linkwright_codegen::stages::syntax::Document;
+use linkwright_codegen::stages::syntax::{Document, Lexeme};
 
 use scope::Scopes;
+pub use written::{Whole, mechanisms};
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -51,6 +53,10 @@ pub enum Sort {
     Equation,
     /// A spring or a damper.
     Element,
+    /// A mechanism as a part of another.
+    Part,
+    /// What counts the repetitions of statements.
+    Index,
 }
 
 impl Sort {
@@ -73,6 +79,8 @@ impl Sort {
             Sort::Driver => "driver",
             Sort::Equation => "equation",
             Sort::Element => "spring or damper",
+            Sort::Part => "part",
+            Sort::Index => "index of a repetition",
         }
     }
 }
@@ -85,9 +93,13 @@ pub type SymbolId = usize;
 pub struct Symbol {
     /// What it is.
     pub sort: Sort,
-    /// Its name as written.
+    /// What it is called where statements are written out: `rod3`.
     pub name: String,
-    /// Where the name is declared.
+    /// How that is written: `rod[3]`.
+    pub spelled: String,
+    /// The place of its name with its indices, as the generator knows it.
+    pub place: Span,
+    /// Where the name is declared: the identifier alone.
     pub declared: Span,
     /// All that declares it, without what else the statement declares.
     pub written: Span,
@@ -126,12 +138,12 @@ pub struct Names {
 }
 
 impl Names {
-    /// The names of a document.
-    pub fn of(document: &Document) -> Names {
+    /// The names of a document, whose text and lexemes these are.
+    pub fn of(document: &Document, text: &str, lexemes: &[Lexeme]) -> Names {
         let mut scopes = Scopes::default();
         scopes.declare_all(document);
         scopes.mention_all(document);
-        scopes.into_names()
+        scopes.into_names(document, text, lexemes)
     }
 
     /// The mention that an offset is in, or that ends there.

@@ -52,6 +52,8 @@ impl Scopes {
         self.declare(Symbol {
             sort: Sort::Joint,
             name: name.text.clone(),
+            spelled: name.text.clone(),
+            place: name.span,
             declared: name.span,
             written: joint.span,
             statement: joint.span,

@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use linkwright_codegen::diagnostic::Span;
-use linkwright_codegen::stages::syntax::{Direction, Name};
+use linkwright_codegen::stages::syntax::{Direction, Document, Lexeme, Name};
 
+use super::written::{Reading, identifiers};
 use super::{Mention, Names, Sort, Symbol, SymbolId};
 
 /// What is always there, and declared nowhere.
@@ -37,7 +38,12 @@ impl Space {
             Sort::Equation => Space::Equations,
             Sort::Element => Space::Elements,
             Sort::Motion => Space::Motions,
-            Sort::Mechanism | Sort::BodyPoint | Sort::CurveParameter | Sort::Joint => return None,
+            Sort::Mechanism
+            | Sort::BodyPoint
+            | Sort::CurveParameter
+            | Sort::Joint
+            | Sort::Part
+            | Sort::Index => return None,
         })
     }
 }
@@ -165,14 +171,45 @@ impl Scopes {
         drawn.or_else(|| self.first_carried.get(name).copied())
     }
 
-    pub(super) fn into_names(mut self) -> Names {
-        self.mentions.sort();
-        self.mentions.dedup();
-        let first = (0..self.symbols.len()).map(|it| self.first(it)).collect();
+    /// Names as they are written: what shares a place is one.
+    pub(super) fn into_names(
+        mut self,
+        document: &Document,
+        text: &str,
+        lexemes: &[Lexeme],
+    ) -> Names {
+        for symbol in &mut self.symbols {
+            (_, symbol.declared) = identifiers(text, symbol.place);
+            if let Some(spelled) = document.spellings.get(&symbol.name) {
+                symbol.spelled.clone_from(spelled);
+            }
+        }
+        for mention in &mut self.mentions {
+            (_, mention.span) = identifiers(text, mention.span);
+        }
+        let count = self.symbols.len();
+        let symbols = std::mem::take(&mut self.symbols);
+        let mentions = std::mem::take(&mut self.mentions);
+        let mut reading = Reading::new(text, lexemes, symbols, mentions);
+        reading.all();
+        let Reading {
+            symbols,
+            mut mentions,
+            ..
+        } = reading;
+        self.earlier.extend(count..symbols.len());
+        mentions.sort();
+        mentions.dedup();
+        for pair in mentions.windows(2) {
+            if pair[0].span == pair[1].span {
+                self.unite(pair[0].symbol, pair[1].symbol);
+            }
+        }
+        let first = (0..symbols.len()).map(|it| self.first(it)).collect();
         Names {
             first,
-            symbols: self.symbols,
-            mentions: self.mentions,
+            symbols,
+            mentions,
             carried: self.carried,
         }
     }
