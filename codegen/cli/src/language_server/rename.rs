@@ -4,7 +4,7 @@
 
 use std::collections::HashMap;
 
-use linkwright_codegen::diagnostic::{Diagnostic, Diagnostics, Severity, Source, Span};
+use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Severity, Source, Span};
 use linkwright_codegen::read;
 use linkwright_codegen::stages::syntax::{Kind, lexemes, parse};
 use lsp_types::{PrepareRenameResponse, TextEdit, WorkspaceEdit};
@@ -72,16 +72,19 @@ pub fn rename(
         None => errors(findings(source)),
     };
     let after = errors(findings(&renamed));
-    let text = |it: &Diagnostic| (it.code, it.message.clone());
-    let is_new = |it: &&Diagnostic| !before.iter().any(|old| text(old) == text(it));
+    let mut known: Vec<(Code, String)> = before.iter().map(sentence).collect();
+    let is_new = |it: &&Diagnostic| match known.iter().position(|old| *old == sentence(it)) {
+        Some(place) => {
+            known.swap_remove(place);
+            false
+        }
+        None => true,
+    };
     if let Some(finding) = after.iter().find(is_new) {
         return Err(Refusal::failed(words(finding)));
     }
     if !is_one_name(new) {
         return Err(Refusal::failed(format!("`{new}` is no name")));
-    }
-    if after.len() > before.len() {
-        return Err(Refusal::failed(format!("`{new}` cannot be had here")));
     }
     let meant = Description::of(renamed);
     if let Some(other) = other_meaning(names, &meant.names) {
@@ -124,6 +127,12 @@ fn errors(found: Diagnostics) -> Vec<Diagnostic> {
         .into_iter()
         .filter(|it| it.severity == Severity::Error);
     errors.collect()
+}
+
+/// What a finding says, whatever it says it about.
+fn sentence(finding: &Diagnostic) -> (Code, String) {
+    let outside = finding.message.split('`').step_by(2);
+    (finding.code, outside.collect())
 }
 
 /// Whether a text is one identifier or one integer, and nothing beside it.

@@ -11,7 +11,7 @@ use linkwright_codegen::stages::syntax::{
 };
 use linkwright_codegen::{attach_files, read};
 
-use crate::client::descriptions;
+use crate::client::{descriptions, repository};
 
 /// Where descriptions without an error are.
 const FOLDERS: [&str; 5] = [
@@ -29,6 +29,14 @@ fn sources() -> Vec<Source> {
             let source = Source::new(path.display().to_string(), text);
             all.push(attach_files(source, files::folder_of(&path)));
         }
+    }
+    // The examples of the language reference.
+    let reference = std::fs::read_to_string(repository().join("mechanisms/README.md"));
+    let reference = reference.expect("the reference");
+    let blocks = reference.split("```mech\n").skip(1);
+    for (number, block) in blocks.enumerate() {
+        let text = block.split("```").next().unwrap_or_default();
+        all.push(Source::new(format!("example {number}"), text));
     }
     all.retain(|source| read(source).is_ok());
     all
@@ -149,7 +157,8 @@ fn a_renamed_description_says_the_same() {
             done.push(id);
             let mut renamed = source.clone();
             for place in names.mentions_of(id).iter().rev() {
-                assert_eq!(&source.text[place.range()], symbol.name, "{}", source.name);
+                let declared = &source.text[symbol.declared.range()];
+                assert_eq!(&source.text[place.range()], declared, "{}", source.name);
                 renamed.text.replace_range(place.range(), FRESH);
             }
             let what = format!("{}: {:?} `{}`", source.name, symbol.sort, symbol.name);

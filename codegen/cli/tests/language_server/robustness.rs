@@ -108,6 +108,33 @@ impl Lot {
     }
 }
 
+/// A mechanism that is a part of another, several times.
+const PARTS: &str = "\
+mechanism leg {
+    param size = 20mm;
+    point A = (0, 0), B = (0, size);
+    body crank at A { A, B }
+    revolute A(ground, crank);
+}
+mechanism walker {
+    const n = 3;
+    repeat i from 1 to n {
+        part leg[i] = leg(size = 18mm + 2mm*i) at (100mm*i, 0);
+        drive phi(leg[i].crank) = i*t;
+    }
+    output leg[n].crank.B;
+}
+";
+
+#[test]
+fn every_beginning_of_parts() {
+    let mut client = started();
+    for (offset, _) in PARTS.char_indices() {
+        ask_all(&mut client, &PARTS[..offset], offset);
+    }
+    still_answers(client);
+}
+
 #[test]
 fn pieces_of_descriptions_in_any_order() {
     let texts = [
@@ -115,6 +142,8 @@ fn pieces_of_descriptions_in_any_order() {
         description("cam_dwell.mech"),
         description("excavator_motions.mech"),
         description("andrews.mech"),
+        description("scissor.mech"),
+        PARTS.to_string(),
         "\u{e4}\u{1d54f}\r\n\t\"/*(1.{)}]\u{0}\u{feff}".to_string(),
     ];
     let mut lot = Lot(0x2545_f491_4f6c_dd1d);
@@ -122,7 +151,7 @@ fn pieces_of_descriptions_in_any_order() {
     let mut text = texts[0].clone();
     for round in 0..600 {
         if round % 30 == 0 {
-            text.clone_from(&texts[lot.below(4)]);
+            text.clone_from(&texts[lot.below(6)]);
         }
         let from = &texts[lot.below(texts.len())];
         let piece: String = from.chars().skip(lot.below(from.chars().count())).collect();

@@ -114,6 +114,7 @@ mechanism m { // one
     table f = "f.csv" columns (a, 2) in (deg, mm) periodic;
     output velocity K, phi(1);
     gravity = (0, -9.81m/s^2); monitor;
+    repeat i from 1 to 3 { part leg[i] = cell(size = 2mm) at (i, 0); }
     /* two /* inner */ const */ effort;
 }`;
   const found = await tokens(text);
@@ -123,18 +124,21 @@ mechanism m { // one
   for (const word of ["mechanism", "param", "body", "redundant", "free", "equation", "table"]) {
     expect(word, statement);
   }
-  for (const word of ["output", "gravity", "monitor", "effort"]) {
+  for (const word of ["output", "gravity", "monitor", "effort", "repeat", "part"]) {
     expect(word, statement);
   }
   expect("drive", statement, statement);
   expect("m", "entity.name");
   expect("L", "entity.name", "variable.other");
+  expect("leg", "entity.name");
+  expect("i", "entity.name", "variable.other", "variable.other");
+  expect("from", "keyword.other.clause");
   expect("1.5e-3", "constant.numeric");
-  expect("mm", "keyword.other.unit", "variable.other");
+  expect("mm", "keyword.other.unit", "variable.other", "keyword.other.unit");
   expect("deg", "keyword.other.unit", "variable.other");
   expect("m/s^2", "keyword.other.unit");
   expect("N/mm", "keyword.other.unit");
-  expect("at", "keyword.other.clause");
+  expect("at", "keyword.other.clause", "keyword.other.clause");
   expect("rate", "keyword.other.clause");
   expect("along", "keyword.other.clause");
   expect("if", "keyword.other.clause");
