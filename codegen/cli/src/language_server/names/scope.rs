@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::syntax::{Direction, Document, Lexeme, Name};
 
-use super::written::{Reading, identifiers};
+use super::written::{Reading, identifier};
 use super::{Mention, Names, Sort, Symbol, SymbolId};
 
 /// What is always there, and declared nowhere.
@@ -179,13 +179,13 @@ impl Scopes {
         lexemes: &[Lexeme],
     ) -> Names {
         for symbol in &mut self.symbols {
-            (_, symbol.declared) = identifiers(text, symbol.place);
+            symbol.declared = identifier(text, symbol.place);
             if let Some(spelled) = document.spellings.get(&symbol.name) {
                 symbol.spelled.clone_from(spelled);
             }
         }
         for mention in &mut self.mentions {
-            (_, mention.span) = identifiers(text, mention.span);
+            mention.span = identifier(text, mention.span);
         }
         let count = self.symbols.len();
         let symbols = std::mem::take(&mut self.symbols);

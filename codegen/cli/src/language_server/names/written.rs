@@ -11,33 +11,29 @@ use linkwright_codegen::stages::syntax::{Kind, Lexeme};
 
 use super::{Mention, Sort, Symbol, SymbolId};
 
-/// The identifiers of a name as it is written, `left` and `rod` of `left.rod[i - 1]`: first those of parts, then its own.
-pub(super) fn identifiers(text: &str, span: Span) -> (Vec<Span>, Span) {
+/// The identifier of a name as it is written: `rod` of `left.rod[i - 1]`.
+pub(super) fn identifier(text: &str, span: Span) -> Span {
     let written = text.get(span.range()).unwrap_or_default();
     let start = span.start as usize;
     let mut depth = 0_usize;
-    let mut parts = Vec::new();
-    let mut from = None;
-    let mut found = Vec::new();
+    let (mut begun, mut found) = (None, span);
     for (at, character) in written.char_indices().chain([(written.len(), '.')]) {
-        let is_part = character.is_alphanumeric() || character == '_';
+        let is_part = depth == 0 && (character.is_alphanumeric() || character == '_');
+        match (character, is_part, begun) {
+            (_, true, None) => begun = Some(at),
+            (_, false, Some(from)) => {
+                found = Span::new(start + from, start + at);
+                begun = None;
+            }
+            _ => {}
+        }
         match character {
             '[' => depth += 1,
             ']' => depth = depth.saturating_sub(1),
             _ => {}
         }
-        match (is_part && depth == 0, from) {
-            (true, None) => from = Some(at),
-            (false, Some(begun)) => {
-                found.push(Span::new(start + begun, start + at));
-                from = None;
-            }
-            _ => {}
-        }
     }
-    let own = found.pop().unwrap_or(span);
-    parts.append(&mut found);
-    (parts, own)
+    found
 }
 
 /// A mechanism of the file.
