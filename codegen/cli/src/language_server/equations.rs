@@ -29,15 +29,17 @@ fn rows(system: &System, statement: Span) -> Vec<String> {
         .collect()
 }
 
-/// What a declared value is, in words: a constant, a parameter, an input. Nothing where there is no such name.
-pub fn of_value(read: &Read, declared: Span) -> Option<String> {
-    read.motions.iter().find_map(|it| value(it, declared))
+/// What a declared value is, in words: a constant, a parameter, an input. Nothing where there is none of the name at the place.
+pub fn of_value(read: &Read, name: &str, place: Span) -> Option<String> {
+    read.motions.iter().find_map(|it| value(it, name, place))
 }
 
-fn value(system: &System, declared: Span) -> Option<String> {
+fn value(system: &System, name: &str, place: Span) -> Option<String> {
     let mechanism = &system.mechanism;
     let plain = |expr: ExprId| mechanism.graph.constant_value(expr);
-    if let Some(own) = mechanism.constants.iter().find(|it| it.span == declared) {
+    let is_own = |(own, span): (&str, Span)| own == name && span == place;
+    let mut constants = mechanism.constants.iter();
+    if let Some(own) = constants.find(|it| is_own((&it.name, it.span))) {
         let unit = own.dimension.unit();
         let formula = text::readable(system, &[], Notation::Unicode, own.value);
         return match (formula, plain(own.value)) {
@@ -49,20 +51,24 @@ fn value(system: &System, declared: Span) -> Option<String> {
             (None, None) => None,
         };
     }
-    if let Some(own) = mechanism.parameters.iter().find(|it| it.span == declared) {
+    let mut parameters = mechanism.parameters.iter();
+    if let Some(own) = parameters.find(|it| is_own((&it.name, it.span))) {
         let unit = own.dimension.unit();
         return Some(format!("= {} {unit} by default", plain(own.nominal)?));
     }
-    let own = mechanism.inputs.iter().find(|it| it.span == declared)?;
+    let mut inputs = mechanism.inputs.iter();
+    let own = inputs.find(|it| is_own((&it.name, it.span)))?;
     let unit = own.dimension.unit();
     Some(format!("= {} {unit} at rest", plain(own.initial)?))
 }
 
 /// The coordinates of a body, as the equations call them.
-pub fn of_body(read: &Read, declared: Span) -> Option<Vec<String>> {
+pub fn of_body(read: &Read, name: &str, place: Span) -> Option<Vec<String>> {
     let system = read.motions.first()?;
     let bodies = &system.mechanism.bodies;
-    let body = bodies.iter().find(|it| it.span == declared)?;
+    let body = bodies
+        .iter()
+        .find(|it| it.name == name && it.span == place)?;
     let symbols = body.coordinates?;
     let name = |symbol| system.mechanism.graph.symbol_name(symbol).to_string();
     Some(symbols.into_iter().map(name).collect())

@@ -77,9 +77,12 @@ impl About<'_> {
             }
             _ => {}
         }
-        let read = self.read;
-        let value = read.and_then(|read| equations::of_value(read, symbol.place));
-        let coordinates = read.and_then(|read| equations::of_body(read, symbol.place));
+        // What is repeated has a value of its own each time.
+        let is_one = names.mentioned_at(place).take(2).count() == 1;
+        let read = self.read.filter(|_| is_one);
+        let value = read.and_then(|read| equations::of_value(read, &symbol.name, symbol.place));
+        let coordinates =
+            read.and_then(|read| equations::of_body(read, &symbol.name, symbol.place));
         if let Some(value) = value {
             what = format!("{what} {value}");
         }

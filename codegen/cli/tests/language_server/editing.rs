@@ -521,6 +521,9 @@ fn what_is_repeated_has_one_name() {
         said.starts_with("```mech\nbody crank at A { A, B }\n```\n\nbody"),
         "{said}"
     );
+    assert!(said.contains("`phi_leg3_crank`"), "{said}");
+    let said = hover(&mut client, WALKER, "crank at", 0);
+    assert!(!said.contains("coordinates"), "{said}");
     let said = hover(&mut client, WALKER, "leg[n]", 0);
     assert!(said.contains("\n\npart"), "{said}");
     client.finish();

@@ -60,7 +60,11 @@ fn last_lines(name: &str, lines: usize) -> Vec<Duration> {
 fn comment(name: &str) -> Vec<Duration> {
     let text = description(name);
     let (before, after) = text.split_at(text.rfind('}').expect("a closing brace"));
-    typed(before, "    // A comment of several words.\n", after)
+    typed(
+        before,
+        "// A comment of several words.",
+        &format!("\n{after}"),
+    )
 }
 
 fn report(name: &str, what: &str, times: &[Duration]) {
