@@ -9,15 +9,18 @@ pub mod expr {
     };
 }
 
-/// What joints measure and where their points are.
+/// The kinds of joints and drivers, what they measure and where their points are.
 pub mod joint {
-    pub use crate::joint::Quantity;
     pub use crate::joint::geometry;
+    pub use crate::joint::{CONSTRAINTS, DRIVERS, Kind, Line, Quantity, Slot, Value};
 }
 
-/// Descriptions with their names resolved.
+/// Descriptions with their names resolved, and the words that have a meaning in formulas.
 pub mod model {
-    pub use crate::model::{Dimension, Joint, Requested, Role, set};
+    pub use crate::model::{
+        AXES, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Mechanism, Requested, Role, UNITS,
+        set, unit,
+    };
 }
 
 /// Descriptions as they are written.

@@ -7,6 +7,7 @@ pub mod arguments;
 pub mod colors;
 pub mod command;
 pub mod data;
+pub mod language_server;
 pub mod motion;
 pub mod output;
 pub mod page;

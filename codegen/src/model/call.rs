@@ -12,7 +12,7 @@ use crate::joint::geometry::{length, subtract};
 use crate::syntax::{Expression, ExpressionKind, Name};
 
 /// The functions of the language, for help lines.
-pub(super) const FUNCTIONS: &[&str] = &[
+pub const FUNCTIONS: &[&str] = &[
     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "distance",
 ];
 

@@ -47,12 +47,16 @@ mod wanted_forces;
 mod wish;
 
 pub(crate) use bounds::beyond_bounds;
-pub use dimension::Dimension;
+pub use call::FUNCTIONS;
+pub use dimension::{Dimension, UNITS, unit};
 pub use forces::Forces;
+pub use law::LAWS;
 pub use motions::resolve;
 pub use naming::Naming;
 pub(crate) use parameters::field_name;
+pub use request::AXES;
 pub use setting::set;
+pub use table::ENDS_OF_TABLES;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SplineId, SymbolId};
@@ -77,6 +81,8 @@ pub struct Mechanism {
     pub graph: Graph,
     /// The time t, in s.
     pub time: SymbolId,
+    /// The values that have a name, in written order.
+    pub constants: Vec<Constant>,
     /// What can be changed at run time, in written order.
     pub parameters: Vec<Parameter>,
     /// The signals that are supplied at run time, in written order.
@@ -106,6 +112,19 @@ pub struct Mechanism {
     pub spellings: Spellings,
     /// The largest coordinate of an origin or of a point that a joint holds, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
+}
+
+/// A value that has a name.
+#[derive(Clone, Debug)]
+pub struct Constant {
+    /// Its name as written.
+    pub name: String,
+    /// What it is, of numbers and parameters, in SI units.
+    pub value: ExprId,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Where its name is declared.
+    pub span: Span,
 }
 
 /// A value that stays changeable at run time.

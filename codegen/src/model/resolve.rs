@@ -11,7 +11,7 @@ use super::formulas::Formulas;
 use super::linkage::Linkage;
 use super::naming::Naming;
 use super::request::Named;
-use super::{Dimension, Mechanism, Motion};
+use super::{Constant, Dimension, Mechanism, Motion};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::Vector;
@@ -102,6 +102,7 @@ pub(super) fn resolve_statements<'a>(
     resolver.note_excess(end, item.name.span);
     resolver.note_used();
     let characteristic_length = resolver.linkage.characteristic_length(&resolver.graph);
+    let constants = resolver.constants(statements);
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
     Mechanism {
         name: item.name.text.clone(),
@@ -115,6 +116,7 @@ pub(super) fn resolve_statements<'a>(
         naming,
         graph: resolver.graph,
         time,
+        constants,
         parameters: resolver.declared.parameters,
         inputs: resolver.declared.inputs,
         tables: resolver.declared.tables,
@@ -196,6 +198,25 @@ impl Resolver<'_> {
             self.diagnostics.forget_after(before);
             self.diagnostics.push(beyond_bounds(excess, span));
         }
+    }
+
+    /// What `const` statements have declared.
+    fn constants(&self, statements: &[&syntax::Statement]) -> Vec<Constant> {
+        let declared = statements.iter().filter_map(|statement| {
+            let syntax::Statement::Constant(written) = statement else {
+                return None;
+            };
+            let (name, &(value, dimension)) =
+                self.declared.constants.declaration(&written.name.text)?;
+            // Another one of the name was declared before.
+            (name.span == written.name.span).then(|| Constant {
+                name: name.text.clone(),
+                value,
+                dimension,
+                span: name.span,
+            })
+        });
+        declared.collect()
     }
 
     fn add_constant(&mut self, constant: &syntax::Constant) {

@@ -47,7 +47,8 @@ pub(crate) use files::{is_relative, leaves_folder};
 pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Reaction, Torque};
 pub use formula::*;
 pub use output::LEVELS;
-pub(crate) use scan::{Kind, block_comment_length, lexemes};
+pub(crate) use scan::block_comment_length;
+pub use scan::{Kind, Lexeme, lexemes};
 pub use scope::Spellings;
 
 use proc_macro2::Delimiter;
@@ -95,6 +96,12 @@ pub const KEYWORDS: [&str; 29] = [
 
 /// Names that have a fixed meaning in formulas.
 pub const BUILT_IN: &[&str] = &["t", "pi"];
+
+/// The words inside statements, each with a meaning in its place alone.
+pub const CLAUSES: [&str; 17] = [
+    "at", "turned", "facing", "along", "about", "in", "on", "free", "preload", "inertia", "from",
+    "to", "rate", "columns", "polar", "if", "else",
+];
 
 /// Reads a description. Never panics and never overflows the stack, whatever the text.
 ///

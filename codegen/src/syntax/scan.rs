@@ -9,7 +9,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 
 /// What a lexeme is. Brackets and marks are ASCII characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// A name or a keyword.
     Word,
     /// A number with its unit.
@@ -26,7 +26,8 @@ pub(crate) enum Kind {
 
 /// One word, number, mark or bracket.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Lexeme {
+pub struct Lexeme {
+    /// What it is.
     pub kind: Kind,
     /// Offset of its first byte.
     pub start: usize,
@@ -89,7 +90,7 @@ impl Scan {
 }
 
 /// The words, numbers, marks and brackets of a text that is read without an error: between two of them stand white space and comments.
-pub(crate) fn lexemes(text: &str) -> Vec<Lexeme> {
+pub fn lexemes(text: &str) -> Vec<Lexeme> {
     scan(text).lexemes
 }
 

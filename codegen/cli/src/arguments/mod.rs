@@ -14,7 +14,7 @@ pub use described::Described;
 pub use measured::{Calibrate, Compare, Mark, Separator, Table};
 pub use reported::{Reported, TurnUnit};
 pub use setting::Setting;
-pub use shell::{Completions, Fmt, Man, New};
+pub use shell::{Completions, Fmt, Lsp, Man, New};
 pub use simulate::Simulate;
 pub use solve::{Equations, Solve};
 pub use view::View;
@@ -85,6 +85,8 @@ pub enum Command {
     Fmt(Fmt),
     /// Write a crate with a mechanism, a loop and a test, to start from
     New(New),
+    /// Serve an editor: findings while typing, hover, definitions, completion, renaming
+    Lsp(Lsp),
     /// Print a script that completes arguments in a shell
     Completions(Completions),
     /// Write manual pages

@@ -44,6 +44,23 @@ pub struct New {
     pub path: Option<PathBuf>,
 }
 
+/// Serves an editor in the language server protocol, on stdin and stdout.
+///
+/// An editor starts it and ends it. Of every description that is open it says at once what is wrong, with the texts and at the places
+/// of the other commands; it shows what a name is, what it is worth and the equations of a joint, finds declarations and uses,
+/// completes and renames names, lists the statements and lays the text out as `linkwright fmt` does. Texts need not be saved; tables
+/// are read from the folder of the description.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+How editors are set up stands in the guide, codegen/guide/editors.md.
+
+Exit codes: 0 the editor has taken its leave, 1 it went without.")]
+pub struct Lsp {
+    /// Speak on stdin and stdout, which is always so; some editors say it
+    #[arg(long)]
+    pub stdio: bool,
+}
+
 /// Prints a script that completes this command's arguments in a shell.
 #[derive(Args, Debug)]
 #[command(after_help = "\

@@ -12,6 +12,7 @@ pub mod draw;
 pub mod fmt;
 pub mod generate;
 pub mod inspect;
+pub mod lsp;
 pub mod man;
 pub mod new;
 pub mod plan;
@@ -72,6 +73,7 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => new::run(&new),
+        Command::Lsp(_) => lsp::run(),
         Command::Completions(completions) => completions::run(&completions),
         Command::Man(man) => man::run(&man),
     };

@@ -17,7 +17,7 @@ use crate::syntax::{Expression, Name};
 use rise::Rise;
 
 /// Every law of motion, for help lines: first the rises, which a sequence may be made of.
-pub(super) const LAWS: &[&str] = &[
+pub const LAWS: &[&str] = &[
     "step",
     "havsin",
     "step5",

@@ -10,6 +10,9 @@ use crate::syntax::{self, Expression};
 const ENDS: &str =
     "a table ends in `;` or `natural;`, in `clamped(SLOPE, SLOPE);`, or in `periodic;`";
 
+/// The words with which a table may end.
+pub const ENDS_OF_TABLES: [&str; 3] = ["natural", "clamped", "periodic"];
+
 impl Resolver<'_> {
     /// The end conditions; the slopes of clamped ends are checked where it is known what the columns measure.
     pub(super) fn ends(
@@ -29,7 +32,7 @@ impl Resolver<'_> {
                 let [first, last] = slopes;
                 return Some(Ends::Clamped([first?, last?]));
             }
-            (word @ ("natural" | "periodic" | "clamped"), slopes) => {
+            (word, slopes) if ENDS_OF_TABLES.contains(&word) => {
                 let wanted = if word == "clamped" {
                     "two slopes"
                 } else {

@@ -7,6 +7,7 @@ mod ends;
 mod file;
 mod pieces;
 
+pub use self::ends::ENDS_OF_TABLES;
 use self::pieces::{Ends, spline};
 use super::call::FUNCTIONS;
 use super::dimension::Dimension;

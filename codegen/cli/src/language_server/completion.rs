@@ -1,0 +1,313 @@
+//! *An offset → the words that can stand there.* Statements, kinds, functions and units are asked of the language's own tables, so
+//! that a new one appears by itself.
+
+use std::collections::BTreeSet;
+
+use linkwright_codegen::diagnostic::Span;
+use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS, Kind as JointKind, Slot};
+use linkwright_codegen::stages::model::{AXES, FUNCTIONS, LAWS, UNITS};
+use linkwright_codegen::stages::syntax::{BUILT_IN, CLAUSES, KEYWORDS, Kind};
+use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, Documentation, TextEdit};
+
+use super::description::Description;
+use super::document::Document;
+use super::names::{Sort, SymbolId};
+use super::statement::Statement;
+
+/// The two components of a point.
+const COMPONENTS: [&str; 2] = ["x", "y"];
+
+/// What can be written at an offset.
+pub fn items(document: &Document, description: &Description, offset: usize) -> Vec<CompletionItem> {
+    let here = description.lexeme_at(offset);
+    let written = here.filter(|it| it.start < offset);
+    let is_text = written.is_some_and(|it| it.kind == Kind::Text);
+    if is_text || description.is_in_comment(offset) {
+        return Vec::new();
+    }
+    let word = written.filter(|it| matches!(it.kind, Kind::Word | Kind::Number));
+    let number = word.filter(|it| it.kind == Kind::Number);
+    let text = number.map_or("", |it| description.written(it));
+    // `1.` is a number until a name follows.
+    if let Some(body) = text.strip_suffix('.') {
+        let offer = Offer::new(document, description, offset, offset);
+        return offer.members(body);
+    }
+    if let (Some(number), false) = (number, text.bytes().all(|it| it.is_ascii_digit())) {
+        let is_digit = |it: char| it.is_ascii_digit() || matches!(it, '.' | '_');
+        let digits = text.len() - text.trim_start_matches(is_digit).len();
+        let start = (number.start + digits).min(offset);
+        let offer = Offer::new(document, description, start, offset);
+        return offer.words(UNITS, CompletionItemKind::UNIT, "unit");
+    }
+    if number.is_some() {
+        // Digits alone may go on as a unit, or are the name of a body.
+        let offer = Offer::new(document, description, offset, offset);
+        return offer.words(UNITS, CompletionItemKind::UNIT, "unit");
+    }
+    let start = word.map_or(offset, |it| it.start);
+    Offer::new(document, description, start, offset).anything()
+}
+
+/// What is offered at a place.
+struct Offer<'a> {
+    document: &'a Document,
+    description: &'a Description,
+    statement: Statement<'a>,
+    /// What is replaced: the word that has begun, up to the offset.
+    replaced: Span,
+}
+
+impl<'a> Offer<'a> {
+    fn new(
+        document: &'a Document,
+        description: &'a Description,
+        start: usize,
+        offset: usize,
+    ) -> Offer<'a> {
+        Offer {
+            document,
+            description,
+            statement: Statement::before(description, start),
+            replaced: Span::new(start, offset),
+        }
+    }
+
+    fn anything(&self) -> Vec<CompletionItem> {
+        let statement = &self.statement;
+        if let Some((Kind::Mark(b'.'), _)) = statement.last() {
+            return self.members(&statement.owner());
+        }
+        let Some(opening) = statement.opening() else {
+            return match (statement.open.is_empty(), statement.around()) {
+                (true, _) => self.words(&["mechanism"], CompletionItemKind::KEYWORD, "statement"),
+                (false, Some("body")) => self.named(|sort| sort == Sort::Point),
+                (false, _) => self.statements(),
+            };
+        };
+        let last = statement.last().map_or("", |(_, text)| text);
+        let second = statement.first.and_then(|it| statement.word(it + 1));
+        if opening == "redundant" && last == opening {
+            return self.kinds(CONSTRAINTS, "joint");
+        }
+        if matches!(opening, "drive" | "free") && (last == opening || last == ":") {
+            let mut items = self.kinds(DRIVERS, "driven quantity");
+            items.extend(self.named(is_place));
+            return items;
+        }
+        let kinds = [CONSTRAINTS, DRIVERS].concat();
+        let kind = [Some(opening), second].into_iter().flatten();
+        let kind = kind.filter_map(|word| kinds.iter().find(|it| it.keyword() == word));
+        if let (Some(kind), Some(open), false) =
+            (kind.clone().next(), statement.open.last(), last == ")")
+            && open.bracket == b'('
+            && !self.is_behind_equals()
+        {
+            let slot = kind.operands().slots.get(open.commas).copied();
+            return self.operand(slot);
+        }
+        self.formula()
+    }
+
+    /// Whether the value of the statement has begun.
+    fn is_behind_equals(&self) -> bool {
+        let statement = &self.statement;
+        let written = &statement.before[statement.first.unwrap_or(0)..];
+        written.iter().any(|it| it.kind == Kind::Mark(b'='))
+    }
+
+    fn statements(&self) -> Vec<CompletionItem> {
+        let mut items = self.words(&KEYWORDS, CompletionItemKind::KEYWORD, "statement");
+        items.extend(self.kinds(CONSTRAINTS, "joint"));
+        items
+    }
+
+    /// What can stand in the parentheses of a joint or a driver.
+    fn operand(&self, slot: Option<Slot>) -> Vec<CompletionItem> {
+        match slot {
+            Some(Slot::Body | Slot::Counterpart | Slot::Carrier) => self.bodies(),
+            Some(Slot::Curve) => self.named(|sort| sort == Sort::Curve),
+            Some(Slot::GroundPoint) => self.named(|sort| sort == Sort::Point),
+            Some(Slot::Point | Slot::Pin) | None => {
+                let mut items = self.bodies();
+                items.extend(self.named(|sort| sort == Sort::Point));
+                items
+            }
+        }
+    }
+
+    fn bodies(&self) -> Vec<CompletionItem> {
+        let mut items = self.named(|sort| sort == Sort::Body);
+        items.extend(self.words(
+            &["ground"],
+            CompletionItemKind::STRUCT,
+            "what does not move",
+        ));
+        items
+    }
+
+    /// Everything that a formula or a clause may begin with.
+    fn formula(&self) -> Vec<CompletionItem> {
+        let mut items = self.named(|sort| !matches!(sort, Sort::Mechanism | Sort::Motion));
+        items.extend(self.words(FUNCTIONS, CompletionItemKind::FUNCTION, "function"));
+        items.extend(self.words(LAWS, CompletionItemKind::FUNCTION, "law of motion"));
+        items.extend(self.words(&AXES, CompletionItemKind::FUNCTION, "coordinate"));
+        items.extend(self.words(BUILT_IN, CompletionItemKind::CONSTANT, "always there"));
+        items.extend(self.words(&CLAUSES, CompletionItemKind::KEYWORD, "word of a statement"));
+        items.extend(self.words(
+            &["ground"],
+            CompletionItemKind::STRUCT,
+            "what does not move",
+        ));
+        let mut seen = BTreeSet::new();
+        items.retain(|item| seen.insert(item.label.clone()));
+        items
+    }
+
+    /// What stands behind `OWNER.`: the points of a body, the bodies and points of a part, and the components of a point or an origin.
+    /// Which repetition is meant makes no difference.
+    fn members(&self, owner: &str) -> Vec<CompletionItem> {
+        if owner == "ground" {
+            return self.named(|sort| sort == Sort::Point);
+        }
+        let names = &self.description.names;
+        let owner = without_indices(owner);
+        let spelled = |it: SymbolId| without_indices(&names.symbols[it].spelled);
+        let is_body = |it: &SymbolId| names.symbols[*it].sort == Sort::Body;
+        let body = self
+            .known()
+            .filter(is_body)
+            .find(|&it| spelled(it) == owner);
+        let points = body.into_iter().flat_map(|it| names.points_of(it));
+        let mut items: Vec<CompletionItem> = points
+            .map(|it| {
+                let symbol = &names.symbols[it];
+                let last = symbol.spelled.rsplit('.').next();
+                self.item_called(it, last.unwrap_or(&symbol.spelled))
+            })
+            .collect();
+        let inside = format!("{owner}.");
+        let mut seen = BTreeSet::new();
+        for id in self.known() {
+            let own = spelled(id);
+            if let Some(rest) = own.strip_prefix(&inside)
+                && !rest.contains('.')
+                && seen.insert(rest.to_string())
+            {
+                items.push(self.item_called(id, rest));
+            }
+        }
+        if seen.is_empty() {
+            items.extend(self.words(&COMPONENTS, CompletionItemKind::FIELD, "component"));
+        }
+        items
+    }
+
+    /// The symbols that are known at the place: those declared above, of no other motion.
+    fn known(&self) -> impl Iterator<Item = SymbolId> + '_ {
+        let at = self.replaced.start;
+        let symbols = self.description.names.symbols.iter().enumerate();
+        symbols.filter_map(move |(id, symbol)| {
+            let is_near = symbol
+                .motion
+                .is_none_or(|motion| motion.start <= at && at <= motion.end);
+            let runs_here = symbol.sort != Sort::CurveParameter
+                || (symbol.statement.start <= at && at <= symbol.statement.end);
+            let is_here = !matches!(symbol.sort, Sort::Index | Sort::Mechanism)
+                || (symbol.sort == Sort::Index && self.statement.is_inside(symbol.statement));
+            (symbol.declared.end <= at && is_near && runs_here && is_here).then_some(id)
+        })
+    }
+
+    fn named(&self, wanted: impl Fn(Sort) -> bool) -> Vec<CompletionItem> {
+        let symbols = &self.description.names.symbols;
+        let mut seen = BTreeSet::new();
+        let known = self.known().filter(|&it| wanted(symbols[it].sort));
+        let new = known.filter(|&it| seen.insert(symbols[it].spelled.as_str()));
+        new.map(|it| self.item(it)).collect()
+    }
+
+    fn item(&self, id: SymbolId) -> CompletionItem {
+        self.item_called(id, &self.description.names.symbols[id].spelled)
+    }
+
+    fn item_called(&self, id: SymbolId, label: &str) -> CompletionItem {
+        let symbol = &self.description.names.symbols[id];
+        let docs = symbol.docs.join("\n");
+        CompletionItem {
+            label: label.to_string(),
+            kind: Some(kind(symbol.sort)),
+            detail: Some(symbol.sort.noun().to_string()),
+            documentation: (!docs.is_empty()).then_some(Documentation::String(docs)),
+            text_edit: Some(self.edit(label)),
+            ..CompletionItem::default()
+        }
+    }
+
+    /// Joints or drivers, each with an example.
+    fn kinds(&self, kinds: &[&dyn JointKind], detail: &str) -> Vec<CompletionItem> {
+        let each = kinds.iter().map(|kind| CompletionItem {
+            documentation: Some(Documentation::String(kind.example().to_string())),
+            ..self.word(kind.keyword(), CompletionItemKind::CLASS, detail)
+        });
+        each.collect()
+    }
+
+    fn words(&self, words: &[&str], kind: CompletionItemKind, detail: &str) -> Vec<CompletionItem> {
+        let each = words.iter().map(|word| self.word(word, kind, detail));
+        each.collect()
+    }
+
+    fn word(&self, word: &str, kind: CompletionItemKind, detail: &str) -> CompletionItem {
+        CompletionItem {
+            label: word.to_string(),
+            kind: Some(kind),
+            detail: Some(detail.to_string()),
+            text_edit: Some(self.edit(word)),
+            ..CompletionItem::default()
+        }
+    }
+
+    /// The edit that puts a word in the place of what has been written of it.
+    fn edit(&self, word: &str) -> CompletionTextEdit {
+        CompletionTextEdit::Edit(TextEdit {
+            range: self.document.text.range(self.replaced),
+            new_text: word.to_string(),
+        })
+    }
+}
+
+/// A name without what stands in brackets.
+fn without_indices(name: &str) -> String {
+    let mut depth = 0_usize;
+    let mut kept = String::new();
+    for character in name.chars() {
+        match character {
+            '[' => depth += 1,
+            ']' => depth = depth.saturating_sub(1),
+            other if depth == 0 => kept.push(other),
+            _ => {}
+        }
+    }
+    kept
+}
+
+/// Whether something has coordinates.
+fn is_place(sort: Sort) -> bool {
+    matches!(sort, Sort::Body | Sort::Point)
+}
+
+fn kind(sort: Sort) -> CompletionItemKind {
+    match sort {
+        Sort::Mechanism | Sort::Motion => CompletionItemKind::MODULE,
+        Sort::Constant => CompletionItemKind::CONSTANT,
+        Sort::Parameter | Sort::Input | Sort::Free | Sort::CurveParameter | Sort::Index => {
+            CompletionItemKind::VARIABLE
+        }
+        Sort::Table | Sort::Curve => CompletionItemKind::FUNCTION,
+        Sort::Point | Sort::BodyPoint => CompletionItemKind::FIELD,
+        Sort::Body | Sort::Part => CompletionItemKind::STRUCT,
+        Sort::Joint | Sort::Element => CompletionItemKind::INTERFACE,
+        Sort::Driver | Sort::Equation => CompletionItemKind::EVENT,
+    }
+}

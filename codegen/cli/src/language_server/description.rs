@@ -1,0 +1,80 @@
+//! *A text → what can be said of it at once:* its tokens, its statements, its names. No equation is derived here.
+//!
+//! Half of a description is one, too: statements that cannot be read are left out, and the others have their names.
+
+use linkwright_codegen::diagnostic::{Diagnostics, Source};
+use linkwright_codegen::stages::syntax::{self, Document, Kind, Lexeme};
+
+use super::names::Names;
+
+/// A description that has been read.
+pub struct Description {
+    /// The text, with the files that it names.
+    pub source: Source,
+    /// Its words, numbers, marks and brackets.
+    pub lexemes: Vec<Lexeme>,
+    /// Its statements, where a mechanism was found.
+    pub document: Option<Document>,
+    /// Whether every statement could be read.
+    pub is_whole: bool,
+    /// Its names.
+    pub names: Names,
+}
+
+impl Description {
+    /// Reads a text.
+    pub fn of(source: Source) -> Description {
+        let mut found = Diagnostics::new();
+        let document = syntax::parse(&source, &mut found);
+        let lexemes = syntax::lexemes(&source.text);
+        let names = document
+            .as_ref()
+            .map(|it| Names::of(it, &source.text, &lexemes));
+        Description {
+            lexemes,
+            names: names.unwrap_or_default(),
+            is_whole: document.is_some() && !found.has_errors(),
+            document,
+            source,
+        }
+    }
+
+    /// The word, number, mark or bracket that an offset is in, or that ends there.
+    pub fn lexeme_at(&self, offset: usize) -> Option<Lexeme> {
+        let after = self.lexemes.partition_point(|it| it.start <= offset);
+        let reaching = self.lexemes[..after].iter().rev().take(2);
+        let mut touching = reaching.filter(|it| offset <= it.end).copied();
+        let last = touching.next()?;
+        // Between a word and a mark the word is meant.
+        let is_name = |it: &Lexeme| matches!(it.kind, Kind::Word | Kind::Number);
+        match is_name(&last) {
+            true => Some(last),
+            false => touching.find(is_name).or(Some(last)),
+        }
+    }
+
+    /// What is written at a lexeme.
+    pub fn written(&self, lexeme: Lexeme) -> &str {
+        &self.source.text[lexeme.start..lexeme.end]
+    }
+
+    /// Whether an offset is inside a comment: behind the last lexeme before it and the first after it.
+    pub fn is_in_comment(&self, offset: usize) -> bool {
+        let after = self.lexemes.partition_point(|it| it.end <= offset);
+        let start = after.checked_sub(1).map_or(0, |it| self.lexemes[it].end);
+        let mut rest = &self.source.text[start..offset.max(start)];
+        while let Some(at) = rest.find('/') {
+            rest = &rest[at..];
+            let end = match rest.as_bytes().get(1) {
+                Some(b'/') => rest.find('\n'),
+                Some(b'*') => rest.find("*/").map(|it| it + 1),
+                _ => Some(0),
+            };
+            match end {
+                Some(end) => rest = &rest[end + 1..],
+                None => return true,
+            }
+        }
+        false
+    }
+}

@@ -1,0 +1,84 @@
+//! *Findings → diagnostics of the protocol*, with the texts and at the places of the command line.
+
+use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Severity};
+use lsp_types::{
+    self as lsp, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, Location,
+    NumberOrString, Uri,
+};
+
+use super::text::Text;
+
+/// Whose findings these are.
+const SOURCE: &str = "linkwright";
+
+/// What a client can show.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Shown {
+    /// Other places that explain a finding.
+    pub related_places: bool,
+    /// That something is not used.
+    pub unused: bool,
+}
+
+/// All findings, by place.
+pub fn diagnostics(
+    found: &Diagnostics,
+    uri: &Uri,
+    text: &Text,
+    shown: Shown,
+) -> Vec<lsp::Diagnostic> {
+    let found = found.clone().into_sorted();
+    let each = found.iter().map(|it| diagnostic(it, uri, text, shown));
+    each.collect()
+}
+
+fn diagnostic(found: &Diagnostic, uri: &Uri, text: &Text, shown: Shown) -> lsp::Diagnostic {
+    let severity = match found.severity {
+        Severity::Error => DiagnosticSeverity::ERROR,
+        Severity::Warning => DiagnosticSeverity::WARNING,
+    };
+    let places = found.secondary.iter().map(|label| {
+        let location = Location::new(uri.clone(), text.range(label.span));
+        // A place without words is marked as the command line marks it.
+        let words = match label.text.is_empty() {
+            true => found.message.clone(),
+            false => label.text.clone(),
+        };
+        (location, words)
+    });
+    let mut message = words(found);
+    let related = match shown.related_places {
+        true => Some(
+            places
+                .map(|(location, message)| DiagnosticRelatedInformation { location, message })
+                .collect(),
+        ),
+        false => {
+            for (location, words) in places {
+                let line = location.range.start.line + 1;
+                message.push_str(&format!("\nline {line}: {words}"));
+            }
+            None
+        }
+    };
+    let is_unused = shown.unused && found.code == Code::UnusedName;
+    lsp::Diagnostic {
+        range: text.range(found.primary.span),
+        severity: Some(severity),
+        code: Some(NumberOrString::String(found.code.to_string())),
+        source: Some(SOURCE.to_string()),
+        message,
+        related_information: related,
+        tags: is_unused.then(|| vec![DiagnosticTag::UNNECESSARY]),
+        ..lsp::Diagnostic::default()
+    }
+}
+
+/// What is said of a finding, a line each: what is wrong, the words beside its place, background, and what to do.
+pub fn words(found: &Diagnostic) -> String {
+    let mut lines = vec![found.message.clone()];
+    lines.extend((!found.primary.text.is_empty()).then(|| found.primary.text.clone()));
+    lines.extend(found.notes.iter().map(|note| format!("note: {note}")));
+    lines.extend(found.help.iter().map(|help| format!("help: {help}")));
+    lines.join("\n")
+}

@@ -1,0 +1,213 @@
+//! *An offset → what stands there:* what a name is, how it is declared, what it is worth, and the equations of a joint.
+
+use linkwright_codegen::Read;
+use linkwright_codegen::diagnostic::Span;
+use linkwright_codegen::stages::expr::{Graph, Number};
+use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS};
+use linkwright_codegen::stages::model::{UNITS, unit};
+use linkwright_codegen::stages::syntax::{Kind, Statement};
+use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind};
+
+use super::description::Description;
+use super::document::Document;
+use super::equations;
+use super::names::{Sort, SymbolId};
+
+/// The longest declaration that is shown, in lines.
+const LONGEST: usize = 12;
+
+/// So many declarations or bodies are listed.
+const LISTED: usize = 6;
+
+/// What an editor shows beside the pointer.
+pub fn hover(document: &Document, description: &Description, offset: usize) -> Option<Hover> {
+    let about = About {
+        description,
+        read: document.equations(),
+    };
+    let (span, text) = match description.names.mention_at(offset) {
+        Some(mention) => (mention.span, about.symbol(mention.symbol, mention.span)),
+        None => about.word(offset)?,
+    };
+    Some(Hover {
+        contents: HoverContents::Markup(MarkupContent {
+            kind: MarkupKind::Markdown,
+            value: text,
+        }),
+        range: Some(document.text.range(span)),
+    })
+}
+
+struct About<'a> {
+    description: &'a Description,
+    read: Option<&'a Read>,
+}
+
+impl About<'_> {
+    /// What a name stands for; where it is the name of a joint's statement, with its equations.
+    fn symbol(&self, id: SymbolId, place: Span) -> String {
+        let names = &self.description.names;
+        let symbol = &names.symbols[id];
+        let here = names.mentioned_at(place).map(|it| &names.symbols[it]);
+        let mut written: Vec<(Span, &str)> = here.map(|it| (it.written, it.opening)).collect();
+        // What is repeated is declared once.
+        written.dedup();
+        let declared = written.iter().take(LISTED);
+        let declared: Vec<String> = declared
+            .map(|(written, opening)| self.declaration(opening, *written))
+            .collect();
+        let mut parts = vec![format!("```mech\n{}\n```", declared.join("\n"))];
+        let mut what = symbol.sort.noun().to_string();
+        match symbol.sort {
+            Sort::BodyPoint => {
+                let carriers: Vec<String> = names
+                    .same(id)
+                    .into_iter()
+                    .filter_map(|it| names.symbols[it].body)
+                    .map(|it| format!("`{}`", names.symbols[it].spelled))
+                    .collect();
+                what = format!("point of {}", bodies(&carriers));
+            }
+            Sort::Point => {
+                let carriers = names.carriers_of(id).map(|it| &names.symbols[it].spelled);
+                let carriers: Vec<String> = carriers.map(|it| format!("`{it}`")).collect();
+                if !carriers.is_empty() {
+                    what = format!("{what}, carried by {}", bodies(&carriers));
+                }
+            }
+            _ => {}
+        }
+        // What is repeated has a value of its own each time.
+        let is_one = names.mentioned_at(place).take(2).count() == 1;
+        let read = self.read.filter(|_| is_one);
+        let value = read.and_then(|read| equations::of_value(read, &symbol.name, symbol.place));
+        let coordinates =
+            read.and_then(|read| equations::of_body(read, &symbol.name, symbol.place));
+        if let Some(value) = value {
+            what = format!("{what} {value}");
+        }
+        if let Some(coordinates) = coordinates {
+            let quoted: Vec<String> = coordinates.iter().map(|it| format!("`{it}`")).collect();
+            what = format!("{what} with the coordinates {}", quoted.join(", "));
+        }
+        parts.push(what);
+        parts.extend((!symbol.docs.is_empty()).then(|| symbol.docs.join("\n")));
+        let statement = match symbol.sort {
+            Sort::Driver | Sort::Free | Sort::Equation => Some(symbol.statement),
+            _ => self.statement_named_at(place),
+        };
+        parts.extend(statement.and_then(|it| self.equations(it)));
+        parts.join("\n\n")
+    }
+
+    /// A declaration as it is written, without its further lines where it is long.
+    fn declaration(&self, opening: &str, written: Span) -> String {
+        let text = self.description.source.text.get(written.range());
+        let lines: Vec<&str> = text.unwrap_or_default().lines().collect();
+        let mut shown = lines[..lines.len().min(LONGEST)].join("\n");
+        if lines.len() > LONGEST {
+            shown.push_str("\n…");
+        }
+        format!("{opening}{shown}")
+    }
+
+    /// The joint whose name stands at a place.
+    fn statement_named_at(&self, place: Span) -> Option<Span> {
+        let found = self.statements().find(|statement| {
+            let Statement::Joint(joint) = statement else {
+                return false;
+            };
+            let name = joint.name.as_ref().map(|it| it.span.start);
+            name == Some(place.start)
+        });
+        found.map(Statement::span)
+    }
+
+    fn statements(&self) -> impl Iterator<Item = &Statement> {
+        let document = self.description.document.as_ref();
+        let outer = document.map_or(&[][..], |it| &it.mechanism.statements);
+        outer.iter().flat_map(|statement| {
+            let inner = match statement {
+                Statement::Motion(motion) => &motion.statements[..],
+                _ => &[],
+            };
+            std::iter::once(statement).chain(inner)
+        })
+    }
+
+    fn equations(&self, statement: Span) -> Option<String> {
+        let rows = equations::of_statement(self.read?, statement);
+        (!rows.is_empty()).then(|| format!("```text\n{}\n```", rows.join("\n")))
+    }
+
+    /// A word of the language: the kind of a joint, a unit, a number.
+    fn word(&self, offset: usize) -> Option<(Span, String)> {
+        let lexeme = self.description.lexeme_at(offset)?;
+        let span = Span::new(lexeme.start, lexeme.end);
+        let word = self.description.written(lexeme);
+        let text = match lexeme.kind {
+            Kind::Number => quantity(word)?,
+            Kind::Word => self.kind(word, span).or_else(|| built_in(word))?,
+            _ => return None,
+        };
+        Some((span, text))
+    }
+
+    /// A kind of joint or a driven quantity: how it is written, and the equations of this one.
+    fn kind(&self, word: &str, place: Span) -> Option<String> {
+        let lies_in = |it: &Span| it.start <= place.start && place.end <= it.end;
+        let spans = self.statements().map(Statement::span);
+        // Of a motion and a statement in it, the statement.
+        let statement = spans.filter(lies_in).min_by_key(|it| it.end - it.start);
+        let equations = statement.and_then(|it| self.equations(it));
+        let mut kinds = CONSTRAINTS.iter().chain(DRIVERS);
+        let kind = kinds.find(|it| it.keyword() == word);
+        let starts = statement.is_some_and(|it| it.start == place.start);
+        let example = kind.map(|it| format!("written {}", it.example()));
+        let parts: Vec<String> = match (example, starts) {
+            (Some(example), _) => [Some(example), equations].into_iter().flatten().collect(),
+            (None, true) => equations.into_iter().collect(),
+            (None, false) => Vec::new(),
+        };
+        (!parts.is_empty()).then(|| parts.join("\n\n"))
+    }
+}
+
+/// One body or several.
+fn bodies(names: &[String]) -> String {
+    match names {
+        [first, .., last] if names.len() > LISTED => {
+            format!("{} bodies from {first} to {last}", names.len())
+        }
+        [only] => format!("body {only}"),
+        [rest @ .., last] => format!("the bodies {} and {last}", rest.join(", ")),
+        [] => "a body".to_string(),
+    }
+}
+
+/// A number with a unit, in SI units.
+fn quantity(text: &str) -> Option<String> {
+    let suffix = UNITS.iter().filter(|it| text.ends_with(**it));
+    let suffix = suffix.max_by_key(|it| it.len())?;
+    let digits = text.strip_suffix(*suffix)?.replace('_', "");
+    let mut graph = Graph::new();
+    let number = graph.number(Number::parse(&digits)?);
+    let (factor, dimension) = unit(suffix, &mut graph)?;
+    let product = graph.multiply(number, factor);
+    let value = graph.constant_value(product)?;
+    Some(format!(
+        "{}, {value} {}",
+        dimension.name(),
+        dimension.unit()
+    ))
+}
+
+/// What the names stand for that are always there.
+fn built_in(word: &str) -> Option<String> {
+    Some(match word {
+        "t" => "the time, in s".to_string(),
+        "pi" => format!("π = {}", std::f64::consts::PI),
+        "ground" => "what does not move; it carries every drawn point".to_string(),
+        _ => return None,
+    })
+}

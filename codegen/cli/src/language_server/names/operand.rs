@@ -1,0 +1,194 @@
+//! The names in joints and drivers, by what their kinds take.
+
+use linkwright_codegen::diagnostic::Span;
+use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS, Kind, Line, Slot};
+use linkwright_codegen::stages::syntax::{Direction, Drive, Joint, Name, Reference};
+
+use super::scope::{JointNames, Owner, Scopes, Space};
+use super::{Sort, Symbol, SymbolId};
+
+impl Scopes {
+    /// A joint, with its name and its line.
+    pub(super) fn joint(&mut self, joint: &Joint) {
+        let kind = named(CONSTRAINTS, &joint.kind.text);
+        let slots = kind.map_or(&[][..], |kind| kind.operands().slots);
+        let line = kind.map_or(Line::None, |kind| kind.operands().line);
+        let mut owners = Vec::new();
+        let mut pins = Vec::new();
+        for (place, operand) in joint.operands.iter().enumerate() {
+            let slot = slots.get(place).copied().unwrap_or(Slot::Point);
+            let owner = self.operand(slot, operand, joint.name.as_ref());
+            if let (Slot::Pin, Some(name), Some(owner), None) =
+                (slot, &joint.name, owner, &operand.body)
+            {
+                pins.extend(self.point_of(owner, name));
+            }
+            owners.push(owner);
+        }
+        for pair in pins.windows(2) {
+            self.unite(pair[0], pair[1]);
+        }
+        // A joint that is not named after a point of its bodies has a name of its own.
+        let symbol = joint.name.as_ref().map(|name| match pins.first() {
+            Some(&pin) => pin,
+            None => self.own_name(joint, name),
+        });
+        let along = joint.along.as_ref().map(|along| {
+            let ends = self.line(along, line, &owners);
+            (along.clone(), ends)
+        });
+        self.joints.push(JointNames {
+            motion: self.motion,
+            name: joint.name.as_ref().map(|name| name.text.clone()),
+            symbol,
+            along,
+        });
+        if let Some(value) = &joint.value {
+            self.formula(value, None);
+        }
+    }
+
+    fn own_name(&mut self, joint: &Joint, name: &Name) -> SymbolId {
+        self.declare(Symbol {
+            sort: Sort::Joint,
+            name: name.text.clone(),
+            spelled: name.text.clone(),
+            place: name.span,
+            declared: name.span,
+            written: joint.span,
+            statement: joint.span,
+            opening: "",
+            docs: joint.docs.clone(),
+            body: None,
+            motion: self.motion,
+        })
+    }
+
+    /// A driver, or what is free.
+    pub(super) fn driver(&mut self, drive: &Drive) {
+        let kind = named(DRIVERS, &drive.quantity.text);
+        let form = kind.map(|kind| kind.operands());
+        match (form.map(|it| it.line), &drive.operands[..]) {
+            (Some(Line::Existing), [from, to]) => self.existing_line(from, to),
+            _ => {
+                for (place, operand) in drive.operands.iter().enumerate() {
+                    if drive.dotted && operand.body.is_none() {
+                        self.point_or_body(&operand.name);
+                        continue;
+                    }
+                    let slot = form.and_then(|it| it.slots.get(place)).copied();
+                    self.operand(slot.unwrap_or(Slot::Point), operand, None);
+                }
+            }
+        }
+        self.formula(&drive.value, None);
+    }
+
+    /// What stands in parentheses; the body that it is, or is on.
+    fn operand(&mut self, slot: Slot, operand: &Reference, joint: Option<&Name>) -> Option<Owner> {
+        if let Some(body) = &operand.body {
+            let owner = self.body(body)?;
+            self.point_of(owner, &operand.name);
+            return Some(owner);
+        }
+        let name = &operand.name;
+        match slot {
+            Slot::Body | Slot::Counterpart | Slot::Carrier => self.body(name),
+            Slot::Pin if joint.is_some() => self.body(name),
+            Slot::Point | Slot::Pin => self.body_or_point(name),
+            Slot::GroundPoint => {
+                self.point_of(Owner::Ground, name);
+                Some(Owner::Ground)
+            }
+            Slot::Curve => {
+                if let Some(curve) = self.find(Space::Curves, &name.text) {
+                    self.mention(name.span, curve);
+                }
+                None
+            }
+        }
+    }
+
+    /// A body for its origin, or a point that is named alone.
+    pub(super) fn body_or_point(&mut self, name: &Name) -> Option<Owner> {
+        let owner = self.body(name);
+        if owner.is_none()
+            && let Some(point) = self.bare_point(&name.text)
+        {
+            self.mention(name.span, point);
+        }
+        owner
+    }
+
+    /// The ends of a line, on the bodies that it belongs to.
+    fn line(
+        &mut self,
+        along: &Direction,
+        line: Line,
+        owners: &[Option<Owner>],
+    ) -> [Option<SymbolId>; 2] {
+        let places = match line {
+            Line::On(owner) => [owner; 2],
+            Line::None | Line::Between | Line::Existing => [0, 1],
+        };
+        let ends = [(&along.from, places[0]), (&along.to, places[1])];
+        ends.map(|(end, place)| self.end(end, owners.get(place).copied().flatten()))
+    }
+
+    fn end(&mut self, end: &Reference, owner: Option<Owner>) -> Option<SymbolId> {
+        let owner = match &end.body {
+            Some(body) => self.body(body),
+            None => owner,
+        };
+        self.point_of(owner?, &end.name)
+    }
+
+    /// `(P, Q)` of the joint that was written along P -> Q.
+    fn existing_line(&mut self, from: &Reference, to: &Reference) {
+        let motion = self.motion;
+        let known = self.joints.iter().filter(|it| it.is_known_in(motion));
+        let found = known.filter_map(|joint| joint.along.as_ref());
+        let mut found = found.filter(|(along, _)| same(from, &along.from) && same(to, &along.to));
+        let ends = found.next().map(|(_, ends)| *ends);
+        for (place, end) in [from, to].into_iter().enumerate() {
+            if let Some(body) = &end.body {
+                self.body(body);
+            }
+            if let Some(point) = ends.and_then(|it| it[place]) {
+                self.mention(end.name.span, point);
+            }
+        }
+    }
+
+    /// The joints of a name, which a statement asks for: they keep one name.
+    pub(super) fn joints_named(&mut self, name: &Name) {
+        let motion = self.motion;
+        let known = self.joints.iter().filter(|it| it.is_known_in(motion));
+        let named = known.filter(|it| it.name.as_ref() == Some(&name.text));
+        let symbols: Vec<SymbolId> = named.filter_map(|it| it.symbol).collect();
+        for &symbol in &symbols {
+            self.mention(name.span, symbol);
+            self.unite(symbols[0], symbol);
+        }
+    }
+}
+
+impl JointNames {
+    /// Whether statements of a motion may name it.
+    fn is_known_in(&self, motion: Option<Span>) -> bool {
+        self.motion.is_none() || self.motion == motion
+    }
+}
+
+fn named(kinds: &[&'static dyn Kind], keyword: &str) -> Option<&'static dyn Kind> {
+    kinds.iter().copied().find(|kind| kind.keyword() == keyword)
+}
+
+/// Whether the end of a line is named by this.
+fn same(written: &Reference, end: &Reference) -> bool {
+    let bodies = match (&written.body, &end.body) {
+        (Some(one), Some(other)) => one.text == other.text,
+        _ => true,
+    };
+    bodies && written.name.text == end.name.text
+}

@@ -1,0 +1,160 @@
+//! *A name and another → the edits that give everything that it means the other.*
+//!
+//! Whether a name can be had is said by the generator: it reads the text as it would be. Afterwards every name means what it meant.
+
+use std::collections::HashMap;
+
+use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Severity, Source, Span};
+use linkwright_codegen::read;
+use linkwright_codegen::stages::syntax::{Kind, lexemes, parse};
+use lsp_types::{PrepareRenameResponse, TextEdit, WorkspaceEdit};
+
+use super::description::Description;
+use super::diagnostics::words;
+use super::document::Document;
+use super::names::{Mention, Names, SymbolId};
+use super::requests::Refusal;
+
+/// The name at an offset, which can be changed.
+///
+/// # Errors
+/// There is none, or the text has errors.
+pub fn place(
+    document: &Document,
+    description: &Description,
+    offset: usize,
+) -> Result<PrepareRenameResponse, Refusal> {
+    let mention = mention(description, offset)?;
+    Ok(PrepareRenameResponse::RangeWithPlaceholder {
+        range: document.text.range(mention.span),
+        placeholder: description.names.symbols[mention.symbol].name.clone(),
+    })
+}
+
+fn mention(description: &Description, offset: usize) -> Result<Mention, Refusal> {
+    // In a statement that cannot be read, a name would be left behind.
+    if !description.is_whole {
+        let mut found = Diagnostics::new();
+        let _ = parse(&description.source, &mut found);
+        let first = errors(found).into_iter().next();
+        let why = first.map_or(String::new(), |it| format!(": {}", words(&it)));
+        return Err(Refusal::failed(format!(
+            "the description cannot be read{why}"
+        )));
+    }
+    description
+        .names
+        .mention_at(offset)
+        .ok_or_else(|| Refusal::failed("no name of this description is here".to_string()))
+}
+
+/// The edits that change a name everywhere.
+///
+/// # Errors
+/// The new name cannot be had: what would be wrong is said as in a diagnostic.
+pub fn rename(
+    document: &Document,
+    description: &Description,
+    offset: usize,
+    new: &str,
+) -> Result<WorkspaceEdit, Refusal> {
+    let mention = mention(description, offset)?;
+    let names = &description.names;
+    let places = names.mentions_of(mention.symbol);
+    let source = &description.source;
+    let renamed = Source {
+        text: replaced(&source.text, &places, new),
+        ..source.clone()
+    };
+    // A text whose equations are known has no errors.
+    let before = match document.equations() {
+        Some(_) => Vec::new(),
+        None => errors(findings(source)),
+    };
+    let after = errors(findings(&renamed));
+    let mut known: Vec<(Code, String)> = before.iter().map(sentence).collect();
+    let is_new = |it: &&Diagnostic| match known.iter().position(|old| *old == sentence(it)) {
+        Some(place) => {
+            known.swap_remove(place);
+            false
+        }
+        None => true,
+    };
+    if let Some(finding) = after.iter().find(is_new) {
+        return Err(Refusal::failed(words(finding)));
+    }
+    if !is_one_name(new) {
+        return Err(Refusal::failed(format!("`{new}` is no name")));
+    }
+    let meant = Description::of(renamed);
+    if let Some(other) = other_meaning(names, &meant.names) {
+        return Err(Refusal::failed(match other {
+            Some(symbol) => format!(
+                "`{new}` is the name of a {} already",
+                names.symbols[symbol].sort.noun()
+            ),
+            None => format!("`{new}` has another meaning already"),
+        }));
+    }
+    let edits = places.iter().map(|&place| TextEdit {
+        range: document.text.range(place),
+        new_text: new.to_string(),
+    });
+    Ok(WorkspaceEdit {
+        changes: Some(HashMap::from([(document.uri.clone(), edits.collect())])),
+        ..WorkspaceEdit::default()
+    })
+}
+
+/// The text with another one at these places.
+fn replaced(text: &str, places: &[Span], by: &str) -> String {
+    let mut renamed = text.to_string();
+    for place in places.iter().rev() {
+        renamed.replace_range(place.range(), by);
+    }
+    renamed
+}
+
+fn findings(source: &Source) -> Diagnostics {
+    match read(source) {
+        Ok(read) => read.warnings,
+        Err(found) => found,
+    }
+}
+
+fn errors(found: Diagnostics) -> Vec<Diagnostic> {
+    let errors = found
+        .into_iter()
+        .filter(|it| it.severity == Severity::Error);
+    errors.collect()
+}
+
+/// What a finding says, whatever it says it about.
+fn sentence(finding: &Diagnostic) -> (Code, String) {
+    let outside = finding.message.split('`').step_by(2);
+    (finding.code, outside.collect())
+}
+
+/// Whether a text is one identifier or one integer, and nothing beside it.
+fn is_one_name(text: &str) -> bool {
+    let [only] = lexemes(text)[..] else {
+        return false;
+    };
+    let is_name = only.kind == Kind::Word || text.bytes().all(|it| it.is_ascii_digit());
+    is_name && (only.start, only.end) == (0, text.len())
+}
+
+/// Whether a name means something else after a change: what it means then, where that can be said.
+fn other_meaning(before: &Names, after: &Names) -> Option<Option<SymbolId>> {
+    let mut pairs = before.mentions.iter().zip(&after.mentions);
+    let same = |one: &Mention, other: &Mention| before.are_same(one.symbol, other.symbol);
+    if let Some((_, other)) = pairs.find(|(one, other)| {
+        one.symbol >= after.symbols.len()
+            || other.symbol >= before.symbols.len()
+            || !same(one, other)
+    }) {
+        return Some((other.symbol < before.symbols.len()).then_some(other.symbol));
+    }
+    let count = |names: &Names| (names.mentions.len(), names.symbols.len());
+    (count(before) != count(after)).then_some(None)
+}

@@ -1,0 +1,163 @@
+//! *A question about a document → its answer.* Which question goes to which room, and where in the text it was asked.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use lsp_server::ErrorCode;
+use lsp_types as lsp;
+use lsp_types::Uri;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+use super::description::Description;
+use super::document::Document;
+use super::{completion, definition, formatting, hover, outline, rename};
+
+/// Why a question has no answer.
+#[derive(Debug)]
+pub struct Refusal {
+    /// The class of reasons.
+    pub code: ErrorCode,
+    /// The reason.
+    pub message: String,
+}
+
+impl Refusal {
+    /// A reason of a class.
+    pub fn new(code: ErrorCode, message: &str) -> Refusal {
+        Refusal {
+            code,
+            message: message.to_string(),
+        }
+    }
+
+    /// What was asked cannot be done.
+    pub fn failed(message: String) -> Refusal {
+        Refusal {
+            code: ErrorCode::RequestFailed,
+            message,
+        }
+    }
+}
+
+/// Parameters of a question.
+///
+/// # Errors
+/// They are not what the protocol says.
+pub fn read<T: DeserializeOwned>(params: Value) -> Result<T, Refusal> {
+    serde_json::from_value(params)
+        .map_err(|error| Refusal::new(ErrorCode::InvalidParams, &error.to_string()))
+}
+
+/// An answer as JSON.
+///
+/// # Errors
+/// It cannot be written.
+pub fn written(answer: &impl Serialize) -> Result<Value, Refusal> {
+    serde_json::to_value(answer)
+        .map_err(|error| Refusal::new(ErrorCode::InternalError, &error.to_string()))
+}
+
+/// Where in a document something was asked.
+struct Asked<'a> {
+    document: &'a Document,
+    description: Rc<Description>,
+    offset: usize,
+}
+
+type Documents = BTreeMap<String, Document>;
+
+fn opened<'a>(documents: &'a mut Documents, uri: &Uri) -> Result<&'a mut Document, Refusal> {
+    documents
+        .get_mut(uri.as_str())
+        .ok_or_else(|| Refusal::new(ErrorCode::InvalidParams, "this document is not open"))
+}
+
+fn asked<'a>(
+    documents: &'a mut Documents,
+    at: &lsp::TextDocumentPositionParams,
+) -> Result<Asked<'a>, Refusal> {
+    let document = opened(documents, &at.text_document.uri)?;
+    let description = document.description();
+    let offset = document.text.offset(at.position);
+    Ok(Asked {
+        document,
+        description,
+        offset,
+    })
+}
+
+/// The answer to a question.
+///
+/// # Errors
+/// The question is not known, or cannot be answered.
+pub fn answer(method: &str, params: Value, documents: &mut Documents) -> Result<Value, Refusal> {
+    match method {
+        "textDocument/hover" => {
+            let params: lsp::HoverParams = read(params)?;
+            let at = asked(documents, &params.text_document_position_params)?;
+            written(&hover::hover(at.document, &at.description, at.offset))
+        }
+        "textDocument/definition" => {
+            let params: lsp::GotoDefinitionParams = read(params)?;
+            let at = asked(documents, &params.text_document_position_params)?;
+            let found = definition::definitions(&at.description.names, at.offset);
+            written(&definition::locations(at.document, &found))
+        }
+        "textDocument/references" => {
+            let params: lsp::ReferenceParams = read(params)?;
+            let at = asked(documents, &params.text_document_position)?;
+            let is_with_declaration = params.context.include_declaration;
+            let names = &at.description.names;
+            let found = definition::references(names, at.offset, is_with_declaration);
+            written(&definition::locations(at.document, &found))
+        }
+        "textDocument/documentHighlight" => {
+            let params: lsp::DocumentHighlightParams = read(params)?;
+            let at = asked(documents, &params.text_document_position_params)?;
+            let found = definition::references(&at.description.names, at.offset, true);
+            let ranges = found.into_iter().map(|span| lsp::DocumentHighlight {
+                range: at.document.text.range(span),
+                kind: None,
+            });
+            written(&ranges.collect::<Vec<_>>())
+        }
+        "textDocument/completion" => {
+            let params: lsp::CompletionParams = read(params)?;
+            let at = asked(documents, &params.text_document_position)?;
+            written(&completion::items(at.document, &at.description, at.offset))
+        }
+        "textDocument/prepareRename" => {
+            let params: lsp::TextDocumentPositionParams = read(params)?;
+            let at = asked(documents, &params)?;
+            written(&rename::place(at.document, &at.description, at.offset)?)
+        }
+        "textDocument/rename" => {
+            let params: lsp::RenameParams = read(params)?;
+            let at = asked(documents, &params.text_document_position)?;
+            let new = params.new_name.as_str();
+            written(&rename::rename(
+                at.document,
+                &at.description,
+                at.offset,
+                new,
+            )?)
+        }
+        "textDocument/documentSymbol" => {
+            let params: lsp::DocumentSymbolParams = read(params)?;
+            let document = opened(documents, &params.text_document.uri)?;
+            let description = document.description();
+            written(&outline::outline(document, &description))
+        }
+        "textDocument/formatting" => {
+            let params: lsp::DocumentFormattingParams = read(params)?;
+            let document = opened(documents, &params.text_document.uri)?;
+            written(&formatting::edits(document))
+        }
+        _ => Err(Refusal::new(
+            ErrorCode::MethodNotFound,
+            &format!("`{method}` is not offered"),
+        )),
+    }
+}

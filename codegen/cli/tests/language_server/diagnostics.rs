@@ -1,0 +1,162 @@
+//! Findings while typing: are they those of the command line, at the same places?
+
+use linkwright_codegen::diagnostic::{Diagnostics, Severity, Source};
+use linkwright_codegen::stages::files;
+use linkwright_codegen::{attach_files, generate};
+use serde_json::{Value, json};
+
+use crate::client::{Client, UNSAVED, address, descriptions};
+
+/// What the generator says about a description.
+fn said(source: &Source) -> Diagnostics {
+    match generate(source) {
+        Ok(generated) => generated.warnings,
+        Err(found) => found,
+    }
+}
+
+/// A line and a column, in UTF-16 from 0, of an offset.
+fn place(text: &str, offset: u32) -> Value {
+    let before = &text[..(offset as usize).min(text.len())];
+    let line = before.rsplit('\n').next().unwrap_or(before);
+    json!({ "line": before.matches('\n').count(), "character": line.encode_utf16().count() })
+}
+
+/// Everything that is said about a description is published, and nothing else.
+#[test]
+fn findings_are_those_of_the_command_line() {
+    let mut client = Client::start();
+    let mut compared = 0;
+    for folder in ["tests/cases/errors", "mechanisms"] {
+        for (path, text) in descriptions(folder) {
+            let source = Source::new(path.display().to_string(), text.as_str());
+            let source = attach_files(source, files::folder_of(&path));
+            client.open(&address(&path), &text);
+            let expected = said(&source).into_sorted();
+            let found = client.findings_when(|found| found.len() == expected.len());
+            for (found, expected) in found.iter().zip(&expected) {
+                let name = path.display();
+                let severity = match expected.severity {
+                    Severity::Error => 1,
+                    Severity::Warning => 2,
+                };
+                assert_eq!(found["severity"], severity, "{name}");
+                assert_eq!(found["code"], expected.code.to_string(), "{name}");
+                let span = expected.primary.span;
+                let [start, end] = [span.start, span.end.max(span.start)];
+                assert_eq!(found["range"]["start"], place(&text, start), "{name}");
+                assert_eq!(found["range"]["end"], place(&text, end), "{name}");
+                let message = found["message"].as_str().expect("a text");
+                let mut words = vec![&expected.message, &expected.primary.text];
+                words.extend(&expected.notes);
+                words.extend(&expected.help);
+                for words in words {
+                    assert!(message.contains(words.as_str()), "{name}: {message}");
+                }
+                let related = found["relatedInformation"].as_array();
+                let related = related.map_or(&[][..], Vec::as_slice);
+                assert_eq!(related.len(), expected.secondary.len(), "{name}");
+                for (found, expected) in related.iter().zip(&expected.secondary) {
+                    let start = &found["location"]["range"]["start"];
+                    assert_eq!(*start, place(&text, expected.span.start), "{name}");
+                }
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 200, "only {compared} findings were compared");
+    client.finish();
+}
+
+/// A text with characters of one, two, three and four bytes before a slip.
+const WIDE: &str = "mechanism m {\n    /* \u{e4}\u{20ac}\u{1d54f} */ point A = (sine(1), 0);\n    body 1 at A;\n}\n";
+
+#[test]
+fn columns_are_counted_as_agreed() {
+    for (offered, agreed, column) in [
+        (json!(["utf-8", "utf-16"]), "utf-8", 31),
+        (json!(["utf-16"]), "utf-16", 26),
+        (json!(null), "utf-16", 26),
+    ] {
+        let mut client = Client::with(json!({ "general": { "positionEncodings": offered } }));
+        assert_eq!(client.offered["positionEncoding"], agreed);
+        client.open(UNSAVED, WIDE);
+        let found = client.findings();
+        assert_eq!(found[0]["code"], "K13");
+        assert_eq!(
+            found[0]["range"]["start"],
+            json!({ "line": 1, "character": column })
+        );
+        // The slip is mended, in the columns that were agreed on.
+        let range = json!({
+            "start": { "line": 1, "character": column },
+            "end": { "line": 1, "character": column + 4 },
+        });
+        client.change(UNSAVED, json!({ "range": range, "text": "sin" }));
+        client.findings_with("K32");
+        client.finish();
+    }
+}
+
+#[test]
+fn a_client_without_related_places_is_told_the_lines() {
+    let mut client = Client::with(json!({}));
+    client.open(
+        UNSAVED,
+        "mechanism m {\n    point A = (0, 0);\n    point A = (1, 0);\n}\n",
+    );
+    let found = client.findings();
+    let message = found[0]["message"].as_str().expect("a text");
+    assert!(
+        message.ends_with("line 2: first declared here"),
+        "{message}"
+    );
+    assert!(found[0].get("relatedInformation").is_none());
+    client.finish();
+}
+
+#[test]
+fn tables_are_read_from_the_folder_of_the_document() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("language server tables");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let path = folder.join("cam.mech");
+    let text = "mechanism m {\n    table lift = \"lift.csv\";\n    body 1 at (0, 0);\n    absolute_x(1) = 0;\n    absolute_y(1) = 0;\n    drive phi(1) = lift(t);\n}\n";
+    std::fs::write(&path, "not what is edited").expect("written");
+    std::fs::write(folder.join("lift.csv"), "0,0\n1,1\n2,0\n").expect("written");
+    let uri = address(&path).replace(' ', "%20");
+    let mut client = Client::start();
+    client.open(&uri, text);
+    client.findings_when(<[Value]>::is_empty);
+    std::fs::write(folder.join("lift.csv"), "0,0\n1,1\n1,0\n").expect("written");
+    client.note(
+        "textDocument/didSave",
+        json!({ "textDocument": { "uri": uri } }),
+    );
+    client.findings_with("K27");
+    // A description that is not saved has no folder.
+    client.open(UNSAVED, text);
+    let found = client.findings_with("K29");
+    let message = found[0]["message"].as_str().expect("a text");
+    assert!(
+        message.contains("the description is not saved yet"),
+        "{message}"
+    );
+    client.finish();
+}
+
+/// Of a text that has been typed on, nothing is said; of the newest, everything.
+#[test]
+fn only_the_newest_text_is_reported() {
+    let mut client = Client::start();
+    client.open(UNSAVED, "mechanism m {");
+    for number in 0..200 {
+        let text = format!("mechanism m {{ const c{number} = d; body 1 at (0, 0); }}");
+        client.change(UNSAVED, json!({ "text": text }));
+    }
+    let found = client.findings();
+    assert_eq!(
+        found[0]["message"].as_str().map(|it| it.lines().next()),
+        Some(Some("no constant is named `d`"))
+    );
+    client.finish();
+}

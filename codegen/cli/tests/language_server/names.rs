@@ -1,0 +1,180 @@
+//! Names of whole descriptions: does every one have a meaning, and is it kept when it is renamed?
+
+use linkwright_cli::language_server::names::{Names, Sort};
+use linkwright_codegen::diagnostic::{Diagnostics, Source};
+use linkwright_codegen::stages::emit::{Notation, text};
+use linkwright_codegen::stages::files;
+use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS};
+use linkwright_codegen::stages::model::{AXES, ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
+use linkwright_codegen::stages::syntax::{
+    BUILT_IN, CLAUSES, KEYWORDS, Kind, LEVELS, lexemes, parse,
+};
+use linkwright_codegen::{attach_files, read};
+
+use crate::client::{descriptions, repository};
+
+/// Where descriptions without an error are.
+const FOLDERS: [&str; 5] = [
+    "mechanisms",
+    "tests/descriptions",
+    "tests/stability",
+    "tests/fixtures/plans",
+    "codegen/cli/src/template",
+];
+
+fn sources() -> Vec<Source> {
+    let mut all = Vec::new();
+    for folder in FOLDERS {
+        for (path, text) in descriptions(folder) {
+            let source = Source::new(path.display().to_string(), text);
+            all.push(attach_files(source, files::folder_of(&path)));
+        }
+    }
+    // The examples of the language reference.
+    let reference = std::fs::read_to_string(repository().join("mechanisms/README.md"));
+    let reference = reference.expect("the reference");
+    let blocks = reference.split("```mech\n").skip(1);
+    for (number, block) in blocks.enumerate() {
+        let text = block.split("```").next().unwrap_or_default();
+        all.push(Source::new(format!("example {number}"), text));
+    }
+    all.retain(|source| read(source).is_ok());
+    all
+}
+
+fn names(source: &Source) -> Names {
+    let document = parse(source, &mut Diagnostics::new());
+    {
+        let lexemes = lexemes(&source.text);
+        document
+            .as_ref()
+            .map(|it| Names::of(it, &source.text, &lexemes))
+            .unwrap_or_default()
+    }
+}
+
+/// The words of the language that may stand anywhere in a statement.
+fn is_word_of_the_language(word: &str) -> bool {
+    let kinds = CONSTRAINTS.iter().chain(DRIVERS).map(|it| it.keyword());
+    let words = [FUNCTIONS, LAWS, BUILT_IN, UNITS].concat();
+    let mut words = words
+        .into_iter()
+        .chain(KEYWORDS)
+        .chain(CLAUSES)
+        .chain(AXES)
+        .chain(LEVELS)
+        .chain(ENDS_OF_TABLES)
+        .chain(["mechanism", "ground"])
+        .chain(kinds);
+    words.any(|it| it == word)
+}
+
+#[test]
+fn every_word_is_a_name_or_one_of_the_language() {
+    let mut count = 0;
+    for source in sources() {
+        let names = names(&source);
+        for lexeme in lexemes(&source.text) {
+            let word = &source.text[lexeme.start..lexeme.end];
+            if lexeme.kind != Kind::Word || is_word_of_the_language(word) {
+                continue;
+            }
+            let mention = names.mention_at(lexeme.start);
+            let found = mention.map(|it| &source.text[it.span.range()]);
+            let position = source.position(lexeme.start as u32);
+            assert_eq!(found, Some(word), "{}:{}", source.name, position.line);
+            count += 1;
+        }
+    }
+    assert!(count > 2000, "only {count} names");
+}
+
+/// The equations of every motion and what is asked of it, in words. Points are listed in the order of their names: where that of a point is
+/// another, they are ordered by where they are.
+fn equations(source: &Source, is_point: bool) -> Vec<String> {
+    let read = read(source).unwrap_or_else(|found| panic!("{}", found.render(source)));
+    let mut all = Vec::new();
+    for system in &read.motions {
+        let formula = |expr| text::formula(system, &[], Notation::Ascii, expr);
+        for row in system.rows.iter().chain(&system.monitored) {
+            all.push(row.name.clone());
+            all.push(text::formula(
+                system,
+                &row.bodies,
+                Notation::Ascii,
+                row.residual,
+            ));
+        }
+        let places = system
+            .outputs
+            .iter()
+            .map(|it| it.position.map(formula).concat());
+        let mut places: Vec<String> = places.collect();
+        if is_point {
+            places.sort();
+        }
+        all.extend(places);
+        let mechanism = &system.mechanism;
+        all.extend(mechanism.joints.iter().map(|it| it.label.clone()));
+        all.extend(mechanism.constants.iter().map(|it| formula(it.value)));
+        let wanted = (
+            &mechanism.requests,
+            &mechanism.transmissions,
+            &mechanism.sensitivities,
+        );
+        all.push(format!("{wanted:?}"));
+        let forces = &mechanism.forces;
+        all.extend(forces.loads.iter().map(|it| it.label.clone()));
+        all.push(format!("{:?}", forces.reactions));
+    }
+    all
+}
+
+/// A text whose words are compared without regard to how long they are.
+fn words(text: &str) -> Vec<String> {
+    let is_part = |it: char| it.is_alphanumeric() || it == '_';
+    let spaced: String = text
+        .chars()
+        .map(|it| if is_part(it) { it } else { ' ' })
+        .collect();
+    spaced.split_whitespace().map(str::to_lowercase).collect()
+}
+
+/// What everything is called instead. A point of two bodies becomes one that names both, so a name must not look like that.
+const FRESH: &str = "zzfresh";
+
+/// Every name of every description is renamed, one by one: the description says the same, with another name.
+#[test]
+fn a_renamed_description_says_the_same() {
+    let mut count = 0;
+    for source in sources() {
+        let names = names(&source);
+        let mut done: Vec<usize> = Vec::new();
+        for (id, symbol) in names.symbols.iter().enumerate() {
+            if done.iter().any(|&it| names.are_same(it, id)) {
+                continue;
+            }
+            done.push(id);
+            let mut renamed = source.clone();
+            for place in names.mentions_of(id).iter().rev() {
+                let declared = &source.text[symbol.declared.range()];
+                assert_eq!(&source.text[place.range()], declared, "{}", source.name);
+                renamed.text.replace_range(place.range(), FRESH);
+            }
+            let what = format!("{}: {:?} `{}`", source.name, symbol.sort, symbol.name);
+            let is_point = matches!(symbol.sort, Sort::Point | Sort::BodyPoint);
+            let [before, after] = [&source, &renamed].map(|it| equations(it, is_point));
+            assert_eq!(before.len(), after.len(), "{what}");
+            for (before, after) in before.iter().zip(&after) {
+                let [before, after] = [words(before), words(after)];
+                assert_eq!(before.len(), after.len(), "{what}");
+                for (one, other) in before.iter().zip(&after) {
+                    let is_same = one == other || other.contains(FRESH);
+                    assert!(is_same, "{what}: {one} became {other}");
+                }
+            }
+            count += 1;
+        }
+    }
+    assert!(count > 1000, "only {count} names");
+}
