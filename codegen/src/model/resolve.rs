@@ -65,7 +65,10 @@ pub(super) fn resolve_statements<'a>(
     let mut resolver = Resolver::new(graph, time, naming, diagnostics);
     resolver.declared.attachments = &document.attachments;
     resolver.declared.carried = carried;
-    resolver.diagnostics.extend((naming.mechanism)(&item.name));
+    // A name that is missing has been reported.
+    if !item.name.text.is_empty() {
+        resolver.diagnostics.extend((naming.mechanism)(&item.name));
+    }
     for statement in statements {
         let before = resolver.diagnostics.mark();
         resolver.add(statement);
