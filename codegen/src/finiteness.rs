@@ -59,16 +59,11 @@ pub(crate) fn of_program(system: &System, program: Option<&Program>, range: Rang
     });
     let blocks = program.blocks.iter().map(|block| of_block(block, system));
     let blocks: Vec<Part> = blocks.chain(path).collect();
-    let undefined: Vec<Diagnostic> = undefined(&blocks, system).collect();
-    let first = undefined.first().map(|first| first.primary.span);
-    let in_program = system.mechanism.graph.excess();
-    let in_program =
-        in_program.map(|excess| beyond_bounds(excess, first.unwrap_or(system.mechanism.span)));
-    if let Some(passed) = passed(system).or(in_program) {
-        found.push(passed);
+    let (is_within, of_blocks) = of_parts(&blocks, system);
+    found.extend(of_blocks);
+    if !is_within {
         return found;
     }
-    found.extend(undefined);
     for sensitivity in &program.sensitivities {
         found.extend(undefined_sensitivity(sensitivity, system));
     }
@@ -87,6 +82,32 @@ pub(crate) fn of_program(system: &System, program: Option<&Program>, range: Rang
         ));
     }
     found
+}
+
+/// The same of blocks alone.
+pub(crate) fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
+    let parts = blocks.iter().map(|block| of_block(block, system));
+    of_parts(&parts.collect::<Vec<_>>(), system).1
+}
+
+/// Whether the bounds have been kept, and the one that was passed or else what is undefined in the parts of a program.
+fn of_parts(parts: &[Part], system: &System) -> (bool, Diagnostics) {
+    let undefined: Vec<Diagnostic> = undefined(parts, system).collect();
+    let first = undefined.first().map(|first| first.primary.span);
+    let in_program = system.mechanism.graph.excess();
+    let in_program =
+        in_program.map(|excess| beyond_bounds(excess, first.unwrap_or(system.mechanism.span)));
+    let mut found = Diagnostics::new();
+    match passed(system).or(in_program) {
+        Some(passed) => {
+            found.push(passed);
+            (false, found)
+        }
+        None => {
+            found.extend(undefined);
+            (true, found)
+        }
+    }
 }
 
 impl Range {

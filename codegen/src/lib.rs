@@ -249,19 +249,51 @@ pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
     if !structure::analyze(system, &mut diagnostics) {
         return Err(diagnostics.respelled(spellings));
     }
+    let mut diagnostics = diagnostics.respelled(spellings);
     let mut system = system.clone();
     let solved = structure::plan(&mut system);
     let program = solved.map(|solved| program::lower(&mut system, &solved));
-    diagnostics.extend(finiteness::of_program(
-        &system,
-        program.as_ref(),
-        finiteness::Range::F64,
-    ));
-    if diagnostics.has_errors() {
-        return Err(diagnostics.respelled(spellings));
+    diagnostics.extend(findings(&system, program.as_ref())?);
+    Ok(diagnostics)
+}
+
+/// Checks what solves a system: that its numbers are numbers. Gives warnings. Where nothing solves it, only the bounds of work are
+/// checked.
+///
+/// # Errors
+/// Numbers that become infinite or undefined, and work beyond its bounds.
+pub fn findings(
+    system: &System,
+    program: Option<&stages::program::Program>,
+) -> Result<Diagnostics, Diagnostics> {
+    let spellings = &system.mechanism.spellings;
+    let mut found = finiteness::of_program(system, program, finiteness::Range::F64);
+    if found.has_errors() {
+        return Err(found.respelled(spellings));
     }
-    diagnostics.extend(program.iter().flat_map(|it| modes::of_program(&system, it)));
-    Ok(diagnostics.respelled(spellings))
+    found.extend(
+        program
+            .iter()
+            .flat_map(|it| modes::undecided(system, &it.blocks, &it.branches)),
+    );
+    Ok(found.respelled(spellings))
+}
+
+/// The same of what a derivation shows.
+///
+/// # Errors
+/// Those of [`findings`].
+pub fn findings_of_derivation(
+    derivation: &stages::emit::derivation::Derivation<'_>,
+) -> Result<Diagnostics, Diagnostics> {
+    let (system, blocks) = (derivation.system(), derivation.blocks());
+    let spellings = &system.mechanism.spellings;
+    let mut found = finiteness::of_blocks(system, blocks);
+    if found.has_errors() {
+        return Err(found.respelled(spellings));
+    }
+    found.extend(modes::undecided(system, blocks, derivation.branches()));
+    Ok(found.respelled(spellings))
 }
 
 /// The same for every motion; a finding of some motions alone names the motion.
@@ -364,7 +396,11 @@ fn files_of(
         let motion = system.mechanism.motion.as_ref();
         let name = motion.map_or(String::new(), |motion| motion.name.clone());
         let mut own = finiteness::of_program(&system, program.as_ref(), range);
-        own.extend(program.iter().flat_map(|it| modes::of_program(&system, it)));
+        own.extend(
+            program
+                .iter()
+                .flat_map(|it| modes::undecided(&system, &it.blocks, &it.branches)),
+        );
         found.push((name, own.respelled(&system.mechanism.spellings)));
         if let (Some(plan), Some(program)) = (plan, program) {
             lowered.push((system, plan, program));

@@ -59,7 +59,12 @@ impl Calibrator {
     /// Of a system with the sensitivities to the parameters that are to be fitted, as [`linkwright_codegen::read_along`] gives it;
     /// `step` is the largest time between frames (s). `None` where its blocks cannot be ordered.
     pub fn new(system: &System, step: f64) -> Option<Calibrator> {
-        let view = Interpreted::new(system)?;
+        Some(Calibrator::of(Interpreted::new(system)?, step))
+    }
+
+    /// The same of its blocks.
+    #[must_use]
+    pub fn of(view: Interpreted, step: f64) -> Calibrator {
         let modes = view.drawn_branches();
         let own = view.system();
         let places: Vec<usize> = own
@@ -79,7 +84,7 @@ impl Calibrator {
         let nominal = places.iter().map(|it| all.0[*it]).collect();
         let symbols: Vec<SymbolId> = places.iter().map(|it| parameters[*it].symbol).collect();
         let points = point_slopes(&view, &symbols);
-        Some(Calibrator {
+        Calibrator {
             nominal,
             places,
             names,
@@ -87,7 +92,7 @@ impl Calibrator {
             step,
             points,
             view,
-        })
+        }
     }
 
     /// The same in these assembly modes, instead of those of the drawing.

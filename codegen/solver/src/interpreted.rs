@@ -14,6 +14,8 @@ use linkwright::{
     BlockName, Blocks, Branch, Conditions, Failure, FailureKind, Frame, Measure, Pair, PointMotion,
     Span, Start, Tube, Values, block, kinematics,
 };
+use linkwright_codegen::diagnostic::Diagnostics;
+use linkwright_codegen::findings;
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::{
     BlockWords, Script, SingularPose, block_words, singular_poses,
@@ -100,12 +102,27 @@ pub(crate) struct State {
 impl Interpreted {
     /// The blocks of a system; `None` where its equations do not determine the motion.
     pub fn new(system: &System) -> Option<Interpreted> {
-        let mut system = system.clone();
-        // What is asked for would leave other things out.
-        system.mechanism.requests.clear();
-        system.mechanism.monitor = false;
+        let mut system = everything(system);
         let plan = structure::plan(&mut system)?;
         let program = lower_with_unknowns(&mut system, &plan);
+        Some(Interpreted::of(system, plan, program))
+    }
+
+    /// The same with warnings about what solves the system.
+    ///
+    /// # Errors
+    /// Numbers in the blocks that become infinite or undefined, and work beyond its bounds.
+    pub fn checked(system: &System) -> Result<(Option<Interpreted>, Diagnostics), Diagnostics> {
+        let mut system = everything(system);
+        let Some(plan) = structure::plan(&mut system) else {
+            return Ok((None, findings(&system, None)?));
+        };
+        let program = lower_with_unknowns(&mut system, &plan);
+        let warnings = findings(&system, Some(&program))?;
+        Ok((Some(Interpreted::of(system, plan, program)), warnings))
+    }
+
+    fn of(mut system: System, plan: SolvedPlan, program: Program) -> Interpreted {
         let measured = measured(&mut system, &plan, &program);
         let compiled = Compiled::new(system, plan, program, measured);
         let points: Vec<ExprId> = compiled
@@ -117,7 +134,7 @@ impl Interpreted {
             .collect();
         let graph = &compiled.system.mechanism.graph;
         let path = compiled.path.as_ref();
-        Some(Interpreted {
+        Interpreted {
             points: Reader::new(graph, &compiled.layout, &points),
             derivatives: of_program(&compiled.program, &compiled.layout),
             forces: forces::of_program(&compiled.program, &compiled.layout),
@@ -126,7 +143,7 @@ impl Interpreted {
             compiled: Arc::new(compiled),
             residuals: Cell::new(0),
             solves: Cell::new(0),
-        })
+        }
     }
 
     /// The plan that is followed.
@@ -262,6 +279,15 @@ impl Interpreted {
         equations.set(&found);
         Ok(measure)
     }
+}
+
+/// A system of which nothing is left out.
+fn everything(system: &System) -> System {
+    let mut system = system.clone();
+    // What is asked for would leave other things out.
+    system.mechanism.requests.clear();
+    system.mechanism.monitor = false;
+    system
 }
 
 /// The time of the last instant, which Newton-Raphson goes on from.

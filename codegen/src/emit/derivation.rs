@@ -25,25 +25,77 @@ use std::sync::Arc;
 
 use super::Notation;
 use crate::program::forms::Form;
+use crate::program::{Block, Branch, unpruned};
 use crate::structure::SolvedPlan;
 use crate::system::System;
 use crate::words::Phrase;
 use page::Writer;
 use spelling::Spelling;
 
+/// The functions of all blocks with nothing left out, which any page shows.
+pub struct Derivation<'a> {
+    system: System,
+    plan: &'a SolvedPlan,
+    blocks: Vec<Block>,
+    branches: Vec<Branch>,
+}
+
+impl<'a> Derivation<'a> {
+    /// Of a system and its plan.
+    pub fn new(mut system: System, plan: &'a SolvedPlan) -> Derivation<'a> {
+        let (blocks, branches) = unpruned(&mut system, plan);
+        Derivation {
+            system,
+            plan,
+            blocks,
+            branches,
+        }
+    }
+
+    /// The system with what has been computed on the way.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// What is shown, block by block.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// The assembly modes.
+    pub fn branches(&self) -> &[Branch] {
+        &self.branches
+    }
+
+    /// As plain text.
+    pub fn text(self, notation: Notation) -> String {
+        text_page::page(&Writer::new(self, Script::Text(notation)).document())
+    }
+
+    /// As a LaTeX document, which needs amsmath only.
+    pub fn latex(self) -> String {
+        latex_page::page(&Writer::new(self, Script::Latex).document())
+    }
+
+    /// As parts of a page with MathML.
+    pub fn html(self) -> HtmlDerivation {
+        html_page::page(&Writer::new(self, Script::Html).document())
+    }
+}
+
 /// The derivation as plain text.
 pub fn text(system: &System, plan: &SolvedPlan, notation: Notation) -> String {
-    text_page::page(&Writer::new(system, plan, Script::Text(notation)).document())
+    Derivation::new(system.clone(), plan).text(notation)
 }
 
 /// The derivation as a LaTeX document, which needs amsmath only.
 pub fn latex(system: &System, plan: &SolvedPlan) -> String {
-    latex_page::page(&Writer::new(system, plan, Script::Latex).document())
+    Derivation::new(system.clone(), plan).latex()
 }
 
 /// The derivation as parts of a page with MathML.
 pub fn html(system: &System, plan: &SolvedPlan) -> HtmlDerivation {
-    html_page::page(&Writer::new(system, plan, Script::Html).document())
+    Derivation::new(system.clone(), plan).html()
 }
 
 /// The table at the head of the derivation alone: unknowns, method and joints of each block in solve order.
@@ -60,7 +112,7 @@ pub fn singular_poses(
     forms: &[Vec<Arc<dyn Form>>],
     script: Script,
 ) -> Vec<SingularPose> {
-    singular::singular_poses(&mut Spelling::new(system, script), plan, forms)
+    singular::singular_poses(&mut Spelling::new(system.clone(), script), plan, forms)
 }
 
 /// What each joint and driver asks for, in the order of the mechanism, as sentences with formulas in MathML.
@@ -71,7 +123,7 @@ pub fn constraints_in_html(system: &System) -> Vec<String> {
         .collect();
     // What has been made of expressions is in this graph.
     let mut spelling = Spelling::new(
-        &System {
+        System {
             mechanism,
             ..system.clone()
         },
@@ -91,7 +143,7 @@ impl PlainWords {
     /// For words about this system.
     pub fn new(system: &System, notation: Notation) -> PlainWords {
         PlainWords {
-            spelling: RefCell::new(Spelling::new(system, Script::Text(notation))),
+            spelling: RefCell::new(Spelling::new(system.clone(), Script::Text(notation))),
         }
     }
 

@@ -5,7 +5,7 @@ use linkwright_codegen::diagnostic::{Source, nearest};
 use linkwright_codegen::stages::system::System;
 
 use super::description::{
-    chosen, determined, no_order, outputs_besides, rendered, set_all, source,
+    chosen, determined, interpreted, no_order, outputs_besides, rendered, set_all, source,
 };
 use super::rewritten::rewritten;
 use super::{Outcome, Problem, print, say};
@@ -51,8 +51,8 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
         }
         None => None,
     };
-    let calibrator = Calibrator::new(&system, arguments.step);
-    let mut calibrator = calibrator.ok_or_else(|| no_order(&arguments.described.file))?;
+    let view = interpreted(&system, &source, &arguments.described.file)?;
+    let mut calibrator = Calibrator::of(view, arguments.step);
     if let Some((_, modes)) = chosen(&arguments.setting.branch, calibrator.view(), data.times[0])? {
         calibrator = calibrator.in_modes(modes);
     }

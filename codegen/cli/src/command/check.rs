@@ -34,7 +34,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
         None => None,
     };
     let mut progress = Progress::new(schedule.visits());
-    let interpreted = interpreted(&system, &arguments.described.file)?;
+    let interpreted = interpreted(&system, &source, &arguments.described.file)?;
     let check = Check::new(interpreted, &schedule, |count| progress.reached(count));
     progress.finish();
     print(|output| match arguments.json {

@@ -45,7 +45,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
             pictures.push(outputs.file(&path, picture::SIGNATURE)?);
         }
     }
-    let interpreted = interpreted(&system, &arguments.described.file)?;
+    let interpreted = interpreted(&system, &source, &arguments.described.file)?;
     let chosen = chosen(&arguments.setting.branch, &interpreted, start)?;
     let wanted = Wanted {
         points: Vec::new(),

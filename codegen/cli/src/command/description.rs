@@ -7,6 +7,7 @@ use std::{fs, io};
 use linkwright_codegen::diagnostic::{Diagnostics, Source, nearest};
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::model::set;
+use linkwright_codegen::stages::structure;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
@@ -122,8 +123,20 @@ pub fn set_all(system: &mut System, assignments: &[String]) -> Result<(), Proble
 /// # Errors
 /// All errors of the description, rendered; no motion of the wanted name.
 pub fn motions(source: &Source, wanted: Option<&str>) -> Result<Vec<System>, Problem> {
+    let mut warnings = Diagnostics::new();
+    let motions = read(source, wanted, &mut warnings);
+    warn(&warnings, source);
+    motions
+}
+
+/// The same; warnings are given.
+fn read(
+    source: &Source,
+    wanted: Option<&str>,
+    warnings: &mut Diagnostics,
+) -> Result<Vec<System>, Problem> {
     let read = linkwright_codegen::read(source).map_err(|found| rendered(&found, source))?;
-    warn(&read.warnings, source);
+    warnings.extend(read.warnings.clone());
     match wanted {
         None => Ok(read.motions),
         Some(name) => match read.motion(name) {
@@ -133,36 +146,67 @@ pub fn motions(source: &Source, wanted: Option<&str>) -> Result<Vec<System>, Pro
     }
 }
 
-/// The equations of the wanted motion of a description, or of its only one, which determine the motion.
+/// The equations of the wanted motion of a description, or of its only one, which determine the motion; warnings go to stderr.
 ///
 /// # Errors
 /// All errors of the description, too few and too many equations among them; several motions where none is named.
 pub fn determined(source: &Source, wanted: Option<&str>) -> Result<System, Problem> {
-    let mut motions = motions(source, wanted)?;
+    let mut warnings = Diagnostics::new();
+    let system = determined_with(source, wanted, &mut warnings);
+    warn(&warnings, source);
+    system
+}
+
+/// The same; warnings are given.
+///
+/// # Errors
+/// Those of [`determined`].
+pub fn determined_with(
+    source: &Source,
+    wanted: Option<&str>,
+    warnings: &mut Diagnostics,
+) -> Result<System, Problem> {
+    let mut motions = read(source, wanted, warnings)?;
     if motions.len() > 1 {
         return Err(several(source, &motions));
     }
     // There is always one.
     let system = motions.remove(0);
-    let warnings = linkwright_codegen::check(&system).map_err(|found| rendered(&found, source))?;
-    warn(&warnings, source);
+    let mut found = Diagnostics::new();
+    let is_determined = structure::analyze(&system, &mut found);
+    let found = found.respelled(&system.mechanism.spellings);
+    match is_determined {
+        true => warnings.extend(found),
+        false => return Err(rendered(&found, source)),
+    }
     Ok(system)
 }
 
-/// What stops nothing and has been printed already of a description and one of its motions, as it was printed.
-pub fn findings(source: &Source, system: &System) -> String {
-    let read = linkwright_codegen::read(source).map(|read| read.warnings);
-    let found = [read, linkwright_codegen::check(system)];
-    let found = found.into_iter().flatten().filter(|it| !it.is_empty());
-    found.map(|it| it.render(source)).collect()
-}
-
-/// The blocks of a system.
+/// The blocks of a system; warnings go to stderr.
 ///
 /// # Errors
-/// There is no order in which they could be solved.
-pub fn interpreted(system: &System, path: &Path) -> Result<Interpreted, Problem> {
-    Interpreted::new(system).ok_or_else(|| no_order(path))
+/// Numbers in them become infinite or undefined, or there is no order in which they could be solved.
+pub fn interpreted(system: &System, source: &Source, path: &Path) -> Result<Interpreted, Problem> {
+    let mut warnings = Diagnostics::new();
+    let interpreted = interpreted_with(system, source, path, &mut warnings);
+    warn(&warnings, source);
+    interpreted
+}
+
+/// The same; warnings are given.
+///
+/// # Errors
+/// Those of [`interpreted`].
+pub fn interpreted_with(
+    system: &System,
+    source: &Source,
+    path: &Path,
+    warnings: &mut Diagnostics,
+) -> Result<Interpreted, Problem> {
+    let (interpreted, found) =
+        Interpreted::checked(system).map_err(|found| rendered(&found, source))?;
+    warnings.extend(found);
+    interpreted.ok_or_else(|| no_order(path))
 }
 
 /// The pose and the modes that are wished for by `LOOP=MODE`, where some are.

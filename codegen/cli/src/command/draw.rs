@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use linkwright_codegen::diagnostic::nearest;
+use linkwright_codegen::diagnostic::{Source, nearest};
 use linkwright_codegen::stages::emit::drawing::{self, Options, Pose, Traced};
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::drawn::pose;
@@ -78,7 +78,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
             shown: Some(Pose::drawn(&system)),
             ..Solved::default()
         },
-        false => solved(arguments, &system)?,
+        false => solved(arguments, &source, &system)?,
     };
     if let Some(error) = &solved.error {
         say(&format!("error: `{}` {error}", system.mechanism.title()));
@@ -119,7 +119,7 @@ struct Solved {
     error: Option<String>,
 }
 
-fn solved(arguments: &Draw, system: &System) -> Result<Solved, Problem> {
+fn solved(arguments: &Draw, source: &Source, system: &System) -> Result<Solved, Problem> {
     let refused = |text: String| Problem(format!("error: {text}"));
     let points = match arguments.paths.is_empty() {
         true => Vec::new(),
@@ -132,7 +132,7 @@ fn solved(arguments: &Draw, system: &System) -> Result<Solved, Problem> {
         true => None,
         false => Some(Schedule::range(from, to, step).map_err(refused)?),
     };
-    let view = interpreted(system, &arguments.described.file)?;
+    let view = interpreted(system, source, &arguments.described.file)?;
     let mut frames = Frames::new(1);
     let error = follow(arguments, &view, Vec::new(), &schedule, &mut frames)?;
     let mut solved = Solved {

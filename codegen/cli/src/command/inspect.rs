@@ -3,7 +3,7 @@
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::emit::derivation::{self, Script, SingularPose};
 use linkwright_codegen::stages::emit::{self, Notation};
-use linkwright_codegen::stages::program::forms_of;
+use linkwright_codegen::stages::program::{forms_of, lower};
 use linkwright_codegen::stages::structure::{self, Freedom};
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::{Language, Options, OutputFile};
@@ -71,23 +71,33 @@ fn equations(system: &System, notation: Notation) -> String {
     // The counts by rank stand below the counts by number.
     let (first, rest) = page.split_once('\n').unwrap_or((&page, ""));
     let mut text = format!("{first}\n{}\n{rest}", freedom(system));
-    if let Some(report) = linkwright_codegen::report(system) {
+    let mut lowered = system.clone();
+    let Some(plan) = structure::plan(&mut lowered) else {
+        return text;
+    };
+    let program = lower(&mut lowered, &plan);
+    if lowered.mechanism.graph.excess().is_none() {
         if !text.ends_with('\n') {
             text.push('\n');
         }
         text.push_str("\nwhat the generated code solves\n");
-        for line in emit::report::lines(&report) {
+        for line in emit::report::lines(&program.report) {
             text.push_str(&format!("  {line}\n"));
         }
     }
-    text.push_str(&determinants(system, notation));
+    let script = Script::Text(notation);
+    // The plan of the motion is another one only where the values of drivers are shifted.
+    let mut directions = system.directions.iter();
+    let poses = match directions.all(|it| it.is_parameter()) {
+        true => derivation::singular_poses(&lowered, &plan, &program.forms, script),
+        false => poses(system, script),
+    };
+    text.push_str(&determinants(poses));
     text
 }
 
-/// The determinant of each block up to its sign, and what the pose is like where it is zero; nothing where the equations do
-/// not determine the motion.
-fn determinants(system: &System, notation: Notation) -> String {
-    let poses = poses(system, Script::Text(notation));
+/// The determinant of each block up to its sign, and what the pose is like where it is zero; nothing where there are none.
+fn determinants(poses: Vec<SingularPose>) -> String {
     if poses.is_empty() {
         return String::new();
     }

@@ -1,9 +1,10 @@
 //! *A description → the derivation of its solution on stdout.*
 
-use linkwright_codegen::stages::emit::{Notation, derivation};
+use linkwright_codegen::stages::emit::Notation;
+use linkwright_codegen::stages::emit::derivation::Derivation;
 use linkwright_codegen::stages::structure;
 
-use super::description::{determined, no_order, source};
+use super::description::{determined, no_order, rendered, source, warn};
 use super::{Outcome, Problem, print};
 use crate::arguments::{Plan, Script};
 use crate::terminal;
@@ -15,12 +16,19 @@ use crate::terminal;
 pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
     let source = source(&arguments.described.file)?;
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
-    let plan = structure::plan_of_motion(&mut system)
-        .ok_or_else(|| no_order(&arguments.described.file))?;
+    let Some(plan) = structure::plan_of_motion(&mut system) else {
+        let passed = linkwright_codegen::findings(&system, None);
+        passed.map_err(|found| rendered(&found, &source))?;
+        return Err(no_order(&arguments.described.file));
+    };
+    let derivation = Derivation::new(system, &plan);
+    let warnings = linkwright_codegen::findings_of_derivation(&derivation);
+    let warnings = warnings.map_err(|found| rendered(&found, &source))?;
+    warn(&warnings, &source);
     let text = match arguments.format {
-        Script::Text => derivation::text(&system, &plan, Notation::Ascii),
-        Script::Unicode => derivation::text(&system, &plan, Notation::Unicode),
-        Script::Latex => derivation::latex(&system, &plan),
+        Script::Text => derivation.text(Notation::Ascii),
+        Script::Unicode => derivation.text(Notation::Unicode),
+        Script::Latex => derivation.latex(),
     };
     let text = match arguments.format {
         Script::Text | Script::Unicode => terminal::fitted(text),

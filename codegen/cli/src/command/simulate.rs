@@ -43,7 +43,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         monitor: false,
         curves: files.has_pictures(),
     };
-    let view = interpreted(&system, &arguments.described.file)?;
+    let view = interpreted(&system, &source, &arguments.described.file)?;
     let chosen = chosen(&arguments.branch, &view, 0.0)?;
     let options = Options {
         tolerances: Tolerances {

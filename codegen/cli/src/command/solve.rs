@@ -58,7 +58,7 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
             report(reported, layout, motion, &schedule, files, &mut follow)
         }
         Equations::Blocks => {
-            let interpreted = interpreted(&system, &arguments.described.file)?;
+            let interpreted = interpreted(&system, &source, &arguments.described.file)?;
             let chosen = chosen(&arguments.setting.branch, &interpreted, schedule.start.t)?;
             let motion = Followed::new(interpreted, wanted, schedule.start.t, chosen);
             report(reported, layout, motion, &schedule, files, &mut follow)

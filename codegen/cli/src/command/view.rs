@@ -2,11 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_solver::check::Check;
 use linkwright_solver::schedule::Schedule;
 
-use super::description::{chosen, determined, findings, interpreted, outputs, set_all, source};
+use super::description::{
+    chosen, determined_with, interpreted_with, outputs, set_all, source, warn,
+};
 use super::{Outcome, Problem, print, say, watch};
 use crate::arguments::View;
 use crate::output::{Beginning, Signature};
@@ -68,15 +70,31 @@ pub struct Made {
 /// # Errors
 /// Those of [`run`] but the last.
 pub fn made(arguments: &View, source: &Source, live: Live) -> Result<Made, Problem> {
-    let mut system = determined(source, arguments.described.motion.as_deref())?;
-    let findings = findings(source, &system);
+    let mut warnings = Diagnostics::new();
+    let made = made_with(arguments, source, live, &mut warnings);
+    warn(&warnings, source);
+    made
+}
+
+/// The same; warnings are given.
+fn made_with(
+    arguments: &View,
+    source: &Source,
+    live: Live,
+    warnings: &mut Diagnostics,
+) -> Result<Made, Problem> {
+    let mut system = determined_with(source, arguments.described.motion.as_deref(), warnings)?;
     set_all(&mut system, &arguments.setting.set)?;
     let (from, to, step) = (arguments.from, arguments.to, arguments.step);
     let schedule = Schedule::range(from, to, step);
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
-    let view = interpreted(&system, &arguments.described.file)?;
+    let view = interpreted_with(&system, source, &arguments.described.file, warnings)?;
     let chosen = chosen(&arguments.setting.branch, &view, schedule.start.t)?;
     let check = Check::new(view, &schedule, |_| {});
+    let findings = match warnings.is_empty() {
+        true => String::new(),
+        false => warnings.render(source),
+    };
     let (html, error) = page(
         &Page {
             check: &check,

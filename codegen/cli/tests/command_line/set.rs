@@ -119,3 +119,31 @@ fn what_cannot_be_set_is_said_with_its_place() {
         assert!(ran.stderr.contains(words), "{}", ran.stderr);
     }
 }
+
+/// What is said of the drawing is said of what is solved, which is lowered once, after the values have been set.
+#[test]
+fn what_hardly_decides_a_mode_is_found_with_the_values_that_are_set() {
+    let folder = Folder::new(
+        "set_undecided",
+        "mechanism triangle {
+    param rise = 40mm;
+    point A = (0, 0), C = (100mm, 0), B = (50mm, rise);
+    body 1 at A { A, B }
+    body 2 at C { C, B }
+    revolute A(ground, 1);
+    revolute B(1, 2);
+    revolute C(ground, 2);
+}
+",
+    );
+    for command in ["check", "draw", "solve"] {
+        let ran = folder.run(&format!("{command} a.mech")).exits_with(0);
+        assert!(!ran.stderr.contains("K38"), "{command}: {}", ran.stderr);
+        let ran = folder.run(&format!("{command} a.mech --force --set rise=1um"));
+        assert!(
+            ran.stderr.contains("warning[K38]"),
+            "{command}: {}",
+            ran.stderr
+        );
+    }
+}

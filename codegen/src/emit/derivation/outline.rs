@@ -71,7 +71,7 @@ pub(super) fn outline(
     forms: &[Vec<Arc<dyn Form>>],
     script: Script,
 ) -> Vec<OutlineLine> {
-    let spelling = Spelling::new(system, script);
+    let spelling = Spelling::new(system.clone(), script);
     let names = |unknowns: &[usize]| {
         let names = unknowns
             .iter()

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use super::Derivation;
 use super::document::{DisplayedEquation, Document, Item, Section};
 use super::outline::{outline, summary};
 use super::script::Script;
@@ -10,9 +11,9 @@ use super::singular::singular_poses;
 use super::spelling::Spelling;
 use crate::expr::{ExprId, SymbolId};
 use crate::program::forms::Form;
-use crate::program::{Block, Branch, Level, PageName, Statement, unpruned};
+use crate::program::{Block, Branch, Level, PageName, Statement};
 use crate::structure::{SolvedBlock, SolvedPlan};
-use crate::system::{SymbolRole, System};
+use crate::system::SymbolRole;
 use crate::words::{Phrase, Piece};
 
 /// So many accelerations are written out; more would fill the page with what differentiating once more says.
@@ -28,14 +29,18 @@ pub(super) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    pub(super) fn new(system: &System, plan: &'a SolvedPlan, script: Script) -> Writer<'a> {
-        let mut system = system.clone();
-        let (blocks, branches) = unpruned(&mut system, plan);
+    pub(super) fn new(derivation: Derivation<'a>, script: Script) -> Writer<'a> {
+        let Derivation {
+            system,
+            plan,
+            blocks,
+            branches,
+        } = derivation;
         Writer {
             plan,
             blocks,
             branches,
-            spelling: Spelling::new(&system, script),
+            spelling: Spelling::new(system, script),
             items: Vec::new(),
         }
     }
@@ -278,7 +283,7 @@ impl<'a> Writer<'a> {
 
     fn singular_section(&mut self, forms: &[Vec<Arc<dyn Form>>]) -> Option<Section> {
         // A determinant stands alone: only what the page has defined already may be written by its name.
-        let mut spelling = Spelling::new(&self.spelling.system, self.spelling.script);
+        let mut spelling = Spelling::new(self.spelling.system.clone(), self.spelling.script);
         spelling.parts = self.spelling.parts.settled();
         let poses = singular_poses(&mut spelling, self.plan, forms);
         let items = poses.iter().map(|pose| {

@@ -14,7 +14,7 @@ use crate::words::{Phrase, Piece};
 
 /// How the formulas of one page are written.
 pub(super) struct Spelling {
-    /// A copy, since new formulas are made in its graph.
+    /// Of the page's own, since new formulas are made in its graph.
     pub system: System,
     pub script: Script,
     /// The names of long choices.
@@ -24,9 +24,9 @@ pub(super) struct Spelling {
 }
 
 impl Spelling {
-    pub(super) fn new(system: &System, script: Script) -> Spelling {
+    pub(super) fn new(system: System, script: Script) -> Spelling {
         Spelling {
-            system: system.clone(),
+            system,
             script,
             parts: NamedParts::default(),
             replacements: HashMap::new(),
