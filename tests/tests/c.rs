@@ -13,7 +13,7 @@ use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
-const SMALL: [&str; 27] = [
+const SMALL: [&str; 28] = [
     "asked",
     "both_ways",
     "cam_law",
@@ -41,6 +41,7 @@ const SMALL: [&str; 27] = [
     "tables",
     "three_cranks",
     "transmitted",
+    "weighed_given",
 ];
 
 /// How many random mechanisms are looked at, of how many bodies, and from which seed.

@@ -1,10 +1,12 @@
 //! Generated code has the forces of the interpreter, in both precisions, in closed form and by a linear system; its cost is bounded.
 
-use linkwright::Signal;
+use linkwright::{Blocks, FailureKind, Settings, Signal, Values};
 use linkwright_codegen::report;
 use linkwright_mechanisms::andrews;
+use linkwright_solver::interpreted::Interpreted;
 use linkwright_tests::description;
 use linkwright_tests::forces::{Followed, systems};
+use linkwright_tests::values::assembled_with;
 
 mod forced_linkage {
     linkwright::include_mechanism!(forced_linkage);
@@ -14,6 +16,9 @@ mod forced_platform {
 }
 mod forced_slider {
     linkwright::include_mechanism!(forced_slider);
+}
+mod weighed_given {
+    linkwright::include_mechanism!(weighed_given);
 }
 
 /// What rounding may make of a force, beside the largest of the instant.
@@ -225,4 +230,77 @@ fn forces_cost_less_than_the_frame() {
             .forces
             .is_none()
     );
+}
+
+/// What each parameter of `weighed_given` is, and what is said where it is negative.
+const WEIGHED: [&str; 7] = [
+    "body crank: the mass, unless zero,",
+    "body crank: the moment of inertia, unless zero,",
+    "spring main: the stiffness, unless zero,",
+    "spring main: the free length, unless zero,",
+    "damper (ground.W, crank.B): the damping, unless zero,",
+    "spring (ground, crank): the stiffness, unless zero,",
+    "damper (ground, crank): the damping, unless zero,",
+];
+
+#[test]
+fn what_is_refused_of_forces_in_a_description_is_refused_at_run_time() {
+    use weighed_given::{Parameters, WeighedGiven, describe};
+    let systems = systems("weighed_given", &description::source("weighed_given").text);
+    let blocks = Interpreted::new(&systems[0]).expect("its blocks");
+    let nominal = blocks.nominal_parameters();
+    let mut interpreted = assembled_with(
+        blocks.clone(),
+        &[],
+        0.0,
+        &blocks.initial_inputs(),
+        Settings::default(),
+    )
+    .expect("as drawn");
+    let mut generated = WeighedGiven::assemble(0.0).expect("as drawn");
+    for (place, said) in WEIGHED.iter().enumerate() {
+        for value in [-2.0, -1e-300, f64::MIN] {
+            let mut wrong = Parameters::default();
+            wrong.set(place, value);
+            let failure = generated.set_parameters(&wrong).expect_err("negative");
+            assert_eq!(failure.kind, FailureKind::NotPositive { value });
+            let words = format!("{said} must be positive, and would be {value:.1e}");
+            assert_eq!(describe(&failure).to_string(), words);
+            assert_eq!(*generated.parameters(), Parameters::default());
+            assert!(WeighedGiven::assemble_for(&wrong, 0.0).is_err());
+            let mut wrong = nominal.clone();
+            wrong.set(place, value);
+            let same = interpreted.set_parameters(&wrong).expect_err("negative");
+            assert_eq!((same.kind, same.block), (failure.kind, failure.block));
+            assert_eq!(blocks.explained(&same).to_string(), words);
+            assert_eq!(*interpreted.parameters(), nominal);
+        }
+        // Nothing need weigh, pull or rub; but what has a moment of inertia has a mass.
+        let mut zero = Parameters::default();
+        zero.set(place, 0.0);
+        let mut also = nominal.clone();
+        also.set(place, 0.0);
+        let found = [
+            generated.set_parameters(&zero).map_err(|it| it.kind),
+            interpreted.set_parameters(&also).map_err(|it| it.kind),
+        ];
+        let expected = match place {
+            0 => Err(FailureKind::NotPositive { value: 0.0 }),
+            _ => Ok(()),
+        };
+        assert_eq!(found, [expected; 2], "{said}");
+        generated
+            .set_parameters(&Parameters::default())
+            .expect("the defaults");
+        interpreted.set_parameters(&nominal).expect("the defaults");
+    }
+    let without = Parameters {
+        load: 0.0,
+        inertia: 0.0,
+        ..Parameters::default()
+    };
+    generated
+        .set_parameters(&without)
+        .expect("nothing to accelerate");
+    generated.advance(0.1).expect("as drawn");
 }

@@ -619,12 +619,8 @@ impl Blocks for Interpreted {
 
     fn requirement_name(&self, index: usize) -> Option<BlockName<'_>> {
         let requirements = self.compiled.program.requirements.as_ref()?;
-        let &(joint, what) = requirements.names.get(index)?;
-        let name = &self.compiled.system.mechanism.joints[joint].label;
-        Some(BlockName {
-            name,
-            singular: what,
-        })
+        let (name, singular) = requirements.names.get(index)?;
+        Some(BlockName { name, singular })
     }
 
     fn block_name(&self, index: usize) -> Option<BlockName<'_>> {

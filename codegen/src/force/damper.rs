@@ -18,6 +18,10 @@ impl Element for Damper {
         self.ends.to_vec()
     }
 
+    fn not_negative(&self) -> Vec<(ExprId, &'static str)> {
+        vec![(self.damping, "the damping, unless zero,")]
+    }
+
     fn exerted(&self, places: &[Place], length: ExprId, graph: &mut Graph) -> Exerted {
         let [from, to] = [0, 1].map(|end| places[end].mark);
         let positions = [from, to].map(|mark| mark.position(graph));

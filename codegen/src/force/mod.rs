@@ -51,6 +51,10 @@ pub trait Element: Debug + Send + Sync {
     /// What it exerts when the points are there, each as `marks` lists them; `length` stands for the distance between its ends, where
     /// it has one.
     fn exerted(&self, places: &[Place], length: ExprId, graph: &mut Graph) -> Exerted;
+    /// What must not be negative whatever the parameters are, and what it is called where it must be positive.
+    fn not_negative(&self) -> Vec<(ExprId, &'static str)> {
+        Vec::new()
+    }
 }
 
 /// v_x w_y − v_y w_x: the moment of w at the end of v.

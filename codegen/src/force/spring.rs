@@ -23,6 +23,13 @@ impl Element for Spring {
         self.ends.to_vec()
     }
 
+    fn not_negative(&self) -> Vec<(ExprId, &'static str)> {
+        vec![
+            (self.stiffness, "the stiffness, unless zero,"),
+            (self.free, "the free length, unless zero,"),
+        ]
+    }
+
     fn exerted(&self, places: &[Place], length: ExprId, graph: &mut Graph) -> Exerted {
         let [from, to] = [0, 1].map(|end| places[end].mark);
         let positions = [from, to].map(|mark| mark.position(graph));

@@ -22,6 +22,10 @@ impl Element for TorsionSpring {
         self.bodies.to_vec()
     }
 
+    fn not_negative(&self) -> Vec<(ExprId, &'static str)> {
+        vec![(self.stiffness, "the stiffness, unless zero,")]
+    }
+
     fn exerted(&self, places: &[Place], _length: ExprId, graph: &mut Graph) -> Exerted {
         let [first, second] = [0, 1].map(|side| places[side].mark.frame);
         let relative = graph.subtract(second.angle, first.angle);
@@ -51,6 +55,10 @@ pub struct TorsionDamper {
 impl Element for TorsionDamper {
     fn marks(&self) -> Vec<Mark> {
         self.bodies.to_vec()
+    }
+
+    fn not_negative(&self) -> Vec<(ExprId, &'static str)> {
+        vec![(self.damping, "the damping, unless zero,")]
     }
 
     fn exerted(&self, places: &[Place], _length: ExprId, graph: &mut Graph) -> Exerted {

@@ -49,7 +49,7 @@ mod wish;
 pub(crate) use bounds::beyond_bounds;
 pub use call::FUNCTIONS;
 pub use dimension::{Dimension, UNITS, unit};
-pub use forces::Forces;
+pub use forces::{Forces, Mass};
 pub use law::LAWS;
 pub use motions::resolve;
 pub use naming::Naming;

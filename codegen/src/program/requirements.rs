@@ -1,11 +1,12 @@
-//! The joints of a mechanism → what must be positive whatever its parameters are.
+//! The joints, masses and loads of a mechanism → what must be positive whatever its parameters are.
 //!
-//! What a description may not say of a length or of a ratio is refused when it is read where it is a constant, and by the runtime where
-//! parameters change it.
+//! What a description may not say of a length, a ratio or a mass is refused when it is read where it is a constant, and by the runtime
+//! where parameters change it.
 
 use super::function::Function;
 use super::passes::sharing::share_all;
-use crate::expr::SymbolId;
+use crate::expr::{ExprId, Graph, SymbolId};
+use crate::model::{Mass, Mechanism};
 use crate::system::{SymbolRole, System};
 
 /// What parameters must leave positive.
@@ -13,27 +14,34 @@ use crate::system::{SymbolRole, System};
 pub struct Requirements {
     /// The values, as functions of parameters alone.
     pub function: Function,
-    /// The joint of each value, an index into those of the mechanism, and what the value is called.
-    pub names: Vec<(usize, &'static str)>,
+    /// Whose each value is, and what it is called.
+    pub names: Vec<(String, &'static str)>,
 }
 
-/// The requirements of all joints; `None` where no parameter can break one.
+/// A value that must be positive.
+struct Required {
+    /// Whose it is.
+    owner: String,
+    /// What it is called.
+    what: &'static str,
+    value: ExprId,
+}
+
+/// The requirements of all statements; `None` where no parameter can break one.
 pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
     let mut names = Vec::new();
     let mut values = Vec::new();
-    let mechanism = &mut system.mechanism;
-    for (number, joint) in mechanism.joints.iter().enumerate() {
-        let Some((value, name)) = joint.kind.positive(&joint.operands, &mut mechanism.graph) else {
-            continue;
-        };
+    let mut required = of_joints(&mut system.mechanism);
+    required.extend(of_forces(&mut system.mechanism));
+    for Required { owner, what, value } in required {
         let is_parameter = |symbol: &SymbolId| {
             let role = system.roles.get(symbol.index());
             matches!(role, Some(SymbolRole::Parameter(_)))
         };
-        let mut symbols = mechanism.graph.symbols(value).iter();
+        let mut symbols = system.mechanism.graph.symbols(value).iter();
         if symbols.len() > 0 && symbols.all(is_parameter) && !values.contains(&value) {
             values.push(value);
-            names.push((number, name));
+            names.push((owner, what));
         }
     }
     if values.is_empty() {
@@ -42,4 +50,70 @@ pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
     let mut function = Function::of_results(values);
     share_all(&mut function, system);
     Some(Requirements { function, names })
+}
+
+fn of_joints(mechanism: &mut Mechanism) -> Vec<Required> {
+    let graph = &mut mechanism.graph;
+    let joints = mechanism.joints.iter();
+    let required = joints.filter_map(|joint| {
+        let (value, what) = joint.kind.positive(&joint.operands, graph)?;
+        let owner = joint.label.clone();
+        Some(Required { owner, what, value })
+    });
+    required.collect()
+}
+
+fn of_forces(mechanism: &mut Mechanism) -> Vec<Required> {
+    let Mechanism {
+        forces,
+        bodies,
+        graph,
+        ..
+    } = mechanism;
+    let mut required = Vec::new();
+    for weighed in &forces.masses {
+        let owner = format!("body {}", bodies[weighed.body].name);
+        required.extend(of_mass(weighed, &owner, graph));
+    }
+    for load in &forces.loads {
+        for (value, what) in load.element.not_negative() {
+            let owner = load.label.clone();
+            let value = positive_unless_zero(value, graph);
+            required.push(Required { owner, what, value });
+        }
+    }
+    required
+}
+
+/// A body without a mass has no moment of inertia.
+fn of_mass(weighed: &Mass, owner: &str, graph: &mut Graph) -> Vec<Required> {
+    let &Mass { mass, inertia, .. } = weighed;
+    let required = |what, value| Required {
+        owner: owner.to_string(),
+        what,
+        value,
+    };
+    let mut all = vec![
+        required("the mass, unless zero,", positive_unless_zero(mass, graph)),
+        required(
+            "the moment of inertia, unless zero,",
+            positive_unless_zero(inertia, graph),
+        ),
+    ];
+    let is_sure = graph.is_constant(mass) && graph.constant_value(mass).is_some_and(|it| it > 0.0);
+    if !is_sure {
+        let (opposite, one) = (graph.negate(inertia), graph.one());
+        let where_inert = graph.choose(opposite, mass, one);
+        all.push(required(
+            "the mass of what has a moment of inertia",
+            where_inert,
+        ));
+    }
+    all
+}
+
+/// The value where it is negative, and 1 elsewhere.
+fn positive_unless_zero(value: ExprId, graph: &mut Graph) -> ExprId {
+    let one = graph.one();
+    graph.choose(value, value, one)
 }

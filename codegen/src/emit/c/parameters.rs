@@ -251,11 +251,12 @@ pub(super) fn requirements(printer: &Printer<'_>, text: &mut Text) {
 /// The names of what must be positive.
 pub(super) fn requirement_names(printer: &Printer<'_>) -> Option<Vec<[String; 2]>> {
     let requirements = printer.module.program.requirements.as_ref()?;
-    let names = requirements.names.iter().map(|&(joint, what)| {
-        let label = &printer.module.system.mechanism.joints[joint].label;
-        [quoted(label), quoted(what)]
-    });
-    Some(names.collect())
+    let names = requirements.names.iter();
+    Some(
+        names
+            .map(|(owner, what)| [quoted(owner), quoted(what)])
+            .collect(),
+    )
 }
 
 /// The drawing of given parameters: a value per unknown, coordinates first.

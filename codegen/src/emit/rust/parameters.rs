@@ -140,10 +140,8 @@ pub(super) fn requirements(module: &Module<'_>) -> TokenStream {
     };
     let scope = Scope::new(module, &requirements.function, Place::Coordinates);
     let (statements, results) = (scope.plain_statements(), scope.results());
-    let names = requirements.names.iter().map(|&(joint, what)| {
-        let label = &module.system.mechanism.joints[joint].label;
-        quote!(BlockName::new(#label, #what))
-    });
+    let names = requirements.names.iter();
+    let names = names.map(|(owner, what)| quote!(BlockName::new(#owner, #what)));
     let length = count(results.len());
     quote! {
         /// What must be positive whatever the parameters are: the joint, and what it is.
