@@ -3,11 +3,11 @@
 use std::collections::HashSet;
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
-use super::layout::comment;
+use super::layout::{Lines, comment, tokens};
 use super::literal::count;
-use super::names::identifier;
+use super::names::{identifier, identifier_text};
 use super::tables::table_name;
 use crate::emit::module::arithmetic::{Arithmetic, Choice, Elementary};
 use crate::emit::module::documentation;
@@ -23,15 +23,65 @@ impl Scope<'_> {
         block: usize,
         iterated: &dyn Fn(&Statement) -> TokenStream,
     ) -> Vec<TokenStream> {
-        let statements = self.function.statements.iter();
-        statements
-            .map(|statement| self.statement(statement, block, iterated))
-            .collect()
+        let mut found = Vec::new();
+        // What is a line already needs no syntax, which takes the formatter most of its time.
+        let mut lines = Lines::default();
+        for statement in &self.function.statements {
+            let line = self.line(statement);
+            if line.as_ref().is_some_and(|line| lines.take(line)) {
+                continue;
+            }
+            found.extend(lines.statement());
+            found.push(match line {
+                Some(line) => tokens(&line),
+                None => self.statement(statement, block, iterated),
+            });
+        }
+        found.extend(lines.statement());
+        found
     }
 
     /// Those of a function without Newton-Raphson.
     pub(super) fn plain_statements(&self) -> Vec<TokenStream> {
         self.statements(0, &|_| TokenStream::new())
+    }
+
+    /// A statement that computes some value, as a line.
+    fn line(&self, statement: &Statement) -> Option<String> {
+        let write = |expr: &ExprId| self.written(&self.arithmetic(*expr, &[]));
+        match statement {
+            Statement::Let { target, value, .. } => {
+                let value = self.written(&self.arithmetic_of(*target, *value));
+                let name = self.read(*target);
+                Some(match self.is_field(*target) {
+                    true => format!("{name} = {value};"),
+                    false => format!("let {name} = {value};"),
+                })
+            }
+            Statement::SineCosine {
+                sine,
+                cosine,
+                angle,
+            } => {
+                let [sine, cosine] = [sine, cosine].map(|symbol| self.read(*symbol));
+                let angle = write(angle);
+                Some(format!("let ({sine}, {cosine}) = math::sin_cos({angle});"))
+            }
+            Statement::Angle {
+                target,
+                sine,
+                cosine,
+            } => {
+                let (sine, cosine) = (write(sine), write(cosine));
+                let [at, near] = ["at", "last"].map(|frame| self.module.field_text(*target, frame));
+                Some(format!("{at} = angle_near({sine}, {cosine}, {near});"))
+            }
+            Statement::Require { value, block } => {
+                let number = self.module.block_number(*block);
+                Some(format!("required({}, {number})?;", write(value)))
+            }
+            _ => None,
+        }
     }
 
     fn statement(
@@ -50,19 +100,6 @@ impl Scope<'_> {
                 let said = documentation::of_statement(statement, self.module);
                 said.map_or(TokenStream::new(), |text| comment(&text))
             }
-            Statement::Let { target, value, .. } => {
-                let value = self.written(&self.arithmetic_of(*target, *value));
-                self.assignment(*target, value)
-            }
-            Statement::SineCosine {
-                sine,
-                cosine,
-                angle,
-            } => {
-                let angle = write(angle);
-                let [sine, cosine] = [sine, cosine].map(|symbol| self.symbol(*symbol));
-                quote!(let (#sine, #cosine) = math::sin_cos(#angle);)
-            }
             Statement::Lookup {
                 targets,
                 spline,
@@ -79,18 +116,8 @@ impl Scope<'_> {
                 } else {
                     TokenStream::new()
                 };
-                let lookup = self.lookup(*spline, &self.arithmetic(*argument, &[]));
+                let lookup = tokens(&self.lookup(*spline, &self.arithmetic(*argument, &[])));
                 quote!(let [#(#names),* #rest] = #lookup;)
-            }
-            Statement::Angle {
-                target,
-                sine,
-                cosine,
-            } => {
-                let (sine, cosine) = (write(sine), write(cosine));
-                let [at, near] = ["at", "last"]
-                    .map(|frame| self.module.field(*target, &format_ident!("{frame}")));
-                quote!(#at = angle_near(#sine, #cosine, #near);)
             }
             Statement::Reach {
                 excess,
@@ -129,6 +156,11 @@ impl Scope<'_> {
                     }
                 }
             }
+            // Lines.
+            Statement::Let { .. }
+            | Statement::SineCosine { .. }
+            | Statement::Angle { .. }
+            | Statement::Require { .. } => TokenStream::new(),
             Statement::Newton { .. } | Statement::Factorize => iterated(statement),
             Statement::Signal { input, found } => {
                 let field = identifier(&field_name(
@@ -137,11 +169,6 @@ impl Scope<'_> {
                 let signal = quote!(span.signal(&before.#field, &inputs.#field));
                 let [radius, sag] = found.map(|symbol| self.found(symbol));
                 quote!(let [#radius, #sag] = #signal;)
-            }
-            Statement::Require { value, block } => {
-                let value = write(value);
-                let block = self.block_number(*block);
-                quote!(required(#value, #block)?;)
             }
             Statement::Isolate {
                 blocks,
@@ -283,18 +310,15 @@ impl Scope<'_> {
 
     /// An expression whose terms mention the bodies in this order.
     pub(super) fn expression(&self, expr: ExprId, bodies: &[usize]) -> TokenStream {
-        self.written(&self.arithmetic(expr, bodies))
+        tokens(&self.written(&self.arithmetic(expr, bodies)))
     }
 
     /// What computes a number.
-    fn written(&self, arithmetic: &Arithmetic) -> TokenStream {
+    fn written(&self, arithmetic: &Arithmetic) -> String {
         match arithmetic {
-            Arithmetic::Number(value) => self.module.float(*value),
-            Arithmetic::Constant(name) => {
-                let name = identifier(name);
-                quote!(#name)
-            }
-            Arithmetic::Variable(symbol) => self.symbol(*symbol),
+            Arithmetic::Number(value) => self.module.number(*value),
+            Arithmetic::Constant(name) => identifier_text(name),
+            Arithmetic::Variable(symbol) => self.read(*symbol),
             Arithmetic::Sum(terms) => {
                 let terms = terms.iter().enumerate().map(|(place, (negative, term))| {
                     let term = match term {
@@ -303,9 +327,9 @@ impl Scope<'_> {
                     };
                     match (place, negative) {
                         (0, false) => term,
-                        (0, true) => quote!(-#term),
-                        (_, false) => quote!(+ #term),
-                        (_, true) => quote!(- #term),
+                        (0, true) => format!("-{term}"),
+                        (_, false) => format!(" + {term}"),
+                        (_, true) => format!(" - {term}"),
                     }
                 });
                 chained(terms.collect())
@@ -314,71 +338,62 @@ impl Scope<'_> {
                 let numerator = self.product(factors);
                 match divisors.as_slice() {
                     [] => numerator,
-                    [only] => {
-                        let only = self.operand(only);
-                        quote!(#numerator / #only)
-                    }
-                    _ => {
-                        let divisor = self.product(divisors);
-                        quote!(#numerator / (#divisor))
-                    }
+                    [only] => format!("{numerator} / {}", self.operand(only)),
+                    _ => format!("{numerator} / ({})", self.product(divisors)),
                 }
             }
             Arithmetic::Call(function, arguments) => {
-                let function = format_ident!("{}", called(*function));
                 let arguments = arguments.iter().map(|argument| self.written(argument));
-                quote!(math::#function(#(#arguments),*))
+                let arguments: Vec<String> = arguments.collect();
+                format!("math::{}({})", called(*function), arguments.join(", "))
             }
             Arithmetic::Lookup {
                 spline,
                 order,
                 place,
-            } => {
-                let (lookup, order) = (self.lookup(*spline, place), count(*order));
-                quote!(#lookup[#order])
-            }
+            } => format!("{}[{order}]", self.lookup(*spline, place)),
             Arithmetic::Choice(choice) => self.choice(choice),
         }
     }
 
     /// `if x < 2.0 { … } else { … }`; a second arm that is another choice continues with `else if`.
-    fn choice(&self, choice: &Choice) -> TokenStream {
+    fn choice(&self, choice: &Choice) -> String {
         let [left, right] = [&choice.left, &choice.right].map(|side| match side {
             Arithmetic::Choice(_) => self.operand(side),
             _ => self.written(side),
         });
-        let sign = if choice.is_less { quote!(<) } else { quote!(>) };
+        let sign = if choice.is_less { "<" } else { ">" };
         let [below, otherwise] = [&choice.below, &choice.otherwise].map(|arm| self.written(arm));
-        match choice.otherwise {
-            Arithmetic::Choice(_) => quote!(if #left #sign #right { #below } else #otherwise),
-            _ => quote!(if #left #sign #right { #below } else { #otherwise }),
-        }
+        let otherwise = match choice.otherwise {
+            Arithmetic::Choice(_) => otherwise,
+            _ => format!("{{ {otherwise} }}"),
+        };
+        format!("if {left} {sign} {right} {{ {below} }} else {otherwise}")
     }
 
     /// `TABLE_LIFT.at(x)`: the value and three derivatives.
-    fn lookup(&self, spline: SplineId, place: &Arithmetic) -> TokenStream {
+    fn lookup(&self, spline: SplineId, place: &Arithmetic) -> String {
         let table = table_name(&self.module.system.mechanism.graph.spline_of(spline).name);
-        let place = self.written(place);
-        quote!(#table.at(#place))
+        format!("{table}.at({})", self.written(place))
     }
 
-    fn product(&self, factors: &[Arithmetic]) -> TokenStream {
+    fn product(&self, factors: &[Arithmetic]) -> String {
         let factors = factors.iter().enumerate().map(|(place, factor)| {
             let factor = self.operand(factor);
             match place {
                 0 => factor,
-                _ => quote!(* #factor),
+                _ => format!(" * {factor}"),
             }
         });
         chained(factors.collect())
     }
 
     /// What stands beside a multiplication sign.
-    fn operand(&self, arithmetic: &Arithmetic) -> TokenStream {
+    fn operand(&self, arithmetic: &Arithmetic) -> String {
         let written = self.written(arithmetic);
         match arithmetic {
             Arithmetic::Sum(_) | Arithmetic::Product { .. } | Arithmetic::Choice(_) => {
-                quote!((#written))
+                format!("({written})")
             }
             _ => written,
         }
@@ -404,12 +419,16 @@ fn called(function: Elementary) -> &'static str {
 const LONGEST_CHAIN: usize = 500;
 
 /// Operations one after the other; a long chain in steps, in the same order.
-fn chained(parts: Vec<TokenStream>) -> TokenStream {
+fn chained(parts: Vec<String>) -> String {
     let mut chunks = parts.chunks(LONGEST_CHAIN);
-    let first = chunks.next().unwrap_or_default();
+    let first = chunks.next().unwrap_or_default().concat();
     let Some(last) = chunks.next_back() else {
-        return quote!(#(#first)*);
+        return first;
     };
-    let steps = chunks.map(|chunk| quote!(let partial = partial #(#chunk)*;));
-    quote!({ let partial = #(#first)*; #(#steps)* partial #(#last)* })
+    let steps = chunks.map(|chunk| format!("let partial = partial{};", chunk.concat()));
+    let steps: String = steps.collect();
+    format!(
+        "{{ let partial = {first}; {steps} partial{} }}",
+        last.concat()
+    )
 }

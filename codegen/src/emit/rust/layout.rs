@@ -15,6 +15,46 @@ const MARKER: &str = "comment_in_generated_code!(";
 /// What a text that is laid out already is until then.
 const VERBATIM: &str = "const VERBATIM_IN_GENERATED_CODE: &str = ";
 
+/// What lines of code are until then.
+const LINES_MARKER: &str = "lines_in_generated_code!(";
+
+/// What a string of lines begins with; no other string does.
+pub(super) const LINES: &str = "=>";
+
+/// The longest line that fits as deep as statements stand.
+const LONGEST_LINE: usize = 96;
+
+/// Statements that are lines already, one after the other: the formatter only sees one call of a macro.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Lines(String);
+
+impl Lines {
+    /// Takes a statement, as the formatter would write it in a line of any length, where it fits into one.
+    pub(super) fn take(&mut self, line: &str) -> bool {
+        let is_line = line.len() <= LONGEST_LINE && !line.contains('{');
+        if is_line {
+            self.0.push_str(line);
+        }
+        is_line
+    }
+
+    /// What stands for those that have been taken since.
+    pub(super) fn statement(&mut self) -> Option<TokenStream> {
+        let text = std::mem::take(&mut self.0);
+        (!text.is_empty()).then(|| {
+            let text = format!("{LINES}{text}");
+            quote!(lines_in_generated_code!(#text);)
+        })
+    }
+}
+
+/// Code as tokens.
+pub(super) fn tokens(code: &str) -> TokenStream {
+    // It is made of names and numbers, so this is a matter of our own code alone.
+    code.parse()
+        .unwrap_or_else(|error| panic!("generated code has no tokens: {error}: {code}"))
+}
+
 /// An item that is laid out by hand: the call of a macro, of which the formatter knows nothing.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Verbatim {
@@ -124,20 +164,21 @@ pub(super) fn laid_out(source: &str) -> String {
             previous = "}";
             continue;
         }
+        if let Some(rest) = content.strip_prefix(LINES_MARKER) {
+            let code = quoted(rest, &mut lines).trim_start_matches(LINES);
+            for line in code.split_inclusive(';') {
+                text.push_str(indent);
+                text.push_str(line);
+                text.push('\n');
+                previous = line;
+            }
+            continue;
+        }
         match content.strip_prefix(MARKER) {
             Some(rest) => {
-                // The formatter breaks a long comment after the opening parenthesis and before the closing one.
-                let quoted = if rest.is_empty() {
-                    lines.next().unwrap_or_default().trim()
-                } else {
-                    rest
-                };
-                if rest.is_empty() {
-                    lines.next();
-                }
                 text.push_str(indent);
                 text.push_str("// ");
-                text.push_str(quoted.trim_end_matches(");").trim_matches('"'));
+                text.push_str(quoted(rest, &mut lines));
             }
             None => text.push_str(line),
         }
@@ -145,6 +186,19 @@ pub(super) fn laid_out(source: &str) -> String {
         previous = line;
     }
     text
+}
+
+/// The string in the call of a marker, of which this follows the opening parenthesis. The formatter breaks a long one after that, and
+/// before the closing one.
+fn quoted<'a>(rest: &'a str, lines: &mut impl Iterator<Item = &'a str>) -> &'a str {
+    let quoted = match rest.is_empty() {
+        true => lines.next().unwrap_or_default().trim(),
+        false => rest,
+    };
+    if rest.is_empty() {
+        lines.next();
+    }
+    quoted.trim_end_matches(");").trim_matches('"')
 }
 
 /// Whether a line is the first of an item: its documentation, its attributes, or an item that needs none.
@@ -167,7 +221,49 @@ fn ends_item(line: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::laid_out;
+    use proc_macro2::TokenStream;
+    use quote::quote;
+
+    use super::super::pieces::formatted;
+    use super::{LONGEST_LINE, Lines, laid_out, tokens};
+
+    /// A function with these statements, and text of every kind around them.
+    fn function(statements: TokenStream) -> String {
+        let items = quote! {
+            /// A function.
+            fn f(at: &mut Frame, last: &Frame) -> Result<(), Failure> {
+                #statements
+                if !spans(a, b) { return Err(singular(a, t, 3)); }
+                Ok(())
+            }
+            const ONE: f64 = 1.0;
+        };
+        laid_out(&formatted(items, &[]))
+    }
+
+    #[test]
+    fn lines_are_what_the_formatter_makes_of_their_tokens() {
+        let lines = [
+            "let a = -2.5e-7 * x / (y - 1.0) + math::atan2(u, -v);",
+            "let (sine, cosine) = math::sin_cos(at.q.phi + 0.5);",
+            "at.q.phi = angle_near(sine, cosine, last.q.phi);",
+            "required(a - b, 3)?;",
+            "let lift = TABLE_LIFT.at(x)[1] * branches.loop_a.sign::<Scalar>();",
+        ];
+        let mut taken = Lines::default();
+        assert!(lines.iter().all(|line| taken.take(line)));
+        let taken = taken.statement().expect("five lines");
+        assert_eq!(taken.clone().into_iter().count(), 4, "one call of a macro");
+        assert_eq!(function(taken), function(tokens(&lines.concat())));
+    }
+
+    #[test]
+    fn what_may_not_fit_into_a_line_is_left_to_the_formatter() {
+        let mut taken = Lines::default();
+        assert!(!taken.take(&format!("let a = {} + b;", "c".repeat(LONGEST_LINE))));
+        assert!(!taken.take("let a = if b < 0.0 { 1.0 } else { 2.0 };"));
+        assert!(taken.statement().is_none());
+    }
 
     #[test]
     fn documentation_that_ends_in_a_semicolon_is_not_torn_apart() {

@@ -1,5 +1,6 @@
 //! Which lints an item of generated code must allow, so that it is clean wherever it is included.
 
+use super::layout::LINES;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use std::f64::consts;
@@ -40,11 +41,13 @@ pub(super) fn unused_item(tokens: &TokenStream) -> TokenStream {
 /// An attribute where a literal is close to a constant of the standard library: it is an exact value of the mechanism.
 pub(super) fn approximate(tokens: &TokenStream) -> TokenStream {
     let suspect = any(tokens, &|tree| match tree {
-        TokenTree::Literal(literal) => literal.to_string().parse::<f64>().is_ok_and(|value| {
-            KNOWN
-                .iter()
-                .any(|known| (value - known).abs() < CLOSE * known)
-        }),
+        TokenTree::Literal(literal) => {
+            let text = literal.to_string();
+            match lines(&text) {
+                Some(mut words) => words.any(is_close),
+                None => is_close(&text),
+            }
+        }
         _ => false,
     });
     if suspect {
@@ -52,6 +55,21 @@ pub(super) fn approximate(tokens: &TokenStream) -> TokenStream {
     } else {
         TokenStream::new()
     }
+}
+
+/// Whether a literal is close to a known constant.
+fn is_close(literal: &str) -> bool {
+    literal.parse::<f64>().is_ok_and(|value| {
+        KNOWN
+            .iter()
+            .any(|known| (value - known).abs() < CLOSE * known)
+    })
+}
+
+/// The numbers and paths in lines of code, where this literal is such.
+fn lines(literal: &str) -> Option<impl Iterator<Item = &str>> {
+    let code = literal.strip_prefix('"')?.strip_prefix(LINES)?;
+    Some(code.split(|it: char| !(it.is_ascii_alphanumeric() || it == '_' || it == '.')))
 }
 
 /// Whether a name is that of a coordinate, or made of it, and has capitals of the body's.
@@ -65,6 +83,11 @@ pub(super) fn has_capitals(name: &str) -> bool {
 pub(super) fn capitals(tokens: &TokenStream) -> TokenStream {
     let suspect = any(tokens, &|tree| match tree {
         TokenTree::Ident(name) => has_capitals(&name.to_string()),
+        TokenTree::Literal(literal) => {
+            let text = literal.to_string();
+            lines(&text)
+                .is_some_and(|words| words.flat_map(|word| word.split('.')).any(has_capitals))
+        }
         _ => false,
     });
     if suspect {

@@ -3,11 +3,11 @@
 use std::collections::HashSet;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::functions::functions;
-use super::layout::Verbatim;
-use super::names::identifier;
+use super::layout::{LINES, Verbatim, tokens};
+use super::names::{identifier, identifier_text};
 use super::pieces::{Around, formatted};
 use super::{
     block, coordinates, explained, frame, newton, parameters, path, shell, tables, textbook,
@@ -29,19 +29,18 @@ impl Module<'_> {
     }
 
     /// A field of a frame.
-    pub(super) fn field(&self, symbol: SymbolId, frame: &Ident) -> TokenStream {
+    pub(super) fn field(&self, symbol: SymbolId, frame: &str) -> TokenStream {
+        tokens(&self.field_text(symbol, frame))
+    }
+
+    /// The same as text.
+    pub(super) fn field_text(&self, symbol: SymbolId, frame: &str) -> String {
         match self.component(symbol).filter(|_| self.holds_coordinates()) {
             Some(component) => {
-                let (vector, name) = (
-                    format_ident!("{}", component.vector),
-                    identifier(component.name),
-                );
-                quote!(#frame.#vector.#name)
+                let name = identifier_text(component.name);
+                format!("{frame}.{}.{name}", component.vector)
             }
-            None => {
-                let name = self.field_name(symbol);
-                quote!(#frame.#name)
-            }
+            None => format!("{frame}.{}", identifier_text(self.own_field(symbol))),
         }
     }
 
@@ -119,7 +118,10 @@ fn identifiers(code: &str) -> HashSet<&str> {
         while let Some(start) = rest.find(|it: char| it == '"' || is_of_word(it)) {
             rest = &rest[start..];
             if let Some(string) = rest.strip_prefix('"') {
-                rest = after_string(string);
+                // Lines are code.
+                rest = string
+                    .strip_prefix(LINES)
+                    .unwrap_or_else(|| after_string(string));
                 continue;
             }
             let end = rest.find(|it: char| !is_of_word(it));

@@ -234,6 +234,14 @@ pub(super) fn identifier(name: &str) -> Ident {
     }
 }
 
+/// The same as text.
+pub(super) fn identifier_text(name: &str) -> String {
+    match is_identifier(name) {
+        true => name.to_string(),
+        false => format!("{name}_"),
+    }
+}
+
 fn is_identifier(name: &str) -> bool {
     let is_letter = |letter: char| letter.is_ascii_alphabetic() || letter == '_';
     let is_plain = name.chars().all(|it| is_letter(it) || it.is_ascii_digit());

@@ -238,11 +238,7 @@ fn solve(
     let module = scope.module;
     let tears = tears(newton, module);
     let fields = |of: fn(&Unknown) -> SymbolId, frame: &str| -> Vec<TokenStream> {
-        let frame = format_ident!("{frame}");
-        tears
-            .iter()
-            .map(|it| module.field(of(it), &frame))
-            .collect()
+        tears.iter().map(|it| module.field(of(it), frame)).collect()
     };
     let of: [fn(&Unknown) -> SymbolId; 3] = [|it| it.position, |it| it.rate, |it| it.acceleration];
     let [q, qd, qdd] = of.map(|of| fields(of, "at"));
@@ -298,9 +294,8 @@ fn solve(
 /// The Jacobian at the tears that were found, factorized once more for what responds to drivers and parameters.
 fn factorize(index: usize, block: &Block, newton: &NewtonBlock, scope: &Scope<'_>) -> TokenStream {
     let module = scope.module;
-    let at = format_ident!("at");
     let tears = tears(newton, module);
-    let q = tears.iter().map(|it| module.field(it.position, &at));
+    let q = tears.iter().map(|it| module.field(it.position, "at"));
     let (number, equations) = (count(index), instance(block, newton, module));
     quote! {
         let tears = Vector::from([#(#q),*]);

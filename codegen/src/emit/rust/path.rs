@@ -87,10 +87,9 @@ fn tubes(module: &Module<'_>, path: &Path) -> (TokenStream, TokenStream) {
     }
     let scope = Scope::new(module, &path.function, Place::Path);
     let fields = |frame: &str| -> Vec<TokenStream> {
-        let frame = format_ident!("{frame}");
         iterated
             .iter()
-            .map(|&(symbol, _)| module.field(symbol, &frame))
+            .map(|&(symbol, _)| module.field(symbol, frame))
             .collect()
     };
     let (now, before) = (fields("at"), fields("last"));

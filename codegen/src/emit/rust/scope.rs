@@ -1,48 +1,40 @@
 //! Where a value stands → how Rust reads it.
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
 
-use super::names::identifier;
+use super::layout::tokens;
+use super::names::identifier_text;
 use crate::emit::module::scope::{Location, Scope};
 use crate::expr::SymbolId;
 
 impl Scope<'_> {
     /// How a variable is read.
     pub(super) fn symbol(&self, symbol: SymbolId) -> TokenStream {
+        tokens(&self.read(symbol))
+    }
+
+    /// The same as text.
+    pub(super) fn read(&self, symbol: SymbolId) -> String {
         match self.locate(symbol) {
-            Location::Local(name) => {
-                let name = identifier(&name);
-                quote!(#name)
-            }
+            Location::Local(name) => identifier_text(&name),
             Location::Sign(branch) => {
-                let branch = identifier(branch);
-                quote!(branches.#branch.sign::<Scalar>())
+                format!("branches.{}.sign::<Scalar>()", identifier_text(branch))
             }
-            Location::Span(part) => {
-                let part = identifier(part);
-                quote!(span.#part)
-            }
-            Location::Field(symbol) => self.module.field(symbol, &format_ident!("at")),
-            Location::Last(symbol) => self.module.field(symbol, &format_ident!("last")),
-            Location::LastTime => quote!(last.t),
+            Location::Span(part) => format!("span.{}", identifier_text(part)),
+            Location::Field(symbol) => self.module.field_text(symbol, "at"),
+            Location::Last(symbol) => self.module.field_text(symbol, "last"),
+            Location::LastTime => "last.t".to_string(),
             Location::Coordinate(component) => {
-                let (vector, name) = (format_ident!("{}", component.vector), component.name);
-                let name = identifier(name);
-                quote!(#vector.#name)
+                format!("{}.{}", component.vector, identifier_text(component.name))
             }
-            Location::Parameter(name) => {
-                let field = identifier(&name);
-                quote!(parameters.#field)
-            }
+            Location::Parameter(name) => format!("parameters.{}", identifier_text(&name)),
             Location::Input {
                 name,
                 level,
                 before,
             } => {
-                let (field, level) = (identifier(&name), format_ident!("{level}"));
-                let inputs = format_ident!("{}", if before { "before" } else { "inputs" });
-                quote!(#inputs.#field.#level)
+                let inputs = if before { "before" } else { "inputs" };
+                format!("{inputs}.{}.{level}", identifier_text(&name))
             }
         }
     }

@@ -67,9 +67,7 @@ fn solve(module: &Module<'_>) -> TokenStream {
         quote!(at.parameters = *conditions.parameters;),
     );
     let checked = checked(module).into_iter();
-    let checked: Vec<TokenStream> = checked
-        .map(|symbol| module.field(symbol, &identifier("at")))
-        .collect();
+    let checked: Vec<TokenStream> = checked.map(|symbol| module.field(symbol, "at")).collect();
     let verdict = match module.is_large() || checked.is_empty() {
         true => quote!(Ok(())),
         false => quote! {

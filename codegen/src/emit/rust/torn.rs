@@ -223,9 +223,8 @@ pub(super) fn solve(
     let module = scope.module;
     let equations = instance(block, newton, module);
     let fields = |frame: &str| -> Vec<TokenStream> {
-        let frame = super::names::identifier(frame);
         let memory = torn.memory.iter();
-        memory.map(|&symbol| module.field(symbol, &frame)).collect()
+        memory.map(|&symbol| module.field(symbol, frame)).collect()
     };
     let (last, at) = (fields("last"), fields("at"));
     let ([determinant, signs @ ..], [kept, kept_signs @ ..]) = (&last[..], &at[..]) else {
