@@ -2,7 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use linkwright::FailureKind;
+use linkwright::{Failure, FailureKind, Settings};
+use linkwright_codegen::read;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::view::View;
+use linkwright_tests::description;
+use linkwright_tests::values::assembled_with;
 
 mod parallelogram {
     linkwright::include_mechanism!(parallelogram);
@@ -92,6 +97,53 @@ fn a_gap_is_not_stepped_over() {
             "step {h}: {failure}"
         );
         assert!(mechanism.frame().t < end);
+    }
+}
+
+/// Goes from an instant in steps until the path ends, in generated code and by the interpreter, which must end alike; gives the
+/// failure.
+fn end_from(start: f64, step: f64, interpreted: &Interpreted) -> Failure {
+    let mut generated = RockerLimit::assemble(start).expect("the links reach");
+    let (laws, settings) = (interpreted.input_laws(), Settings::default());
+    let given = laws.at(start);
+    let mut same =
+        assembled_with(interpreted.clone(), &[], start, &given, settings).expect("the links reach");
+    for count in 1..=4000 {
+        let t = start + step * f64::from(count);
+        let found = generated.advance(t).map(|frame| frame.t);
+        let also = same.advance(t, &laws.at(t)).map(|frame| frame.t());
+        assert_eq!(found, also, "from {start} by {step}");
+        assert_eq!(generated.frame().t, same.frame().t());
+        if let Err(failure) = found {
+            return failure;
+        }
+    }
+    panic!("from {start} by {step}: it does not end");
+}
+
+#[test]
+fn a_gap_ends_paths_from_both_sides() {
+    let system = read(&description::source("rocker_limit"));
+    let system = system.expect("no errors").only().expect("one motion");
+    let interpreted = Interpreted::new(&system).expect("its blocks");
+    let first = ((PI - 0.625_f64.acos() - 70_f64.to_radians()) / 60_f64.to_radians()).asin();
+    let last = PI - first;
+    for h in [
+        0.001, 0.01, 0.1, 0.3, 0.7, 1.0, 1.3, 1.8, 2.0, 2.4, 4.0, 6.0,
+    ] {
+        for (start, step, end) in [
+            (0.0, h, first),
+            (1.2, h, first),
+            (2.5, -h, last),
+            (1.9, -h, last),
+            (2.5, h, first + 2.0 * PI),
+        ] {
+            let failure = end_from(start, step, &interpreted);
+            assert!(
+                (failure.time - end).abs() < 1e-8,
+                "from {start} by {step}: {failure}, not {end}"
+            );
+        }
     }
 }
 
