@@ -117,7 +117,10 @@ fn end_from(start: f64, step: f64, interpreted: &Interpreted) -> Failure {
             (Err(found), Err(also)) => {
                 // But for rounding, and for what is missing there.
                 let kinds = [found.kind, also.kind].map(|kind| std::mem::discriminant(&kind));
-                assert_eq!(kinds[0], kinds[1], "from {start} by {step}: {found}, {also}");
+                assert_eq!(
+                    kinds[0], kinds[1],
+                    "from {start} by {step}: {found}, {also}"
+                );
                 assert_eq!(found.block, also.block);
                 assert!((found.time - also.time).abs() < 1e-9, "{found}, {also}");
                 return found;
@@ -135,6 +138,8 @@ fn a_gap_ends_paths_from_both_sides() {
     let interpreted = Interpreted::new(&system).expect("its blocks");
     let first = ((PI - 0.625_f64.acos() - 70_f64.to_radians()) / 60_f64.to_radians()).asin();
     let last = PI - first;
+    // They are in line again where |AC| is their sum, 160 mm.
+    let other = ((70_f64.to_radians() - 0.575_f64.acos()) / 60_f64.to_radians()).asin();
     for h in [
         0.001, 0.01, 0.1, 0.3, 0.7, 1.0, 1.3, 1.8, 2.0, 2.4, 4.0, 6.0,
     ] {
@@ -143,7 +148,8 @@ fn a_gap_ends_paths_from_both_sides() {
             (1.2, h, first),
             (2.5, -h, last),
             (1.9, -h, last),
-            (2.5, h, first + 2.0 * PI),
+            (2.5, h, PI + other),
+            (0.0, -h, -other),
         ] {
             let failure = end_from(start, step, &interpreted);
             assert!(

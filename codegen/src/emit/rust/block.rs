@@ -95,12 +95,10 @@ pub(super) fn functions(module: &Module<'_>) -> TokenStream {
             },
             false => quote!(#inline fn #name(#arguments) { #take #(#statements)* }),
         };
-        let capitals = if has_capitals {
-            lints::capitals(&body)
-        } else {
-            TokenStream::new()
+        let (capitals, approximate) = match has_capitals {
+            true => lints::both(&body),
+            false => (TokenStream::new(), lints::approximate(&body)),
         };
-        let approximate = lints::approximate(&body);
         quote!(#title #capitals #approximate #body)
     });
     functions.collect()

@@ -1,6 +1,7 @@
 //! Which lints an item of generated code must allow, so that it is clean wherever it is included.
 
 use super::layout::LINES;
+use super::module::only;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use std::f64::consts;
@@ -33,27 +34,39 @@ const KNOWN: [f64; 19] = [
 
 /// What an item that a user may leave unused must allow; `tokens` is what it is made of.
 pub(super) fn unused_item(tokens: &TokenStream) -> TokenStream {
-    let approximate = approximate(tokens);
-    let capitals = capitals(tokens);
+    let (capitals, approximate) = both(tokens);
     quote!(#capitals #[allow(dead_code)] #approximate)
+}
+
+/// What is needed where a body's name has capitals, which the coordinates keep, and what [`approximate`] says.
+pub(super) fn both(tokens: &TokenStream) -> (TokenStream, TokenStream) {
+    let (mut has_capitals, mut is_approximate) = (false, false);
+    any(tokens, &mut |tree| {
+        has_capitals = has_capitals || is_in_capitals(tree);
+        is_approximate = is_approximate || is_known(tree);
+        has_capitals && is_approximate
+    });
+    (
+        only(has_capitals, quote!(#[allow(non_snake_case)])),
+        only(is_approximate, quote!(#[allow(clippy::approx_constant)])),
+    )
 }
 
 /// An attribute where a literal is close to a constant of the standard library: it is an exact value of the mechanism.
 pub(super) fn approximate(tokens: &TokenStream) -> TokenStream {
-    let suspect = any(tokens, &|tree| match tree {
-        TokenTree::Literal(literal) => {
-            let text = literal.to_string();
-            match lines(&text) {
-                Some(mut words) => words.any(is_close),
-                None => is_close(&text),
-            }
-        }
-        _ => false,
-    });
-    if suspect {
-        quote!(#[allow(clippy::approx_constant)])
-    } else {
-        TokenStream::new()
+    let is_approximate = any(tokens, &mut is_known);
+    only(is_approximate, quote!(#[allow(clippy::approx_constant)]))
+}
+
+/// Whether a literal is close to a constant, or one in lines of code.
+fn is_known(tree: &TokenTree) -> bool {
+    let TokenTree::Literal(literal) = tree else {
+        return false;
+    };
+    let text = literal.to_string();
+    match lines(&text) {
+        Some(mut words) => words.any(is_close),
+        None => is_close(&text),
     }
 }
 
@@ -79,9 +92,9 @@ pub(super) fn has_capitals(name: &str) -> bool {
         && name.contains(|letter: char| letter.is_ascii_uppercase())
 }
 
-/// An attribute where a body's name has capitals, which the coordinates keep.
-pub(super) fn capitals(tokens: &TokenStream) -> TokenStream {
-    let suspect = any(tokens, &|tree| match tree {
+/// Whether a token is the name of a coordinate with capitals, or one in lines of code.
+fn is_in_capitals(tree: &TokenTree) -> bool {
+    match tree {
         TokenTree::Ident(name) => has_capitals(&name.to_string()),
         TokenTree::Literal(literal) => {
             let text = literal.to_string();
@@ -89,15 +102,10 @@ pub(super) fn capitals(tokens: &TokenStream) -> TokenStream {
                 .is_some_and(|words| words.flat_map(|word| word.split('.')).any(has_capitals))
         }
         _ => false,
-    });
-    if suspect {
-        quote!(#[allow(non_snake_case)])
-    } else {
-        TokenStream::new()
     }
 }
 
-fn any(tokens: &TokenStream, suspect: &dyn Fn(&TokenTree) -> bool) -> bool {
+fn any(tokens: &TokenStream, suspect: &mut dyn FnMut(&TokenTree) -> bool) -> bool {
     tokens.clone().into_iter().any(|tree| match &tree {
         TokenTree::Group(group) => any(&group.stream(), suspect),
         other => suspect(other),

@@ -177,15 +177,11 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     let tearing = match tearing.is_empty() {
         true => tearing,
         false => {
-            let capitals = lints::capitals(&tearing);
-            let approximate = lints::approximate(&tearing);
+            let (capitals, approximate) = lints::both(&tearing);
             quote!(#capitals #approximate #tearing)
         }
     };
-    let (capitals, approximate) = (
-        lints::capitals(&implementation),
-        lints::approximate(&implementation),
-    );
+    let (capitals, approximate) = lints::both(&implementation);
     quote! {
         #title #declaration #capitals #approximate #implementation
         ::linkwright::equations!(#name, #borrowed #size);

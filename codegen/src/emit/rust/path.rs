@@ -62,7 +62,7 @@ pub(super) fn path(module: &Module<'_>) -> TokenStream {
         !both.is_empty(),
         quote!(let &Pair { #(#both,)* .. } = pair;),
     );
-    let (capitals, approximate) = (lints::capitals(&body), lints::approximate(&body));
+    let (capitals, approximate) = lints::both(&body);
     let text = docs(documentation::KEEPS_TO_PATH);
     quote! {
         #text
