@@ -47,9 +47,11 @@ impl Place {
             Statement::Curve(Curve { body, span, .. }) if body.text == "ground" => {
                 return Err(self.refused("a curve on the ground", *span));
             }
-            Statement::Force(Force {
-                frame: None, span, ..
-            }) => return Err(self.refused("a force in the global frame", *span)),
+            Statement::Force(Force { frame, span, .. })
+                if frame.as_ref().is_none_or(|it| it.text == "ground") =>
+            {
+                return Err(self.refused("a force in the global frame", *span));
+            }
             Statement::Element(element)
                 if element.about.is_some() && element.operands.iter().any(is_ground) =>
             {

@@ -32,7 +32,14 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         ));
     };
     match first.text.as_str() {
-        "const" => constant(tokens, docs, first.span, "a constant").map(Statement::Constant),
+        "const" => {
+            let constant = constant(tokens, docs, first.span, "a constant")?;
+            let whole = indexed::value(&constant.value, tokens.reader);
+            tokens
+                .reader
+                .learn(|scope| scope.add_constant(&constant.name.text, whole));
+            Ok(Statement::Constant(constant))
+        }
         "param" => constant(tokens, docs, first.span, "a parameter").map(Statement::Parameter),
         "input" => constant(tokens, docs, first.span, "an input").map(Statement::Input),
         "table" => table(tokens, docs, first.span),
@@ -81,12 +88,6 @@ fn constant(
         let message = format!("`{}` is the index of a repetition", name.text);
         let finding = Diagnostic::error(Code::DuplicateName, name.span, message);
         return Err(Box::new(finding.help("choose another name")));
-    }
-    if what == "a constant" {
-        let whole = indexed::value(&value, tokens.reader);
-        tokens
-            .reader
-            .learn(|scope| scope.add_constant(&name.text, whole));
     }
     Ok(Constant {
         docs,
