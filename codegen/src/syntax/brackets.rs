@@ -321,13 +321,13 @@ fn word<'a>(text: &'a str, lexeme: &Lexeme) -> Option<&'a str> {
 }
 
 /// Whether a brace after these lexemes opens a motion or a repetition: after `motion NAME`, after `motion` where the name was
-/// forgotten, and in a statement that begins with `repeat`.
+/// forgotten, and in a statement that begins with one of these words.
 fn opens_statements(text: &str, before: &[Lexeme]) -> bool {
     let mut last = before.iter().rev().take(2);
     let is_motion = last.any(|lexeme| word(text, lexeme) == Some("motion"));
     let statement = before.iter().rev().take_while(|it| !ends_piece(it.kind));
     let first = statement.last().and_then(|lexeme| word(text, lexeme));
-    is_motion || first == Some("repeat")
+    is_motion || matches!(first, Some("motion" | "repeat"))
 }
 
 /// Whether a statement, or what stands in braces, ends or begins with this lexeme.

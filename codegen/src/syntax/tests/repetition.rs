@@ -51,6 +51,26 @@ fn statements_are_written_out_in_order() {
 }
 
 #[test]
+fn motions_are_repeated_and_repeat() {
+    let document = good(
+        "mechanism m {
+            body a[1] at (0, 0);
+            body a[2] at (0, 0);
+            repeat k from 1 to 2 {
+                motion way[k] {
+                    repeat i from 1 to 2 { drive phi(a[i]) = k*i*t; }
+                }
+            }
+        }",
+    );
+    let motions = document.mechanism.motions();
+    let motions: Vec<_> = motions
+        .map(|it| (it.name.text.as_str(), it.statements.len()))
+        .collect();
+    assert_eq!(motions, [("way1", 2), ("way2", 2)]);
+}
+
+#[test]
 fn a_part_is_called_after_its_name() {
     let document = good(
         "mechanism inner { param L = 1; point A = (0, L); body rod at A { A, Q: (L, 0) } }
