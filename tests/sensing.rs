@@ -23,6 +23,15 @@ pub fn write(folder: &str) {
         if limited || mechanism.parameters.is_empty() || !mechanism.inputs.is_empty() {
             continue;
         }
+        // What only forces depend on moves nothing.
+        let moves = mechanism.parameters.iter().any(|parameter| {
+            let rows = described.system.rows.iter();
+            let mut symbols = rows.flat_map(|row| mechanism.graph.symbols(row.residual).to_vec());
+            symbols.any(|symbol| symbol == parameter.symbol)
+        });
+        if !moves {
+            continue;
+        }
         let name = &mechanism.name;
         let parameters: Vec<&str> = mechanism
             .parameters

@@ -10,7 +10,7 @@ use super::slug::Slugs;
 use super::{Body, Joint};
 use crate::diagnostic::Span;
 use crate::expr::{Graph, SymbolId};
-use crate::joint::geometry::{BodyFrame, BodyId, Vector};
+use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector};
 use crate::syntax;
 
 /// What moves, and what holds it.
@@ -90,8 +90,9 @@ impl Linkage {
         self.slugs.free(base)
     }
 
-    /// The largest coordinate of what joints hold and equations name, which lengths are scaled by.
-    pub fn characteristic_length(&self, graph: &Graph) -> f64 {
+    /// The largest coordinate of what joints hold and equations name, which lengths are scaled by; where all are zero, as where a body
+    /// turns about the origin, that of what `loaded` points have.
+    pub fn characteristic_length(&self, loaded: &[Mark], graph: &Graph) -> f64 {
         let marks = self
             .joints
             .iter()
@@ -99,14 +100,15 @@ impl Linkage {
         let marks = marks.map(|mark| mark.local);
         let origins = self.bodies.iter().map(|body| body.drawn.origin);
         let named = self.named_on_ground.iter().copied();
-        let components = marks.chain(origins).chain(named).flatten();
-        let largest = components
-            .filter_map(|component| graph.constant_value(component))
-            .fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        if largest > 0.0 && largest.is_finite() {
-            largest
-        } else {
-            1.0
-        }
+        let held: Vec<Vector> = marks.chain(origins).chain(named).collect();
+        let loaded: Vec<Vector> = loaded.iter().map(|mark| mark.local).collect();
+        let mut largest = [held, loaded].into_iter().map(|places| {
+            let components = places.into_iter().flatten();
+            components
+                .filter_map(|component| graph.constant_value(component))
+                .fold(0.0_f64, |largest, value| largest.max(value.abs()))
+        });
+        let length = largest.find(|it| *it > 0.0 && it.is_finite());
+        length.unwrap_or(1.0)
     }
 }

@@ -14,7 +14,7 @@ use super::request::Named;
 use super::{Constant, Dimension, Mechanism, Motion};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Graph, SymbolId};
-use crate::joint::geometry::Vector;
+use crate::joint::geometry::{Mark, Vector};
 use crate::syntax::{self, BUILT_IN, WishKind};
 
 /// A description that is being read.
@@ -104,7 +104,11 @@ pub(super) fn resolve_statements<'a>(
     let end = resolver.diagnostics.mark();
     resolver.note_excess(end, item.name.span);
     resolver.note_used();
-    let characteristic_length = resolver.linkage.characteristic_length(&resolver.graph);
+    let loads = forces.loads.iter();
+    let loaded: Vec<Mark> = loads.flat_map(|it| it.element.marks()).collect();
+    let characteristic_length = resolver
+        .linkage
+        .characteristic_length(&loaded, &resolver.graph);
     let constants = resolver.constants(statements);
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
     Mechanism {
