@@ -33,4 +33,5 @@ pub mod starts;
 pub mod stencil;
 pub mod study;
 pub mod table;
+pub mod user_package;
 pub mod values;

@@ -6,9 +6,9 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
-use linkwright_tests::files;
+use linkwright_tests::{files, user_package};
 
 /// A copy of the package in which the description is `description`.
 fn copy(name: &str, description: &Path) -> PathBuf {
@@ -46,18 +46,8 @@ fn copy_with(name: &str, library: &Path, description: &Path, description_name: &
 
 /// Cargo in a package, with a command of several words.
 fn cargo(package: &Path, command: &str) -> Output {
-    let mut words = command.split_whitespace();
-    Command::new(env!("CARGO"))
-        .args(words.next())
-        .args(["--offline", "--manifest-path"])
-        .arg(package.join("Cargo.toml"))
-        .arg("--target-dir")
-        .arg(PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("user-target"))
-        .args(words)
-        .env("CARGO_TERM_COLOR", "never")
-        .env("RUSTDOCFLAGS", "--deny warnings")
-        .output()
-        .expect("cargo runs")
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user-target");
+    user_package::cargo(package, &target, command)
 }
 
 fn good() -> PathBuf {

@@ -5,13 +5,13 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 use linkwright::{Blocks, Mechanism, Settings};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::generate;
 use linkwright_tests::values::{assembled_from, levels, numbers};
-use linkwright_tests::{description, files};
+use linkwright_tests::{description, files, user_package};
 use serde_json::Value;
 
 /// Some descriptions of the repository, each in the macro.
@@ -57,18 +57,8 @@ fn copy(name: &str, library: &str) -> PathBuf {
 
 /// Cargo in a package, with a command of several words.
 fn cargo(package: &Path, command: &str) -> Output {
-    let mut words = command.split_whitespace();
-    Command::new(env!("CARGO"))
-        .args(words.next())
-        .args(["--offline", "--manifest-path"])
-        .arg(package.join("Cargo.toml"))
-        .arg("--target-dir")
-        .arg(PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("user-target"))
-        .args(words)
-        .env("CARGO_TERM_COLOR", "never")
-        .env("RUSTDOCFLAGS", "--deny warnings")
-        .output()
-        .expect("cargo runs")
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("user-target");
+    user_package::cargo(package, &target, command)
 }
 
 /// What the compiler says of a package, as `line: beginning of the message | marked text`, in the order of the lines, and whether it
