@@ -54,7 +54,6 @@ pub use law::LAWS;
 pub use motions::resolve;
 pub use naming::Naming;
 pub(crate) use parameters::field_name;
-pub use request::AXES;
 pub use setting::set;
 pub use table::ENDS_OF_TABLES;
 

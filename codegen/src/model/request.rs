@@ -6,10 +6,7 @@ use super::resolve::Resolver;
 use super::{Point, Request, Requested};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::joint::geometry::{BodyId, Mark, Vector};
-use crate::syntax::{LEVELS, Name, Output, OutputItem, Reference};
-
-/// The coordinates of a body as `output` and equations name them.
-pub const AXES: [&str; 3] = ["x", "y", "phi"];
+use crate::syntax::{AXES, LEVELS, Name, Output, OutputItem, Reference};
 
 /// The points of a mechanism by what an item may call them; only looked up.
 pub(super) struct Named<'a> {

@@ -97,6 +97,9 @@ pub const KEYWORDS: [&str; 29] = [
 /// Names that have a fixed meaning in formulas.
 pub const BUILT_IN: &[&str] = &["t", "pi"];
 
+/// The coordinates of a body, as `output` and equations name them.
+pub const AXES: [&str; 3] = ["x", "y", "phi"];
+
 /// The words inside statements, each with a meaning in its place alone.
 pub const CLAUSES: [&str; 17] = [
     "at", "turned", "facing", "along", "about", "in", "on", "free", "preload", "inertia", "from",

@@ -6,7 +6,6 @@
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
-use super::BUILT_IN;
 use super::document::{
     Body, Curve, Drive, Joint, Member, Orientation, Origin, OutputItem, Shape, Statement, Table,
     TablePoints,
@@ -15,10 +14,8 @@ use super::forces::{Center, Element};
 use super::formula::{Component, Direction, Expression, ExpressionKind, Name, Pair, Reference};
 use super::scope::inside;
 use super::tokens::{Outcome, Reader};
+use super::{AXES, BUILT_IN};
 use crate::diagnostic::Span;
-
-/// What coordinates are called.
-const AXES: [&str; 3] = ["x", "y", "phi"];
 
 /// How the names of a part are changed.
 pub(super) struct Renaming<'a> {

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS, Kind as JointKind, Slot};
-use linkwright_codegen::stages::model::{AXES, FUNCTIONS, LAWS, UNITS};
-use linkwright_codegen::stages::syntax::{BUILT_IN, CLAUSES, KEYWORDS, Kind};
+use linkwright_codegen::stages::model::{FUNCTIONS, LAWS, UNITS};
+use linkwright_codegen::stages::syntax::{AXES, BUILT_IN, CLAUSES, KEYWORDS, Kind};
 use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, Documentation, TextEdit};
 
 use super::description::Description;

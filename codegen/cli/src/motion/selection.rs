@@ -52,15 +52,12 @@ pub fn coordinates(system: &System, names: &[String]) -> Result<Vec<usize>, Stri
 fn called(system: &System, written: &str) -> String {
     let axes = ["x_", "y_", "phi_"].into_iter();
     let axes = axes.filter(|it| written.starts_with(it)).chain([""]);
-    let called = axes.flat_map(|axis| {
+    let mut called = axes.flat_map(|axis| {
         let spellings = system.mechanism.spellings.iter();
         let same = spellings.filter(move |(_, it)| **it == written[axis.len()..]);
         same.map(move |(called, _)| format!("{axis}{called}"))
     });
-    called
-        .into_iter()
-        .next()
-        .unwrap_or_else(|| written.to_string())
+    called.next().unwrap_or_else(|| written.to_string())
 }
 
 fn unknown(system: &System, what: &str, name: &str, known: &[&str]) -> String {

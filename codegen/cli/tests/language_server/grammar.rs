@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS};
-use linkwright_codegen::stages::model::{AXES, ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
-use linkwright_codegen::stages::syntax::{BUILT_IN, CLAUSES, KEYWORDS, LEVELS};
+use linkwright_codegen::stages::model::{ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
+use linkwright_codegen::stages::syntax::{AXES, BUILT_IN, CLAUSES, KEYWORDS, LEVELS};
 use serde_json::Value;
 
 use crate::client::repository;

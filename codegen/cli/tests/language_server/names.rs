@@ -5,9 +5,9 @@ use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS};
-use linkwright_codegen::stages::model::{AXES, ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
+use linkwright_codegen::stages::model::{ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
 use linkwright_codegen::stages::syntax::{
-    BUILT_IN, CLAUSES, KEYWORDS, Kind, LEVELS, lexemes, parse,
+    AXES, BUILT_IN, CLAUSES, KEYWORDS, Kind, LEVELS, lexemes, parse,
 };
 use linkwright_codegen::{attach_files, read};
 

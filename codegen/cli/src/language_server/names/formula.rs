@@ -1,8 +1,8 @@
 //! The names in formulas.
 
-use linkwright_codegen::stages::model::{AXES, UNITS};
+use linkwright_codegen::stages::model::UNITS;
 use linkwright_codegen::stages::syntax::{
-    Choice, Expression, ExpressionKind, Name, Operation, Pair, Reference,
+    AXES, Choice, Expression, ExpressionKind, Name, Operation, Pair, Reference,
 };
 
 use super::SymbolId;
