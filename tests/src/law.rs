@@ -33,7 +33,8 @@ impl Law {
         let residual = system.rows[2].residual;
         let mechanism = system.mechanism;
         let mut graph = mechanism.graph;
-        let angle = mechanism.bodies[1].coordinates.expect("a moving body")[2];
+        let [_, _, angle] = mechanism.bodies[1].coordinates;
+        let angle = angle.expect("a moving body").symbol;
         let zero = graph.zero();
         // Φ is φ − f(t).
         let negative = graph.substitute(residual, &[(angle, zero)]);

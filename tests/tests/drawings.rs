@@ -225,14 +225,9 @@ fn every_joint_and_every_body_appears_once() {
 fn solved(system: &System, instant: &Instant, mark: &Mark) -> [f64; 2] {
     let graph = &system.mechanism.graph;
     let body = &system.mechanism.bodies[mark.frame.body.0];
-    let coordinate = |symbol| {
-        let place = system
-            .coordinates
-            .iter()
-            .position(|it| it.position == symbol);
-        instant.q()[place.expect("a coordinate")]
-    };
-    let [x, y, angle] = body.coordinates.map_or([0.0; 3], |it| it.map(coordinate));
+    let [x, y, angle] = body
+        .coordinates
+        .map(|it| it.map_or(0.0, |own| instant.q()[own.place]));
     let [u, v] = mark
         .local
         .map(|part| graph.constant_value(part).expect("a constant"));

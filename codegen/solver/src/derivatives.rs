@@ -51,8 +51,8 @@ fn components(system: &System, requested: Requested) -> Vec<String> {
             let name = &system.outputs[place].name;
             ["x", "y"].map(|axis| format!("{name}_{axis}")).to_vec()
         }
-        Requested::Coordinate { body, axis } => {
-            vec![system.coordinates[3 * (body - 1) + axis].name.clone()]
+        Requested::Coordinate(place) => {
+            vec![system.coordinates[place].name.clone()]
         }
     }
 }

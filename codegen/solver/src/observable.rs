@@ -6,6 +6,7 @@
 
 use linkwright_codegen::stages::columns::Unit;
 use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::model::Body;
 use linkwright_codegen::stages::system::System;
 
 use crate::instant::Instant;
@@ -260,12 +261,12 @@ pub fn guess(system: &System, all: &[Named], name: &str) -> Option<Guess> {
         let body = mechanism
             .bodies
             .iter()
-            .skip(1)
-            .position(|it| it.name == object);
+            .find(|it| it.name == object)
+            .and_then(|it| it.coordinates[axis]);
         let point = system.outputs.iter().position(|it| it.name == object);
-        if let Some(body) = body {
+        if let Some(coordinate) = body {
             let wanted = Observable::Coordinate {
-                place: 3 * body + axis,
+                place: coordinate.place,
                 level,
             };
             let doubt = String::new();
@@ -274,13 +275,15 @@ pub fn guess(system: &System, all: &[Named], name: &str) -> Option<Guess> {
         match (point, axis) {
             (None, _) => {}
             (Some(point), TURN) => {
-                let moving = mechanism.bodies.iter().skip(1).enumerate();
-                let carriers: Vec<(usize, &str)> = moving
-                    .filter(|(_, it)| it.marks.iter().any(|mark| mark.name == object))
-                    .map(|(place, it)| (place, it.name.as_str()))
+                let carries = |it: &&Body| it.marks.iter().any(|mark| mark.name == object);
+                let carriers: Vec<(usize, &str)> = mechanism
+                    .bodies
+                    .iter()
+                    .filter(carries)
+                    .filter_map(|it| Some((it.coordinates[TURN]?.place, it.name.as_str())))
                     .collect();
                 let _ = point;
-                let Some((body, name)) = carriers.first() else {
+                let Some(&(place_of_angle, name)) = carriers.first() else {
                     continue;
                 };
                 let names: Vec<&str> = carriers.iter().map(|it| it.1).collect();
@@ -289,7 +292,7 @@ pub fn guess(system: &System, all: &[Named], name: &str) -> Option<Guess> {
                     names => format!("{object} is on {}; `{name}` is the first", names.join(", ")),
                 };
                 let wanted = Observable::Coordinate {
-                    place: 3 * body + TURN,
+                    place: place_of_angle,
                     level,
                 };
                 guesses.extend(place(wanted).map(|place| Guess { place, doubt }));

@@ -348,8 +348,8 @@ impl TextbookEquations {
             Requested::Point(place) => DMatrix::from_fn(2, self.driven, |row, column| {
                 along[column][place].velocity[row]
             }),
-            Requested::Coordinate { body, axis } => {
-                let row = responses.rows(3 * (body - 1) + axis, 1);
+            Requested::Coordinate(place) => {
+                let row = responses.rows(place, 1);
                 row.columns(0, self.driven).into_owned()
             }
         };

@@ -15,6 +15,7 @@
 
 mod bounds;
 mod choice;
+mod circles;
 mod code;
 mod content;
 mod derivative;
@@ -43,6 +44,7 @@ mod tests;
 
 pub use bounds::{DEEPEST, Excess, LARGEST_STORE};
 pub use choice::Comparison;
+pub use circles::Circle;
 pub use code::{Code, Recorder, Register};
 pub use graph::Graph;
 pub use node::{ExprId, Factor, Node, SymbolId, Term};

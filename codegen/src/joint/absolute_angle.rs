@@ -25,7 +25,7 @@ impl Kind for AbsoluteAngle {
     }
 
     fn operands(&self) -> Operands {
-        Operands::BODY
+        Operands::ANGLE
     }
 
     fn value(&self) -> Value {

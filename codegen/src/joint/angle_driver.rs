@@ -13,7 +13,7 @@ impl Kind for AngleDriver {
     }
 
     fn operands(&self) -> Operands {
-        Operands::BODY
+        Operands::ANGLE
     }
 
     fn value(&self) -> Value {

@@ -27,8 +27,13 @@ impl Kind for Equation {
         Some(Feature::Written)
     }
 
-    /// The formula with the arms of the marks put in, so that the vector form has symbols for them.
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        written_row(operands, graph)
+    }
+}
+
+/// The formula with the arms of the marks put in, so that the vector form has symbols for them.
+pub(super) fn written_row(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let Some(formula) = &operands.formula else {
             return Vec::new();
         };
@@ -43,5 +48,4 @@ impl Kind for Equation {
             quantity: formula.quantity,
             component: "",
         }]
-    }
 }

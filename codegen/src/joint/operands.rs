@@ -19,6 +19,8 @@ pub struct Operands {
 pub enum Slot {
     /// A body, for its frame: `1`.
     Body,
+    /// A body or an angle, for how it is turned: `1`.
+    Turning,
     /// A body, for the point of it that lies in the drawing where the other operand is: `1`.
     Counterpart,
     /// A point of a body, or a body for its origin: `1.P`, `1`.
@@ -47,16 +49,16 @@ pub enum Line {
 }
 
 impl Operands {
-    /// One body: `absolute_angle(1)`.
-    pub const BODY: Operands = Operands::of(&[Slot::Body]);
+    /// One body or angle: `absolute_angle(1)`.
+    pub const ANGLE: Operands = Operands::of(&[Slot::Turning]);
     /// One point of a body, or a body for its origin: `absolute_x(1.P)`, `absolute_x(1)`.
     pub const POINT: Operands = Operands::of(&[Slot::Point]);
     /// A point of each of two bodies, or bodies for their origins: `relative_x(1.P, 2)`.
     pub const POINTS: Operands = Operands::of(&[Slot::Point, Slot::Point]);
     /// The same named point on two bodies, `P(1, 2)`, or a point of each, `(1.P, 2.Q)`.
     pub const PINS: Operands = Operands::of(&[Slot::Pin, Slot::Pin]);
-    /// Two bodies: `(1, 2)`.
-    pub const BODIES: Operands = Operands::of(&[Slot::Body, Slot::Body]);
+    /// Two bodies or angles: `(1, 2)`.
+    pub const ANGLES: Operands = Operands::of(&[Slot::Turning, Slot::Turning]);
     /// Two bodies that turn on a third one, or on the ground: `(1, 2, 3)`, `(1, 2)`.
     pub const BODIES_ON_CARRIER: Operands = Operands::of(&[Slot::Body, Slot::Body, Slot::Carrier]);
     /// Two bodies and the line on which they slide: `(1, 2) along P -> Q`.
@@ -158,6 +160,13 @@ pub struct Resolved {
     pub auxiliaries: Vec<AuxiliaryUnknown>,
     /// The formula of an equation that the description writes out.
     pub formula: Option<Formula>,
+}
+
+impl Resolved {
+    /// The length of a rod that an equation holds.
+    pub fn length(&self) -> Option<ExprId> {
+        self.formula.as_ref().and(self.value)
+    }
 }
 
 /// An equation as a description writes it, with both sides on the left.

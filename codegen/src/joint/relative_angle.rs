@@ -28,7 +28,7 @@ impl Kind for RelativeAngle {
     }
 
     fn operands(&self) -> Operands {
-        Operands::BODIES
+        Operands::ANGLES
     }
 
     fn value(&self) -> Value {

@@ -9,7 +9,7 @@ use super::{Body, Dimension, NamedMark};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::ExprId;
 use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector, subtract};
-use crate::syntax;
+use crate::syntax::{self, Name};
 
 /// `x1, y1, phi1` of body `1`; `x_c1, y_c1, phi_c1` of body `c1`.
 pub(super) fn coordinate_names(body: &str) -> [String; 3] {
@@ -48,22 +48,9 @@ impl Resolver<'_> {
 
     pub(super) fn add_body(&mut self, body: &syntax::Body) {
         let name = &body.name;
-        if name.text == "ground" {
-            self.diagnostics.push(
-                Diagnostic::error(
-                    Code::NameNotAllowed,
-                    name.span,
-                    "`ground` is the fixed frame and is always there",
-                )
-                .help("joints may name it: `revolute A(ground, 1);`"),
-            );
+        let Some(id) = self.new_body(name) else {
             return;
-        }
-        let id = BodyId(self.linkage.bodies.len());
-        if let Some(duplicate) = self.declared.body_ids.declare(name, id) {
-            self.diagnostics.push(duplicate);
-            return;
-        }
+        };
         let symbols = coordinate_names(&name.text).map(|name| self.graph.symbol(&name));
         let [x, y, phi] = symbols.map(|symbol| self.graph.variable(symbol));
         let drawn = self.drawn_pose(body, id);
@@ -80,6 +67,7 @@ impl Resolver<'_> {
             };
             let (syntax::Member::Local { name: own, .. }
             | syntax::Member::Carried { name: own, .. }) = member;
+            self.is_no_angle(own);
             match places.get(own.text.as_str()).map(|&at| &marks[at]) {
                 Some(earlier) => self.diagnostics.push(
                     Diagnostic::error(
@@ -102,10 +90,33 @@ impl Resolver<'_> {
             docs: body.docs.clone(),
             span: name.span,
             frame,
-            coordinates: Some(symbols),
+            coordinates: self.linkage.numbered(symbols.map(Some)),
             drawn,
             marks,
         });
+    }
+
+    /// The number of a body with this name; `None` after an error.
+    pub(super) fn new_body(&mut self, name: &Name) -> Option<BodyId> {
+        if name.text == "ground" {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::NameNotAllowed,
+                    name.span,
+                    "`ground` is the fixed frame and is always there",
+                )
+                .help("joints may name it: `revolute A(ground, 1);`"),
+            );
+            return None;
+        }
+        let id = BodyId(self.linkage.bodies.len());
+        match self.declared.body_ids.declare(name, id) {
+            Some(duplicate) => {
+                self.diagnostics.push(duplicate);
+                None
+            }
+            None => Some(id),
+        }
     }
 
     /// The pose in which a body is drawn.

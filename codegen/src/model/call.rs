@@ -118,6 +118,10 @@ impl Resolver<'_> {
             self.report_argument(&format!("`{name}` cannot take"), &arguments[0], dimension);
             return None;
         }
+        if let ("sin" | "cos", Some([cosine, sine])) = (name, self.live_direction(x)) {
+            let value = if name == "sin" { sine } else { cosine };
+            return Some((value, Dimension::Number));
+        }
         let graph = &mut self.graph;
         Some(match name {
             "sin" => (graph.sin(x), Dimension::Number),

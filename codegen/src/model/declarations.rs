@@ -57,7 +57,7 @@ fn names(written: &Expression) -> Vec<&Name> {
                 Vec::new()
             }
             ExpressionKind::Call { arguments, .. } => arguments.iter().collect(),
-            ExpressionKind::Pair(pair) => vec![&pair.x, &pair.y],
+            ExpressionKind::Components(parts) => parts.iter().collect(),
             ExpressionKind::Choice(choice) => vec![&choice.holds, &choice.otherwise],
         };
         rest.extend(inner.into_iter().rev());

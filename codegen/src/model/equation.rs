@@ -4,13 +4,23 @@
 //! unknown here: how a formula is read.
 
 use super::kinematic::KinematicTerms;
+use super::live_distance::{WrittenRod, written_rod};
 use super::resolve::Resolver;
 use super::{Dimension, Joint, Role};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::Mark;
-use crate::joint::{Drawn, EQUATION, Formula, Resolved};
+use crate::joint::{Drawn, EQUATION, Formula, Kind, Quantity, ROD, Refusal, Resolved};
 use crate::syntax::Equation;
+
+/// What an equation says.
+struct Stated {
+    kind: &'static dyn Kind,
+    residual: ExprId,
+    quantity: Quantity,
+    /// The length of a rod that keeps it, and where it is written.
+    length: Option<(ExprId, Span)>,
+}
 
 impl Resolver<'_> {
     pub(super) fn add_equation(&mut self, equation: &Equation) {
@@ -18,17 +28,20 @@ impl Resolver<'_> {
         let duplicate = name.and_then(|name| self.declared.equations.declare(name, ()));
         self.diagnostics.extend(duplicate);
         self.formulas.kinematic = Some(KinematicTerms::default());
-        // Both sides are looked at even after an error, so that all errors are reported at once.
-        let (left, right) = (self.value(&equation.left), self.value(&equation.right));
+        let stated = match written_rod(equation) {
+            Some(rod) => self.rod(&rod),
+            None => self.sides(equation),
+        };
         let kinematic = self.formulas.kinematic.take().unwrap_or_default();
-        let (Some((left, of_left)), Some((right, of_right))) = (left, right) else {
+        let Some(Stated {
+            kind,
+            residual,
+            quantity,
+            length,
+        }) = stated
+        else {
             return;
         };
-        if !of_left.fits(of_right) {
-            self.report_sides(equation, of_left, of_right);
-            return;
-        }
-        let residual = self.graph.subtract(left, right);
         let (marks, arms) = self.mentioned_in(residual, kinematic);
         if marks.is_empty() {
             self.diagnostics.push(
@@ -54,14 +67,21 @@ impl Resolver<'_> {
             drawn,
             axis: None,
             curve: None,
-            value: None,
+            value: length.map(|it| it.0),
             auxiliaries: Vec::new(),
             formula: Some(Formula {
                 residual,
                 arms,
-                quantity: of_left.joined(of_right).quantity(),
+                quantity,
             }),
         };
+        if let (Some((_, place)), Some(Refusal { problem, help })) =
+            (length, kind.refusal(&operands, &mut self.graph))
+        {
+            self.diagnostics
+                .push(Diagnostic::error(Code::ValueNotAllowed, place, problem).help(help));
+            return;
+        }
         self.linkage.equation_count += 1;
         let number = self.linkage.equation_count;
         let (label, slug) = match name {
@@ -74,7 +94,7 @@ impl Resolver<'_> {
             None => Role::Constraint,
         };
         let joint = Joint {
-            kind: EQUATION,
+            kind,
             role,
             redundant: equation.redundant,
             name: name.map(|name| name.text.clone()),
@@ -87,6 +107,37 @@ impl Resolver<'_> {
         self.linkage.push_joint(joint, None);
     }
 
+    /// Left − right.
+    fn sides(&mut self, equation: &Equation) -> Option<Stated> {
+        // Both sides are looked at even after an error, so that all errors are reported at once.
+        let (left, right) = (self.value(&equation.left), self.value(&equation.right));
+        let ((left, of_left), (right, of_right)) = (left?, right?);
+        if !of_left.fits(of_right) {
+            self.report_sides(equation, of_left, of_right);
+            return None;
+        }
+        Some(Stated {
+            kind: EQUATION,
+            residual: self.graph.subtract(left, right),
+            quantity: of_left.joined(of_right).quantity(),
+            length: None,
+        })
+    }
+
+    /// The square of a distance less that of its length.
+    fn rod(&mut self, rod: &WrittenRod<'_>) -> Option<Stated> {
+        let square = self.square_of_distance(rod.ends);
+        let length = self.quantity(rod.length, Dimension::LENGTH);
+        let (square, length) = (square?, length?);
+        let wanted = self.graph.multiply(length, length);
+        Some(Stated {
+            kind: ROD,
+            residual: self.graph.subtract(square, wanted),
+            quantity: Quantity::Power(2),
+            length: self.graph.is_fixed(length).then_some((length, rod.length.span)),
+        })
+    }
+
     /// The marks of bodies that a residual still mentions, after what cancels, with their arms.
     fn mentioned_in(
         &self,
@@ -97,8 +148,9 @@ impl Resolver<'_> {
         marks
             .filter(|(mark, arm)| {
                 let own = self.linkage.bodies[mark.frame.body.0].coordinates;
-                let mut own = own.iter().flatten().chain(arm.iter().flatten());
-                own.any(|&symbol| self.graph.depends_on(residual, symbol))
+                let own = own.iter().flatten().map(|it| it.symbol);
+                let mut own = own.chain(arm.iter().flatten().copied());
+                own.any(|symbol| self.graph.depends_on(residual, symbol))
             })
             .unzip()
     }

@@ -90,9 +90,9 @@ impl Resolver<'_> {
                 arguments,
             } => self.call(function, arguments, written.span)?,
             ExpressionKind::Choice(choice) => self.choice(choice)?,
-            ExpressionKind::Pair(_) => {
+            ExpressionKind::Components(_) => {
                 self.diagnostics.push(
-                    Diagnostic::error(Code::OutsideGrammar, written.span, "a pair is no formula")
+                    Diagnostic::error(Code::OutsideGrammar, written.span, "a place is no formula")
                         .label("one value is wanted here")
                         .help("write each component in a formula of its own"),
                 );
@@ -183,6 +183,8 @@ impl Resolver<'_> {
             )
         } else if self.declared.table_names.get(name).is_some() {
             no_number("table").help(format!("write `{name}(x)` for its value at x"))
+        } else if self.angle_named(name).is_some() {
+            no_number("angle that moves").help("an `equation` may name it; in the drawing it has no value to start from")
         } else if self.declared.body_ids.get(name).is_some() {
             no_number("body").help("name a constant, or measure points of the drawing: `distance(A, B)`")
         } else {

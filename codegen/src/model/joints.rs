@@ -44,6 +44,7 @@ impl Resolver<'_> {
             operands: &joint.operands,
             along: joint.along.as_ref(),
             value: joint.value.as_ref(),
+            is_bare: false,
             placed: joint.placed,
             span: joint.span,
         };
@@ -88,7 +89,10 @@ impl Resolver<'_> {
             return;
         };
         let mut operands = drive.operands.clone();
-        if drive.dotted {
+        if drive.form == syntax::DrivenForm::Bare && !self.is_angle_alone(&drive.operands[0]) {
+            return;
+        }
+        if drive.form == syntax::DrivenForm::Dotted {
             for operand in &mut operands {
                 let Some(carried) = self.on_its_carrier(operand) else {
                     return;
@@ -104,6 +108,7 @@ impl Resolver<'_> {
             operands: &operands,
             along: None,
             value: Some(value),
+            is_bare: drive.form == syntax::DrivenForm::Bare,
             placed: drive.placed,
             span: drive.span,
         };
@@ -144,6 +149,28 @@ impl Resolver<'_> {
         };
         self.diagnostics.push(diagnostic);
         None
+    }
+
+    /// Whether what `drive NAME = …` names is an angle; an error where not.
+    fn is_angle_alone(&mut self, named: &syntax::Reference) -> bool {
+        let text = &named.name.text;
+        if self.angle_named(text).is_some() {
+            return true;
+        }
+        let example = match self.declared.body_ids.get(text) {
+            Some(_) => format!("write `drive phi({text}) = …;`"),
+            None => "a driver is written `drive phi(BODY) = …;`, or `drive ANGLE = …;` with an `angle` that is declared above".to_string(),
+        };
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::UnknownName,
+                named.span,
+                format!("no angle is named `{text}`"),
+            )
+            .label("cannot be driven by its name alone")
+            .help(example),
+        );
+        false
     }
 
     fn add_rows_of(&mut self, given: &WrittenJoint<'_>, redundant: Option<Span>, docs: &[String]) {
@@ -209,10 +236,14 @@ fn label(given: &WrittenJoint<'_>) -> String {
         )
     });
     let along = along.unwrap_or_default();
+    let driven = match given.is_bare {
+        true => operands.clone(),
+        false => format!("{keyword}({operands})"),
+    };
     let word = if given.is_free { "free" } else { "drive" };
     match (given.role, given.name.map(|name| name.text.as_str())) {
-        (Role::Driver, Some(name)) => format!("{word} {name}: {keyword}({operands})"),
-        (Role::Driver, None) => format!("drive {keyword}({operands})"),
+        (Role::Driver, Some(name)) => format!("{word} {name}: {driven}"),
+        (Role::Driver, None) => format!("drive {driven}"),
         (Role::Constraint, Some(name)) => format!("{keyword} {name}({operands}){along}"),
         (Role::Constraint, None) if given.operands.len() == 1 => format!("{keyword}({operands})"),
         (Role::Constraint, None) => format!("{keyword} ({operands}){along}"),

@@ -11,7 +11,7 @@ use super::expression::Value;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::SymbolId;
-use crate::joint::geometry::{BodyId, Mark, Vector, add, dot, subtract};
+use crate::joint::geometry::{BodyId, Mark, Vector, add};
 use crate::syntax::{Expression, ExpressionKind, Name, Reference};
 
 /// What the equation that is being read mentions so far.
@@ -93,16 +93,7 @@ impl Resolver<'_> {
                 );
                 Some(None)
             }
-            ("distance", [from, to]) => Some(self.live_distance(from, to)),
-            ("sin" | "cos", [angle]) => match &angle.kind {
-                ExpressionKind::Call {
-                    function: inner,
-                    arguments,
-                } if inner.text == "phi" && arguments.len() == 1 => {
-                    Some(self.direction(name, inner, &arguments[0]))
-                }
-                _ => None,
-            },
+            ("distance", [from, to]) => Some(self.live_distance([from, to])),
             _ => None,
         }
     }
@@ -129,48 +120,14 @@ impl Resolver<'_> {
 
     /// A body named alone, whose angle is mentioned.
     fn turning_body(&mut self, reference: &Reference) -> Option<BodyId> {
-        if reference.body.is_some() {
-            // Says that a body is wanted.
-            self.origin_mark(reference)?;
-        }
-        let body = BodyId(self.moving_body(&reference.name)?);
-        let mark = self.origin_mark(reference)?;
+        let mark = self.turning_mark(reference)?;
+        self.moving_body(&reference.name)?;
         self.mention_mark(mark);
-        Some(body)
-    }
-
-    /// `sin(phi(1))`, `cos(phi(1))`: the arm of a unit vector.
-    fn direction(&mut self, function: &str, phi: &Name, of: &Expression) -> Option<Value> {
-        let reference = self.written_place(phi, of)?;
-        let body = self.turning_body(&reference)?;
-        let along = [self.graph.one(), self.graph.zero()];
-        let mark = Mark::new(self.linkage.bodies[body.0].frame, along, &mut self.graph);
-        let [cosine, sine] = self.live_arm(mark);
-        let value = if function == "cos" { cosine } else { sine };
-        Some((value, Dimension::Number))
-    }
-
-    /// The length between two points as they move.
-    fn live_distance(&mut self, from: &Expression, to: &Expression) -> Option<Value> {
-        let name = Name {
-            text: "distance".to_string(),
-            span: from.span,
-        };
-        let ends = [from, to].map(|end| {
-            let reference = self.written_place(&name, end)?;
-            let mark = self.live_point(&reference)?;
-            Some(self.live_position(mark))
-        });
-        let [Some(from), Some(to)] = ends else {
-            return None;
-        };
-        let gap = subtract(to, from, &mut self.graph);
-        let square = dot(gap, gap, &mut self.graph);
-        Some((self.graph.sqrt(square), Dimension::LENGTH))
+        Some(mark.frame.body)
     }
 
     /// The body or point that an argument names; a body may be named by an integer.
-    fn written_place(&mut self, function: &Name, argument: &Expression) -> Option<Reference> {
+    pub(super) fn written_place(&mut self, function: &Name, argument: &Expression) -> Option<Reference> {
         match &argument.kind {
             ExpressionKind::Reference(reference) => Some(reference.clone()),
             ExpressionKind::Number { digits, unit: None }
@@ -225,6 +182,11 @@ impl Resolver<'_> {
             }
             // Says where the point is not on the body.
             self.mark_on(body, name)?;
+        }
+        if let (None, Some(body)) = (&reference.body, self.angle_named(&name.text)) {
+            let mark = self.turning_mark(reference)?;
+            self.mention_mark(mark);
+            return Some((self.linkage.bodies[body.0].frame.angle, Dimension::Angle));
         }
         let message = |what: &str| format!("a {what} is not a number");
         let finding = |what: &str| {
@@ -365,7 +327,7 @@ impl Resolver<'_> {
 
     /// The mark of a point in an equation. One that is named without a body is, where it is drawn, a point of the first body
     /// that carries it, or of the ground; and otherwise the one point that bodies give this name.
-    fn live_point(&mut self, reference: &Reference) -> Option<Mark> {
+    pub(super) fn live_point(&mut self, reference: &Reference) -> Option<Mark> {
         let name = &reference.name;
         if reference.body.is_some() {
             return self.point_mark(reference);
@@ -395,13 +357,13 @@ impl Resolver<'_> {
     }
 
     /// r + R s in terms of the symbols of the arm.
-    fn live_position(&mut self, mark: Mark) -> Vector {
+    pub(super) fn live_position(&mut self, mark: Mark) -> Vector {
         let arm = self.live_arm(mark);
         add(mark.frame.origin, arm, &mut self.graph)
     }
 
     /// The symbols that stand for the arm of a mark; the arm itself where it does not turn.
-    fn live_arm(&mut self, mark: Mark) -> Vector {
+    pub(super) fn live_arm(&mut self, mark: Mark) -> Vector {
         if mark.frame.body == BodyId::GROUND {
             self.linkage.named_on_ground.push(mark.local);
             return mark.arm;

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use super::carriers::Carriers;
 use super::naming::Naming;
 use super::slug::Slugs;
-use super::{Body, Joint};
+use super::{Body, Coordinate, Joint};
 use crate::diagnostic::Span;
 use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector};
@@ -48,7 +48,7 @@ impl Linkage {
                 docs: Vec::new(),
                 span: Span::default(),
                 frame,
-                coordinates: None,
+                coordinates: [None; 3],
                 drawn: frame,
                 marks: Vec::new(),
             }],
@@ -63,11 +63,22 @@ impl Linkage {
         }
     }
 
+    /// The coordinates of the next body, with the places behind all so far.
+    pub fn numbered(&self, symbols: [Option<SymbolId>; 3]) -> [Option<Coordinate>; 3] {
+        let mut places = self.coordinate_places.len()..;
+        symbols.map(|symbol| {
+            let (symbol, place) = (symbol?, places.next()?);
+            Some(Coordinate { symbol, place })
+        })
+    }
+
     /// Takes in a body.
     pub fn push_body(&mut self, body: Body) {
         let id = body.frame.body;
-        for (axis, symbol) in body.coordinates.into_iter().flatten().enumerate() {
-            self.coordinate_places.insert(symbol, (id, axis));
+        for (axis, coordinate) in body.coordinates.iter().enumerate() {
+            if let Some(Coordinate { symbol, .. }) = coordinate {
+                self.coordinate_places.insert(*symbol, (id, axis));
+            }
         }
         for (place, mark) in body.marks.iter().enumerate() {
             self.carriers.add((id, place), &mark.name, mark.mark.local);
@@ -93,14 +104,15 @@ impl Linkage {
     /// The largest coordinate of what joints hold and equations name, which lengths are scaled by; where all are zero, as where a body
     /// turns about the origin, that of what `loaded` points have.
     pub fn characteristic_length(&self, loaded: &[Mark], graph: &Graph) -> f64 {
-        let marks = self
-            .joints
-            .iter()
-            .flat_map(|(joint, _)| &joint.operands.marks);
-        let marks = marks.map(|mark| mark.local);
+        let joints = || self.joints.iter().map(|(joint, _)| joint);
+        // What an angle turns is a direction.
+        let has_place = |mark: &&Mark| !self.bodies[mark.frame.body.0].is_angle();
+        let marks = joints().flat_map(|joint| &joint.operands.marks);
+        let marks = marks.filter(has_place).map(|mark| mark.local);
+        let rods = joints().filter_map(|joint| Some([joint.operands.length()?; 2]));
         let origins = self.bodies.iter().map(|body| body.drawn.origin);
         let named = self.named_on_ground.iter().copied();
-        let held: Vec<Vector> = marks.chain(origins).chain(named).collect();
+        let held: Vec<Vector> = marks.chain(origins).chain(named).chain(rods).collect();
         let loaded: Vec<Vector> = loaded.iter().map(|mark| mark.local).collect();
         let mut largest = [held, loaded].into_iter().map(|places| {
             let components = places.into_iter().flatten();

@@ -27,6 +27,7 @@ impl Resolver<'_> {
     pub(super) fn add_mass(&mut self, written: &syntax::Mass) {
         let zero = self.graph.zero();
         let body = self.moving_body(&written.body);
+        let body = body.filter(|&it| self.has_place(BodyId(it), &written.body));
         let mass = self.constant(&written.mass, Dimension::MASS);
         let inertia = match &written.inertia {
             Some(inertia) => self.constant(inertia, Dimension::INERTIA),

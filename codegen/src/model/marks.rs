@@ -63,6 +63,13 @@ impl Resolver<'_> {
 
     /// A body named alone, for its origin.
     pub(super) fn origin_mark(&mut self, reference: &Reference) -> Option<Mark> {
+        let mark = self.turning_mark(reference)?;
+        self.has_place(mark.frame.body, &reference.name)
+            .then_some(mark)
+    }
+
+    /// A body or an angle named alone, for its angle.
+    pub(super) fn turning_mark(&mut self, reference: &Reference) -> Option<Mark> {
         if reference.body.is_some() {
             self.diagnostics.push(
                 Diagnostic::error(
@@ -123,6 +130,13 @@ impl Resolver<'_> {
 
     /// The point of this name on a body. The ground carries every drawn point.
     pub(super) fn mark_on(&mut self, body: BodyId, name: &Name) -> Option<Mark> {
+        let owner = Name {
+            text: self.linkage.bodies[body.0].name.clone(),
+            span: name.span,
+        };
+        if !self.has_place(body, &owner) {
+            return None;
+        }
         let carrier = &self.linkage.bodies[body.0];
         if let Some(at) = self.linkage.carriers.on_body(body, &name.text) {
             return Some(carrier.marks[at].mark);

@@ -4,6 +4,7 @@
 //! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
 //! determine the motion.
 
+mod angles;
 mod bodies;
 mod bounds;
 mod call;
@@ -24,6 +25,8 @@ mod kinematic;
 mod law;
 mod lines;
 mod linkage;
+mod live_direction;
+mod live_distance;
 mod loads;
 mod marks;
 mod motions;
@@ -56,6 +59,8 @@ pub use naming::Naming;
 pub(crate) use parameters::field_name;
 pub use setting::set;
 pub use table::ENDS_OF_TABLES;
+
+use std::ops::Range;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SplineId, SymbolId};
@@ -186,21 +191,32 @@ pub struct Motion {
     pub span: Span,
 }
 
-/// A rigid body.
+/// A rigid body, or an angle without one.
 #[derive(Clone, Debug)]
 pub struct Body {
     /// The name as written: an identifier or an integer.
     pub name: String,
+    /// Its documentation lines.
     pub docs: Vec<String>,
+    /// Where its name is declared.
     pub span: Span,
     /// Its frame in terms of its coordinates; constants for the ground.
     pub frame: BodyFrame,
-    /// Its coordinates x, y, φ; none for the ground.
-    pub coordinates: Option<[SymbolId; 3]>,
+    /// Its coordinates x, y, φ; none for the ground, and φ alone for an angle.
+    pub coordinates: [Option<Coordinate>; 3],
     /// Its estimated pose (x, y, φ) in the drawing.
     pub drawn: BodyFrame,
     /// The points it carries, in written order.
     pub marks: Vec<NamedMark>,
+}
+
+/// A coordinate of a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coordinate {
+    /// What stands for it in expressions.
+    pub symbol: SymbolId,
+    /// Its place in q.
+    pub place: usize,
 }
 
 /// A point as one body carries it.
@@ -274,13 +290,8 @@ pub struct Request {
 pub enum Requested {
     /// The motion of a point: an index into the mechanism's points.
     Point(usize),
-    /// A coordinate: the number of the body, and 0 for x, 1 for y, 2 for φ.
-    Coordinate {
-        /// Index into the bodies.
-        body: usize,
-        /// 0 for x, 1 for y, 2 for φ.
-        axis: usize,
-    },
+    /// A coordinate of a body: its place in q.
+    Coordinate(usize),
 }
 
 impl Mechanism {
@@ -314,5 +325,19 @@ impl Body {
     /// Its estimated pose as expressions x, y, φ.
     pub fn estimate(&self) -> [ExprId; 3] {
         [self.drawn.origin[0], self.drawn.origin[1], self.drawn.angle]
+    }
+
+    /// The places of its coordinates in q: three in a row, one for an angle, none for the ground.
+    pub fn places(&self) -> Range<usize> {
+        let own = || self.coordinates.iter().flatten();
+        match own().next() {
+            Some(first) => first.place..first.place + own().count(),
+            None => 0..0,
+        }
+    }
+
+    /// Whether it is an angle and no body.
+    pub fn is_angle(&self) -> bool {
+        matches!(self.coordinates, [None, _, Some(_)])
     }
 }

@@ -22,6 +22,8 @@ pub(super) struct WrittenJoint<'a> {
     pub operands: &'a [Reference],
     pub along: Option<&'a Direction>,
     pub value: Option<&'a Expression>,
+    /// Whether it drives an angle that is named alone.
+    pub is_bare: bool,
     /// Where the part that it comes from is given a place.
     pub placed: Option<Span>,
     pub span: Span,
@@ -176,6 +178,7 @@ impl Resolver<'_> {
             .iter()
             .zip(slots)
             .map(|(operand, slot)| match slot {
+                Slot::Turning => self.turning_mark(operand),
                 Slot::Body | Slot::Counterpart | Slot::Carrier => self.origin_mark(operand),
                 Slot::Point => self.point_mark(operand),
                 Slot::Pin => self.pin_mark(operand, given),

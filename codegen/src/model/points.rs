@@ -98,6 +98,7 @@ impl Resolver<'_> {
 
     /// Adds a drawn point.
     pub(super) fn declare_drawn(&mut self, name: &Name, point: DrawnPoint) {
+        self.is_no_angle(name);
         if let Some(duplicate) = self.declared.drawn.declare(name, point) {
             self.diagnostics.push(duplicate);
         }

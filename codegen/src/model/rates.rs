@@ -67,8 +67,8 @@ impl Resolver<'_> {
         let arms = kinematic.marks.iter().zip(&kinematic.arms);
         let mut arms = arms.filter_map(|(mark, arm)| Some((*mark, (*arm)?)));
         let (mark, [x, y]) = arms.find(|(_, arm)| arm.contains(&symbol))?;
-        let [_, _, angle] = self.linkage.bodies[mark.frame.body.0].coordinates?;
-        let turning = self.rate_of_coordinate(angle);
+        let [_, _, angle] = self.linkage.bodies[mark.frame.body.0].coordinates;
+        let turning = self.rate_of_coordinate(angle?.symbol);
         let other = self.graph.variable(if symbol == x { y } else { x });
         let turned = self.graph.multiply(turning, other);
         Some(if symbol == x {

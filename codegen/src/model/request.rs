@@ -45,6 +45,9 @@ impl<'a> Named<'a> {
     }
 }
 
+/// Which of the axes is that of the angle.
+const TURN: usize = 2;
+
 impl Resolver<'_> {
     /// What one statement asks for; items with an error are reported and left out.
     pub(super) fn requests(&mut self, output: &Output, points: &Named<'_>) -> Vec<Request> {
@@ -64,7 +67,14 @@ impl Resolver<'_> {
     /// A point, or a coordinate of a body that has some; `None` after an error.
     pub(super) fn requested(&mut self, item: &OutputItem, points: &Named<'_>) -> Option<Requested> {
         let (axis, bodies, span) = match item {
-            OutputItem::Point(reference) => return self.requested_point(reference, points),
+            OutputItem::Point(reference) => {
+                let angle = self.angle_named(&reference.name.text);
+                let angle = angle.filter(|_| reference.body.is_none());
+                return match angle.and_then(|it| self.linkage.bodies[it.0].coordinates[TURN]) {
+                    Some(angle) => Some(Requested::Coordinate(angle.place)),
+                    None => self.requested_point(reference, points),
+                };
+            }
             OutputItem::Coordinate { axis, bodies, span } => (axis, bodies, *span),
         };
         let found = AXES.iter().position(|name| *name == axis.text);
@@ -78,7 +88,9 @@ impl Resolver<'_> {
                 ],
             ) => self
                 .moving_body(name)
-                .map(|body| Requested::Coordinate { body, axis }),
+                .filter(|&body| axis == TURN || self.has_place(BodyId(body), name))
+                .and_then(|body| self.linkage.bodies[body].coordinates[axis])
+                .map(|it| Requested::Coordinate(it.place)),
             _ => {
                 self.diagnostics.push(
                     Diagnostic::error(Code::WrongForm, span, "this is no coordinate of a body")

@@ -45,12 +45,17 @@ pub(super) fn resolve_statements<'a>(
     let mut graph = Graph::new();
     let item = &document.mechanism;
     // Coordinates are numbered before t, so that they come first wherever symbols are ordered.
-    let written_bodies = statements.iter().filter_map(|statement| match statement {
-        syntax::Statement::Body(body) => Some(body),
-        _ => None,
-    });
     let mut carried = HashMap::new();
-    for body in written_bodies {
+    for statement in statements {
+        let body = match statement {
+            syntax::Statement::Body(body) => body,
+            syntax::Statement::Angle(angle) => {
+                let [_, _, name] = coordinate_names(&angle.name.text);
+                graph.symbol(&name);
+                continue;
+            }
+            _ => continue,
+        };
         for name in coordinate_names(&body.name.text) {
             graph.symbol(&name);
         }
@@ -177,6 +182,7 @@ impl Resolver<'_> {
             syntax::Statement::Table(table) => self.add_table(table),
             syntax::Statement::Points(points) => self.add_points(points),
             syntax::Statement::Body(body) => self.add_body(body),
+            syntax::Statement::Angle(angle) => self.add_angle(angle),
             syntax::Statement::Curve(curve) => self.add_curve(curve),
             syntax::Statement::Joint(joint) => self.add_joint(joint),
             syntax::Statement::Drive(drive) => self.add_driver(drive),
@@ -254,7 +260,7 @@ impl Resolver<'_> {
     /// Reports a name that has a fixed meaning.
     pub(super) fn may_be_declared(&mut self, name: &syntax::Name) -> bool {
         if !BUILT_IN.contains(&name.text.as_str()) {
-            return true;
+            return self.is_no_angle(name);
         }
         self.diagnostics.push(
             Diagnostic::error(

@@ -94,8 +94,8 @@ impl Resolver<'_> {
 
     /// What points and coordinates are called that looks like the sensitivity of another one.
     fn taken_names(&self, points: &[Point]) -> Taken {
-        let coordinates = (1..self.linkage.bodies.len())
-            .flat_map(|body| (0..3).map(move |axis| Requested::Coordinate { body, axis }));
+        let coordinates = self.linkage.bodies.iter().flat_map(|body| body.places());
+        let coordinates = coordinates.map(Requested::Coordinate);
         let all: Vec<(String, Option<Span>)> = (0..points.len())
             .map(|place| (Requested::Point(place), Some(points[place].span)))
             .chain(coordinates.map(|quantity| (quantity, None)))

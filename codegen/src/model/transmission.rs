@@ -70,10 +70,13 @@ impl Resolver<'_> {
     pub(super) fn generated_name(&self, quantity: Requested, points: &[Point]) -> String {
         match quantity {
             Requested::Point(place) => points[place].name.to_lowercase(),
-            Requested::Coordinate { body, axis } => self.linkage.bodies[body]
-                .coordinates
-                .map(|symbols| self.graph.symbol_name(symbols[axis]).to_string())
-                .unwrap_or_default(),
+            Requested::Coordinate(place) => {
+                let bodies = self.linkage.bodies.iter();
+                let mut coordinates = bodies.flat_map(|body| body.coordinates).flatten();
+                let own = coordinates.find(|it| it.place == place);
+                own.map(|it| self.graph.symbol_name(it.symbol).to_string())
+                    .unwrap_or_default()
+            }
         }
     }
 

@@ -45,8 +45,8 @@ pub(super) fn outputs(system: &mut System) -> Option<(Vec<Output>, Block)> {
     let mut found: Vec<Output> = Vec::new();
     for request in highest_levels(&system.mechanism.requests) {
         let output = match request.quantity {
-            Requested::Coordinate { body, axis } => {
-                let unknown = &system.vector_form.unknowns[3 * (body - 1) + axis];
+            Requested::Coordinate(place) => {
+                let unknown = &system.vector_form.unknowns[place];
                 let all = [unknown.position, unknown.rate, unknown.acceleration];
                 Output::Coordinate {
                     name: unknown.name.clone(),

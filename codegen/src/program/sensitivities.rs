@@ -129,8 +129,7 @@ pub(super) fn sensitivities(
                                 .to_vec(),
                         }
                     }
-                    Requested::Coordinate { body, axis } => {
-                        let unknown = 3 * (body - 1) + axis;
+                    Requested::Coordinate(unknown) => {
                         vec![of_unknown(unknown, direction, derivatives, system)[level]]
                     }
                 };

@@ -52,8 +52,7 @@ pub(super) fn transmissions(
                     let along = position.map(|part| derivatives.along(part, direction, system));
                     (vec!["_x", "_y"], along.to_vec())
                 }
-                Requested::Coordinate { body, axis } => {
-                    let unknown = 3 * (body - 1) + axis;
+                Requested::Coordinate(unknown) => {
                     let value = derivatives.of_unknown(unknown, direction, system);
                     (vec![""], vec![value])
                 }
@@ -83,8 +82,8 @@ pub(super) fn described(quantity: Requested, system: &System) -> Transmission {
                 vec![Quantity::Length; 2],
             )
         }
-        Requested::Coordinate { body, axis } => {
-            let unknown = &system.vector_form.unknowns[3 * (body - 1) + axis];
+        Requested::Coordinate(place) => {
+            let unknown = &system.vector_form.unknowns[place];
             (
                 unknown.name.clone(),
                 format!("the coordinate {}", unknown.name),

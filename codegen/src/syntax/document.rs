@@ -48,6 +48,8 @@ pub enum Statement {
     Points(Points),
     /// `body NAME at (X, Y, ANGLE) { members }`
     Body(Body),
+    /// `angle NAME = EXPRESSION;`: an angle that needs no body, as drawn.
+    Angle(Constant),
     /// `revolute P(1, 2);` and every other constraint that does not depend on time.
     Joint(Joint),
     /// `drive phi(1) = EXPRESSION;`, `drive K.x = EXPRESSION;`
@@ -100,7 +102,8 @@ impl Statement {
         match self {
             Statement::Constant(statement)
             | Statement::Parameter(statement)
-            | Statement::Input(statement) => statement.span,
+            | Statement::Input(statement)
+            | Statement::Angle(statement) => statement.span,
             Statement::Table(statement) => statement.span,
             Statement::Points(statement) => statement.span,
             Statement::Body(statement) => statement.span,
@@ -137,7 +140,7 @@ pub struct Motion {
     pub span: Span,
 }
 
-/// `const NAME = EXPRESSION;`, and `param` and `input` in the same form.
+/// `const NAME = EXPRESSION;`, and `param`, `input` and `angle` in the same form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
     /// The `///` lines above it.
@@ -323,25 +326,36 @@ pub struct Joint {
     pub span: Span,
 }
 
-/// `drive [NAME:] QUANTITY(OPERANDS) = EXPRESSION;` or `drive [NAME:] POINT.COORDINATE = EXPRESSION;`
+/// `drive [NAME:] QUANTITY(OPERANDS) = EXPRESSION;`, `drive [NAME:] POINT.COORDINATE = EXPRESSION;` or `drive [NAME:] ANGLE = EXPRESSION;`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
     /// The `///` lines above it.
     pub docs: Vec<String>,
     /// The driver's own name.
     pub name: Option<Name>,
-    /// The driven quantity; whether such a quantity exists is not checked here.
+    /// The driven quantity; whether such a quantity exists is not checked here. `phi` at the place of an angle that is named alone.
     pub quantity: Name,
-    /// What stands in the parentheses, or before the coordinate.
+    /// What stands in the parentheses, or before the coordinate, or alone.
     pub operands: Vec<Reference>,
-    /// Whether it is written `K.x` instead of `x(BODY.K)`.
-    pub dotted: bool,
+    /// How both are written.
+    pub form: DrivenForm,
     /// The prescribed motion, an expression of `t`.
     pub value: Expression,
     /// Where the part that it comes from is given a place.
     pub placed: Option<Span>,
     /// The whole statement with its semicolon.
     pub span: Span,
+}
+
+/// How a driven quantity is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DrivenForm {
+    /// `phi(BODY)`
+    Called,
+    /// `K.x`
+    Dotted,
+    /// `ANGLE`
+    Bare,
 }
 
 /// `free NAME: QUANTITY(OPERANDS) = START [rate RATE];`: a quantity that forces move.

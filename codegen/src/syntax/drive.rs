@@ -4,7 +4,7 @@
 
 use proc_macro2::Delimiter;
 
-use super::document::{Drive, Free, Statement};
+use super::document::{Drive, DrivenForm, Free, Statement};
 use super::expression::expression;
 use super::formula::{Name, Reference};
 use super::reference::{driven_coordinate, identifier, operands};
@@ -16,7 +16,7 @@ use crate::diagnostic::Span;
 struct Driven {
     quantity: Name,
     operands: Vec<Reference>,
-    dotted: bool,
+    form: DrivenForm,
 }
 
 /// The statement after its first word.
@@ -26,7 +26,7 @@ pub(super) fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> 
     let Driven {
         quantity,
         operands,
-        dotted,
+        form,
     } = driven(tokens, "the driven quantity", help)?;
     equals(tokens)?;
     let value = expression(tokens)?;
@@ -36,7 +36,7 @@ pub(super) fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> 
         name,
         quantity,
         operands,
-        dotted,
+        form,
         value,
         placed: None,
         span,
@@ -52,7 +52,7 @@ pub(super) fn free(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
     let Driven {
         quantity,
         operands,
-        dotted,
+        form,
     } = driven(tokens, "the free quantity", help)?;
     equals(tokens)?;
     let value = expression(tokens)?;
@@ -68,7 +68,7 @@ pub(super) fn free(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
             name: Some(name),
             quantity,
             operands,
-            dotted,
+            form,
             value,
             placed: None,
             span,
@@ -92,22 +92,39 @@ fn name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Option<Name>> {
     }
 }
 
-/// `QUANTITY(OPERANDS)` or `POINT.COORDINATE`.
+/// `QUANTITY(OPERANDS)`, `POINT.COORDINATE` or `ANGLE`.
 fn driven(tokens: &mut Tokens<'_>, wanted: &str, help: &str) -> Outcome<Driven> {
     if let Some((of, quantity)) = driven_coordinate(tokens)? {
         return Ok(Driven {
             quantity,
             operands: vec![of],
-            dotted: true,
+            form: DrivenForm::Dotted,
         });
     }
     let quantity = identifier(tokens, wanted)?;
+    if tokens.peek_mark('=') {
+        let span = quantity.span;
+        let phi = Name {
+            text: "phi".to_string(),
+            span,
+        };
+        let angle = Reference {
+            body: None,
+            name: quantity,
+            span,
+        };
+        return Ok(Driven {
+            quantity: phi,
+            operands: vec![angle],
+            form: DrivenForm::Bare,
+        });
+    }
     if !tokens.peek_group(Delimiter::Parenthesis) {
         return Err(tokens.unexpected("`(`", help));
     }
     Ok(Driven {
         quantity,
         operands: operands(tokens)?,
-        dotted: false,
+        form: DrivenForm::Called,
     })
 }

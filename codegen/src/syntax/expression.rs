@@ -330,7 +330,7 @@ fn piece(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     Ok(inside)
 }
 
-/// An argument of a call: a formula, or a pair of formulas.
+/// An argument of a call: a formula, or two or three of them in parentheses.
 fn argument(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     let mut ahead = *tokens;
     let Some((mut inner, span)) = ahead.group(Delimiter::Parenthesis) else {
@@ -343,17 +343,22 @@ fn argument(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     if within.at_end() {
         return sum(tokens, depth);
     }
-    let x = sum(&mut inner, depth + 1)?;
-    let comma = inner.mark(',');
-    let y = sum(&mut inner, depth + 1)?;
-    inner.mark(',');
-    if comma.is_none() || !inner.at_end() {
-        let help = "a pair is written `(x, y)`";
+    let mut components = vec![sum(&mut inner, depth + 1)?];
+    while inner.mark(',').is_some() && !(inner.at_end() && components.len() > 1) {
+        components.push(sum(&mut inner, depth + 1)?);
+    }
+    if !inner.at_end() {
+        let help = "components are written `(x, y)` or `(x, y, z)`";
         return Err(after_expression(&inner, "an operation, `,` or `)`", help));
+    }
+    if components.len() > 3 {
+        let message = format!("expected `(X, Y)` or `(X, Y, Z)`, found {} values", components.len());
+        let finding = Diagnostic::error(Code::WrongForm, span, message);
+        return Err(Box::new(finding.help("a place has two or three components")));
     }
     *tokens = ahead;
     Ok(Expression {
-        kind: ExpressionKind::Pair(Box::new(Pair { x, y, span })),
+        kind: ExpressionKind::Components(components),
         span,
     })
 }

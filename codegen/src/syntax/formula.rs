@@ -85,8 +85,8 @@ pub enum ExpressionKind {
         /// The arguments in written order.
         arguments: Vec<Expression>,
     },
-    /// `(x, y)`, as an argument of a call only.
-    Pair(Box<Pair>),
+    /// `(x, y)` or `(x, y, z)`, as an argument of a call only.
+    Components(Vec<Expression>),
     /// `if left < right { holds } else { otherwise }`.
     Choice(Box<Choice>),
 }

@@ -62,13 +62,14 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 29] = [
+pub const KEYWORDS: [&str; 30] = [
     "const",
     "param",
     "input",
     "table",
     "point",
     "body",
+    "angle",
     "curve",
     "drive",
     "free",

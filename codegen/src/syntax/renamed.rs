@@ -65,7 +65,10 @@ impl<'a> Renaming<'a> {
 
     fn all_of(&mut self, statement: &mut Statement) -> Outcome<()> {
         match statement {
-            Statement::Constant(it) | Statement::Parameter(it) | Statement::Input(it) => {
+            Statement::Constant(it)
+            | Statement::Parameter(it)
+            | Statement::Input(it)
+            | Statement::Angle(it) => {
                 self.name(&mut it.name)?;
                 self.formula(&mut it.value)
             }
@@ -218,7 +221,7 @@ impl<'a> Renaming<'a> {
                 }
                 self.formulas(arguments)
             }
-            ExpressionKind::Pair(pair) => self.pair(pair),
+            ExpressionKind::Components(parts) => self.formulas(parts),
             ExpressionKind::Choice(choice) => self.formulas([
                 &mut choice.left,
                 &mut choice.right,

@@ -45,6 +45,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "table" => table(tokens, docs, first.span),
         "point" => points(tokens, docs, first.span),
         "body" => body(tokens, docs, first.span).map(Statement::Body),
+        "angle" => constant(tokens, docs, first.span, "an angle").map(Statement::Angle),
         "curve" => curve(tokens, docs, first.span),
         "drive" => drive(tokens, docs, first.span),
         "free" => free(tokens, docs, first.span),

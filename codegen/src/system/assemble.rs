@@ -1,6 +1,7 @@
 //! The rows of every joint, and their derivatives.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use super::direction::{directions, rate_jacobian};
 use super::forces::forces;
@@ -24,11 +25,9 @@ pub fn assemble(mechanism: Mechanism) -> System {
 pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> System {
     let coordinates = coordinates(&mut mechanism);
     let explicit = mechanism.explicit_rates();
-    // The poses come first, three coordinates to a body; then what only one joint has.
-    let of_body = |body: usize| match body {
-        0 => 0..0,
-        body => 3 * (body - 1)..3 * body,
-    };
+    // The poses come first; then what only one joint has.
+    let of_bodies: Vec<Range<usize>> = mechanism.bodies.iter().map(Body::places).collect();
+    let of_body = |body: usize| of_bodies[body].clone();
     let mut contacts = HashMap::new();
     for (at, coordinate) in coordinates.iter().enumerate() {
         if let Described::Contact { joint } = coordinate.describes {
@@ -169,12 +168,12 @@ fn coordinates(mechanism: &mut Mechanism) -> Vec<Unknown> {
         ..
     } = mechanism;
     let mut coordinates = Vec::with_capacity(3 * bodies.len());
-    let moving = |(index, body): (usize, &Body)| {
-        body.coordinates
-            .map(|symbols| (index, symbols, body.estimate()))
-    };
-    for (body, symbols, estimate) in bodies.iter().enumerate().filter_map(moving) {
-        for (axis, position) in symbols.into_iter().enumerate() {
+    for (body, own) in bodies.iter().enumerate() {
+        let estimate = own.estimate();
+        for (axis, coordinate) in own.coordinates.iter().enumerate() {
+            let Some(position) = coordinate.map(|it| it.symbol) else {
+                continue;
+            };
             let name = graph.symbol_name(position).to_string();
             coordinates.push(Unknown {
                 rate: graph.symbol(&format!("{name}'")),

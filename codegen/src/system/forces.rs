@@ -70,13 +70,14 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         return None;
     }
     let zero = mechanism.graph.zero();
-    let mut loads = vec![zero; 3 * mechanism.moving_bodies().len()];
+    let count = mechanism.bodies.iter().map(|body| body.places().len());
+    let mut loads = vec![zero; count.sum()];
     let mut exert = |body: BodyId, parts: [ExprId; 3], mechanism: &mut Mechanism| {
-        if body == BodyId::GROUND {
-            return;
-        }
-        for (axis, part) in parts.into_iter().enumerate() {
-            let own = &mut loads[3 * (body.0 - 1) + axis];
+        let coordinates = mechanism.bodies[body.0].coordinates;
+        for (coordinate, part) in coordinates.into_iter().zip(parts) {
+            let Some(own) = coordinate.map(|it| &mut loads[it.place]) else {
+                continue;
+            };
             *own = mechanism.graph.add(*own, part);
         }
     };
@@ -181,7 +182,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
 
 /// A point with its velocity.
 fn placed(mark: Mark, form: &VectorForm, mechanism: &mut Mechanism) -> Place {
-    let graph = &mut mechanism.graph;
+    let Mechanism { graph, bodies, .. } = mechanism;
     let body = mark.frame.body;
     let zero = graph.zero();
     if body == BodyId::GROUND {
@@ -191,9 +192,10 @@ fn placed(mark: Mark, form: &VectorForm, mechanism: &mut Mechanism) -> Place {
             turning: zero,
         };
     }
-    let angle = form.angle_of(body.0);
-    let [x, y, turning] =
-        [angle - 2, angle - 1, angle].map(|at| graph.variable(form.unknowns[at].rate));
+    let [x, y, turning] = bodies[body.0].coordinates.map(|coordinate| match coordinate {
+        Some(it) => graph.variable(form.unknowns[it.place].rate),
+        None => zero,
+    });
     let across = perpendicular(mark.arm, graph);
     let turned = across.map(|part| graph.multiply(turning, part));
     Place {

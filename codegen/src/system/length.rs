@@ -18,9 +18,17 @@ pub(super) fn lengths(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<ExprId> {
     if mechanism.parameters.is_empty() {
         return Vec::new();
     }
-    let Mechanism { graph, joints, .. } = mechanism;
+    let Mechanism {
+        graph,
+        joints,
+        bodies,
+        ..
+    } = mechanism;
     let marks = joints.iter().flat_map(|it| &it.operands.marks);
+    // What an angle turns is a direction.
+    let marks = marks.filter(|mark| !bodies[mark.frame.body.0].is_angle());
     let mut found: Vec<ExprId> = marks.flat_map(|mark| mark.local).collect();
+    found.extend(joints.iter().filter_map(|it| it.operands.length()));
     for row in rows.iter().filter(|row| row.quantity == Quantity::Length) {
         let Node::Sum(terms) = graph.node(row.residual) else {
             continue;

@@ -30,7 +30,12 @@ pub(super) fn pressures(
     coordinates: &[Unknown],
     contacts: &HashMap<usize, usize>,
 ) -> Vec<Pressure> {
-    let Mechanism { graph, joints, .. } = mechanism;
+    let Mechanism {
+        graph,
+        joints,
+        bodies,
+        ..
+    } = mechanism;
     let mut found = Vec::new();
     for (index, joint) in joints.iter().enumerate() {
         let (Some(curve), Some(contact)) = (
@@ -46,8 +51,10 @@ pub(super) fn pressures(
         let Some(&contact_at) = contacts.get(&index) else {
             continue;
         };
-        // The poses come first, three coordinates to a body.
-        let [x, y, phi, s] = [3 * body - 3, 3 * body - 2, 3 * body - 1, contact_at]
+        let [Some(x), Some(y), Some(phi)] = bodies[body].coordinates else {
+            continue;
+        };
+        let [x, y, phi, s] = [x.place, y.place, phi.place, contact_at]
             .map(|at| graph.variable(coordinates[at].rate));
         let arm = crate::joint::geometry::subtract(contact.place, contact.follower.origin, graph);
         let turning = perpendicular(arm, graph).map(|component| graph.multiply(phi, component));

@@ -1,8 +1,8 @@
 //! Residuals → what they are as functions of one angle: a cos φ + b sin φ + rest, or a turned vector.
 
 use super::{Arm, VectorForm};
-use crate::expr::{ExprId, Graph};
-use crate::joint::geometry::Vector;
+use crate::expr::{Circle, ExprId, Factor, Graph, Node, Rational, Term};
+use crate::joint::geometry::{Vector, dot, perpendicular, turned};
 
 /// α cos φ + β sin φ + rest.
 #[derive(Clone, Copy, Debug)]
@@ -39,8 +39,14 @@ impl VectorForm {
         own
     }
 
-    /// A residual by the arms of one angle; `None` where it is not linear in them or mentions the angle otherwise.
+    /// A residual by the arms of one angle, with squares that the angle does not change multiplied out; `None` where it is not
+    /// linear in them then or mentions the angle otherwise.
     pub fn split(&self, residual: ExprId, unknown: usize, graph: &mut Graph) -> Option<Turned> {
+        self.split_linear(residual, unknown, graph)
+            .or_else(|| self.split_squares(residual, unknown, graph))
+    }
+
+    fn split_linear(&self, residual: ExprId, unknown: usize, graph: &mut Graph) -> Option<Turned> {
         let zero = graph.zero();
         let (mut cosine, mut sine, mut rest) = (Vec::new(), Vec::new(), residual);
         for place in self.arms_in(residual, unknown, graph) {
@@ -70,6 +76,121 @@ impl VectorForm {
             .iter()
             .all(|&part| !self.mentions(part, unknown, graph));
         linear.then_some(turned)
+    }
+
+    /// Of squares of α cos φ + β sin φ + ρ, whose α² cos² φ + β² sin² φ + 2 α β sin φ cos φ add up to a constant: the length of a
+    /// vector does not change where it is turned.
+    fn split_squares(&self, residual: ExprId, unknown: usize, graph: &mut Graph) -> Option<Turned> {
+        let Node::Sum(terms) = graph.node(residual).clone() else {
+            return None;
+        };
+        let two = graph.integer(2);
+        let (mut cosine, mut sine, mut rest) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut of_cosine, mut of_sine, mut mixed) = (Vec::new(), Vec::new(), Vec::new());
+        for term in terms.iter() {
+            let Some((factor, base)) = self.squared(term, unknown, graph) else {
+                let whole = graph.scale(term.coefficient, term.expr);
+                let own = self.split_linear(whole, unknown, graph)?;
+                cosine.push(own.cosine);
+                sine.push(own.sine);
+                rest.push(own.rest);
+                continue;
+            };
+            let own = self.split_linear(base, unknown, graph)?;
+            let twice = graph.multiply(two, own.rest);
+            for (parts, function) in [(&mut cosine, own.cosine), (&mut sine, own.sine)] {
+                parts.push(graph.product(&[factor, function, twice]));
+            }
+            rest.push(graph.product(&[factor, own.rest, own.rest]));
+            of_cosine.push(graph.product(&[factor, own.cosine, own.cosine]));
+            of_sine.push(graph.product(&[factor, own.sine, own.sine]));
+            mixed.push(graph.product(&[factor, own.cosine, own.sine]));
+        }
+        let [of_cosine, of_sine, mixed] =
+            [of_cosine, of_sine, mixed].map(|parts| graph.sum(&parts));
+        let difference = graph.subtract(of_cosine, of_sine);
+        let zero = graph.zero();
+        for part in [difference, mixed] {
+            if self.on_circles(part, graph)? != zero {
+                return None;
+            }
+        }
+        // The shorter one; a constant, where it is one.
+        let normal = self.on_circles(of_cosine, graph)?;
+        let is_shorter = graph.written_length(normal) <= graph.written_length(of_cosine);
+        rest.push(match is_shorter || graph.is_fixed(normal) {
+            true => normal,
+            false => of_cosine,
+        });
+        let [cosine, sine, rest] = [cosine, sine, rest].map(|parts| graph.sum(&parts));
+        Some(Turned { cosine, sine, rest })
+    }
+
+    /// `(factor, base)` of a term factor · base², whose base alone is turned by the angle.
+    fn squared(&self, term: &Term, unknown: usize, graph: &mut Graph) -> Option<(ExprId, ExprId)> {
+        let Node::Product(factors) = graph.node(term.expr).clone() else {
+            return None;
+        };
+        let is_turned = |it: &Factor| self.mentions(it.base, unknown, graph);
+        let (turned, others): (Vec<Factor>, Vec<Factor>) =
+            factors.iter().copied().partition(is_turned);
+        let [Factor { base, exponent }] = turned[..] else {
+            return None;
+        };
+        if exponent != Rational::integer(2) {
+            return None;
+        }
+        let others: Vec<ExprId> = others
+            .into_iter()
+            .map(|it| graph.power(it.base, it.exponent))
+            .collect();
+        let others = graph.product(&others);
+        Some((graph.scale(term.coefficient, others), base))
+    }
+
+    /// An expression in normal form, with every arm of an angle in terms of its first one.
+    fn on_circles(&self, expr: ExprId, graph: &mut Graph) -> Option<ExprId> {
+        let mut places: Vec<usize> = graph
+            .symbols(expr)
+            .iter()
+            .filter_map(|&symbol| self.place_of_symbol(symbol))
+            .collect();
+        places.sort_unstable();
+        places.dedup();
+        let mut circles: Vec<(usize, Circle)> = Vec::new();
+        let mut replacements = Vec::new();
+        for place in places {
+            let arm = &self.arms[place];
+            let known = circles.iter().find(|(angle, _)| *angle == arm.angle);
+            let Some(&(_, first)) = known else {
+                let [cosine, sine] = arm.symbols;
+                let square = dot(arm.local, arm.local, graph);
+                let square = graph.tidied(square);
+                circles.push((
+                    arm.angle,
+                    Circle {
+                        cosine,
+                        sine,
+                        square,
+                    },
+                ));
+                continue;
+            };
+            // The other arm is the first one turned by a constant angle, and longer or shorter.
+            let symbols = [first.cosine, first.sine];
+            let along = self.arms[self.place_of_symbol(first.cosine)?].local;
+            let left = perpendicular(along, graph);
+            let [ahead, aside] = [along, left].map(|axis| {
+                let part = dot(arm.local, axis, graph);
+                graph.divide(part, first.square)
+            });
+            let arm_first = symbols.map(|it| graph.variable(it));
+            let written = turned(ahead, aside, arm_first, graph);
+            replacements.extend(arm.symbols.into_iter().zip(written));
+        }
+        let expr = graph.substitute(expr, &replacements);
+        let circles: Vec<Circle> = circles.into_iter().map(|it| it.1).collect();
+        graph.on_circles(expr, &circles)
     }
 
     /// `(p, rest)` of R(φ) p + rest, where the two residuals are the components of such a vector.

@@ -29,6 +29,8 @@ pub struct VectorForm {
     /// r + arm of each declared point, in the mechanism's order.
     pub points: Vec<Vector>,
     naming: &'static Naming,
+    // The angle of each body; none for the ground.
+    angles: Vec<Option<usize>>,
     /// d/dt of each symbol that moves.
     rates: HashMap<SymbolId, ExprId>,
     // Looked up, never iterated.
@@ -90,6 +92,11 @@ impl VectorForm {
             orientations: Orientations::new(mechanism.bodies.len(), &mechanism.graph),
             points: Vec::new(),
             naming: mechanism.naming,
+            angles: mechanism
+                .bodies
+                .iter()
+                .map(|body| body.coordinates[2].map(|it| it.place))
+                .collect(),
             rates: HashMap::new(),
             arm_places: HashMap::new(),
             auxiliary_places: HashMap::new(),
@@ -117,8 +124,8 @@ impl VectorForm {
         form.rates.extend(fixed);
         // Which angles are tied must be known before the first arm is made.
         let angles = bodies.iter().enumerate().filter_map(|(body, own)| {
-            let [_, _, angle] = own.coordinates?;
-            Some((angle, body))
+            let [_, _, angle] = own.coordinates;
+            Some((angle?.symbol, body))
         });
         let angles: HashMap<SymbolId, usize> = angles.collect();
         for (joint, dropped) in joints.iter().zip(dropped) {
@@ -240,7 +247,10 @@ impl VectorForm {
 
     /// The unknown angle of a body.
     pub fn angle_of(&self, body: usize) -> usize {
-        3 * body - 1
+        let Some(angle) = self.angles[body] else {
+            unreachable!("the ground has no angle")
+        };
+        angle
     }
 
     /// Whether a body turns with the angle `unknown`.

@@ -25,25 +25,25 @@ impl System {
         // Nothing else can be a term: what is taken out leaves no more than there was.
         let [x, y] = pair.map(|part| self.vector_form.mentioned(part, &self.mechanism.graph));
         let mentioned: BTreeSet<usize> = x.into_iter().chain(y).collect();
-        // The coordinates of contacts stand behind those of bodies.
-        let of_bodies = 3 * (self.mechanism.bodies.len() - 1);
-        let (coordinates, auxiliaries): (Vec<usize>, Vec<usize>) = mentioned
-            .into_iter()
-            .partition(|&unknown| unknown < of_bodies);
-        let bodies: BTreeSet<usize> = coordinates
-            .into_iter()
-            .map(|unknown| unknown / 3 + 1)
-            .collect();
+        let mut bodies = BTreeSet::new();
+        let mut others = Vec::new();
+        for unknown in mentioned {
+            match self.vector_form.unknowns[unknown].describes.body() {
+                Some(body) => drop(bodies.insert(body)),
+                None => others.push(unknown),
+            }
+        }
         for body in bodies {
-            let unknowns = [3 * (body - 1), 3 * (body - 1) + 1];
-            let symbols = unknowns.map(|it| self.vector_form.unknowns[it].position);
-            if let Some(factor) = take_factor(&mut rest, symbols, &mut self.mechanism.graph) {
-                terms.push(VectorTerm::Origin(body, factor));
+            if let [Some(x), Some(y), _] = self.mechanism.bodies[body].coordinates {
+                let symbols = [x.symbol, y.symbol];
+                if let Some(factor) = take_factor(&mut rest, symbols, &mut self.mechanism.graph) {
+                    terms.push(VectorTerm::Origin(body, factor));
+                }
             }
             self.take_arms(self.vector_form.angle_of(body), &mut rest, &mut terms);
         }
-        for auxiliary in auxiliaries {
-            self.take_arms(auxiliary, &mut rest, &mut terms);
+        for other in others {
+            self.take_arms(other, &mut rest, &mut terms);
         }
         let graph = &self.mechanism.graph;
         if !rest.iter().all(|&part| graph.is_fixed(part)) {

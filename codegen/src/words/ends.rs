@@ -97,22 +97,27 @@ impl Known {
                     0 => [apex.clone(), across],
                     _ => [across, apex.clone()],
                 };
-                self.outer(ends, both)
+                self.outer(ends, both, system)
             }
             // A pin between two bodies is an end of both.
             [(0, first), (1, second)] if first.name == second.name => {
-                self.outer(ends, [first.clone(), second.clone()])
+                self.outer(ends, [first.clone(), second.clone()], system)
             }
             _ => None,
         }
     }
 
-    fn outer(&self, ends: [Vec<End>; 2], apexes: [End; 2]) -> Option<[Span; 2]> {
+    fn outer(
+        &self,
+        ends: [Vec<End>; 2],
+        apexes: [End; 2],
+        system: &System,
+    ) -> Option<[Span; 2]> {
         let mut spans = Vec::new();
         for (ends, apex) in ends.into_iter().zip(apexes) {
             let mut known: Vec<End> = ends
                 .into_iter()
-                .filter(|end| end.name != apex.name && self.is_known(end.beyond))
+                .filter(|end| end.name != apex.name && self.is_known(end.beyond, system))
                 .collect();
             known.dedup_by(|a, b| a.name == b.name);
             let [outer] = &known[..] else { return None };

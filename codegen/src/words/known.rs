@@ -53,11 +53,9 @@ impl Known {
     }
 
     /// Whether the pose of a body is known.
-    pub(super) fn is_known(&self, body: BodyId) -> bool {
-        match body.0 {
-            0 => true,
-            body => (3 * body - 3..3 * body).all(|unknown| self.found_in[unknown].is_some()),
-        }
+    pub(super) fn is_known(&self, body: BodyId, system: &System) -> bool {
+        let mut places = system.mechanism.bodies[body.0].places();
+        places.all(|unknown| self.found_in[unknown].is_some())
     }
 
     /// The pins on bodies whose leaders turn with one of these angles, in written order.
@@ -87,7 +85,7 @@ impl Known {
     pub(crate) fn known_pins(&self, angle: usize, system: &System) -> Vec<(Pin, Mark)> {
         self.pins_turning(angle, system)
             .into_iter()
-            .filter(|(_, _, there)| self.is_known(there.frame.body))
+            .filter(|(_, _, there)| self.is_known(there.frame.body, system))
             .map(|(pin, _, there)| (pin, there))
             .collect()
     }
@@ -107,7 +105,8 @@ impl Known {
             });
         }
         let name = Piece::Name(system.mechanism.bodies[body].name.clone());
-        let latest = (3 * body - 3..3 * body).filter_map(|unknown| self.found_in[unknown]);
+        let places = system.mechanism.bodies[body].places();
+        let latest = places.filter_map(|unknown| self.found_in[unknown]);
         match latest.max() {
             Some(block) => phrase!["on ", name, format!(" (block {})", block + 1)],
             None => phrase!["on ", name],

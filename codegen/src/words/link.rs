@@ -40,7 +40,7 @@ impl Known {
     ) -> Option<Link> {
         let turning = self.pins_turning(angle, system);
         for (from, here, held) in &turning {
-            if !self.is_known(held.frame.body) {
+            if !self.is_known(held.frame.body, system) {
                 continue;
             }
             for (end, at, beyond) in &turning {

@@ -191,7 +191,7 @@ impl Known {
         let pins = self.known_pins(angle, system).into_iter();
         let mut known: Vec<String> = pins.map(|(pin, _)| pin.name).collect();
         for mark in measured.into_iter().flatten() {
-            if self.is_known(mark.frame.body) {
+            if self.is_known(mark.frame.body, system) {
                 known.extend(mark_name(&mark, system));
             }
         }

@@ -45,7 +45,10 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
     for statement in statements {
         let mut found: Vec<&Name> = Vec::new();
         match statement {
-            Statement::Constant(it) | Statement::Parameter(it) | Statement::Input(it) => {
+            Statement::Constant(it)
+            | Statement::Parameter(it)
+            | Statement::Input(it)
+            | Statement::Angle(it) => {
                 found.push(&it.name);
             }
             Statement::Table(it) => found.push(&it.name),
@@ -103,7 +106,10 @@ impl Renaming {
     fn statements(&mut self, statements: &[Statement]) {
         for statement in statements {
             match statement {
-                Statement::Constant(it) | Statement::Parameter(it) | Statement::Input(it) => {
+                Statement::Constant(it)
+                | Statement::Parameter(it)
+                | Statement::Input(it)
+                | Statement::Angle(it) => {
                     self.name(&it.name);
                 }
                 Statement::Table(it) => self.name(&it.name),
@@ -228,9 +234,8 @@ impl Renaming {
                     }
                 }
             }
-            ExpressionKind::Pair(pair) => {
-                self.formula(&pair.x, live);
-                self.formula(&pair.y, live);
+            ExpressionKind::Components(parts) => {
+                parts.iter().for_each(|part| self.formula(part, live));
             }
             ExpressionKind::Choice(choice) => {
                 for part in [

@@ -54,7 +54,7 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
                 | Statement::Points(_)
         )
     };
-    let is_body = |it: &&Statement| matches!(it, Statement::Body(_));
+    let is_body = |it: &&Statement| matches!(it, Statement::Body(_) | Statement::Angle(_));
     let is_curve = |it: &&Statement| matches!(it, Statement::Curve(_));
     let is_constraint = |it: &&Statement| {
         matches!(

@@ -65,6 +65,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             Statement::Curve(curve) => of_curve(curve, visit),
             Statement::Motion(motion) => statements(&motion.statements, visit),
             Statement::Constant(_)
+            | Statement::Angle(_)
             | Statement::Parameter(_)
             | Statement::Input(_)
             | Statement::Table(_)
@@ -200,9 +201,10 @@ pub fn each_taken<'a>(
                 }
             }
         },
-        ExpressionKind::Pair(pair) => {
-            each_taken(&pair.x, live, visit);
-            each_taken(&pair.y, live, visit);
+        ExpressionKind::Components(parts) => {
+            for part in parts {
+                each_taken(part, live, visit);
+            }
         }
         ExpressionKind::Choice(choice) => {
             for part in [
@@ -225,7 +227,10 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
     };
     for statement in all {
         match statement {
-            Statement::Constant(it) | Statement::Parameter(it) | Statement::Input(it) => {
+            Statement::Constant(it)
+            | Statement::Parameter(it)
+            | Statement::Input(it)
+            | Statement::Angle(it) => {
                 visit(&it.value, false);
             }
             Statement::Points(points) => {

@@ -126,6 +126,11 @@ impl<'a> Offer<'a> {
     fn operand(&self, slot: Option<Slot>) -> Vec<CompletionItem> {
         match slot {
             Some(Slot::Body | Slot::Counterpart | Slot::Carrier) => self.bodies(),
+            Some(Slot::Turning) => {
+                let mut items = self.bodies();
+                items.extend(self.named(|sort| sort == Sort::Angle));
+                items
+            }
             Some(Slot::Curve) => self.named(|sort| sort == Sort::Curve),
             Some(Slot::GroundPoint) => self.named(|sort| sort == Sort::Point),
             Some(Slot::Point | Slot::Pin) | None => {
@@ -301,9 +306,12 @@ fn kind(sort: Sort) -> CompletionItemKind {
     match sort {
         Sort::Mechanism | Sort::Motion => CompletionItemKind::MODULE,
         Sort::Constant => CompletionItemKind::CONSTANT,
-        Sort::Parameter | Sort::Input | Sort::Free | Sort::CurveParameter | Sort::Index => {
-            CompletionItemKind::VARIABLE
-        }
+        Sort::Parameter
+        | Sort::Input
+        | Sort::Free
+        | Sort::Angle
+        | Sort::CurveParameter
+        | Sort::Index => CompletionItemKind::VARIABLE,
         Sort::Table | Sort::Curve => CompletionItemKind::FUNCTION,
         Sort::Point | Sort::BodyPoint => CompletionItemKind::FIELD,
         Sort::Body | Sort::Part => CompletionItemKind::STRUCT,

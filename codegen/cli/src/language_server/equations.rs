@@ -69,7 +69,6 @@ pub fn of_body(read: &Read, name: &str, place: Span) -> Option<Vec<String>> {
     let body = bodies
         .iter()
         .find(|it| it.name == name && it.span == place)?;
-    let symbols = body.coordinates?;
-    let name = |symbol| system.mechanism.graph.symbol_name(symbol).to_string();
-    Some(symbols.into_iter().map(name).collect())
+    let own = &system.coordinates[body.places()];
+    (!own.is_empty()).then(|| own.iter().map(|it| it.name.clone()).collect())
 }

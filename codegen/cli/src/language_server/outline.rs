@@ -140,7 +140,9 @@ fn kind(sort: Sort) -> SymbolKind {
         Sort::Mechanism => SymbolKind::MODULE,
         Sort::Motion => SymbolKind::NAMESPACE,
         Sort::Constant => SymbolKind::CONSTANT,
-        Sort::Parameter | Sort::Input | Sort::Free | Sort::Index => SymbolKind::VARIABLE,
+        Sort::Parameter | Sort::Input | Sort::Free | Sort::Angle | Sort::Index => {
+            SymbolKind::VARIABLE
+        }
         Sort::Table | Sort::Curve => SymbolKind::FUNCTION,
         Sort::Point | Sort::BodyPoint | Sort::CurveParameter => SymbolKind::FIELD,
         Sort::Body | Sort::Part => SymbolKind::STRUCT,

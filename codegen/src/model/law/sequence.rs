@@ -97,20 +97,24 @@ impl Resolver<'_> {
     }
 
     fn station<'a>(&mut self, written: &'a Expression) -> Option<Station<'a>> {
-        let ExpressionKind::Pair(pair) = &written.kind else {
+        let pair = match &written.kind {
+            ExpressionKind::Components(parts) => parts.as_slice(),
+            _ => &[],
+        };
+        let [place, height] = pair else {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::WrongForm,
                     written.span,
                     "a station of `sequence` is a pair",
                 )
-                .label("one value")
+                .label("no pair")
                 .help(format!("write `{FORM}`: each pair is a place and a height")),
             );
             return None;
         };
-        let (place, height) = (self.value(&pair.x), self.value(&pair.y));
-        Some([(&pair.x, place?), (&pair.y, height?)])
+        let values = (self.value(place), self.value(height));
+        Some([(place, values.0?), (height, values.1?)])
     }
 
     /// Reports a periodic motion that does not end where it begins.

@@ -116,9 +116,11 @@ fn null_vectors(system: &System, functions: &Functions<'_>, pose: &Pose) -> Vec<
 fn of_body(system: &System, body: usize, instant: (&Pose, &Rates)) -> [[f64; 2]; 3] {
     let (pose, rates) = instant;
     std::array::from_fn(|axis| {
-        let at = 3 * (body - 1) + axis;
-        let symbol = system.coordinates[at].position;
-        [pose.symbols[symbol.index()], rates[at]]
+        let own = &system.mechanism.bodies[body];
+        match own.coordinates[axis] {
+            Some(it) => [pose.symbols[it.symbol.index()], rates[it.place]],
+            None => [0.0; 2],
+        }
     })
 }
 

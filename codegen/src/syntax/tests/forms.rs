@@ -67,7 +67,10 @@ fn shape(expression: &Expression) -> String {
             shape(&choice.holds),
             shape(&choice.otherwise)
         ),
-        ExpressionKind::Pair(pair) => format!("({}, {})", shape(&pair.x), shape(&pair.y)),
+        ExpressionKind::Components(parts) => {
+            let parts: Vec<String> = parts.iter().map(shape).collect();
+            format!("({})", parts.join(", "))
+        }
     }
 }
 

@@ -77,6 +77,9 @@ impl Scopes {
             Statement::Body(own) => {
                 self.plain(Sort::Body, &own.name, span, &own.docs);
             }
+            Statement::Angle(own) => {
+                self.plain(Sort::Angle, &own.name, span, &own.docs);
+            }
             Statement::Curve(own) => {
                 self.plain(Sort::Curve, &own.name, span, &own.docs);
                 self.plain(Sort::CurveParameter, &own.parameter, span, &[]);

@@ -34,7 +34,9 @@ impl Scopes {
                 function,
                 arguments,
             } => self.call(function, arguments, running),
-            ExpressionKind::Pair(pair) => self.pair(pair, running),
+            ExpressionKind::Components(parts) => {
+                parts.iter().for_each(|it| self.formula(it, running));
+            }
             ExpressionKind::Choice(choice) => {
                 let Choice {
                     left,
@@ -78,8 +80,9 @@ impl Scopes {
             match running.filter(|(own, _)| *own == name.text) {
                 Some((_, parameter)) => self.mention(name.span, parameter),
                 None => {
-                    if let Some(value) = self.value(name) {
-                        self.mention(name.span, value);
+                    let named = self.value(name).or_else(|| self.angle(&name.text));
+                    if let Some(named) = named {
+                        self.mention(name.span, named);
                     }
                 }
             }

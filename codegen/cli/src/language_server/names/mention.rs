@@ -30,7 +30,10 @@ impl Scopes {
 
     fn mention_statement(&mut self, statement: &Statement) {
         match statement {
-            Statement::Constant(own) | Statement::Parameter(own) | Statement::Input(own) => {
+            Statement::Constant(own)
+            | Statement::Parameter(own)
+            | Statement::Input(own)
+            | Statement::Angle(own) => {
                 self.formula(&own.value, None);
             }
             Statement::Table(own) => self.table(own),
@@ -200,8 +203,9 @@ impl Scopes {
                 OutputItem::Point(Reference {
                     body: None, name, ..
                 }) => {
-                    if let Some(point) = self.bare_point(&name.text) {
-                        self.mention(name.span, point);
+                    let angle = self.angle(&name.text);
+                    if let Some(named) = angle.or_else(|| self.bare_point(&name.text)) {
+                        self.mention(name.span, named);
                     }
                 }
                 OutputItem::Point(reference) => self.point_of_body(reference),

@@ -41,6 +41,8 @@ pub enum Sort {
     BodyPoint,
     /// A body.
     Body,
+    /// An angle that needs no body.
+    Angle,
     /// A curve of a body.
     Curve,
     /// What runs along a curve.
@@ -73,6 +75,7 @@ impl Sort {
             Sort::Point => "point of the drawing",
             Sort::BodyPoint => "point of a body",
             Sort::Body => "body",
+            Sort::Angle => "angle",
             Sort::Curve => "curve",
             Sort::CurveParameter => "parameter of a curve",
             Sort::Joint => "joint",

@@ -2,7 +2,7 @@
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS, Kind, Line, Slot};
-use linkwright_codegen::stages::syntax::{Direction, Drive, Joint, Name, Reference};
+use linkwright_codegen::stages::syntax::{Direction, Drive, DrivenForm, Joint, Name, Reference};
 
 use super::scope::{JointNames, Owner, Scopes, Space};
 use super::{Sort, Symbol, SymbolId};
@@ -72,7 +72,7 @@ impl Scopes {
             (Some(Line::Existing), [from, to]) => self.existing_line(from, to),
             _ => {
                 for (place, operand) in drive.operands.iter().enumerate() {
-                    if drive.dotted && operand.body.is_none() {
+                    if drive.form == DrivenForm::Dotted && operand.body.is_none() {
                         self.point_or_body(&operand.name);
                         continue;
                     }
@@ -93,7 +93,7 @@ impl Scopes {
         }
         let name = &operand.name;
         match slot {
-            Slot::Body | Slot::Counterpart | Slot::Carrier => self.body(name),
+            Slot::Body | Slot::Turning | Slot::Counterpart | Slot::Carrier => self.body(name),
             Slot::Pin if joint.is_some() => self.body(name),
             Slot::Point | Slot::Pin => self.body_or_point(name),
             Slot::GroundPoint => {

@@ -32,7 +32,7 @@ impl Space {
             Sort::Constant | Sort::Parameter | Sort::Input | Sort::Free => Space::Values,
             Sort::Table => Space::Tables,
             Sort::Point => Space::Drawn,
-            Sort::Body => Space::Bodies,
+            Sort::Body | Sort::Angle => Space::Bodies,
             Sort::Curve => Space::Curves,
             Sort::Driver => Space::Drivers,
             Sort::Equation => Space::Equations,
@@ -155,6 +155,12 @@ impl Scopes {
             true => Some(Owner::Ground),
             false => self.find(Space::Bodies, name).map(Owner::Body),
         }
+    }
+
+    /// An angle that needs no body.
+    pub(super) fn angle(&self, name: &str) -> Option<SymbolId> {
+        let found = self.find(Space::Bodies, name)?;
+        (self.symbols[found].sort == Sort::Angle).then_some(found)
     }
 
     /// A point of a body. The ground carries every drawn point.

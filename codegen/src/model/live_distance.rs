@@ -1,0 +1,97 @@
+//! Distances as they move, between points of bodies and between places that formulas give.
+//!
+//! `distance((X, Y, Z), (X, Y, Z)) = LENGTH` is a rod in space: one scalar equation, of squares as the textbook's distances are.
+//! Deliberately unknown here: what the places are formulas of.
+
+use super::dimension::Dimension;
+use super::expression::Value;
+use super::resolve::Resolver;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::expr::{ExprId, Rational};
+use crate::syntax::{Equation, Expression, ExpressionKind, Name};
+
+/// What one side of an equation says of a rod.
+pub(super) struct WrittenRod<'a> {
+    pub ends: [&'a Expression; 2],
+    pub length: &'a Expression,
+}
+
+/// The rod that an equation holds, where one side of it is the distance of a place that formulas give.
+pub(super) fn written_rod(equation: &Equation) -> Option<WrittenRod<'_>> {
+    let sides = [(&equation.left, &equation.right), (&equation.right, &equation.left)];
+    sides.into_iter().find_map(|(side, length)| {
+        let ExpressionKind::Call {
+            function,
+            arguments,
+        } = &side.kind
+        else {
+            return None;
+        };
+        let [from, to] = arguments.as_slice() else {
+            return None;
+        };
+        let ends = [from, to];
+        let is_rod = function.text == "distance" && ends.into_iter().any(is_place);
+        is_rod.then_some(WrittenRod { ends, length })
+    })
+}
+
+fn is_place(written: &Expression) -> bool {
+    matches!(written.kind, ExpressionKind::Components(_))
+}
+
+impl Resolver<'_> {
+    /// The length between two points or places as they move.
+    pub(super) fn live_distance(&mut self, ends: [&Expression; 2]) -> Option<Value> {
+        let square = self.square_of_distance(ends)?;
+        Some((self.graph.sqrt(square), Dimension::LENGTH))
+    }
+
+    /// The square of that length.
+    pub(super) fn square_of_distance(&mut self, ends: [&Expression; 2]) -> Option<ExprId> {
+        // Both ends are looked at even after an error, so that all errors are reported at once.
+        let [from, to] = ends.map(|end| self.live_place(end));
+        let (from, to) = (from?, to?);
+        if from.len() != to.len() {
+            let [one, other] = [from.len(), to.len()];
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    ends[1].span,
+                    format!("a place of {other} components has no distance to one of {one}"),
+                )
+                .label(format!("{other} components"))
+                .also(ends[0].span, format!("{one} components"))
+                .help("give both in the plane, or both in space"),
+            );
+            return None;
+        }
+        let squares: Vec<ExprId> = from
+            .into_iter()
+            .zip(to)
+            .map(|(from, to)| {
+                let gap = self.graph.subtract(to, from);
+                self.graph.power(gap, Rational::integer(2))
+            })
+            .collect();
+        Some(self.graph.sum(&squares))
+    }
+
+    /// The components of a place: two of a point, two or three that formulas give.
+    fn live_place(&mut self, end: &Expression) -> Option<Vec<ExprId>> {
+        let ExpressionKind::Components(components) = &end.kind else {
+            let name = Name {
+                text: "distance".to_string(),
+                span: end.span,
+            };
+            let reference = self.written_place(&name, end)?;
+            let mark = self.live_point(&reference)?;
+            return Some(self.live_position(mark).to_vec());
+        };
+        let values: Vec<Option<ExprId>> = components
+            .iter()
+            .map(|part| self.quantity(part, Dimension::LENGTH))
+            .collect();
+        values.into_iter().collect()
+    }
+}
