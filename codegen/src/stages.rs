@@ -18,8 +18,8 @@ pub mod joint {
 /// Descriptions with their names resolved, and the words that have a meaning in formulas.
 pub mod model {
     pub use crate::model::{
-        Body, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Mechanism, Requested, Role, UNITS, set,
-        unit,
+        Body, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Mechanism, Requested, Role, UNITS,
+        set, unit,
     };
 }
 

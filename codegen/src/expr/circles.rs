@@ -86,7 +86,9 @@ impl Graph {
                 None => {
                     // No circle is in it, or this is no polynomial.
                     let is_round = |it: &Circle| {
-                        [it.cosine, it.sine].iter().any(|own| self.depends_on(base, *own))
+                        [it.cosine, it.sine]
+                            .iter()
+                            .any(|own| self.depends_on(base, *own))
                     };
                     if circles.iter().any(is_round) {
                         return None;
@@ -128,7 +130,9 @@ impl Graph {
     ) -> Option<Vec<(Vec<(ExprId, u32)>, Number)>> {
         let squared = circles.iter().find_map(|circle| {
             let sine = self.variable(circle.sine);
-            let at = factors.iter().position(|&(base, power)| base == sine && power > 1)?;
+            let at = factors
+                .iter()
+                .position(|&(base, power)| base == sine && power > 1)?;
             Some((at, *circle))
         });
         let Some((at, circle)) = squared else {

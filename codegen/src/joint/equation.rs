@@ -34,18 +34,18 @@ impl Kind for Equation {
 
 /// The formula with the arms of the marks put in, so that the vector form has symbols for them.
 pub(super) fn written_row(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let Some(formula) = &operands.formula else {
-            return Vec::new();
-        };
-        let mut arms = Vec::new();
-        for (mark, symbols) in operands.marks.iter().zip(&formula.arms) {
-            if let Some([x, y]) = *symbols {
-                arms.extend([(x, mark.arm[0]), (y, mark.arm[1])]);
-            }
+    let Some(formula) = &operands.formula else {
+        return Vec::new();
+    };
+    let mut arms = Vec::new();
+    for (mark, symbols) in operands.marks.iter().zip(&formula.arms) {
+        if let Some([x, y]) = *symbols {
+            arms.extend([(x, mark.arm[0]), (y, mark.arm[1])]);
         }
-        vec![Row {
-            residual: graph.substitute(formula.residual, &arms),
-            quantity: formula.quantity,
-            component: "",
-        }]
+    }
+    vec![Row {
+        residual: graph.substitute(formula.residual, &arms),
+        quantity: formula.quantity,
+        component: "",
+    }]
 }

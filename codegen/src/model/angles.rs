@@ -44,8 +44,14 @@ impl Resolver<'_> {
     fn names_angle_alone(&mut self, name: &Name) -> bool {
         let carried = self.linkage.carriers.first_carrier(&name.text);
         let taken = [
-            self.declared.constants.declaration(&name.text).map(|it| it.0.span),
-            self.declared.drawn.declaration(&name.text).map(|it| it.0.span),
+            self.declared
+                .constants
+                .declaration(&name.text)
+                .map(|it| it.0.span),
+            self.declared
+                .drawn
+                .declaration(&name.text)
+                .map(|it| it.0.span),
             carried.map(|carried| self.carried(carried).span),
         ];
         let Some(earlier) = taken.into_iter().flatten().next() else {

@@ -134,7 +134,10 @@ impl Resolver<'_> {
             kind: ROD,
             residual: self.graph.subtract(square, wanted),
             quantity: Quantity::Power(2),
-            length: self.graph.is_fixed(length).then_some((length, rod.length.span)),
+            length: self
+                .graph
+                .is_fixed(length)
+                .then_some((length, rod.length.span)),
         })
     }
 

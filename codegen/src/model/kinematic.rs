@@ -127,7 +127,11 @@ impl Resolver<'_> {
     }
 
     /// The body or point that an argument names; a body may be named by an integer.
-    pub(super) fn written_place(&mut self, function: &Name, argument: &Expression) -> Option<Reference> {
+    pub(super) fn written_place(
+        &mut self,
+        function: &Name,
+        argument: &Expression,
+    ) -> Option<Reference> {
         match &argument.kind {
             ExpressionKind::Reference(reference) => Some(reference.clone()),
             ExpressionKind::Number { digits, unit: None }

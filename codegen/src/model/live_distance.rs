@@ -18,7 +18,10 @@ pub(super) struct WrittenRod<'a> {
 
 /// The rod that an equation holds, where one side of it is the distance of a place that formulas give.
 pub(super) fn written_rod(equation: &Equation) -> Option<WrittenRod<'_>> {
-    let sides = [(&equation.left, &equation.right), (&equation.right, &equation.left)];
+    let sides = [
+        (&equation.left, &equation.right),
+        (&equation.right, &equation.left),
+    ];
     sides.into_iter().find_map(|(side, length)| {
         let ExpressionKind::Call {
             function,

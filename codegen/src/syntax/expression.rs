@@ -352,9 +352,14 @@ fn argument(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         return Err(after_expression(&inner, "an operation, `,` or `)`", help));
     }
     if components.len() > 3 {
-        let message = format!("expected `(X, Y)` or `(X, Y, Z)`, found {} values", components.len());
+        let message = format!(
+            "expected `(X, Y)` or `(X, Y, Z)`, found {} values",
+            components.len()
+        );
         let finding = Diagnostic::error(Code::WrongForm, span, message);
-        return Err(Box::new(finding.help("a place has two or three components")));
+        return Err(Box::new(
+            finding.help("a place has two or three components"),
+        ));
     }
     *tokens = ahead;
     Ok(Expression {

@@ -192,10 +192,12 @@ fn placed(mark: Mark, form: &VectorForm, mechanism: &mut Mechanism) -> Place {
             turning: zero,
         };
     }
-    let [x, y, turning] = bodies[body.0].coordinates.map(|coordinate| match coordinate {
-        Some(it) => graph.variable(form.unknowns[it.place].rate),
-        None => zero,
-    });
+    let [x, y, turning] = bodies[body.0]
+        .coordinates
+        .map(|coordinate| match coordinate {
+            Some(it) => graph.variable(form.unknowns[it.place].rate),
+            None => zero,
+        });
     let across = perpendicular(mark.arm, graph);
     let turned = across.map(|part| graph.multiply(turning, part));
     Place {

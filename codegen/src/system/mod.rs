@@ -17,6 +17,7 @@ mod mark_names;
 mod orientation;
 mod own_columns;
 mod pressure;
+mod rate;
 mod row_name;
 mod turned;
 mod vector_form;

@@ -32,7 +32,7 @@ pub struct VectorForm {
     // The angle of each body; none for the ground.
     angles: Vec<Option<usize>>,
     /// d/dt of each symbol that moves.
-    rates: HashMap<SymbolId, ExprId>,
+    pub(super) rates: HashMap<SymbolId, ExprId>,
     // Looked up, never iterated.
     arm_places: HashMap<(usize, Vector), usize>,
     // The unknowns beyond the coordinates, by symbol; only looked up.
@@ -201,23 +201,6 @@ impl VectorForm {
         for (row, shifted) in own.zip(kind.vector_rows(&shifted, graph)) {
             row.residual = shifted.residual;
         }
-    }
-
-    /// d/dt of an expression of unknowns, rates, arms, parameters, inputs and t.
-    pub fn rate(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
-        let symbols = graph.symbols(expr).to_vec();
-        let mut terms = Vec::with_capacity(symbols.len());
-        for symbol in symbols {
-            let Some(&rate) = self.rates.get(&symbol) else {
-                unreachable!("`{}` has no rule of motion", graph.symbol_name(symbol))
-            };
-            if rate == graph.zero() {
-                continue;
-            }
-            let partial = graph.derivative(expr, symbol);
-            terms.push(graph.multiply(partial, rate));
-        }
-        graph.sum(&terms)
     }
 
     /// An expression with its arms written out as sines and cosines of the angles that turn them.

@@ -75,7 +75,8 @@ impl Known {
         let mut ends = self.ends(unknown, block, system);
         ends.retain(|end| {
             let mut others = unknowns.iter().filter(|it| **it != unknown);
-            self.is_known(end.beyond, system) || others.any(|&other| end.is_beyond_on(other, block, system))
+            self.is_known(end.beyond, system)
+                || others.any(|&other| end.is_beyond_on(other, block, system))
         });
         ends
     }
@@ -96,8 +97,8 @@ impl Known {
             let named = legs.map(|(_, ends)| {
                 let [one, other] = &ends[..] else { return None };
                 let mut leads = |from: &End, to: &End| {
-                    let is_leg =
-                        self.is_known(from.beyond, system) && to.is_beyond_on(platform, block, system);
+                    let is_leg = self.is_known(from.beyond, system)
+                        && to.is_beyond_on(platform, block, system);
                     is_leg.then(|| [from.name.clone(), to.name.clone()])
                 };
                 leads(one, other).or_else(|| leads(other, one))

@@ -107,12 +107,7 @@ impl Known {
         }
     }
 
-    fn outer(
-        &self,
-        ends: [Vec<End>; 2],
-        apexes: [End; 2],
-        system: &System,
-    ) -> Option<[Span; 2]> {
+    fn outer(&self, ends: [Vec<End>; 2], apexes: [End; 2], system: &System) -> Option<[Span; 2]> {
         let mut spans = Vec::new();
         for (ends, apex) in ends.into_iter().zip(apexes) {
             let mut known: Vec<End> = ends

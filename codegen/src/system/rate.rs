@@ -1,0 +1,91 @@
+//! Expressions of the vector form → their rates.
+//!
+//! d/dt f = Σ ∂f/∂s ṡ over what moves. Squares and products of sums are differentiated factor by factor, so that Σ u² gives 2 Σ u u̇ and
+//! not a term for each symbol.
+
+use super::VectorForm;
+use crate::expr::{ExprId, Factor, Graph, Node, Rational};
+
+impl VectorForm {
+    /// d/dt of an expression of unknowns, rates, arms, parameters, inputs and t.
+    pub fn rate(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
+        let Node::Sum(terms) = graph.node(expr) else {
+            return match factors_of(expr, graph) {
+                Some(factors) => self.rate_of_product(&factors, graph),
+                None => self.rate_by_symbols(expr, graph),
+            };
+        };
+        let terms = terms.clone();
+        let (mut rates, mut others) = (Vec::new(), Vec::new());
+        for term in terms.iter() {
+            match factors_of(term.expr, graph) {
+                Some(factors) => {
+                    let rate = self.rate_of_product(&factors, graph);
+                    rates.push(graph.scale(term.coefficient, rate));
+                }
+                None => others.push(graph.scale(term.coefficient, term.expr)),
+            }
+        }
+        if rates.is_empty() {
+            return self.rate_by_symbols(expr, graph);
+        }
+        let others = graph.sum(&others);
+        rates.push(self.rate_by_symbols(others, graph));
+        graph.sum(&rates)
+    }
+
+    fn rate_by_symbols(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
+        let symbols = graph.symbols(expr).to_vec();
+        let mut terms = Vec::with_capacity(symbols.len());
+        for symbol in symbols {
+            let Some(&rate) = self.rates.get(&symbol) else {
+                unreachable!("`{}` has no rule of motion", graph.symbol_name(symbol))
+            };
+            if rate == graph.zero() {
+                continue;
+            }
+            let partial = graph.derivative(expr, symbol);
+            terms.push(graph.multiply(partial, rate));
+        }
+        graph.sum(&terms)
+    }
+
+    /// Σ n uⁿ⁻¹ u̇ times the other factors.
+    fn rate_of_product(&self, factors: &[Factor], graph: &mut Graph) -> ExprId {
+        let mut terms = Vec::with_capacity(factors.len());
+        for (at, factor) in factors.iter().enumerate() {
+            let rate = self.rate(factor.base, graph);
+            if rate == graph.zero() {
+                continue;
+            }
+            let mut parts = vec![rate];
+            for (other, own) in factors.iter().enumerate() {
+                let exponent = match other == at {
+                    true => own.exponent.checked_sub(Rational::ONE),
+                    false => Some(own.exponent),
+                };
+                parts.extend(exponent.map(|exponent| graph.power(own.base, exponent)));
+            }
+            let exponent = graph.integer(factor.exponent.numerator() as i64);
+            parts.push(exponent);
+            terms.push(graph.product(&parts));
+        }
+        graph.sum(&terms)
+    }
+}
+
+/// The factors of a product of whole powers that is a square of a sum, or holds two sums.
+fn factors_of(expr: ExprId, graph: &Graph) -> Option<Vec<Factor>> {
+    /// Of higher powers the rule by symbols is as short.
+    const HIGHEST: i128 = 3;
+    let Node::Product(factors) = graph.node(expr) else {
+        return None;
+    };
+    let is_whole =
+        |it: &Factor| it.exponent.is_integer() && (1..=HIGHEST).contains(&it.exponent.numerator());
+    let sums = factors
+        .iter()
+        .filter(|it| matches!(graph.node(it.base), Node::Sum(_)))
+        .map(|it| it.exponent.numerator());
+    (factors.iter().all(is_whole) && sums.sum::<i128>() > 1).then(|| factors.to_vec())
+}
