@@ -315,6 +315,26 @@ impl Mechanism {
         }
     }
 
+    /// How a person counts what moves: `4 bodies`, `1 body and 2 angles`.
+    pub fn what_moves(&self) -> String {
+        let angles = self
+            .moving_bodies()
+            .iter()
+            .filter(|it| it.is_angle())
+            .count();
+        let counted = |count: usize, one: &str, several: &str| match count {
+            1 => format!("1 {one}"),
+            _ => format!("{count} {several}"),
+        };
+        let bodies = counted(self.moving_bodies().len() - angles, "body", "bodies");
+        let of_angles = counted(angles, "angle", "angles");
+        match (angles, self.moving_bodies().len() - angles) {
+            (0, _) => bodies,
+            (_, 0) => of_angles,
+            _ => format!("{bodies} and {of_angles}"),
+        }
+    }
+
     /// The moving bodies, in written order.
     pub fn moving_bodies(&self) -> &[Body] {
         &self.bodies[1..]

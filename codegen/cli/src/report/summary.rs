@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::text::{formula, shown_width};
-use linkwright_codegen::stages::model::Role;
+use linkwright_codegen::stages::model::{Body, Role};
 
 use linkwright_solver::check::equation_count;
 use linkwright_solver::diagnosis::unit;
@@ -142,9 +142,14 @@ fn given<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()
 
 fn mechanism<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
     let system = motion.system();
-    let bodies = system.mechanism.moving_bodies();
-    let names = bodies.iter().map(|body| body.name.clone());
-    list(output, "bodies", bodies.len(), names)?;
+    let moving = system.mechanism.moving_bodies().iter();
+    let (angles, bodies): (Vec<&Body>, Vec<&Body>) = moving.partition(|body| body.is_angle());
+    for (title, all) in [("bodies", bodies), ("angles", angles)] {
+        if title == "bodies" || !all.is_empty() {
+            let names = all.iter().map(|body| body.name.clone());
+            list(output, title, all.len(), names)?;
+        }
+    }
     let names = system.coordinates.iter().map(|it| it.name.clone());
     shortened(output, "coordinates", system.coordinates.len(), names)?;
     given(motion, output)?;

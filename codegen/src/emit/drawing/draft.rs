@@ -68,6 +68,7 @@ pub(super) fn drafted(scene: &Scene, scale: f64) -> (Figure, f64) {
         draft.sign(sign, &mut group);
         draft.figure.joints.push(group);
     }
+    draft.dials();
     for body in 1..scene.bodies.len() {
         draft.shape(body);
     }

@@ -121,6 +121,9 @@ impl Draft<'_> {
     pub fn written(&mut self, sign: &Sign, group: &mut Group) {
         let mut places: Vec<Point> = Vec::new();
         for mark in &sign.marks {
+            if self.scene.bodies[mark.body].is_dial {
+                continue;
+            }
             let there = self.global(*mark);
             let own = self.pixels(*mark).local;
             // The origin of a frame alone is nothing to be seen.

@@ -19,6 +19,7 @@
 mod arrow;
 mod contact;
 mod cylinder;
+mod dial;
 mod draft;
 mod extras;
 mod figure;

@@ -115,7 +115,8 @@ pub fn draw(
     text += &layers(&figure, "");
     text += &labels(&scene, &figure, unit, &area, options);
     text.push_str("</g>\n");
-    text += &legend_text(&figure, size, &options.caption);
+    let is_scaled = !scene.is_of_angles_alone();
+    text += &legend_text(&figure, is_scaled, size, &options.caption);
     text.push_str("</svg>\n");
     text
 }
@@ -281,12 +282,13 @@ fn nearest(area: &Bounds, to: Point) -> Point {
     [0, 1].map(|axis| to[axis].clamp(area.low[axis], area.high[axis]))
 }
 
-/// The scale bar, the caption, and what has no sign.
-fn legend_text(figure: &Figure, size: Point, caption: &str) -> String {
+/// The scale bar where lengths are drawn, the caption, and what has no sign.
+fn legend_text(figure: &Figure, is_scaled: bool, size: Point, caption: &str) -> String {
     let mut text = String::from("<g id=\"legend\">\n");
     let base = size[1] - 14.0;
     let mut used = 12.0;
-    if let Some(bar) = scale_bar(figure.scale, (0.24 * size[0]).min(150.0)) {
+    let bar = scale_bar(figure.scale, (0.24 * size[0]).min(150.0));
+    if let Some(bar) = bar.filter(|_| is_scaled) {
         let end = 12.0 + bar.length;
         let _ = writeln!(
             text,

@@ -3,6 +3,7 @@
 //! Afterwards nothing is an expression: every body has its place, every joint its sign with marks, line and numbers. Deliberately
 //! unknown here: pixels, and how a sign looks.
 
+use super::dial;
 use super::numbers::{Numbers, sampled};
 use super::plane::{Place, Point, left_of};
 use crate::expr::SymbolId;
@@ -93,6 +94,8 @@ pub(super) struct Carried {
     pub place: Place,
     /// The points it carries, in its frame.
     pub points: Vec<Point>,
+    /// Whether it is an angle without a body: a pointer from the one point to the other.
+    pub is_dial: bool,
 }
 
 /// A point with its name.
@@ -217,7 +220,7 @@ impl Scene {
                 .map(|&place| place_in(&value, place))
                 .collect()
         });
-        Scene {
+        let mut scene = Scene {
             signs,
             motion: motion.collect(),
             bodies: mechanism
@@ -229,6 +232,7 @@ impl Scene {
                     name: body.name.clone(),
                     place: place_in(&value, *place),
                     points: points.iter().map(|&point| both(point)).collect(),
+                    is_dial: false,
                 })
                 .collect(),
             points: mechanism
@@ -248,7 +252,19 @@ impl Scene {
                 })
                 .collect(),
             size: mechanism.characteristic_length,
-        }
+        };
+        let numbered = mechanism.bodies.iter().enumerate();
+        let angles: Vec<usize> = numbered
+            .filter(|(_, body)| body.is_angle())
+            .map(|(at, _)| at)
+            .collect();
+        dial::arrange(&angles, &mut scene.bodies, &mut scene.motion, scene.size);
+        scene
+    }
+
+    /// Whether nothing has a place but the ground.
+    pub fn is_of_angles_alone(&self) -> bool {
+        self.bodies[1..].iter().all(|body| body.is_dial)
     }
 
     /// Where a point of a body is.

@@ -87,6 +87,9 @@ pub(in crate::emit) fn of_coordinate(coordinate: &Unknown, system: &System) -> V
         Described::Auxiliary => return Vec::new(),
     };
     let name = &body.name;
+    if body.is_angle() {
+        return with_docs(format!("The angle {name}, in rad."), &body.docs);
+    }
     match axis {
         0 => with_docs(format!("x of body {name}, in m."), &body.docs),
         1 => vec![format!("y of body {name}, in m.")],

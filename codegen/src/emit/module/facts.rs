@@ -24,8 +24,8 @@ pub(in crate::emit) fn facts(module: &Module<'_>) -> Vec<String> {
         .filter(|row| is_driver(row.joint))
         .count();
     let mut lines = vec![format!(
-        "{} bodies, {} coordinates, {} equations ({} of joints, {drivers} of drivers).",
-        mechanism.moving_bodies().len(),
+        "{}, {} coordinates, {} equations ({} of joints, {drivers} of drivers).",
+        mechanism.what_moves(),
         system.coordinates.len(),
         system.rows.len(),
         system.rows.len() - drivers,
