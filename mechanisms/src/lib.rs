@@ -124,6 +124,16 @@ linkwright::include_mechanism! {
     pub mod cam_dwell;
 }
 
+linkwright::include_mechanism! {
+    /// The ankle of a humanoid, from its joint to its motors and back.
+    pub mod ankle;
+}
+
+linkwright::include_mechanism! {
+    /// The differential of a wrist, from its motors to its joint and back.
+    pub mod differential_wrist;
+}
+
 /// Andrews' squeezing mechanism, with its masses and its spring.
 pub mod andrews {
     linkwright::include_mechanism!(andrews);

@@ -2,6 +2,7 @@
 //!
 //! One thing per module. Nothing here asserts what a test is about; the files under `tests/` do.
 
+pub mod ankle;
 pub mod baseline;
 pub mod c;
 pub mod calibration;

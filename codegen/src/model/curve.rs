@@ -46,6 +46,7 @@ impl Resolver<'_> {
 
     fn drawn_curve(&mut self, curve: &syntax::Curve) -> Option<DrawnCurve> {
         let body = self.body(&curve.body);
+        let body = body.filter(|&it| self.has_place(it, &curve.body));
         let name = &curve.parameter;
         let taken = BUILT_IN.contains(&name.text.as_str())
             || self.declared.constants.get(&name.text).is_some();

@@ -240,6 +240,10 @@ impl Resolver<'_> {
                 self.point_mark(operand)
             }
             (None, None) => {
+                let body = self.body(&operand.name)?;
+                if !self.has_place(body, &operand.name) {
+                    return None;
+                }
                 self.diagnostics.push(
                     Diagnostic::error(
                         Code::WrongForm,

@@ -45,9 +45,6 @@ impl<'a> Named<'a> {
     }
 }
 
-/// Which of the axes is that of the angle.
-const TURN: usize = 2;
-
 impl Resolver<'_> {
     /// What one statement asks for; items with an error are reported and left out.
     pub(super) fn requests(&mut self, output: &Output, points: &Named<'_>) -> Vec<Request> {
@@ -70,9 +67,10 @@ impl Resolver<'_> {
             OutputItem::Point(reference) => {
                 let angle = self.angle_named(&reference.name.text);
                 let angle = angle.filter(|_| reference.body.is_none());
-                return match angle.and_then(|it| self.linkage.bodies[it.0].coordinates[TURN]) {
-                    Some(angle) => Some(Requested::Coordinate(angle.place)),
-                    None => self.requested_point(reference, points),
+                let own = angle.map(|it| self.linkage.bodies[it.0].coordinates);
+                return match own {
+                    Some([_, _, Some(angle)]) => Some(Requested::Coordinate(angle.place)),
+                    _ => self.requested_point(reference, points),
                 };
             }
             OutputItem::Coordinate { axis, bodies, span } => (axis, bodies, *span),
@@ -88,7 +86,7 @@ impl Resolver<'_> {
                 ],
             ) => self
                 .moving_body(name)
-                .filter(|&body| axis == TURN || self.has_place(BodyId(body), name))
+                .filter(|&body| AXES[axis] == "phi" || self.has_place(BodyId(body), name))
                 .and_then(|body| self.linkage.bodies[body].coordinates[axis])
                 .map(|it| Requested::Coordinate(it.place)),
             _ => {

@@ -108,7 +108,7 @@ pub(super) fn eliminate(
     }
     // What was taken out of a loop mentions unknowns that were defined after it.
     backward.reverse();
-    let definitions = in_order(forward, backward, form, graph);
+    let definitions = in_order([forward, backward].concat(), form, graph);
     let mut tears = [tears, stuck].concat();
     tears.sort_unstable();
     let left = open.rows.into_iter().flatten();
@@ -286,13 +286,7 @@ fn partitioned(
 }
 
 /// All definitions such that each mentions only those before it; of those that could be next, the first.
-fn in_order(
-    forward: Vec<Definition>,
-    backward: Vec<Definition>,
-    form: &VectorForm,
-    graph: &Graph,
-) -> Vec<Definition> {
-    let all: Vec<Definition> = forward.into_iter().chain(backward).collect();
+pub(super) fn in_order(all: Vec<Definition>, form: &VectorForm, graph: &Graph) -> Vec<Definition> {
     let place_of: BTreeMap<usize, usize> = all
         .iter()
         .enumerate()

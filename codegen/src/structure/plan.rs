@@ -4,7 +4,7 @@
 
 use std::collections::HashMap;
 
-use super::elimination::{BlockEquation, Definition, eliminate};
+use super::elimination::{BlockEquation, Definition, eliminate, in_order};
 use super::following::follow;
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -228,6 +228,11 @@ fn block(
     SolvedBlock {
         joints,
         parts,
-        definitions: [followed.definitions, eliminated.definitions].concat(),
+        // What an angle follows may have been eliminated itself.
+        definitions: in_order(
+            [followed.definitions, eliminated.definitions].concat(),
+            form,
+            graph,
+        ),
     }
 }

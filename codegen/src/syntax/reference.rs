@@ -159,6 +159,7 @@ pub(super) fn driven_coordinate(tokens: &mut Tokens<'_>) -> Outcome<Option<(Refe
     if !named || !ahead.peek_mark('.') {
         return Ok(None);
     }
+    let start = *tokens;
     let mut parts = vec![body_name(tokens, "a point or a body")?];
     while parts.len() < 3 && tokens.mark('.').is_some() {
         parts.push(identifier(tokens, "a coordinate")?);
@@ -172,6 +173,8 @@ pub(super) fn driven_coordinate(tokens: &mut Tokens<'_>) -> Outcome<Option<(Refe
     let coordinate = parts.pop();
     let name = parts.pop();
     let (Some(coordinate), Some(name)) = (coordinate, name) else {
+        // The dots belong to a part: `leg.knee` is one name.
+        *tokens = start;
         return Ok(None);
     };
     let body = parts.pop();

@@ -78,6 +78,8 @@ impl VectorForm {
 fn factors_of(expr: ExprId, graph: &Graph) -> Option<Vec<Factor>> {
     /// Of higher powers the rule by symbols is as short.
     const HIGHEST: i128 = 3;
+    /// What is longer is written out of many parts anyway.
+    const LONGEST: usize = 8;
     let Node::Product(factors) = graph.node(expr) else {
         return None;
     };
@@ -87,5 +89,6 @@ fn factors_of(expr: ExprId, graph: &Graph) -> Option<Vec<Factor>> {
         .iter()
         .filter(|it| matches!(graph.node(it.base), Node::Sum(_)))
         .map(|it| it.exponent.numerator());
-    (factors.iter().all(is_whole) && sums.sum::<i128>() > 1).then(|| factors.to_vec())
+    let is_short = factors.len() <= LONGEST && (2..=4).contains(&sums.sum::<i128>());
+    (is_short && factors.iter().all(is_whole)).then(|| factors.to_vec())
 }

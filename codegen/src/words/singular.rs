@@ -234,6 +234,18 @@ impl Known {
                 measured.push((arm.local, slopes));
             }
         }
+        // Where the angle itself, or a formula of others, is in the slopes there is no direction to speak of.
+        let describes = system.vector_form.unknowns[angle].describes;
+        let is_angle = describes
+            .body()
+            .is_some_and(|it| system.mechanism.bodies[it].is_angle());
+        let own = |slope: &ExprId| {
+            let graph = &system.mechanism.graph;
+            system.vector_form.mentions(*slope, angle, graph) || is_angle && !graph.is_fixed(*slope)
+        };
+        if measured.iter().any(|(_, slopes)| slopes.iter().any(own)) {
+            measured.clear();
+        }
         let &[(local, slopes)] = &measured[..] else {
             let rest = " is at an end of its range, where its two solutions meet";
             return SingularWords {

@@ -114,3 +114,52 @@ pub extern "C" fn excavator_motions(
     points[2] = frame.point_k();
     true
 }
+
+/// Finds the motors of an ankle from where the foot should be, and the foot from where the motors should be, at `end`: the angles, and
+/// what the motors exert. False where one of them fails.
+#[unsafe(no_mangle)]
+pub extern "C" fn ankle(
+    end: f64,
+    foot: &linkwright_mechanisms::ankle::to_motors::Inputs,
+    motors: &linkwright_mechanisms::ankle::to_joint::Inputs,
+    angles: &mut [f64; 6],
+) -> bool {
+    use linkwright_mechanisms::ankle::{to_joint, to_motors};
+    let Ok(mut ankle) = to_motors::Ankle::assemble(0.0, foot) else {
+        return false;
+    };
+    let Ok(frame) = ankle.advance(end, foot) else {
+        return false;
+    };
+    [angles[0], angles[1]] = [frame.phi_left(), frame.phi_right()];
+    let Ok(mut ankle) = to_joint::Ankle::assemble(0.0, motors) else {
+        return false;
+    };
+    let Ok(frame) = ankle.advance(end, motors) else {
+        return false;
+    };
+    [angles[2], angles[3]] = [frame.phi_pitch(), frame.phi_roll()];
+    [angles[4], angles[5]] = [
+        frame.effort_drive_phi_left(),
+        frame.effort_drive_phi_right(),
+    ];
+    true
+}
+
+/// The same of a differential wrist, its joint from its motors; false where it fails.
+#[unsafe(no_mangle)]
+pub extern "C" fn differential_wrist(
+    end: f64,
+    motors: &linkwright_mechanisms::differential_wrist::to_joint::Inputs,
+    angles: &mut [f64; 2],
+) -> bool {
+    use linkwright_mechanisms::differential_wrist::to_joint::DifferentialWrist;
+    let Ok(mut wrist) = DifferentialWrist::assemble(0.0, motors) else {
+        return false;
+    };
+    let Ok(frame) = wrist.advance(end, motors) else {
+        return false;
+    };
+    *angles = [frame.phi_pitch(), frame.phi_roll()];
+    true
+}

@@ -3,7 +3,7 @@
 //! What is given to the mechanism is changed, and what is taken from it changed back: a driver whose motion is
 //! `distance(A, B) + 5mm` becomes `(distance(A, B)/1000 + 5mm)*1000`. Constants, parameters, laws and tables stay as they are.
 
-use linkwright_codegen::stages::syntax::{Document, Equation, Expression, Origin, Pair};
+use linkwright_codegen::stages::syntax::{Document, Equation, Expression, Origin, Pair, Statement};
 
 use super::edits::Edits;
 use super::roles::{Given, Taken, each_formula, each_given, each_taken};
@@ -109,7 +109,9 @@ pub const TURN: &str = "atan2(4, 3)";
 /// Everything turned by [`TURN`] about the origin; `None` where something is said about the directions x and y themselves.
 pub fn turned(text: &str, document: &Document) -> Option<String> {
     let mut edits = Edits::default();
-    let mut possible = true;
+    // What only turns has no place that could be turned about the origin.
+    let mut statements = document.mechanism.statements.iter();
+    let mut possible = !statements.any(|it| matches!(it, Statement::Angle(_)));
     each_formula(&document.mechanism.statements, &mut |formula, live| {
         each_taken(formula, live, &mut |taken, what| match what {
             Taken::X | Taken::Y => possible = false,

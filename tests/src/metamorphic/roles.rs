@@ -61,7 +61,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             Statement::Joint(joint) => of_joint(joint, visit),
             Statement::Drive(drive) => of_drive(drive, visit),
             Statement::Free(free) => of_drive(&free.drive, visit),
-            Statement::Equation(equation) => visit(Given::Sides(equation)),
+            Statement::Equation(equation) => of_equation(equation, visit),
             Statement::Curve(curve) => of_curve(curve, visit),
             Statement::Motion(motion) => statements(&motion.statements, visit),
             Statement::Constant(_)
@@ -81,6 +81,35 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Wish(_) => {}
         }
     }
+}
+
+/// Whether formulas give a place.
+fn is_place(written: &Expression) -> bool {
+    matches!(written.kind, ExpressionKind::Components(_))
+}
+
+/// Both sides, or the components and the length of a rod.
+fn of_equation<'a>(equation: &'a Equation, visit: &mut dyn FnMut(Given<'a>)) {
+    let places = |side: &'a Expression| match &side.kind {
+        ExpressionKind::Call { arguments, .. } if arguments.iter().all(is_place) => {
+            arguments.as_slice()
+        }
+        _ => &[],
+    };
+    let components = |end: &'a Expression| match &end.kind {
+        ExpressionKind::Components(parts) => parts.as_slice(),
+        _ => &[],
+    };
+    let (left, right) = (places(&equation.left), places(&equation.right));
+    let length = match [left.is_empty(), right.is_empty()] {
+        [false, true] => &equation.right,
+        [true, false] => &equation.left,
+        _ => return visit(Given::Sides(equation)),
+    };
+    for part in left.iter().chain(right).flat_map(components) {
+        visit(Given::Length(part));
+    }
+    visit(Given::Length(length));
 }
 
 fn of_body<'a>(body: &'a Body, visit: &mut dyn FnMut(Given<'a>)) {
@@ -191,7 +220,9 @@ pub fn each_taken<'a>(
             function,
             arguments,
         } => match function.text.as_str() {
-            "distance" => visit(expression, Taken::Distance),
+            "distance" if !arguments.iter().any(is_place) => {
+                visit(expression, Taken::Distance);
+            }
             name if live && axis(name).is_some() => {
                 visit(expression, axis(name).expect("just seen"));
             }

@@ -99,8 +99,13 @@ fn pages_of_the_gallery_are_whole_files_that_need_nothing_else() {
     let folder = Folder::new("view_gallery", "");
     for path in gallery() {
         let mut arguments = vec!["view".to_string(), path.display().to_string()];
-        if path.ends_with("excavator_motions.mech") {
-            arguments.extend(["--motion".to_string(), "forward".to_string()]);
+        let motion = match path.file_stem().and_then(|it| it.to_str()) {
+            Some("excavator_motions") => Some("forward"),
+            Some("ankle" | "differential_wrist") => Some("to_joint"),
+            _ => None,
+        };
+        if let Some(motion) = motion {
+            arguments.extend(["--motion".to_string(), motion.to_string()]);
         }
         let run = |out: &str| {
             let mut command = folder.command();

@@ -7,8 +7,8 @@ use std::rc::Rc;
 use super::{Component, Module};
 use crate::expr::{ExprId, SymbolId};
 use crate::model::field_name;
-use crate::program::Function;
 use crate::program::passes::names::LocalNames;
+use crate::program::{Function, Statement};
 use crate::system::SymbolRole;
 
 /// Where a function finds what it does not compute.
@@ -62,6 +62,8 @@ pub(in crate::emit) struct Scope<'a> {
     locals: Rc<LocalNames>,
     /// The symbols in the values of its statements and results, once somebody asks for them.
     read: OnceCell<HashSet<SymbolId>>,
+    /// The sines and cosines that nobody reads, once that is known.
+    unnamed: OnceCell<Vec<SymbolId>>,
 }
 
 /// What a function reads of what it is given.
@@ -118,6 +120,7 @@ impl<'a> Scope<'a> {
             tears,
             locals: Rc::new(locals),
             read: OnceCell::new(),
+            unnamed: OnceCell::new(),
         }
     }
 
@@ -130,6 +133,7 @@ impl<'a> Scope<'a> {
             tears: Vec::new(),
             locals: Rc::clone(&self.locals),
             read: OnceCell::new(),
+            unnamed: OnceCell::new(),
         }
     }
 
@@ -218,6 +222,26 @@ impl<'a> Scope<'a> {
                 .collect()
         };
         self.read.get_or_init(read).contains(&symbol)
+    }
+
+    /// The sines and cosines that its statements find.
+    pub(in crate::emit) fn sines_and_cosines(&self) -> impl Iterator<Item = SymbolId> {
+        let statements = self.function.statements.iter();
+        let pairs = statements.filter_map(|statement| match statement {
+            Statement::SineCosine { sine, cosine, .. } => Some([*sine, *cosine]),
+            _ => None,
+        });
+        pairs.flatten()
+    }
+
+    /// Says which of them nobody reads.
+    pub(in crate::emit) fn leave_unnamed(&self, symbols: Vec<SymbolId>) {
+        self.unnamed.get_or_init(|| symbols);
+    }
+
+    /// Whether nobody reads a sine or a cosine.
+    pub(in crate::emit) fn is_unnamed(&self, symbol: SymbolId) -> bool {
+        self.unnamed.get().is_some_and(|it| it.contains(&symbol))
     }
 
     /// Whether somebody reads what a statement of a path finds.

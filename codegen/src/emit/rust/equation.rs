@@ -19,7 +19,7 @@ pub(super) struct Equation {
 impl Equation {
     pub fn new(scope: &Scope<'_>) -> Equation {
         let reads = scope.reads();
-        let statements = scope.plain_statements();
+        let mut statements = scope.plain_statements();
         let results = scope.results();
         let own = [
             (reads.frame, quote!(let at = self.at;)),
@@ -29,6 +29,15 @@ impl Equation {
         let given = own.into_iter().filter(|(is_read, _)| *is_read);
         let given: TokenStream = given.map(|(_, taken)| taken).collect();
         let code = quote!(#(#statements)* #(#results)*).to_string();
+        let is_alone = |symbol: &SymbolId| {
+            let name = scope.symbol(*symbol).to_string();
+            words(&code).filter(|word| *word == name).count() == 1
+        };
+        let idle: Vec<SymbolId> = scope.sines_and_cosines().filter(is_alone).collect();
+        if !idle.is_empty() {
+            scope.leave_unnamed(idle);
+            statements = scope.plain_statements();
+        }
         Equation {
             given,
             statements,
@@ -60,6 +69,9 @@ impl Equation {
 
 /// Whether code mentions a name.
 fn mentions(code: &str, name: &str) -> bool {
+    words(code).any(|word| word == name)
+}
+
+fn words(code: &str) -> impl Iterator<Item = &str> {
     code.split(|character: char| !(character.is_alphanumeric() || character == '_'))
-        .any(|word| word == name)
 }

@@ -63,7 +63,10 @@ impl Scope<'_> {
                 cosine,
                 angle,
             } => {
-                let [sine, cosine] = [sine, cosine].map(|symbol| self.read(*symbol));
+                let [sine, cosine] = [sine, cosine].map(|symbol| match self.is_unnamed(*symbol) {
+                    true => "_".to_string(),
+                    false => self.read(*symbol),
+                });
                 let angle = write(angle);
                 Some(format!("let ({sine}, {cosine}) = math::sin_cos({angle});"))
             }
@@ -260,12 +263,16 @@ impl Scope<'_> {
             true => self.symbol(*symbol),
             false => quote!(_),
         });
-        let call = quote! {
-            isolate(#bounds, &jacobian, |sags, variation| {
-                let &[#(#arguments),*] = sags;
-                #(#statements)*
-                #(#results)*
-            })?
+        let call = match varied {
+            // What is linear does not vary.
+            [] => quote!(isolate(#bounds, &jacobian, |_, _| {})?),
+            _ => quote! {
+                isolate(#bounds, &jacobian, |sags, variation| {
+                    let &[#(#arguments),*] = sags;
+                    #(#statements)*
+                    #(#results)*
+                })?
+            },
         };
         let outer: Vec<TokenStream> = found.iter().map(|symbol| self.found(*symbol)).collect();
         let found = match outer.iter().all(|name| name.to_string() == "_") {

@@ -108,10 +108,10 @@ error: 2 errors in bad.mech
 ";
     assert_eq!(bad(&inside("const a = ;\n    body b (0, 0) {}")), expected);
     let drivers =
-        inside("drive phi = 2; drive phi(1) + 2; slide(1, 2) along A; body e at P, 1 { A }; ;");
+        inside("drive phi 2; drive phi(1) + 2; slide(1, 2) along A; body e at P, 1 { A }; ;");
     assert_eq!(
         codes(&drivers),
-        vec!["K02 2:15", "K02 2:33", "K02 2:57", "K02 2:70", "K02 2:81"]
+        vec!["K02 2:15", "K02 2:31", "K02 2:55", "K02 2:68", "K02 2:79"]
     );
     assert_eq!(codes("mechanism a {}\nmechanism b {} c"), vec!["K02 2:16"]);
     assert_eq!(codes("mechanism a {} x"), vec!["K02 1:16"]);
