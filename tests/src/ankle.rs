@@ -37,7 +37,12 @@ pub const SIDES: [Side; 2] = [
 ];
 
 impl Side {
-    /// The square of the rod's length.
+    /// The rod's length.
+    pub fn rod(self) -> f64 {
+        self.rod_square().sqrt()
+    }
+
+    /// Its square.
     fn rod_square(self) -> f64 {
         self.height * self.height + (BEHIND - CRANK) * (BEHIND - CRANK)
     }
@@ -70,8 +75,7 @@ impl Side {
         let z = BEHIND * sp + aside * cp * sr - height;
         // (x + r cos θ)² + y² + (z − r sin θ)² = ℓ²
         let (a, b) = (x, -z);
-        let rod = height * height + (BEHIND - CRANK) * (BEHIND - CRANK);
-        let c = (rod - x * x - y * y - z * z - CRANK * CRANK) / (2.0 * CRANK);
+        let c = (self.rod_square() - x * x - y * y - z * z - CRANK * CRANK) / (2.0 * CRANK);
         let motor = b.atan2(a) - (c / a.hypot(b)).acos();
         let (s, co) = motor.sin_cos();
         let xd = (BEHIND * sp + aside * cp * sr) * pitch[1] + aside * sp * cr * roll[1];

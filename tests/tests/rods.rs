@@ -6,6 +6,8 @@ use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::view::View;
 use linkwright_tests::ankle::{SIDES, foot_of};
 use linkwright_tests::description::written;
+use linkwright_tests::files;
+use linkwright_tests::forces::{Followed, systems};
 use linkwright_tests::jet::Jet;
 use linkwright_tests::values::{assembled_from, levels};
 
@@ -226,5 +228,33 @@ fn a_four_bar_of_angles_and_a_rod_is_the_four_bar_of_bodies() {
                 );
             }
         }
+    }
+}
+
+/// A rod pulls with a force whose moment about the motor is what the motor exerts.
+#[test]
+fn rods_carry_what_motors_exert() {
+    let text = std::fs::read_to_string(files::repository().join("mechanisms/ankle.mech"));
+    let text = text.expect("the ankle");
+    let text = text.replace("effort;", "effort; reactions;");
+    let text = text.replace("pitch_torque = 0Nm", "pitch_torque = 20Nm");
+    let text = text.replace("roll_torque = 0Nm", "roll_torque = -7Nm");
+    let text = text.replace("left_motor = 0deg", "left_motor = 10deg");
+    let system = &systems("ankle", &text)[1];
+    let followed = Followed::new(system, 0.0).expect("near the drawing");
+    let q = followed.instant().q();
+    // pitch, roll, left, right
+    let [pitch, roll] = [q[0], q[1]].map(Jet::from);
+    for (at, (side, name)) in SIDES.into_iter().zip(["left", "right"]).enumerate() {
+        let tension = followed.value(&format!("reaction_{name}_side_tension"));
+        // d|Q − P|/dθ from the slope of the square, by the length.
+        let motor = Jet([q[2 + at], 1.0, 0.0]);
+        let slope = side.gap(pitch, roll, motor).0[1] / (2.0 * side.rod());
+        let effort = followed.value(&format!("effort_drive_phi_{name}"));
+        assert!(tension.abs() > 10.0, "{tension}");
+        assert!(
+            (tension * slope - effort).abs() < 1e-12 * tension.abs(),
+            "{tension} {slope} {effort}"
+        );
     }
 }

@@ -6,7 +6,7 @@
 use linkwright::multipliers;
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::program::Program;
-use linkwright_codegen::stages::system::{Component, System};
+use linkwright_codegen::stages::system::{Carried, Component, System};
 use nalgebra::{DMatrix, DVector};
 
 use crate::instant::{Instant, Layout};
@@ -172,6 +172,7 @@ fn columns(system: &mut System) -> Vec<Column> {
     for joint in wanted.reactions {
         let passing = system.passing(joint);
         let direction = passing.carried.direction();
+        let coordinates = system.mechanism.bodies[passing.body.0].coordinates;
         let graph = &mut system.mechanism.graph;
         let own = system.rows.iter().enumerate();
         let own: Vec<_> = own.filter(|(_, row)| row.joint == joint).collect();
@@ -179,7 +180,7 @@ fn columns(system: &mut System) -> Vec<Column> {
         let mut wrenches = Vec::new();
         for (row, stated) in own {
             let mut wrench = [0, 1, 2].map(|axis| {
-                let wanted = (3 * passing.body.0 + axis).checked_sub(3);
+                let wanted = coordinates[axis].map(|it| it.place);
                 let mut entries = stated.jacobian.iter();
                 let entry = entries.find(|it| Some(it.coordinate) == wanted);
                 let value = entry.map_or(graph.zero(), |it| it.value);
@@ -204,7 +205,10 @@ fn columns(system: &mut System) -> Vec<Column> {
                     (Component::X, _) => x,
                     (Component::Y, _) => y,
                     (Component::Moment, _) => moment,
-                    (Component::Multiplier, _) | (_, None) => graph.one(),
+                    (Component::Multiplier, _) | (_, None) => match passing.carried {
+                        Carried::Rod(per_multiplier) => per_multiplier,
+                        _ => graph.one(),
+                    },
                     (_, Some([along_x, along_y])) => {
                         let parts = [graph.multiply(x, along_x), graph.multiply(y, along_y)];
                         graph.sum(&parts)

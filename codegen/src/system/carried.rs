@@ -1,5 +1,6 @@
 //! What joints can carry, and what is said of it.
 
+use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 
 /// What a joint can carry.
@@ -15,6 +16,8 @@ pub enum Carried {
     Normal(Vector),
     /// A force along this unit vector, with which a link pulls.
     Tension(Vector),
+    /// A force of so much per multiplier, with which a rod between places that formulas give pulls them together.
+    Rod(ExprId),
     /// A force along this unit vector, which teeth pass on.
     Tooth(Vector),
     /// A force along this unit vector, with which bodies press on one another.
@@ -35,7 +38,7 @@ impl Carried {
             Carried::ForceAndMoment => &[Component::X, Component::Y, Component::Moment],
             Carried::NormalAndMoment(_) => &[Component::Normal, Component::Moment],
             Carried::Normal(_) => &[Component::Normal],
-            Carried::Tension(_) => &[Component::Tension],
+            Carried::Tension(_) | Carried::Rod(_) => &[Component::Tension],
             Carried::Tooth(_) => &[Component::Tooth],
             Carried::Pressure(_) => &[Component::Pressure],
             Carried::Component(0) => &[Component::X],

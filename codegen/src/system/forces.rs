@@ -273,7 +273,14 @@ impl System {
                 let normal = curve.normal(graph);
                 Carried::Pressure(curve.rotate(normal, graph))
             }),
-            Some(Feature::Written) | None => Carried::Multiplier,
+            // The equation is about squares: a distance that grows by δ changes it by 2 ℓ δ.
+            Some(Feature::Written) | None => match operands.length() {
+                Some(length) => {
+                    let two = graph.integer(2);
+                    Carried::Rod(graph.multiply(two, length))
+                }
+                None => Carried::Multiplier,
+            },
         };
         // What presses on a curve is what the curve carries; everywhere else the second body is meant.
         let [first, second] = match (&marks[..], carried) {

@@ -4,7 +4,7 @@ use crate::expr::{ExprId, SymbolId};
 use crate::force::moment;
 use crate::joint::geometry::dot;
 use crate::program::builder::Builder;
-use crate::system::Component;
+use crate::system::{Carried, Component};
 
 /// What a joint carries.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,8 +36,11 @@ pub(super) fn reaction(
     // −λ ∂Φ/∂q is what the joint exerts on a body, and the opposite what it passes on through it.
     let mut wrench = [zero; 3];
     if passing.body.0 != 0 {
-        for (axis, part) in wrench.iter_mut().enumerate() {
-            let unknown = 3 * (passing.body.0 - 1) + axis;
+        let coordinates = builder.system.mechanism.bodies[passing.body.0].coordinates;
+        for (coordinate, part) in coordinates.iter().zip(&mut wrench) {
+            let Some(unknown) = coordinate.map(|it| it.place) else {
+                continue;
+            };
             let graph = builder.graph();
             let terms = passing.rows.iter().filter_map(|(row, columns)| {
                 let factor = *columns.get(&unknown)?;
@@ -55,12 +58,15 @@ pub(super) fn reaction(
     let graph = builder.graph();
     let about_origin = moment(passing.arm, force, graph);
     let about_place = graph.subtract(wrench[2], about_origin);
-    let along = passing
-        .carried
-        .direction()
-        .map(|direction| dot(force, direction, graph));
     let zero = graph.zero();
     let own = passing.rows.first().map(|(row, _)| multipliers[*row]);
+    let along = match passing.carried {
+        Carried::Rod(per_multiplier) => own.map(|own| graph.multiply(per_multiplier, own)),
+        carried => {
+            let direction = carried.direction();
+            direction.map(|direction| dot(force, direction, graph))
+        }
+    };
     let components = passing.carried.components().iter();
     let components: Vec<(Component, SymbolId)> = components
         .map(|&component| {
