@@ -72,7 +72,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
     /// # Errors
     /// [`FailureKind::StepTooLarge`] where that cannot be shown, with the block.
     #[inline]
-    pub fn admit<B>(&mut self, blocks: &B, pair: &Pair<'_, B>) -> Result<(), Failure<T>>
+    pub fn admit<B>(&mut self, blocks: &B, pair: Pair<'_, B>) -> Result<(), Failure<T>>
     where
         B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
     {
@@ -80,7 +80,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
             return Ok(());
         }
         match &self.window {
-            Some(window) if window.holds(blocks, pair) => Ok(()),
+            Some(window) if window.holds(blocks, &pair) => Ok(()),
             _ => self.look(blocks, pair),
         }
     }
@@ -88,10 +88,11 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
     /// Looks at the path between two frames, and beyond: first at closed forms one after another, which takes little, then at all
     /// equations together.
     #[cold]
-    fn look<B>(&mut self, blocks: &B, pair: &Pair<'_, B>) -> Result<(), Failure<T>>
+    fn look<B>(&mut self, blocks: &B, pair: Pair<'_, B>) -> Result<(), Failure<T>>
     where
         B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
     {
+        let pair = &pair;
         let t = pair.conditions.t;
         let step = t - B::time(pair.last);
         self.window = None;

@@ -145,7 +145,7 @@ const ROUNDING: f64 = 65536.0;
 const LEFT_BY_ROUNDING: f64 = 64.0;
 
 /// The multiple of ε by which the difference of two values may be off, as a part of their size.
-const OF_DIFFERENCES: f64 = 4.0;
+const OF_DIFFERENCES: f64 = 32.0;
 
 /// The multiple of the least sags that is tried first.
 const FIRST: f64 = 2.0;

@@ -29,7 +29,7 @@ pub(super) struct Paths {
     /// The pairs of links that closed forms have found, by the angle of each.
     pub links: HashMap<usize, TwoLinks>,
     /// What stands for angles that no frame keeps.
-    directions: HashMap<usize, [SymbolId; 2]>,
+    pub directions: HashMap<usize, [SymbolId; 2]>,
     /// What unknowns are that follow from others, as far as that is short.
     definitions: HashMap<SymbolId, ExprId>,
     /// The other ones that nothing has mentioned yet, by what they define, with the places of their blocks.
@@ -430,7 +430,7 @@ impl Builder<'_> {
     }
 
     /// How far an unknown goes along the line: what it has moved since the last frame, stretched.
-    pub(super) fn way(&mut self, unknown: usize) -> SymbolId {
+    fn way(&mut self, unknown: usize) -> SymbolId {
         let way = self.bound(unknown, "way");
         let moved = match self.paths.directions.get(&unknown) {
             // Where the angle itself is not kept, the way is less than half a turn.

@@ -2,9 +2,10 @@
 //!
 //! Two links of lengths a and b, from one pin to the other by way of the pin between them, make an angle ψ with
 //! ab cos ψ = (d² − a² − b²)/2, where d is the distance of the outer pins. They can leave their assembly mode only where sin ψ is zero.
-//! Where the outer pins and the lengths move by no more than m together, cos ψ changes by no more than m (1/a + 1/b), since
-//! d ≤ a + b; so |sin ψ| is at least some s, and the links turn by no more than m/(a s) and m/(b s). These bounds of the angles are
-//! arms' bounds in the next block. Every bound is about what a frame holds, and rounding is a motion of the pins.
+//! Both frames say how cos ψ and the angles of the links run on; how far they may be from that follows from how far the pins go (m)
+//! and how far they are from a straight line (σ), with 1/a + 1/b as the largest derivative of cos ψ, 1/(a |sin ψ|) as that of an
+//! angle, and the remainder of linear interpolation. The bounds of the angles are those of arms in the next block. The guide
+//! (`theory.md`) has the argument.
 //!
 //! A mechanism that has other blocks is not looked at so. Deliberately unknown here: how a part is solved.
 
@@ -13,7 +14,7 @@ use std::collections::{HashMap, HashSet};
 use super::builder::Builder;
 use super::function::{Function, Statement};
 use super::passes::enclosure::Enclosure;
-use crate::expr::{ExprId, Node, Number, SymbolId};
+use crate::expr::{ExprId, Node, Number, Rational, SymbolId};
 use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
 use crate::structure::{Definition, Part, SolvedBlock};
@@ -35,13 +36,18 @@ pub(super) struct TwoLinks {
     pub product: ExprId,
 }
 
-/// What is known of all values while the links are looked at.
+/// How much longer an arc may be than its chord where it is no more than the largest turn: 1.5/(2 sin 0.75) is 1.1003.
+const ARC: (i64, i64) = (9, 8);
+
+/// What is known of values beside how far they go.
 #[derive(Default)]
-struct Bounds {
-    /// The unknowns whose bounds follow from those of links.
-    linked: HashSet<usize>,
+struct Known {
     /// How large what unknowns are computed from is, of those that follow from arms and constants.
     sizes: HashMap<SymbolId, ExprId>,
+    /// How far the end of an arm of length 1 is from a straight line, by the angle that turns it.
+    bows: HashMap<usize, ExprId>,
+    /// The unknowns that links move.
+    linked: HashSet<usize>,
 }
 
 impl Builder<'_> {
@@ -60,14 +66,14 @@ impl Builder<'_> {
         blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
     ) -> Option<Function> {
         self.begin_path();
-        let mut bounds = Bounds::default();
+        let mut known = Known::default();
         let mut pairs = 0;
         for (place, block) in blocks {
             for part in &block.parts {
-                pairs += usize::from(self.bound_part(part, place, &mut bounds)?);
+                pairs += usize::from(self.bound_part(part, place, &mut known)?);
             }
             for definition in &block.definitions {
-                self.note_size(definition, &mut bounds);
+                self.note_size(definition, &mut known);
                 self.path_of_definition(definition, place);
             }
         }
@@ -78,58 +84,86 @@ impl Builder<'_> {
     }
 
     /// Bounds what a part finds; false where it does not move.
-    fn bound_part(&mut self, part: &Part, block: usize, bounds: &mut Bounds) -> Option<bool> {
+    fn bound_part(&mut self, part: &Part, block: usize, known: &mut Known) -> Option<bool> {
         let equations = part.equations.iter();
         let residuals: Vec<ExprId> = equations.map(|it| self.in_short(it.residual)).collect();
         for &residual in &residuals {
-            self.bound_definitions(residual, bounds);
+            self.bound_definitions(residual, known);
         }
         if self.is_still(&part.unknowns, &residuals) {
             part.unknowns.iter().for_each(|&it| self.know_still(it));
             return Some(false);
         }
         let links = *self.paths.links.get(part.unknowns.first()?)?;
-        self.bound_links(links, block, bounds);
+        self.bound_links(links, block, known);
         Some(true)
     }
 
     /// Asks that two links are not in line, and bounds how far they turn.
-    fn bound_links(&mut self, links: TwoLinks, block: usize, bounds: &mut Bounds) {
+    fn bound_links(&mut self, links: TwoLinks, block: usize, known: &mut Known) {
         let TwoLinks {
             angles,
             links,
             closure,
             product,
         } = links;
-        let links = links.map(|link| link.map(|part| self.in_short(part)));
+        let name = angles.map(|angle| self.system.unknown_name(angle).to_string());
+        let pair = name.join("_");
         let closure = closure.map(|part| self.undriven(part));
-        let size = {
-            let parts = [closure[0], closure[1]].map(|part| self.size_of(part, bounds));
-            let lengths = links.map(|link| self.length_of(link));
-            let parts = [parts[0], parts[1], lengths[0], lengths[1]];
-            self.graph().sum(&parts)
-        };
-        let closure = closure.map(|part| self.in_short(part));
+        let links = links.map(|link| link.map(|part| self.in_short(part)));
         let lengths = links.map(|link| self.length_of(link));
-        let stretched = links.map(|link| self.stretch_of(link));
-        let rounding = self.paths.span.rounding;
-        let moved = {
-            let pins = self.motion_of(closure);
+        let rounding = {
+            let [x, y] = closure.map(|part| self.size_of(part, known));
+            let [a, b] = lengths.map(|length| self.size_of(length, known));
+            let size = self.graph().sum(&[x, y, a, b]);
+            let size = self.rounded_up(size);
+            let rounding = self.paths.span.rounding;
             let rounding = self.graph().variable(rounding);
             let rounding = self.graph().multiply(rounding, size);
-            self.graph()
-                .sum(&[pins, stretched[0], stretched[1], rounding])
+            self.bounded(&format!("{pair}_rounding"), rounding)
         };
-        let names = angles.map(|angle| self.system.unknown_name(angle).to_string());
-        let moved = self.bounded(&format!("{}_{}_moved", names[0], names[1]), moved);
-        self.require(block);
+        let closure = closure.map(|part| self.in_short(part));
+        let mut parts = closure.iter().chain(links.iter().flatten());
+        let is_linked = parts.any(|&part| self.is_linked(part, known));
+        let pins = self.motion_of(closure, known);
+        let stretched = links.map(|link| self.components(link));
         let zero = self.graph().zero();
+        // Where a length changes along a line that passes the pin, the link turns in its body by that, too.
+        let is_oblique =
+            [0, 1].map(|side| stretched[side].radius != zero && !links[side].contains(&zero));
+        let oblique = [0, 1].map(|side| {
+            if is_oblique[side] {
+                stretched[side].radius
+            } else {
+                zero
+            }
+        });
+        let moved = {
+            let parts = [
+                pins.radius,
+                stretched[0].radius,
+                stretched[1].radius,
+                oblique[0],
+                oblique[1],
+                rounding,
+            ];
+            let moved = self.graph().sum(&parts);
+            self.bounded(&format!("{pair}_moved"), moved)
+        };
+        let strayed = {
+            let strayed =
+                self.graph()
+                    .sum(&[pins.sag, stretched[0].sag, stretched[1].sag, rounding]);
+            self.bounded(&format!("{pair}_strayed"), strayed)
+        };
+        self.require(block);
+        let is_fixed = stretched.iter().all(|it| it.radius == zero);
         let shortest = [0, 1].map(|side| {
-            if stretched[side] == zero {
+            if stretched[side].radius == zero {
                 return lengths[side];
             }
-            let least = self.graph().subtract(lengths[side], stretched[side]);
-            let least = self.bounded(&format!("{}_length", names[side]), least);
+            let least = self.graph().subtract(lengths[side], stretched[side].radius);
+            let least = self.bounded(&format!("{}_length", name[side]), least);
             self.state(Statement::Require {
                 value: least,
                 block,
@@ -139,76 +173,165 @@ impl Builder<'_> {
         let one = self.graph().one();
         let slopes = shortest.map(|length| self.graph().divide(one, length));
         let slope = self.graph().add(slopes[0], slopes[1]);
-        let turned = self.graph().multiply(moved, slope);
+        let bend = self.paths.span.bend;
+        let bend = self.graph().variable(bend);
+        let moved_square = self.graph().multiply(moved, moved);
+        let moved_square = self.bounded(&format!("{pair}_moved_square"), moved_square);
         let cosine = {
-            let lengths = self.graph().multiply(lengths[0], lengths[1]);
-            let cosine = self.graph().divide(product, lengths);
-            self.graph().magnitude(cosine)
+            let area = self.graph().multiply(lengths[0], lengths[1]);
+            let inverse = self.graph().divide(one, area);
+            let now = self.graph().magnitude(product);
+            let (scaled, further) = match is_fixed {
+                true => {
+                    let way = self.way_of(product);
+                    let curved = self.graph().multiply(bend, moved_square);
+                    let scaled = self.graph().sum(&[now, way, curved]);
+                    let scaled = self.bounded(&format!("{pair}_product"), scaled);
+                    (scaled, strayed)
+                }
+                false => (now, moved),
+            };
+            let scaled = self.graph().multiply(inverse, scaled);
+            let further = self.graph().multiply(slope, further);
+            let largest = self.graph().add(scaled, further);
+            self.bounded(&format!("{pair}_cosine"), largest)
         };
-        let cosine = self.graph().add(cosine, turned);
-        let cosine = self.bounded(&format!("{}_{}_cosine", names[0], names[1]), cosine);
-        let square = self.graph().multiply(cosine, cosine);
-        let sine_square = self.graph().subtract(one, square);
-        // moved/(a s) is at most as much where moved (1/a + 1/b) is.
-        let (above, below) = LARGEST_TURN;
-        let part = self.graph().rational(below, above);
-        let least = self.graph().multiply(part, turned);
-        let least = self.graph().multiply(least, least);
-        let value = self.graph().subtract(sine_square, least);
+        let sine_square = {
+            let square = self.graph().multiply(cosine, cosine);
+            let rest = self.graph().subtract(one, square);
+            self.bounded(&format!("{pair}_sine_square"), rest)
+        };
+        let value = {
+            // moved/(a |sin ψ|) is no more than this where moved (1/a + 1/b)/|sin ψ| is not.
+            let (above, below) = LARGEST_TURN;
+            let part = self.graph().rational(below, above);
+            let part = self.graph().multiply(part, slope);
+            let least = self.graph().product(&[part, part, moved_square]);
+            self.graph().subtract(sine_square, least)
+        };
         self.path_geometry(&[value]);
         self.state(Statement::Require { value, block });
-        let sine = self.graph().sqrt(sine_square);
-        let turned = self.graph().divide(moved, sine);
-        let turned = self.bounded(&format!("{}_{}_turned", names[0], names[1]), turned);
-        for ((angle, name), slope) in angles.into_iter().zip(names).zip(slopes) {
-            let radius = self.graph().multiply(turned, slope);
-            let radius = self.bounded(&format!("{name}_radius"), radius);
-            self.know(angle, Enclosure { radius, sag: zero });
-            bounds.linked.insert(angle);
+        let inverse = {
+            let sine = self.graph().sqrt(sine_square);
+            let inverse = self.graph().divide(one, sine);
+            self.bounded(&format!("{pair}_inverse"), inverse)
+        };
+        let turned = self.graph().multiply(moved, inverse);
+        let turned = self.bounded(&format!("{pair}_turned"), turned);
+        let bent = {
+            // What the square of a turn is multiplied by in the second derivative of an angle.
+            let own = match is_fixed {
+                true => self.larger(slopes),
+                false => self.graph().add(slope, slope),
+            };
+            let other = self.graph().product(&[slope, cosine, inverse]);
+            let both = self.graph().add(own, other);
+            let curved = self.graph().product(&[bend, turned, turned, both]);
+            let strayed = self.graph().multiply(inverse, strayed);
+            let bent = self.graph().add(curved, strayed);
+            self.bounded(&format!("{pair}_bent"), bent)
+        };
+        for side in [0, 1] {
+            let [sag, first] = [bent, turned].map(|it| self.graph().multiply(it, slopes[side]));
+            let way = self.way_of_angle(angles[side]);
+            let sag = match is_oblique[side] {
+                true => self.graph().add(way, first),
+                false => sag,
+            };
+            let sag = self.bounded(&format!("{}_sag", name[side]), sag);
+            // Where links move the pins, bounds of bounds grow by more than what they bound, and frames know better.
+            let radius = match is_oblique[side] || !is_linked {
+                true => first,
+                false => self.graph().add(way, sag),
+            };
+            let radius = self.bounded(&format!("{}_radius", name[side]), radius);
+            self.know(angles[side], Enclosure { radius, sag });
+            known.linked.insert(angles[side]);
         }
     }
 
+    /// Whether links move an expression.
+    fn is_linked(&self, expr: ExprId, known: &Known) -> bool {
+        let symbols = self.system.mechanism.graph.symbols(expr).iter();
+        let mut moving = symbols.filter_map(|&symbol| self.moving(symbol));
+        moving.any(|unknown| known.linked.contains(&unknown))
+    }
+
+    /// The larger one of two constants that are not negative, or else their sum.
+    fn larger(&mut self, [first, second]: Vector) -> ExprId {
+        let graph = self.graph();
+        let value = |expr| {
+            graph
+                .constant_value(expr)
+                .filter(|_| graph.is_constant(expr))
+        };
+        match (value(first), value(second)) {
+            (Some(one), Some(other)) if one >= other => first,
+            (Some(_), Some(_)) => second,
+            _ => graph.add(first, second),
+        }
+    }
+
+    /// How far a value that frames hold goes along the line.
+    fn way_of(&mut self, value: ExprId) -> ExprId {
+        let last = self.system.in_last_frame(value);
+        let moved = self.graph().subtract(value, last);
+        let moved = self.graph().magnitude(moved);
+        let stretch = self.paths.span.stretch;
+        let stretch = self.graph().variable(stretch);
+        self.graph().multiply(stretch, moved)
+    }
+
+    /// The same of an angle that is found by its cosine and its sine, and rounding.
+    fn way_of_angle(&mut self, angle: usize) -> ExprId {
+        let rounding = self.paths.span.rounding;
+        let rounding = self.graph().variable(rounding);
+        let Some(&direction) = self.paths.directions.get(&angle) else {
+            let angle = self.position(angle);
+            let size = self.graph().magnitude(angle);
+            let rounding = self.graph().multiply(rounding, size);
+            let way = self.way_of(angle);
+            return self.graph().add(way, rounding);
+        };
+        let ways = direction.map(|part| {
+            let part = self.graph().variable(part);
+            self.way_of(part)
+        });
+        let chord = self.graph().add(ways[0], ways[1]);
+        let arc = self.graph().rational(ARC.0, ARC.1);
+        let arc = self.graph().multiply(arc, chord);
+        self.graph().add(arc, rounding)
+    }
+
     /// Bounds what an expression mentions, as far as nothing has mentioned it before.
-    fn bound_definitions(&mut self, expr: ExprId, bounds: &mut Bounds) {
+    fn bound_definitions(&mut self, expr: ExprId, known: &mut Known) {
         for symbol in self.system.mechanism.graph.symbols(expr).to_vec() {
             let Some((definition, block)) = self.awaited(symbol) else {
                 continue;
             };
             let unknown = definition.unknown;
             let value = self.in_short(definition.value);
-            self.bound_definitions(value, bounds);
+            self.bound_definitions(value, known);
             let found = self.enclosure(value);
             self.path_geometry(&[found.radius, found.sag]);
             self.require(block);
-            let zero = self.graph().zero();
-            if found.radius == zero {
+            if found.radius == self.graph().zero() {
                 self.know(unknown, found);
                 continue;
             }
+            if self.is_linked(value, known) {
+                known.linked.insert(unknown);
+            }
+            // Between both frames it moves by their difference, and beyond them as much.
             let name = self.system.unknown_name(unknown).to_string();
-            let symbols = self.system.mechanism.graph.symbols(value);
-            let mut moving = symbols.iter().filter_map(|&symbol| self.moving(symbol));
-            let (radius, sag) = match moving.any(|unknown| bounds.linked.contains(&unknown)) {
-                true => {
-                    bounds.linked.insert(unknown);
-                    // Nobody asks how straight the way of a link is.
-                    (found.radius, zero)
-                }
-                // Between both frames it moves by their difference, and beyond them as much.
-                false => {
-                    let sag = self.bounded(&format!("{name}_sag"), found.sag);
-                    let way = self.way(unknown);
-                    let way = self.graph().variable(way);
-                    (self.graph().add(way, sag), sag)
-                }
-            };
-            let rounding = {
-                let rounding = self.paths.span.rounding;
-                let [rounding, value] = [self.graph().variable(rounding), self.position(unknown)];
-                let size = self.graph().magnitude(value);
-                self.graph().multiply(rounding, size)
-            };
-            let radius = self.graph().add(radius, rounding);
+            let rounding = self.paths.span.rounding;
+            let [rounding, value] = [self.graph().variable(rounding), self.position(unknown)];
+            let size = self.graph().magnitude(value);
+            let rounding = self.graph().multiply(rounding, size);
+            let sag = self.graph().add(found.sag, rounding);
+            let sag = self.bounded(&format!("{name}_sag"), sag);
+            let way = self.way_of(value);
+            let radius = self.graph().add(way, sag);
             let radius = self.bounded(&format!("{name}_radius"), radius);
             self.know(unknown, Enclosure { radius, sag });
         }
@@ -227,7 +350,7 @@ impl Builder<'_> {
     }
 
     /// How far a vector goes: what turns with one angle together, and the rest.
-    fn motion_of(&mut self, vector: Vector) -> ExprId {
+    fn motion_of(&mut self, vector: Vector, known: &mut Known) -> Enclosure {
         let mut angles: Vec<usize> = Vec::new();
         for part in vector {
             for symbol in self.system.mechanism.graph.symbols(part) {
@@ -238,7 +361,9 @@ impl Builder<'_> {
         }
         angles.sort_unstable();
         angles.dedup();
-        let (mut rest, mut parts) = (vector, Vec::new());
+        let bend = self.paths.span.bend;
+        let bend = self.graph().variable(bend);
+        let (mut rest, mut radii, mut sags) = (vector, Vec::new(), Vec::new());
         for angle in angles {
             let graph = &mut self.system.mechanism.graph;
             let turned = self.system.vector_form.turned_vector(rest, angle, graph);
@@ -246,30 +371,44 @@ impl Builder<'_> {
                 continue;
             };
             rest = others;
-            let angle = self.position(angle);
-            let radius = self.enclosure(angle).radius;
-            let (length, stretched) = (self.length_of(arm), self.components_motion(arm));
-            let longest = self.graph().add(length, stretched);
-            parts.push(self.graph().multiply(longest, radius));
-            parts.push(stretched);
+            let (symbol, name) = (
+                self.position(angle),
+                format!("{}_bow", self.system.unknown_name(angle)),
+            );
+            let Enclosure { radius, sag } = self.enclosure(symbol);
+            let sag = match known.bows.get(&angle) {
+                Some(&bow) => bow,
+                None => {
+                    let curved = self.graph().product(&[bend, radius, radius]);
+                    let bow = self.graph().add(sag, curved);
+                    let bow = self.bounded(&name, bow);
+                    known.bows.insert(angle, bow);
+                    bow
+                }
+            };
+            let (length, own) = (self.length_of(arm), self.components(arm));
+            let longest = self.graph().add(length, own.radius);
+            let crossed = self.graph().product(&[bend, radius, own.radius]);
+            let parts = [[longest, sag], [own.sag, sag], [longest, radius]];
+            let [turned, both, moved] = parts.map(|both| self.graph().product(&both));
+            radii.extend([moved, own.radius]);
+            sags.extend([turned, own.sag, both, crossed, crossed]);
         }
-        parts.push(self.components_motion(rest));
-        self.graph().sum(&parts)
+        let rest = self.components(rest);
+        radii.push(rest.radius);
+        sags.push(rest.sag);
+        Enclosure {
+            radius: self.graph().sum(&radii),
+            sag: self.graph().sum(&sags),
+        }
     }
 
     /// How far a vector goes at most, component by component.
-    fn components_motion(&mut self, vector: Vector) -> ExprId {
-        let [x, y] = vector.map(|part| self.enclosure(part).radius);
-        self.graph().add(x, y)
-    }
-
-    /// By how much a link changes its length, and twice as much where it may turn in its body by that.
-    fn stretch_of(&mut self, link: Vector) -> ExprId {
-        let zero = self.graph().zero();
-        let stretched = self.components_motion(link);
-        match link.contains(&zero) {
-            true => stretched,
-            false => self.graph().add(stretched, stretched),
+    fn components(&mut self, vector: Vector) -> Enclosure {
+        let [x, y] = vector.map(|part| self.enclosure(part));
+        Enclosure {
+            radius: self.graph().add(x.radius, y.radius),
+            sag: self.graph().add(x.sag, y.sag),
         }
     }
 
@@ -287,7 +426,7 @@ impl Builder<'_> {
     }
 
     /// Notes how large what an unknown is computed from is, where that is known without looking.
-    fn note_size(&mut self, definition: &Definition, bounds: &mut Bounds) {
+    fn note_size(&mut self, definition: &Definition, known: &mut Known) {
         let own = &self.system.vector_form.unknowns[definition.unknown];
         let (quantity, symbol) = (own.quantity, own.position);
         let symbols = self.system.mechanism.graph.symbols(definition.value);
@@ -296,8 +435,8 @@ impl Builder<'_> {
             roles.any(|role| matches!(role, SymbolRole::Time | SymbolRole::Input { .. }));
         if quantity != Quantity::Angle && !is_driven {
             let value = self.undriven(definition.value);
-            let size = self.size_of(value, bounds);
-            bounds.sizes.insert(symbol, size);
+            let size = self.size_of(value, known);
+            known.sizes.insert(symbol, size);
         }
     }
 
@@ -307,8 +446,20 @@ impl Builder<'_> {
         self.without(expr, &shifts)
     }
 
+    /// A constant as the next power of two; anything else as it is.
+    fn rounded_up(&mut self, size: ExprId) -> ExprId {
+        let graph = self.graph();
+        match graph
+            .constant_value(size)
+            .filter(|_| graph.is_constant(size))
+        {
+            Some(value) => graph.number(Number::float(value.log2().ceil().exp2())),
+            None => size,
+        }
+    }
+
     /// How large the values are that an expression is computed from, one after another, together.
-    fn size_of(&mut self, expr: ExprId, bounds: &Bounds) -> ExprId {
+    fn size_of(&mut self, expr: ExprId, known: &mut Known) -> ExprId {
         let graph = &mut self.system.mechanism.graph;
         if graph.is_constant(expr) {
             let value = graph.constant_value(expr).unwrap_or(f64::NAN).abs();
@@ -319,7 +470,7 @@ impl Builder<'_> {
                 let sizes: Vec<ExprId> = terms
                     .iter()
                     .map(|term| {
-                        let size = self.size_of(term.expr, bounds);
+                        let size = self.size_of(term.expr, known);
                         let coefficient = match term.coefficient.is_negative() {
                             true => term.coefficient.neg(),
                             false => term.coefficient,
@@ -329,14 +480,22 @@ impl Builder<'_> {
                     .collect();
                 self.graph().sum(&sizes)
             }
+            Node::Sin(_) | Node::Cos(_) => graph.one(),
+            Node::Product(factors) if factors.iter().all(|it| it.exponent == Rational::ONE) => {
+                let factors: Vec<ExprId> = factors
+                    .iter()
+                    .map(|factor| self.size_of(factor.base, known))
+                    .collect();
+                self.graph().product(&factors)
+            }
             Node::Symbol(symbol) => {
-                if let Some(&size) = bounds.sizes.get(&symbol) {
+                if let Some(&size) = known.sizes.get(&symbol) {
                     return size;
                 }
                 if let SymbolRole::Arm(place) = self.system.roles[symbol.index()] {
                     let local = self.system.vector_form.arms[place].local;
                     let length = self.length_of(local);
-                    return self.size_of(length, bounds);
+                    return self.size_of(length, known);
                 }
                 self.graph().magnitude(expr)
             }

@@ -8,7 +8,7 @@ static const $real TUBE_ROUNDING$f = 65536.0$f;
 static const $real LEFT_BY_ROUNDING$f = 64.0$f;
 
 /* The multiple of the rounding by which the difference of two values may be off, as a part of their size. */
-static const $real OF_DIFFERENCES$f = 4.0$f;
+static const $real OF_DIFFERENCES$f = 32.0$f;
 
 /* The multiple of the least sags that is tried first. */
 static const $real FIRST$f = 2.0$f;
