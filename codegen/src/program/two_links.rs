@@ -116,7 +116,6 @@ impl Builder<'_> {
             let [x, y] = closure.map(|part| self.size_of(part, known));
             let [a, b] = lengths.map(|length| self.size_of(length, known));
             let size = self.graph().sum(&[x, y, a, b]);
-            let size = self.rounded_up(size);
             let rounding = self.paths.span.rounding;
             let rounding = self.graph().variable(rounding);
             let rounding = self.graph().multiply(rounding, size);
@@ -172,7 +171,12 @@ impl Builder<'_> {
         });
         let one = self.graph().one();
         let slopes = shortest.map(|length| self.graph().divide(one, length));
+        let slopes = [0, 1].map(|side| {
+            let slope = format!("{}_slope", name[side]);
+            self.bounded(&slope, slopes[side])
+        });
         let slope = self.graph().add(slopes[0], slopes[1]);
+        let slope = self.bounded(&format!("{pair}_slope"), slope);
         let bend = self.paths.span.bend;
         let bend = self.graph().variable(bend);
         let moved_square = self.graph().multiply(moved, moved);
@@ -446,23 +450,17 @@ impl Builder<'_> {
         self.without(expr, &shifts)
     }
 
-    /// A constant as the next power of two; anything else as it is.
-    fn rounded_up(&mut self, size: ExprId) -> ExprId {
-        let graph = self.graph();
-        match graph
-            .constant_value(size)
-            .filter(|_| graph.is_constant(size))
-        {
-            Some(value) => graph.number(Number::float(value.log2().ceil().exp2())),
-            None => size,
-        }
-    }
-
     /// How large the values are that an expression is computed from, one after another, together.
     fn size_of(&mut self, expr: ExprId, known: &mut Known) -> ExprId {
         let graph = &mut self.system.mechanism.graph;
         if graph.is_constant(expr) {
+            // The next power of two reads well, and who rounds may be generous.
             let value = graph.constant_value(expr).unwrap_or(f64::NAN).abs();
+            let value = if value > 0.0 {
+                value.log2().ceil().exp2()
+            } else {
+                value
+            };
             return graph.number(Number::float(value));
         }
         match graph.node(expr).clone() {
