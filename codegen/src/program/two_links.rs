@@ -446,8 +446,10 @@ impl Builder<'_> {
 
     /// An expression without what only derivatives need of drivers.
     fn undriven(&mut self, expr: ExprId) -> ExprId {
-        let shifts = self.derivatives.shifts();
-        self.without(expr, &shifts)
+        match &self.derivatives.shifts()[..] {
+            [] => expr,
+            shifts => self.without(expr, shifts),
+        }
     }
 
     /// How large the values are that an expression is computed from, one after another, together.
