@@ -18,6 +18,7 @@ mod lower;
 mod outputs;
 pub mod passes;
 mod path;
+mod pin_motion;
 mod prose;
 mod requirements;
 mod sensitivities;
