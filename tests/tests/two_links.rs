@@ -221,9 +221,11 @@ fn size(random: &mut Random, least: f64, most: f64) -> f64 {
 fn what_is_vouched_for_by_laws_is_one_path() {
     let mut random = Random::new(1966);
     let mut counts = [0; 3];
-    for _ in 0..150 {
+    for number in 0..150 {
         let (swing, pace) = (random.between(0.1, 3.0), random.between(0.5, 3.0));
-        let drive = format!("drive phi(crank) = {swing:.3}*sin({pace:.3}*t);");
+        // Where single values are asked for, frames hold the direction of a link and not its angle.
+        let asked = ["", "\n    output P1;"][number % 2];
+        let drive = format!("drive phi(crank) = {swing:.3}*sin({pace:.3}*t);{asked}");
         let text = chain(&mut random, &drive);
         let blocks = blocks_of(&Source::new("chain.mech", &text));
         let none = InputSignals::default();
@@ -279,12 +281,27 @@ fn what_is_vouched_for_by_inputs_is_one_path() {
 
 #[test]
 fn cylinders_are_vouched_for_as_far_as_they_reach() {
-    // The arm of the excavator, and the same with its cylinders driven farther than its links reach.
-    let drawn = description::source("excavator");
+    // The arm of the excavator, also with its cylinders driven farther than its links reach, and with one that passes beside its pin.
+    let drawn = description::source("excavator").text;
+    let beside = [
+        ("point K", "point T = (0.25, 0.75);\n    point K"),
+        ("facing N -> M { M }", "facing N -> T { M, T }"),
+        ("facing N -> M { N }", "facing N -> T { N }"),
+        ("along N -> M", "along N -> T"),
+        (
+            "length(N, M) = distance(N, M)",
+            "length(N, T) = distance(N, T)",
+        ),
+    ];
+    let beside = beside.iter().fold(drawn.clone(), |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replace(from, to)
+    });
     let mut counts = [0; 3];
     let mut random = Random::new(1970);
-    for stroke in ["0.05", "0.2", "0.6"] {
-        let text = drawn.text.replace("0.05*sin", &format!("{stroke}*sin"));
+    let kinds = [&drawn, &beside].into_iter();
+    for (text, stroke) in kinds.flat_map(|text| ["0.05", "0.2", "0.6"].map(|it| (text, it))) {
+        let text = text.replace("0.05*sin", &format!("{stroke}*sin"));
         let blocks = blocks_of(&Source::new("excavator.mech", &text));
         let none = InputSignals::default();
         for _ in 0..150 {
