@@ -284,7 +284,7 @@ fn cylinders_are_vouched_for_as_far_as_they_reach() {
     // The arm of the excavator, also with its cylinders driven farther than its links reach, and with one that passes beside its pin.
     let drawn = description::source("excavator").text;
     let beside = [
-        ("point K", "point T = (0.25, 0.75);\n    point K"),
+        ("point K =", "point T = (0.25, 0.75);\n    point K ="),
         ("facing N -> M { M }", "facing N -> T { M, T }"),
         ("facing N -> M { N }", "facing N -> T { N }"),
         ("along N -> M", "along N -> T"),
