@@ -90,6 +90,23 @@ pub trait Blocks {
     where
         Self: Sized;
 
+    /// Whether [`Blocks::stays_regular`] may show anything.
+    fn is_closed(&self) -> bool {
+        false
+    }
+
+    /// Asks of every block that it has a closed form which is not singular anywhere in a span, and turns nothing by half a turn there:
+    /// then whatever is found in it lies on one path. That takes less than [`Blocks::keeps_to_path`], which may show more.
+    ///
+    /// # Errors
+    /// The first block of which that cannot be shown.
+    fn stays_regular(&self, _pair: &Pair<'_, Self>, _span: &Span<Self::Scalar>) -> Result<(), u16>
+    where
+        Self: Sized,
+    {
+        Err(0)
+    }
+
     /// Whether what Newton-Raphson has found lies in its tubes, so many steps after the second of the frames that they go through.
     fn is_within(&self, at: &Self::Frame, tubes: &Self::Tubes, steps: Self::Scalar) -> bool;
 

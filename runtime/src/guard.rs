@@ -1,8 +1,8 @@
 //! The frames of a mechanism, one after another → whether each lies on the smooth path of the last one.
 //!
-//! The blocks can show that for a whole [`Span`] of time about two frames, at the cost of about a frame. So a [`Guard`] looks beyond the
-//! frames as far as it can, and every frame that lies in such a span, as nearly all do where steps are short, needs no more than to be
-//! found there. The module does not know equations.
+//! The blocks can show that for a whole [`Span`] of time about two frames, closed forms at the cost of a part of a frame, all
+//! equations together at that of some frames. So a [`Guard`] looks beyond the frames as far as it can, and every frame that lies in
+//! such a span, as nearly all do where steps are short, needs no more than to be found there. The module does not know equations.
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals};
@@ -25,6 +25,8 @@ pub struct Guard<T, I, U> {
     window: Option<Window<T, I, U>>,
     /// How many steps it looks ahead next.
     stretch: T,
+    /// The same of closed forms by themselves.
+    stretch_of_closed_forms: T,
 }
 
 /// A span of time in which everything that is found lies on one path.
@@ -56,6 +58,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         Self {
             window: None,
             stretch: T::from_f64(AHEAD[0]),
+            stretch_of_closed_forms: T::from_f64(AHEAD[0]),
         }
     }
 
@@ -69,7 +72,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
     /// # Errors
     /// [`FailureKind::StepTooLarge`] where that cannot be shown, with the block.
     #[inline]
-    pub fn admit<B>(&mut self, blocks: &B, pair: &Pair<'_, B>) -> Result<(), Failure<T>>
+    pub fn admit<B>(&mut self, blocks: &B, pair: Pair<'_, B>) -> Result<(), Failure<T>>
     where
         B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
     {
@@ -77,49 +80,68 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
             return Ok(());
         }
         match &self.window {
-            Some(window) if window.holds(blocks, pair) => Ok(()),
+            Some(window) if window.holds(blocks, &pair) => Ok(()),
             _ => self.look(blocks, pair),
         }
     }
 
-    /// Looks at the path between two frames, and beyond.
+    /// Looks at the path between two frames, and beyond: first at closed forms one after another, which takes little, then at all
+    /// equations together.
     #[cold]
-    fn look<B>(&mut self, blocks: &B, pair: &Pair<'_, B>) -> Result<(), Failure<T>>
+    fn look<B>(&mut self, blocks: &B, pair: Pair<'_, B>) -> Result<(), Failure<T>>
     where
         B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
     {
+        let pair = &pair;
         let t = pair.conditions.t;
         let step = t - B::time(pair.last);
-        let [_, least, most] = AHEAD.map(T::from_f64);
         self.window = None;
         let mut tubes = blocks.tubes();
-        let mut stretch = self.stretch;
-        while stretch >= least && step.abs() > T::ZERO {
-            let span = Span::around(step, stretch);
-            if blocks.keeps_to_path(pair, &span, &mut tubes).is_ok() {
-                let inputs = [pair.before.clone(), pair.conditions.inputs.clone()];
-                self.window = Some(Window {
-                    span,
-                    t,
-                    inputs,
-                    tubes,
-                });
-                let further = stretch * T::from_f64(GROWTH);
-                self.stretch = if further < most { further } else { most };
+        if blocks.is_closed() {
+            let stays = |span: &Span<T>| blocks.stays_regular(pair, span).is_ok();
+            if let Some(span) = farthest(&mut self.stretch_of_closed_forms, step, stays) {
+                self.window = Some(Window::new(pair, span, tubes));
                 return Ok(());
             }
-            stretch *= T::from_f64(SHRINKING);
+            if stays(&Span::between(step)) {
+                return Ok(());
+            }
         }
-        // Where it could not look beyond the frames at all, some frames go by before it tries again.
-        let is_pausing = self.stretch < least;
-        self.stretch = match is_pausing {
-            true => stretch * T::from_f64(GROWTH),
-            false => stretch,
-        };
-        let between = Span::between(step);
-        let kept = blocks.keeps_to_path(pair, &between, &mut tubes);
+        let keeps = |span: &Span<T>| blocks.keeps_to_path(pair, span, &mut tubes).is_ok();
+        if let Some(span) = farthest(&mut self.stretch, step, keeps) {
+            self.window = Some(Window::new(pair, span, tubes));
+            return Ok(());
+        }
+        let kept = blocks.keeps_to_path(pair, &Span::between(step), &mut tubes);
         kept.map_err(|block| failed(FailureKind::StepTooLarge, t, block))
     }
+}
+
+/// The widest span about two frames, at most so many steps, of which something can be shown; `None` where no span beyond the frames
+/// is one. Afterwards `stretch` is how many steps to begin with next.
+fn farthest<T: Real>(
+    stretch: &mut T,
+    step: T,
+    mut shows: impl FnMut(&Span<T>) -> bool,
+) -> Option<Span<T>> {
+    let [_, least, most] = AHEAD.map(T::from_f64);
+    let mut tried = *stretch;
+    while tried >= least && step.abs() > T::ZERO {
+        let span = Span::around(step, tried);
+        if shows(&span) {
+            let further = tried * T::from_f64(GROWTH);
+            *stretch = if further < most { further } else { most };
+            return Some(span);
+        }
+        tried *= T::from_f64(SHRINKING);
+    }
+    // Where it could not look beyond the frames at all, some frames go by before it tries again.
+    let is_pausing = *stretch < least;
+    *stretch = match is_pausing {
+        true => tried * T::from_f64(GROWTH),
+        false => tried,
+    };
+    None
 }
 
 impl<T: Real, I: Signals<T>, U: Clone> Default for Guard<T, I, U> {
@@ -129,6 +151,19 @@ impl<T: Real, I: Signals<T>, U: Clone> Default for Guard<T, I, U> {
 }
 
 impl<T: Real, I: Signals<T>, U> Window<T, I, U> {
+    /// The window about these frames.
+    fn new<B>(pair: &Pair<'_, B>, span: Span<T>, tubes: U) -> Self
+    where
+        B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
+    {
+        Self {
+            span,
+            t: pair.conditions.t,
+            inputs: [pair.before.clone(), pair.conditions.inputs.clone()],
+            tubes,
+        }
+    }
+
     /// Whether a frame is in it, and the way to it.
     #[inline]
     fn holds<B>(&self, blocks: &B, pair: &Pair<'_, B>) -> bool

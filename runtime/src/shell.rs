@@ -102,7 +102,7 @@ impl<B: Blocks> Shell<B> {
                     before: &self.inputs,
                     conditions: &conditions,
                 };
-                self.guard.admit(&self.blocks, &pair)
+                self.guard.admit(&self.blocks, pair)
             });
         if let Err(failure) = solved {
             self.advance_in_steps(failure, t, inputs)?;

@@ -25,6 +25,8 @@ pub struct Span<T = f64> {
     pub bend: T,
     /// 1 where the span goes beyond the frames, and as far before them, or else 0.
     pub beyond: T,
+    /// How far rounding leaves what frames hold from what it stands for over the span, as a part of its size.
+    pub rounding: T,
 }
 
 impl<T: Real> Span<T> {
@@ -36,6 +38,7 @@ impl<T: Real> Span<T> {
             stretch: T::ONE,
             bend: T::from_f64(0.125),
             beyond: T::ZERO,
+            rounding: rounding(T::ONE),
         }
     }
 
@@ -47,6 +50,7 @@ impl<T: Real> Span<T> {
             stretch,
             bend: T::HALF + T::HALF / stretch,
             beyond: T::ONE,
+            rounding: rounding(stretch),
         }
     }
 
@@ -80,6 +84,11 @@ impl<T: Real> Span<T> {
     fn tube(&self, moved: T) -> T {
         T::from_f64(0.25) * self.stretch * moved
     }
+}
+
+/// How far rounding leaves what frames hold, and what differences of two of them lead to that are multiplied by `stretch`.
+fn rounding<T: Real>(stretch: T) -> T {
+    T::EPSILON * (T::from_f64(LEFT_BY_ROUNDING) + T::from_f64(OF_DIFFERENCES) * stretch)
 }
 
 /// How far a signal is from a straight line between two values that are `h` (s) apart.
@@ -134,6 +143,9 @@ const ROUNDING: f64 = 65536.0;
 
 /// The multiple of ε by which a solved equation may be off zero: a few roundings of angles of some turns.
 const LEFT_BY_ROUNDING: f64 = 64.0;
+
+/// The multiple of ε by which the difference of two values may be off, as a part of their size.
+const OF_DIFFERENCES: f64 = 32.0;
 
 /// The multiple of the least sags that is tried first.
 const FIRST: f64 = 2.0;

@@ -93,7 +93,7 @@ impl<B: Blocks> Way<'_, B> {
             before: &before,
             conditions: &conditions,
         };
-        self.guard.admit(self.blocks, &pair)?;
+        self.guard.admit(self.blocks, pair)?;
         self.start = Start::LastFrame;
         core::mem::swap(self.next, &mut self.reached);
         Ok(())

@@ -43,7 +43,7 @@ use crate::view::View;
 pub struct Interpreted {
     compiled: Arc<Compiled>,
     registers: RefCell<Vec<f64>>,
-    path_registers: RefCell<Vec<f64>>,
+    path_registers: RefCell<[Vec<f64>; 2]>,
     points: Reader,
     derivatives: Vec<Derivative>,
     /// Where instants keep the forces that are asked for.
@@ -139,7 +139,9 @@ impl Interpreted {
             derivatives: of_program(&compiled.program, &compiled.layout),
             forces: forces::of_program(&compiled.program, &compiled.layout),
             registers: RefCell::new(compiled.code.registers().to_vec()),
-            path_registers: RefCell::new(path.map_or(Vec::new(), |path| path.registers().to_vec())),
+            path_registers: RefCell::new(
+                path.map_or_else(Default::default, InterpretedPath::registers),
+            ),
             compiled: Arc::new(compiled),
             residuals: Cell::new(0),
             solves: Cell::new(0),
@@ -470,8 +472,19 @@ impl Blocks for Interpreted {
         tubes: &mut Vec<Tube>,
     ) -> Result<(), u16> {
         let path = self.compiled.path.as_ref();
-        let registers = &mut *self.path_registers.borrow_mut();
+        let [registers, _] = &mut *self.path_registers.borrow_mut();
         path.map_or(Ok(()), |path| path.keep(pair, span, tubes, registers))
+    }
+
+    fn is_closed(&self) -> bool {
+        let path = self.compiled.path.as_ref();
+        path.is_some_and(InterpretedPath::is_closed)
+    }
+
+    fn stays_regular(&self, pair: &Pair<'_, Interpreted>, span: &Span) -> Result<(), u16> {
+        let path = self.compiled.path.as_ref();
+        let [_, registers] = &mut *self.path_registers.borrow_mut();
+        path.map_or(Ok(()), |path| path.stay(pair, span, registers))
     }
 
     fn is_within(&self, at: &Instant, tubes: &Vec<Tube>, steps: f64) -> bool {

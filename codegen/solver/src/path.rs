@@ -5,28 +5,36 @@
 use linkwright::span::{isolate_all, required};
 use linkwright::{Pair, Span, Tube};
 use linkwright_codegen::stages::expr::{Code, Recorder, Register, SymbolId};
-use linkwright_codegen::stages::program::Program;
+use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::{SymbolRole, System};
 use nalgebra::{DMatrix, DVector};
 
 use crate::instant::{Instant, Layout};
 use crate::interpreted::Interpreted;
 use crate::operation::{Operation, Writer, run};
-use crate::supplied::InputSignals;
 
 /// The path of a mechanism.
 #[derive(Clone, Debug)]
 pub(crate) struct InterpretedPath {
-    code: Code,
-    /// The time, the stretch, the bend and what lies beyond.
-    span: [Register; 4],
-    /// What is read of the instant, and of the last one, and where it is there.
-    read: [Vec<(Register, usize)>; 2],
-    operations: Vec<Operation>,
+    /// All equations together.
+    whole: Shown,
+    /// Closed forms one after another.
+    closed: Option<Shown>,
     /// The number of each block of the plan.
     numbers: Vec<u16>,
     /// The places of what Newton-Raphson finds, and how far it may be from a straight line where it moves.
     tubes: Vec<(usize, Option<Register>)>,
+}
+
+/// What shows something of a span.
+#[derive(Clone, Debug)]
+struct Shown {
+    code: Code,
+    /// The time, the stretch, the bend, what lies beyond, and the rounding.
+    span: [Register; 5],
+    /// What is read of the instant, and of the last one, and where it is there.
+    read: [Vec<(Register, usize)>; 2],
+    operations: Vec<Operation>,
 }
 
 /// How far unknowns may be from a straight line, as registers; see [`isolate_all`].
@@ -50,54 +58,50 @@ impl InterpretedPath {
     /// Where a path mentions what instants do not keep.
     pub fn new(system: &System, program: &Program, layout: &Layout) -> Option<InterpretedPath> {
         let path = program.path.as_ref()?;
-        let graph = &system.mechanism.graph;
-        let mut recorder = Recorder::new(graph);
-        let own = &path.span;
-        let span = [own.time, own.stretch, own.bend, own.beyond];
-        let span = span.map(|symbol| {
-            let register = recorder.register();
-            recorder.bind(symbol, register);
-            register
-        });
-        let mut writer = Writer::new(recorder);
-        let slot = |symbol: SymbolId| {
-            let slot = layout.slot(symbol);
-            slot.unwrap_or_else(|| panic!("instants keep no `{}`", graph.symbol_name(symbol)))
-        };
-        for statement in &path.function.statements {
-            writer.statement(statement);
-        }
-        let operations = writer.take();
         let newtons = program.blocks.iter().flat_map(|block| &block.newton);
-        let tubes = newtons.flat_map(|newton| &newton.unknowns).map(|unknown| {
-            let sag = path.sags.get(unknown);
-            let position = system.vector_form.unknowns[*unknown].position;
-            (slot(position), sag.map(|&sag| writer.recorder.symbol(sag)))
+        let unknowns = newtons.flat_map(|newton| &newton.unknowns);
+        let unknowns: Vec<(SymbolId, Option<SymbolId>)> = unknowns
+            .map(|unknown| {
+                let position = system.vector_form.unknowns[*unknown].position;
+                (position, path.sags.get(unknown).copied())
+            })
+            .collect();
+        let sags = unknowns.iter().filter_map(|(_, sag)| *sag);
+        let own = &path.span;
+        let given = Given {
+            system,
+            span: [own.time, own.stretch, own.bend, own.beyond, own.rounding],
+            layout,
+        };
+        let (whole, sags) = given.shown(&path.function, sags.collect());
+        let closed = path.closed.as_ref();
+        let closed = closed.map(|function| given.shown(function, Vec::new()).0);
+        let mut sags = sags.into_iter();
+        let tubes = unknowns.into_iter().map(|(position, sag)| {
+            let sag = sag.and_then(|_| sags.next());
+            (given.slot(position), sag)
         });
         let tubes = tubes.collect();
-        let mut read = [Vec::new(), Vec::new()];
-        for &(symbol, register) in writer.recorder.unbound() {
-            match system.roles[symbol.index()] {
-                SymbolRole::Last(symbol) => read[1].push((register, slot(symbol))),
-                _ => read[0].push((register, slot(symbol))),
-            }
-        }
         let places = program.blocks.iter().filter_map(|block| block.place);
         let numbers = 0..places.max().map_or(0, |last| last + 1);
-        let (code, _) = writer.finish();
         Some(InterpretedPath {
-            code,
-            span,
-            read,
-            operations,
+            whole,
+            closed,
             numbers: numbers.map(|place| program.number_of(place)).collect(),
             tubes,
         })
     }
 
-    /// What it computes with.
-    pub fn registers(&self) -> &[f64] {
-        self.code.registers()
+    /// What both of its functions compute with.
+    pub fn registers(&self) -> [Vec<f64>; 2] {
+        let closed = self.closed.as_ref();
+        let closed = closed.map_or(Vec::new(), |shown| shown.code.registers().to_vec());
+        [self.whole.code.registers().to_vec(), closed]
+    }
+
+    /// See [`Blocks::is_closed`](linkwright::Blocks::is_closed).
+    pub fn is_closed(&self) -> bool {
+        self.closed.is_some()
     }
 
     /// How many tubes there are.
@@ -113,20 +117,8 @@ impl InterpretedPath {
         tubes: &mut Vec<Tube>,
         registers: &mut [f64],
     ) -> Result<(), u16> {
+        self.whole.show(pair, span, &self.numbers, registers)?;
         let instants = [pair.at, pair.last].map(Instant::values);
-        for (read, values) in self.read.iter().zip(instants) {
-            for &(register, slot) in read {
-                registers[register.index()] = values[slot];
-            }
-        }
-        let spans = [span.time, span.stretch, span.bend, span.beyond];
-        for (register, value) in self.span.iter().zip(spans) {
-            registers[register.index()] = value;
-        }
-        let inputs = [pair.before, pair.conditions.inputs];
-        for operation in &self.operations {
-            self.show(operation, registers, inputs, span)?;
-        }
         let tube = |&(slot, sag): &(usize, Option<Register>)| {
             let [now, before] = instants.map(|values| values[slot]);
             Tube::new(now, before, sag.map_or(0.0, |sag| registers[sag.index()]))
@@ -142,29 +134,117 @@ impl InterpretedPath {
         tubes.all(|(&(slot, _), tube)| tube.holds(at.values()[slot], steps))
     }
 
+    /// See [`Blocks::stays_regular`](linkwright::Blocks::stays_regular).
+    pub fn stay(
+        &self,
+        pair: &Pair<'_, Interpreted>,
+        span: &Span,
+        registers: &mut [f64],
+    ) -> Result<(), u16> {
+        match &self.closed {
+            Some(closed) => closed.show(pair, span, &self.numbers, registers),
+            None => Err(0),
+        }
+    }
+}
+
+/// What functions that show something of a span are written with.
+struct Given<'a> {
+    system: &'a System,
+    /// The time, the stretch, the bend, what lies beyond, and the rounding.
+    span: [SymbolId; 5],
+    layout: &'a Layout,
+}
+
+impl Given<'_> {
+    fn slot(&self, symbol: SymbolId) -> usize {
+        let slot = self.layout.slot(symbol);
+        slot.unwrap_or_else(|| {
+            let name = self.system.mechanism.graph.symbol_name(symbol);
+            panic!("instants keep no `{name}`")
+        })
+    }
+
+    /// A function as operations, and where they leave what is asked for.
+    fn shown(&self, function: &Function, asked: Vec<SymbolId>) -> (Shown, Vec<Register>) {
+        let mut recorder = Recorder::new(&self.system.mechanism.graph);
+        let span = self.span.map(|symbol| {
+            let register = recorder.register();
+            recorder.bind(symbol, register);
+            register
+        });
+        let mut writer = Writer::new(recorder);
+        for statement in &function.statements {
+            writer.statement(statement);
+        }
+        let operations = writer.take();
+        let asked = asked.into_iter().map(|it| writer.recorder.symbol(it));
+        let asked = asked.collect();
+        let mut read = [Vec::new(), Vec::new()];
+        for &(symbol, register) in writer.recorder.unbound() {
+            match self.system.roles[symbol.index()] {
+                SymbolRole::Last(symbol) => read[1].push((register, self.slot(symbol))),
+                _ => read[0].push((register, self.slot(symbol))),
+            }
+        }
+        let (code, _) = writer.finish();
+        let shown = Shown {
+            code,
+            span,
+            read,
+            operations,
+        };
+        (shown, asked)
+    }
+}
+
+impl Shown {
+    /// # Errors
+    /// The number of the block of which it cannot be shown.
     fn show(
         &self,
-        operation: &Operation,
-        registers: &mut [f64],
-        [before, now]: [&InputSignals; 2],
+        pair: &Pair<'_, Interpreted>,
         span: &Span,
+        numbers: &[u16],
+        registers: &mut [f64],
     ) -> Result<(), u16> {
-        match operation {
-            Operation::Signal { input, found } => {
-                let bounds = span.signal(&before.0[*input], &now.0[*input]);
-                for (register, value) in found.iter().zip(bounds) {
-                    registers[register.index()] = value;
-                }
-                Ok(())
+        let instants = [pair.at, pair.last].map(Instant::values);
+        for (read, values) in self.read.iter().zip(instants) {
+            for &(register, slot) in read {
+                registers[register.index()] = values[slot];
             }
-            Operation::Require(value, block) => {
-                required(registers[value.index()], self.numbers[*block])
-            }
-            Operation::Isolate(isolation) => isolation
-                .find(&self.code, registers)
-                .map_err(|block| self.numbers[block]),
-            _ => run(operation, &self.code, registers, 0.0, 0).map_err(|failure| failure.block),
         }
+        let spans = [
+            span.time,
+            span.stretch,
+            span.bend,
+            span.beyond,
+            span.rounding,
+        ];
+        for (register, value) in self.span.iter().zip(spans) {
+            registers[register.index()] = value;
+        }
+        let [before, now] = [pair.before, pair.conditions.inputs];
+        for operation in &self.operations {
+            match operation {
+                Operation::Signal { input, found } => {
+                    let bounds = span.signal(&before.0[*input], &now.0[*input]);
+                    for (register, value) in found.iter().zip(bounds) {
+                        registers[register.index()] = value;
+                    }
+                }
+                Operation::Require(value, block) => {
+                    required(registers[value.index()], numbers[*block])?;
+                }
+                Operation::Isolate(isolation) => {
+                    let found = isolation.find(&self.code, registers);
+                    found.map_err(|block| numbers[block])?;
+                }
+                _ => run(operation, &self.code, registers, 0.0, 0)
+                    .map_err(|failure| failure.block)?,
+            }
+        }
+        Ok(())
     }
 }
 

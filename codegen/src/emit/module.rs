@@ -129,6 +129,7 @@ impl<'a> Module<'a> {
             (span.stretch, "stretch"),
             (span.bend, "bend"),
             (span.beyond, "beyond"),
+            (span.rounding, "rounding"),
         ];
         parts
             .into_iter()

@@ -295,6 +295,14 @@ impl<'a> Lowering<'a> {
         Builder::new(self, 0).path(blocks)
     }
 
+    /// The same for closed forms one after another; `None` where some are of another form.
+    pub(super) fn closed_path<'b>(
+        &mut self,
+        blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
+    ) -> Option<Function> {
+        Builder::new(self, 0).two_links(blocks)
+    }
+
     /// A name that no other block has.
     fn set_apart(&mut self, base: String) -> String {
         let mut name = base.clone();

@@ -102,11 +102,18 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
             .filter(|block| !block.function.statements.is_empty())
             .filter_map(|block| block.place)
             .collect();
-        let mut found = lowering.path(kept.into_iter().map(|place| (place, &plan.blocks[place])));
+        let kept = kept.into_iter().map(|place| (place, &plan.blocks[place]));
+        let mut found = lowering.path(kept.clone());
+        // What Newton-Raphson finds needs its tubes, also where it does not move.
+        if blocks.iter().all(|block| block.newton.is_none()) {
+            found.closed = lowering.closed_path(kept);
+        }
         prune_path(&mut found, &lowering.system.mechanism.graph);
         asked.extend(read_by_path(&found, &unpruned, lowering.system));
         blocks = pruned(&asked, lowering.system);
-        share_path(&mut found.function, lowering.system);
+        for function in found.whole_functions_mut() {
+            share_path(function, lowering.system);
+        }
         path = Some(found);
     }
     let mut branches = lowering.branches;
@@ -253,8 +260,8 @@ fn read_by_path(path: &Path, unpruned: &[Block], system: &System) -> HashSet<Sym
         .flat_map(|it| it.function.targets())
         .collect();
     let symbols = path
-        .function
-        .all_values()
+        .functions()
+        .flat_map(Function::values)
         .flat_map(|expr| graph.symbols(expr));
     let symbols = symbols.map(|&symbol| match system.roles[symbol.index()] {
         SymbolRole::Last(symbol) => symbol,

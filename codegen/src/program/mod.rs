@@ -18,6 +18,7 @@ mod lower;
 mod outputs;
 pub mod passes;
 mod path;
+mod pin_motion;
 mod prose;
 mod requirements;
 mod sensitivities;
@@ -25,6 +26,7 @@ mod stretch;
 mod tearing;
 mod textbook;
 mod transmissions;
+mod two_links;
 
 pub use addends::{Addend, Compared, Power, addends, compared};
 pub use block::{Block, Branch, Measured, NewtonBlock, PageName};
@@ -100,6 +102,11 @@ impl Program {
             .iter()
             .position(|block| block.place == Some(place));
         number.map_or(0, |number| u16::try_from(number).unwrap_or(u16::MAX))
+    }
+
+    /// What shows that frames lie on their path where all blocks are closed forms.
+    pub fn closed_path(&self) -> Option<&Function> {
+        self.path.as_ref()?.closed.as_ref()
     }
 
     /// Whether a value that is no coordinate is kept in the frame.

@@ -12,6 +12,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use super::builder::{Builder, Direction};
 use super::function::{Function, Statement, Written};
 use super::passes::enclosure::{Enclosure, Enclosures, Span};
+use super::two_links::TwoLinks;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::joint::Quantity;
 use crate::structure::{Definition, Part, SolvedBlock};
@@ -25,8 +26,10 @@ pub(super) struct Paths {
     /// What the span is like.
     pub span: Span,
     enclosures: Enclosures,
+    /// The pairs of links that closed forms have found, by the angle of each.
+    pub links: HashMap<usize, TwoLinks>,
     /// What stands for angles that no frame keeps.
-    directions: HashMap<usize, [SymbolId; 2]>,
+    pub directions: HashMap<usize, [SymbolId; 2]>,
     /// What unknowns are that follow from others, as far as that is short.
     definitions: HashMap<SymbolId, ExprId>,
     /// The other ones that nothing has mentioned yet, by what they define, with the places of their blocks.
@@ -47,10 +50,12 @@ impl Paths {
             stretch: system.intermediate("span_stretch"),
             bend: system.intermediate("span_bend"),
             beyond: system.intermediate("span_beyond"),
+            rounding: system.intermediate("span_rounding"),
         };
         Paths {
             span,
             enclosures: Enclosures::new(span, system),
+            links: HashMap::new(),
             directions: HashMap::new(),
             definitions: HashMap::new(),
             awaited: HashMap::new(),
@@ -59,6 +64,16 @@ impl Paths {
             turned: HashSet::new(),
             sags: HashMap::new(),
         }
+    }
+
+    /// Forgets all bounds.
+    fn begin(&mut self, system: &mut System) {
+        self.enclosures = Enclosures::new(self.span, system);
+        self.definitions.clear();
+        self.awaited.clear();
+        self.signals.clear();
+        self.turned.clear();
+        self.sags.clear();
     }
 
     /// The cosine and the sine of an angle that a closed form finds.
@@ -82,8 +97,10 @@ const TOGETHER: usize = 12;
 /// What shows that a frame lies on the path of the last one.
 #[derive(Clone, Debug)]
 pub struct Path {
-    /// What is looked at.
+    /// What is looked at, all equations together.
     pub function: Function,
+    /// What is looked at where all blocks are closed forms, one after another: it takes less, and may show less.
+    pub closed: Option<Function>,
     /// How far unknowns may be from a straight line, of those that are found so.
     pub sags: HashMap<usize, SymbolId>,
     /// The symbols of the span.
@@ -91,10 +108,18 @@ pub struct Path {
 }
 
 impl Path {
-    /// Its function, and those inside.
+    /// Both of its functions, to be changed.
+    pub(super) fn whole_functions_mut(&mut self) -> impl Iterator<Item = &mut Function> {
+        [&mut self.function].into_iter().chain(&mut self.closed)
+    }
+
+    /// Its functions, and those inside.
     pub fn functions(&self) -> impl Iterator<Item = &Function> {
         let inner = self.function.statements.iter().filter_map(Statement::inner);
-        [&self.function].into_iter().chain(inner)
+        [&self.function]
+            .into_iter()
+            .chain(inner)
+            .chain(&self.closed)
     }
 }
 
@@ -118,14 +143,7 @@ impl Builder<'_> {
         blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
     ) -> Path {
         let mut loops = Loops::default();
-        // Drivers are as they are.
-        let zero = self.graph().zero();
-        let shifts = self
-            .derivatives
-            .shifts()
-            .into_iter()
-            .map(|symbol| (symbol, zero));
-        self.paths.definitions.extend(shifts);
+        self.begin_path();
         for (place, block) in blocks {
             for part in &block.parts {
                 self.path_of_part(part, place, &mut loops);
@@ -143,13 +161,24 @@ impl Builder<'_> {
                 statements: self.statements,
                 ..Function::default()
             },
+            closed: None,
             sags: std::mem::take(&mut self.paths.sags),
             span: self.paths.span,
         }
     }
 
+    /// Knows no bounds yet.
+    pub(super) fn begin_path(&mut self) {
+        self.paths.begin(self.system);
+        // Drivers are as they are.
+        let zero = self.graph().zero();
+        let shifts = self.derivatives.shifts().into_iter();
+        let shifts = shifts.map(|symbol| (symbol, zero));
+        self.paths.definitions.extend(shifts);
+    }
+
     /// The arms in expressions.
-    fn path_geometry(&mut self, expressions: &[ExprId]) {
+    pub(super) fn path_geometry(&mut self, expressions: &[ExprId]) {
         let mut angles: Vec<usize> = Vec::new();
         for &expr in expressions {
             for symbol in self.system.mechanism.graph.symbols(expr) {
@@ -175,7 +204,7 @@ impl Builder<'_> {
     }
 
     /// An expression with definitions in place of the unknowns that they define: arms of one body are one arm then.
-    fn in_short(&mut self, expr: ExprId) -> ExprId {
+    pub(super) fn in_short(&mut self, expr: ExprId) -> ExprId {
         let graph = &mut self.system.mechanism.graph;
         let definitions = graph.symbols(expr).iter();
         let definitions =
@@ -191,16 +220,7 @@ impl Builder<'_> {
             self.meet(residual, loops);
         }
         if self.is_still(&part.unknowns, &residuals) {
-            let zero = self.graph().zero();
-            for &unknown in &part.unknowns {
-                self.know(
-                    unknown,
-                    Enclosure {
-                        radius: zero,
-                        sag: zero,
-                    },
-                );
-            }
+            part.unknowns.iter().for_each(|&it| self.know_still(it));
             return;
         }
         self.join(&part.unknowns, &residuals, block, loops);
@@ -315,7 +335,7 @@ impl Builder<'_> {
     }
 
     /// Whether nothing moves unknowns.
-    fn is_still(&mut self, unknowns: &[usize], residuals: &[ExprId]) -> bool {
+    pub(super) fn is_still(&mut self, unknowns: &[usize], residuals: &[ExprId]) -> bool {
         let zero = self.graph().zero();
         let own: HashSet<usize> = unknowns.iter().copied().collect();
         residuals.iter().all(|&residual| {
@@ -333,7 +353,7 @@ impl Builder<'_> {
     }
 
     /// The unknown that a position or an arm moves with.
-    fn moving(&self, symbol: SymbolId) -> Option<usize> {
+    pub(super) fn moving(&self, symbol: SymbolId) -> Option<usize> {
         match self.system.roles[symbol.index()] {
             SymbolRole::Position(unknown) => Some(unknown),
             SymbolRole::Arm(place) => Some(self.system.vector_form.arms[place].angle),
@@ -343,7 +363,7 @@ impl Builder<'_> {
 
     /// Where a definition is short, and not that of what turns arms or is driven, its value takes the place of what it defines. The
     /// others are looked at where something mentions what they define.
-    fn path_of_definition(&mut self, definition: &Definition, block: usize) {
+    pub(super) fn path_of_definition(&mut self, definition: &Definition, block: usize) {
         let value = self.in_short(definition.value);
         let own = &self.system.vector_form.unknowns[definition.unknown];
         let symbols = self.system.mechanism.graph.symbols(value);
@@ -358,13 +378,16 @@ impl Builder<'_> {
         }
     }
 
+    /// The definition of what a symbol moves with, and its block, where nothing has mentioned it before.
+    pub(super) fn awaited(&mut self, symbol: SymbolId) -> Option<(Definition, usize)> {
+        let unknown = self.moving(symbol)?;
+        self.paths.awaited.remove(&unknown)
+    }
+
     /// Looks at the definitions of what an expression mentions, as far as nothing has mentioned it before.
     fn meet(&mut self, expr: ExprId, loops: &mut Loops) {
         for symbol in self.system.mechanism.graph.symbols(expr).to_vec() {
-            let unknown = self.moving(symbol);
-            if let Some((definition, block)) =
-                unknown.and_then(|unknown| self.paths.awaited.remove(&unknown))
-            {
+            if let Some((definition, block)) = self.awaited(symbol) {
                 self.look_at_definition(&definition, block, loops);
             }
         }
@@ -463,18 +486,30 @@ impl Builder<'_> {
         self.system.intermediate(&name)
     }
 
-    fn know(&mut self, unknown: usize, enclosure: Enclosure) {
+    pub(super) fn know(&mut self, unknown: usize, enclosure: Enclosure) {
         let symbol = self.system.vector_form.unknowns[unknown].position;
         self.paths.enclosures.know(symbol, enclosure);
     }
 
-    fn enclosure(&mut self, expr: ExprId) -> Enclosure {
+    /// States that nothing moves an unknown.
+    pub(super) fn know_still(&mut self, unknown: usize) {
+        let zero = self.graph().zero();
+        self.know(
+            unknown,
+            Enclosure {
+                radius: zero,
+                sag: zero,
+            },
+        );
+    }
+
+    pub(super) fn enclosure(&mut self, expr: ExprId) -> Enclosure {
         self.meet_signals(expr);
         self.paths.enclosures.of(expr, self.system)
     }
 
     /// States what the bounds of a block rely on.
-    fn require(&mut self, block: usize) {
+    pub(super) fn require(&mut self, block: usize) {
         let mut required = std::mem::take(&mut self.paths.enclosures.required);
         required.sort_unstable();
         required.dedup();

@@ -100,6 +100,15 @@ macro_rules! mechanism {
             }
 
             #[inline]
+            fn is_closed(&self) -> bool {
+                $crate::path!(@closed $path)
+            }
+
+            fn stays_regular(&self, _pair: &Pair<'_>, _span: &Span) -> Result<(), u16> {
+                $crate::path!(@stays $path, _pair, _span)
+            }
+
+            #[inline]
             fn is_within(&self, _at: &Frame, _tubes: &Tubes, _steps: Scalar) -> bool {
                 $crate::path!(@within $path, _at, _tubes, _steps $(, $tubes)?)
             }
@@ -340,17 +349,29 @@ macro_rules! or_drawn {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! path {
-    (@is guarded) => {
-        true
-    };
     (@is unguarded) => {
         false
     };
-    (@keeps guarded, $pair:ident, $span:ident, $tubes:ident) => {
-        keeps_to_path($pair, $span, $tubes)
+    (@is $path:ident) => {
+        true
+    };
+    (@closed closed) => {
+        true
+    };
+    (@closed $path:ident) => {
+        false
+    };
+    (@stays closed, $pair:ident, $span:ident) => {
+        stays_regular($pair, $span)
+    };
+    (@stays $path:ident, $pair:ident, $span:ident) => {
+        Err(0)
     };
     (@keeps unguarded, $pair:ident, $span:ident, $tubes:ident) => {
         Ok(())
+    };
+    (@keeps $path:ident, $pair:ident, $span:ident, $tubes:ident) => {
+        keeps_to_path($pair, $span, $tubes)
     };
     (@within guarded, $at:ident, $tubes:ident, $steps:ident, $count:literal) => {
         is_within($at, $tubes, $steps)

@@ -7,7 +7,7 @@ use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::tubes::iterated;
 use crate::program::Path;
 
-/// `keeps_to_path`, and `is_within` where Newton-Raphson finds something.
+/// `keeps_to_path`, `is_within` where Newton-Raphson finds something, and `stays_regular` where all is in closed form.
 pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
     let Some(path) = &printer.module.program.path else {
         return;
@@ -16,15 +16,32 @@ pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
     let mut body = Text::default();
     printer.plain_statements(&scope, &mut body);
     fill_tubes(printer, path, &scope, &mut body);
-    let runtime = |name| printer.runtime(name);
     text.gap();
     text.comment([documentation::KEEPS_TO_PATH.join(" ")]);
+    shown(printer, "keeps_to_path", true, body, text);
+    within(printer, path, text);
+    if let Some(function) = &path.closed {
+        let scope = Scope::new(printer.module, function, Place::Path);
+        let mut body = Text::default();
+        printer.plain_statements(&scope, &mut body);
+        text.gap();
+        text.comment([documentation::STAYS_REGULAR.join(" ")]);
+        shown(printer, "stays_regular", false, body, text);
+    }
+}
+
+/// A function that shows something of a span, and is given the tubes or not.
+fn shown(printer: &Printer<'_>, name: &str, has_tubes: bool, body: Text, text: &mut Text) {
+    let runtime = |name| printer.runtime(name);
+    let tubes = match has_tubes {
+        true => format!("{} *tubes, ", runtime("tube")),
+        false => String::new(),
+    };
     text.line(format!(
-        "static bool {}(const {} *pair, const {} *span, {} *tubes, uint16_t *block)",
-        printer.own("keeps_to_path"),
+        "static bool {}(const {} *pair, const {} *span, {tubes}uint16_t *block)",
+        printer.own(name),
         runtime("pair"),
         runtime("span"),
-        runtime("tube")
     ));
     text.open("{");
     let [frame, parameters, inputs] =
@@ -57,7 +74,7 @@ pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
     let given = [
         ("pair", reads_pair),
         ("span", body.mentions("span")),
-        ("tubes", body.mentions("tubes")),
+        ("tubes", !has_tubes || body.mentions("tubes")),
         ("block", body.mentions("block")),
     ];
     for (name, _) in given.into_iter().filter(|(_, is_read)| !is_read) {
@@ -66,7 +83,6 @@ pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
     text.append(body);
     text.line("return true;");
     text.close("}");
-    within(printer, path, text);
 }
 
 /// What fills the tubes of unknowns that Newton-Raphson finds.

@@ -215,6 +215,7 @@ pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
         some(declared.inputs, "read_signal"),
         printer.own("exchanged"),
         some(is_guarded, "keeps_to_path"),
+        some(module.program.closed_path().is_some(), "stays_regular"),
         some(is_guarded && tube_count(module) > 0, "is_within"),
         printer.own("time_of"),
         format!("{values}U"),

@@ -42,6 +42,12 @@ pub(in crate::emit) const KEEPS_TO_PATH: [&str; 2] = [
     "straight line (`sag`), while the mechanism moves; or else the block of which that cannot be shown.",
 ];
 
+/// Of what shows the same of closed forms by themselves.
+pub(in crate::emit) const STAYS_REGULAR: [&str; 2] = [
+    "Whether no two links come in line: how far their pins move at most (`moved`), and how far they turn (`turned`, `radius`); or",
+    "else the block of which that cannot be shown.",
+];
+
 /// A paragraph, and what a description says besides.
 fn with_docs(what: String, docs: &[String]) -> Vec<String> {
     let mut lines = vec![what];

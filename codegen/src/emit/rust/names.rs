@@ -106,6 +106,7 @@ const ITEMS: &[&str] = &[
     "characteristic_length",
     "is_within",
     "keeps_to_path",
+    "stays_regular",
     "parameters",
     "inputs",
 ];

@@ -11,18 +11,54 @@ use super::names::identifier;
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::tubes::iterated;
 use crate::emit::module::{Module, documentation};
-use crate::program::{Path, Statement};
+use crate::program::{Function, Path, Statement};
 
-/// `keeps_to_path`, and `is_within` where Newton-Raphson finds something.
+/// `keeps_to_path`, `is_within` where Newton-Raphson finds something, and `stays_regular` where all is in closed form.
 pub(super) fn path(module: &Module<'_>) -> TokenStream {
     let Some(path) = &module.program.path else {
         return TokenStream::new();
     };
     let (within, filled) = tubes(module, path);
-    let scope = Scope::new(module, &path.function, Place::Path);
+    let keeps = shown(
+        module,
+        &path.function,
+        Shown {
+            name: "keeps_to_path",
+            docs: &documentation::KEEPS_TO_PATH,
+            tubes: Some(filled),
+        },
+    );
+    let stays = path.closed.as_ref().map(|function| {
+        let shown = Shown {
+            name: "stays_regular",
+            docs: &documentation::STAYS_REGULAR,
+            tubes: None,
+        };
+        self::shown(module, function, shown)
+    });
+    quote! {
+        #keeps
+
+        #within
+
+        #stays
+    }
+}
+
+/// A function that shows something of a span.
+struct Shown<'a> {
+    name: &'a str,
+    docs: &'a [&'a str],
+    /// What fills the tubes, where it is given them.
+    tubes: Option<TokenStream>,
+}
+
+fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>) -> TokenStream {
+    let filled = shown.tubes.clone().unwrap_or_default();
+    let scope = Scope::new(module, function, Place::Path);
     let statements = scope.plain_statements();
     let reads = scope.reads();
-    let mut own = path.function.statements.iter();
+    let mut own = function.statements.iter();
     let signals = own.any(|it| matches!(it, Statement::Signal { .. }));
     let (inputs, before) = (reads.inputs || signals, reads.before || signals);
     let named = |names: &[(bool, &str)]| -> Vec<Ident> {
@@ -57,25 +93,24 @@ pub(super) fn path(module: &Module<'_>) -> TokenStream {
         argument("span", reads.span || signals),
         argument("tubes", has_tubes),
     );
+    let tubes = only(shown.tubes.is_some(), quote!(, #tubes: &mut Tubes));
     let pair = argument("pair", !both.is_empty());
     let both = only(
         !both.is_empty(),
         quote!(let &Pair { #(#both,)* .. } = pair;),
     );
     let (capitals, approximate) = lints::both(&body);
-    let text = docs(documentation::KEEPS_TO_PATH);
+    let (name, text) = (identifier(shown.name), docs(shown.docs.iter().copied()));
     quote! {
         #text
         #capitals
         #approximate
-        fn keeps_to_path(#pair: &Pair<'_>, #span: &Span, #tubes: &mut Tubes) -> Result<(), u16> {
+        fn #name(#pair: &Pair<'_>, #span: &Span #tubes) -> Result<(), u16> {
             #both
             #conditions
             #body
             Ok(())
         }
-
-        #within
     }
 }
 

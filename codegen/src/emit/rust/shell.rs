@@ -28,10 +28,10 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
     for line in declared.lines() {
         text.line(line);
     }
-    let path = if module.program.path.is_some() {
-        "guarded"
-    } else {
-        "unguarded"
+    let path = match &module.program.path {
+        Some(path) if path.closed.is_some() => "closed",
+        Some(_) => "guarded",
+        None => "unguarded",
     };
     text.line(match tube_count(module) {
         0 => format!("path: {path};"),

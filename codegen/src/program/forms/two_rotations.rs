@@ -15,6 +15,7 @@ use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::Vector;
 use crate::program::builder::{Builder, Direction};
 use crate::program::function::Level;
+use crate::program::two_links::TwoLinks;
 use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, Triangle, phrase};
 
@@ -126,6 +127,12 @@ impl Form for TwoRotations {
         let twice = builder.graph().subtract(d_square, links_square);
         let k = builder.half(twice);
         let k = builder.value("k", k);
+        builder.note_links(TwoLinks {
+            angles,
+            links: [p, q],
+            closure: c,
+            product: k,
+        });
         let scale = builder.graph().multiply(p_square, q_square);
         let k_square = builder.graph().multiply(k, k);
         let excess = builder.graph().subtract(scale, k_square);

@@ -36,6 +36,8 @@ pub struct Span {
     pub bend: SymbolId,
     /// Whether the span goes beyond the frames: 1, or else 0.
     pub beyond: SymbolId,
+    /// How far rounding leaves what frames hold from what it stands for, as a part of its size.
+    pub rounding: SymbolId,
 }
 
 /// The bounds that are known so far.

@@ -30,8 +30,10 @@ pub(in crate::program) fn prune(
 
 /// Leaves out of a path the bounds that nothing relies on.
 pub(in crate::program) fn prune_path(path: &mut Path, graph: &Graph) {
-    let statements = std::mem::take(&mut path.function.statements);
-    path.function.statements = needed(statements, None, &mut HashSet::new(), &|_| false, graph);
+    for function in path.whole_functions_mut() {
+        let statements = std::mem::take(&mut function.statements);
+        function.statements = needed(statements, None, &mut HashSet::new(), &|_| false, graph);
+    }
 }
 
 /// A function with the statements alone that its results need.

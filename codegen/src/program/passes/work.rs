@@ -71,7 +71,13 @@ impl Work {
         Self {
             attempt,
             is_iterated: !iterated.is_empty(),
-            window: path.map(|path| of_window(&path.function, system)),
+            window: path.map(|path| {
+                let mut all = of_window(&path.function, system);
+                if let Some(closed) = &path.closed {
+                    all += of_window(closed, system);
+                }
+                all
+            }),
         }
     }
 

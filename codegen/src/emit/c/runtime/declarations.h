@@ -94,6 +94,8 @@ typedef struct linkwright$f_span {
     $real bend;
     /* 1 where the span goes beyond the frames, and as far before them, or else 0. */
     $real beyond;
+    /* How far rounding leaves what frames hold from what it stands for over the span, as a part of its size. */
+    $real rounding;
 } linkwright$f_span;
 
 /* A straight line through the values of two frames, and how far a value may be from it. */
@@ -132,6 +134,8 @@ typedef struct linkwright$f_blocks {
     /* Whether a frame keeps to the path of the last one, or else the block; null where nothing is guarded. */
     bool (*keeps_to_path)(const linkwright$f_pair *pair, const linkwright$f_span *span, linkwright$f_tube *tubes,
         uint16_t *block);
+    /* Whether no block is singular anywhere in a span, or else the block; null where not all have a closed form. */
+    bool (*stays_regular)(const linkwright$f_pair *pair, const linkwright$f_span *span, uint16_t *block);
     bool (*is_within)(const void *at, const linkwright$f_tube *tubes, $real steps);
     /* The time of a frame, and its coordinates and components of points, by which poses are compared. */
     $real (*time)(const void *frame);
@@ -150,8 +154,9 @@ typedef struct linkwright$f_state {
     bool has_window;
     linkwright$f_span span;
     $real t;
-    /* How many steps are looked ahead next. */
+    /* How many steps are looked ahead next, and the same of closed forms by themselves. */
     $real stretch;
+    $real stretch_of_closed_forms;
 } linkwright$f_state;
 
 /* A mechanism as the runtime sees it: where everything is. */

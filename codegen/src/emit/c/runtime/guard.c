@@ -26,44 +26,78 @@ static bool holds_signals$f(const linkwright$f_mechanism *mechanism, const linkw
     return holds;
 }
 
-/* Looks at the path between two frames, and beyond. */
-static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair)
+/* The span from one frame to the next one, which is the time step (s) away. */
+static linkwright$f_span span_between$f($real step)
+{
+    const linkwright$f_span span = {step, fabs$f(step), 1.0$f, 0.125$f, 0.0$f, span_rounding$f(1.0$f)};
+    return span;
+}
+
+/* So many steps before the second frame and after it. */
+static linkwright$f_span span_around$f($real step, $real stretch)
+{
+    const linkwright$f_span span = {step, fabs$f(step) * stretch, stretch, 0.5$f + (0.5$f / stretch), 1.0$f,
+        span_rounding$f(stretch)};
+    return span;
+}
+
+/* Whether something can be shown of a span: of closed forms one after another, or of all equations together, which
+   fills the tubes. */
+static bool shown$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
+    const linkwright$f_span *span, bool is_closed, uint16_t *block)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
+    return is_closed ? blocks->stays_regular(pair, span, block)
+                     : blocks->keeps_to_path(pair, span, mechanism->tubes, block);
+}
+
+/* Keeps the widest span about two frames, at most so many steps, of which something can be shown; false where no span
+   beyond the frames is one. Afterwards stretch is how many steps to begin with next. */
+static bool finds_window$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair, $real step,
+    bool is_closed, $real *stretch)
+{
     linkwright$f_state *const state = mechanism->state;
-    const $real t = pair->conditions->t;
-    const $real step = t - blocks->time(pair->last);
-    $real stretch = state->stretch;
-    linkwright$f_span span;
+    $real tried = *stretch;
     uint16_t block = 0U;
-    state->has_window = false;
-    span.step = step;
-    while ((stretch >= LEAST_AHEAD$f) && (fabs$f(step) > 0.0$f)) {
-        span.time = fabs$f(step) * stretch;
-        span.stretch = stretch;
-        span.bend = 0.5$f + (0.5$f / stretch);
-        span.beyond = 1.0$f;
-        if (blocks->keeps_to_path(pair, &span, mechanism->tubes, &block)) {
-            const $real further = stretch * AHEAD_GROWTH$f;
+    while ((tried >= LEAST_AHEAD$f) && (fabs$f(step) > 0.0$f)) {
+        const linkwright$f_span span = span_around$f(step, tried);
+        if (shown$f(mechanism, pair, &span, is_closed, &block)) {
+            const $real further = tried * AHEAD_GROWTH$f;
+            *stretch = (further < MOST_AHEAD$f) ? further : MOST_AHEAD$f;
             state->has_window = true;
             state->span = span;
-            state->t = t;
-            state->stretch = (further < MOST_AHEAD$f) ? further : MOST_AHEAD$f;
-            if (blocks->signals > 0U) {
-                (void)memcpy(mechanism->window_inputs[0], pair->before, blocks->inputs_size);
-                (void)memcpy(mechanism->window_inputs[1], pair->conditions->inputs, blocks->inputs_size);
+            state->t = pair->conditions->t;
+            if (mechanism->blocks->signals > 0U) {
+                (void)memcpy(mechanism->window_inputs[0], pair->before, mechanism->blocks->inputs_size);
+                (void)memcpy(mechanism->window_inputs[1], pair->conditions->inputs, mechanism->blocks->inputs_size);
             }
-            return LINKWRIGHT_OK;
+            return true;
         }
-        stretch *= AHEAD_SHRINKING$f;
+        tried *= AHEAD_SHRINKING$f;
     }
     /* Where it could not look beyond the frames at all, some frames go by before it tries again. */
-    state->stretch = (state->stretch < LEAST_AHEAD$f) ? (stretch * AHEAD_GROWTH$f) : stretch;
-    span.time = fabs$f(step);
-    span.stretch = 1.0$f;
-    span.bend = 0.125$f;
-    span.beyond = 0.0$f;
-    if (blocks->keeps_to_path(pair, &span, mechanism->tubes, &block)) {
+    *stretch = (*stretch < LEAST_AHEAD$f) ? (tried * AHEAD_GROWTH$f) : tried;
+    return false;
+}
+
+/* Looks at the path between two frames, and beyond: first at closed forms one after another, which takes little, then
+   at all equations together. */
+static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair)
+{
+    linkwright$f_state *const state = mechanism->state;
+    const $real t = pair->conditions->t;
+    const $real step = t - mechanism->blocks->time(pair->last);
+    const linkwright$f_span between = span_between$f(step);
+    uint16_t block = 0U;
+    state->has_window = false;
+    if (mechanism->blocks->stays_regular != NULL) {
+        if (finds_window$f(mechanism, pair, step, true, &state->stretch_of_closed_forms)
+            || shown$f(mechanism, pair, &between, true, &block)) {
+            return LINKWRIGHT_OK;
+        }
+    }
+    if (finds_window$f(mechanism, pair, step, false, &state->stretch)
+        || shown$f(mechanism, pair, &between, false, &block)) {
         return LINKWRIGHT_OK;
     }
     return noted$f(pair->conditions->failure, LINKWRIGHT_STEP_TOO_LARGE, 0.0$f, 0U, t, block);

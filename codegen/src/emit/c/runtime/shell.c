@@ -38,6 +38,7 @@ linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism,
     state->second_is_last = false;
     state->has_window = false;
     state->stretch = AHEAD$f;
+    state->stretch_of_closed_forms = AHEAD$f;
     state->t = t;
     (void)noted$f(mechanism->failure, LINKWRIGHT_OK, 0.0$f, 0U, t, 0U);
     const linkwright_status status = solve_all$f(mechanism, at, last, mechanism->branches, &conditions);

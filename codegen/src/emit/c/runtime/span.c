@@ -7,6 +7,9 @@ static const $real TUBE_ROUNDING$f = 65536.0$f;
 /* The multiple of the rounding by which a solved equation may be off zero. */
 static const $real LEFT_BY_ROUNDING$f = 64.0$f;
 
+/* The multiple of the rounding by which the difference of two values may be off, as a part of their size. */
+static const $real OF_DIFFERENCES$f = 32.0$f;
+
 /* The multiple of the least sags that is tried first. */
 static const $real FIRST$f = 2.0$f;
 
@@ -16,6 +19,13 @@ static const $real INFLATION$f = 1.25$f;
 
 /* The round from which on sags must come nearer to being mapped into themselves. */
 #define SETTLED$F 2U
+
+/* How far rounding leaves what frames hold, and what differences of two of them lead to that are multiplied by
+   stretch. */
+static $real span_rounding$f($real stretch)
+{
+    return $FLT_EPSILON * (LEFT_BY_ROUNDING$f + (OF_DIFFERENCES$f * stretch));
+}
 
 /* How far a signal is from a straight line between two values that are h (s) apart. */
 static $real bend_of_signal$f($real h, const linkwright$f_signal *before, const linkwright$f_signal *now)
