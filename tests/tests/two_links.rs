@@ -167,40 +167,25 @@ fn chain(random: &mut Random, drive: &str) -> String {
             "    point G{k} = {ground}, Q{k} = {apex}, P{k} = {tip}, S{k} = {side};"
         );
     }
-    let ends: Vec<bool> = (0..=count)
-        .map(|k| k >= 2 && random.bits() % 2 == 0)
-        .collect();
+    let mut dyads = String::from("    revolute O(ground, crank);\n");
     text.push_str("    body crank at O { O, P0 }\n");
     for k in 1..=count {
-        let outer = if ends[k] {
-            format!("S{}", k - 1)
-        } else {
-            format!("G{k}")
+        let last = k - 1;
+        let before = match k {
+            1 => "crank".to_string(),
+            _ => format!("b{last}"),
         };
-        let _ = writeln!(
-            text,
-            "    body a{k} at P{} {{ P{}, Q{k}, S{k} }}",
-            k - 1,
-            k - 1
-        );
-        let _ = writeln!(text, "    body b{k} at {outer} {{ {outer}, Q{k}, P{k} }}");
-    }
-    text.push_str("    revolute O(ground, crank);\n");
-    for k in 1..=count {
-        let before = if k == 1 {
-            "crank".to_string()
-        } else {
-            format!("b{}", k - 1)
-        };
-        let (outer, base) = match ends[k] {
-            true => (format!("S{}", k - 1), format!("a{}", k - 1)),
+        let (outer, base) = match k >= 2 && random.bits().is_multiple_of(2) {
+            true => (format!("S{last}"), format!("a{last}")),
             false => (format!("G{k}"), "ground".to_string()),
         };
-        let _ = writeln!(text, "    revolute P{}({before}, a{k});", k - 1);
-        let _ = writeln!(text, "    revolute Q{k}(a{k}, b{k});");
-        let _ = writeln!(text, "    revolute {outer}({base}, b{k});");
+        let _ = writeln!(text, "    body a{k} at P{last} {{ P{last}, Q{k}, S{k} }}");
+        let _ = writeln!(text, "    body b{k} at {outer} {{ {outer}, Q{k}, P{k} }}");
+        let _ = writeln!(dyads, "    revolute P{last}({before}, a{k});");
+        let _ = writeln!(dyads, "    revolute Q{k}(a{k}, b{k});");
+        let _ = writeln!(dyads, "    revolute {outer}({base}, b{k});");
     }
-    format!("{text}    {drive}\n}}\n")
+    format!("{text}{dyads}    {drive}\n}}\n")
 }
 
 fn blocks_of(source: &Source) -> Interpreted {
