@@ -27,8 +27,11 @@ pub struct Circle {
     pub square: ExprId,
 }
 
-/// The powers of the factors, each factor once and ascending, and the radicand of the coefficient.
-type Monomial = (Vec<(ExprId, u32)>, u128);
+/// Factors with their powers, each once and ascending.
+type Powers = Vec<(ExprId, u32)>;
+
+/// What is multiplied, and the radicand of the coefficient.
+type Monomial = (Powers, u128);
 
 /// Coefficients, none of them zero.
 type Polynomial = BTreeMap<Monomial, Number>;
@@ -125,9 +128,9 @@ impl Graph {
     /// A monomial without squares of sines: s² = r² − c².
     fn on_circle(
         &mut self,
-        factors: Vec<(ExprId, u32)>,
+        factors: Powers,
         circles: &[Circle],
-    ) -> Option<Vec<(Vec<(ExprId, u32)>, Number)>> {
+    ) -> Option<Vec<(Powers, Number)>> {
         let squared = circles.iter().find_map(|circle| {
             let sine = self.variable(circle.sine);
             let at = factors
@@ -158,7 +161,7 @@ impl Graph {
 }
 
 /// Two products as one.
-fn merged(one: &[(ExprId, u32)], other: &[(ExprId, u32)]) -> Vec<(ExprId, u32)> {
+fn merged(one: &[(ExprId, u32)], other: &[(ExprId, u32)]) -> Powers {
     let mut all = one.to_vec();
     for &(base, power) in other {
         match all.binary_search_by_key(&base, |factor| factor.0) {

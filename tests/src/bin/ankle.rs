@@ -92,7 +92,7 @@ fn ways() -> Result<Vec<Way>, Box<dyn Error>> {
         error: 0.0,
     };
     let start = to_motors::Ankle::assemble(0.0, &inputs[0])?;
-    let mut ankle = start.clone();
+    let mut ankle = start;
     let mut motors = Vec::new();
     for (frame, given) in inputs.iter().enumerate() {
         let found = ankle.advance(1e-3 * frame as f64, given)?;
@@ -117,7 +117,7 @@ fn ways() -> Result<Vec<Way>, Box<dyn Error>> {
     }
     let given = inputs.clone();
     let generated = move || {
-        let mut ankle = start.clone();
+        let mut ankle = start;
         let mut worst = 0.0_f64;
         for (frame, inputs) in given.iter().enumerate() {
             let found = ankle.advance(1e-3 * frame as f64, black_box(inputs))?;
@@ -145,7 +145,7 @@ fn ways() -> Result<Vec<Way>, Box<dyn Error>> {
     let start = to_joint::Ankle::assemble(0.0, &motors[0])?;
     let (given, known) = (motors.clone(), inputs.clone());
     let generated_back = move || {
-        let mut ankle = start.clone();
+        let mut ankle = start;
         let mut worst = 0.0_f64;
         for (frame, (inputs, known)) in given.iter().zip(&known).enumerate() {
             let found = ankle.advance(1e-3 * frame as f64, black_box(inputs))?;
