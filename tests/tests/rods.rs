@@ -130,11 +130,9 @@ fn the_foot_follows_from_the_cranks_and_both_maps_undo_one_another() {
             frame.transmission_phi_left(),
             frame.transmission_phi_right(),
         ];
-        for row in 0..2 {
+        for (row, own) in joint.iter().enumerate() {
             for column in 0..2 {
-                let product: f64 = (0..2)
-                    .map(|at| joint[row][(0, at)] * motor[at][(0, column)])
-                    .sum();
+                let product: f64 = (0..2).map(|at| own[(0, at)] * motor[at][(0, column)]).sum();
                 let unit = f64::from(u8::from(row == column));
                 worst[3] = worst[3].max((product - unit).abs());
             }

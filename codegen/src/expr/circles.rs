@@ -126,11 +126,7 @@ impl Graph {
     }
 
     /// A monomial without squares of sines: s² = r² − c².
-    fn on_circle(
-        &mut self,
-        factors: Powers,
-        circles: &[Circle],
-    ) -> Option<Vec<(Powers, Number)>> {
+    fn on_circle(&mut self, factors: Powers, circles: &[Circle]) -> Option<Vec<(Powers, Number)>> {
         let squared = circles.iter().find_map(|circle| {
             let sine = self.variable(circle.sine);
             let at = factors
