@@ -42,11 +42,11 @@ pub struct Players {
     pub assemblies: Vec<Player>,
 }
 
-/// A body, by its number in the drawing; the ground has no coordinates.
+/// A body, by its number in the drawing; the ground has no coordinates, and an angle has no place.
 #[derive(Debug, Serialize)]
 struct Body {
     name: String,
-    pose: Option<[usize; 3]>,
+    pose: Option<[Option<usize>; 3]>,
 }
 
 #[derive(Debug, Serialize)]
@@ -195,8 +195,8 @@ fn bodies(system: &System) -> Vec<Body> {
         .map(|(body, own)| Body {
             name: own.name.clone(),
             pose: match [0, 1, 2].map(|axis| place(body, axis)) {
-                [Some(x), Some(y), Some(angle)] => Some([x, y, angle]),
-                _ => None,
+                [.., None] => None,
+                pose => Some(pose),
             },
         })
         .collect()
@@ -227,13 +227,13 @@ fn points(check: &Check, instant: &Instant) -> Vec<Point> {
             let body = point.mark.frame.body.0;
             let [x, y] = motion.position;
             let local = match bodies[body].pose {
-                None => [x, y],
-                Some([at_x, at_y, angle]) => {
+                Some([Some(at_x), Some(at_y), Some(angle)]) => {
                     let q = instant.q();
                     let (sine, cosine) = q[angle].sin_cos();
                     let [x, y] = [x - q[at_x], y - q[at_y]];
                     [cosine * x + sine * y, cosine * y - sine * x]
                 }
+                _ => [x, y],
             };
             let held = mechanism.joints.iter().flat_map(|it| &it.operands.marks);
             let mut held = held.filter(|it| it.frame.body == point.mark.frame.body);

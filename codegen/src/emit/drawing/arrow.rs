@@ -22,7 +22,11 @@ impl Draft<'_> {
             0 | 1 => [-0.7, 0.7].map(|it| std::f64::consts::FRAC_PI_2 + way * it),
             _ => [start + way * 0.35, start + way * 1.75],
         };
-        let frame = Frame::Riding(center, 0);
+        let at = match self.scene.bodies[body].is_dial {
+            true => self.dial(body),
+            false => center,
+        };
+        let frame = Frame::Riding(at, 0);
         self.curved(frame, radius, ends, Look::Drive, group);
         self.curved_head(frame, radius, ends[1], way, group);
     }

@@ -49,6 +49,14 @@ pub(super) fn arrange(
 }
 
 impl Draft<'_> {
+    /// Where the dial of an angle is, in pixels of the ground.
+    pub(super) fn dial(&self, body: usize) -> At {
+        At {
+            body: 0,
+            local: self.figure.places[body].origin,
+        }
+    }
+
     /// The circles about the pointers, with a tick at zero.
     pub(super) fn dials(&mut self) {
         let scale = self.figure.scale;
@@ -58,13 +66,9 @@ impl Draft<'_> {
                 continue;
             }
             let radius = tip[0] * scale;
-            let center = At {
-                body: 0,
-                local: self.figure.places[body].origin,
-            };
             let tick = Outline::line([0.9 * radius, 0.0], [1.1 * radius, 0.0]);
             let pin = Outline::Circle([0.0; 2], PIN * self.unit);
-            let fixed = Frame::Riding(center, 0);
+            let fixed = Frame::Riding(self.dial(body), 0);
             if let Some(group) = self.body(body) {
                 group.title = format!("angle {}", own.name);
                 let ring = Outline::Circle([0.0; 2], radius);

@@ -207,8 +207,12 @@ impl Draft<'_> {
             false => corners,
         };
         let outline = Outline::Rounded(corners, radius * self.unit);
+        let frame = match self.scene.bodies[body].is_dial {
+            true => Frame::Riding(self.dial(body), body),
+            false => Frame::Body(body),
+        };
         if let Some(group) = self.body(body) {
-            group.add(Layer::Below, Frame::Body(body), Look::Body, outline);
+            group.add(Layer::Below, frame, Look::Body, outline);
         }
     }
 

@@ -57,7 +57,7 @@ const state = (player, t) => {
 const still = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
 const poseOf = (q, body) => {
   const pose = data.bodies[body].pose;
-  return pose ? pose.map((index) => q[index]) : still;
+  return pose ? pose.map((index) => (index === null ? [0, 0, 0] : q[index])) : still;
 };
 
 /// Position, velocity and acceleration of a point.
