@@ -58,25 +58,25 @@ impl Graph {
             return None;
         }
         match self.node(expr).clone() {
-            Node::Number(value) => plus(Polynomial::new(), (Vec::new(), 0), value),
+            Node::Number(value) => plus(Polynomial::new(), Vec::new(), value),
             Node::Sum(terms) => {
                 let mut sum = Polynomial::new();
                 for term in terms.iter() {
                     for ((factors, _), coefficient) in self.polynomial(term.expr, circles)? {
                         let scaled = coefficient.mul(term.coefficient);
-                        sum = plus(sum, (factors, 0), scaled)?;
+                        sum = plus(sum, factors, scaled)?;
                     }
                 }
                 Some(sum)
             }
             Node::Product(factors) => self.multiplied_out(&factors, circles),
-            _ => plus(Polynomial::new(), (vec![(expr, 1)], 0), Number::ONE),
+            _ => plus(Polynomial::new(), vec![(expr, 1)], Number::ONE),
         }
     }
 
     /// Whole powers of sums multiplied out; anything else is a factor of its own.
     fn multiplied_out(&mut self, factors: &[Factor], circles: &[Circle]) -> Option<Polynomial> {
-        let mut product = plus(Polynomial::new(), (Vec::new(), 0), Number::ONE)?;
+        let mut product = plus(Polynomial::new(), Vec::new(), Number::ONE)?;
         for &Factor { base, exponent } in factors {
             let whole = exponent.is_integer().then(|| exponent.numerator());
             match whole.and_then(|it| u32::try_from(it).ok()) {
@@ -97,7 +97,7 @@ impl Graph {
                         return None;
                     }
                     let alone = self.power(base, exponent);
-                    let alone = plus(Polynomial::new(), (vec![(alone, 1)], 0), Number::ONE)?;
+                    let alone = plus(Polynomial::new(), vec![(alone, 1)], Number::ONE)?;
                     product = self.times(&product, &alone, circles)?;
                 }
             }
@@ -118,7 +118,7 @@ impl Graph {
                 let factors = merged(left, right);
                 let coefficient = by.mul(*with);
                 for (factors, sign) in self.on_circle(factors, circles)? {
-                    product = plus(product, (factors, 0), coefficient.mul(sign))?;
+                    product = plus(product, factors, coefficient.mul(sign))?;
                 }
             }
         }
@@ -169,11 +169,7 @@ fn merged(one: &[(ExprId, u32)], other: &[(ExprId, u32)]) -> Powers {
 }
 
 /// A polynomial with one more term; roots of different radicands stay apart.
-fn plus(
-    mut polynomial: Polynomial,
-    (factors, _): Monomial,
-    coefficient: Number,
-) -> Option<Polynomial> {
+fn plus(mut polynomial: Polynomial, factors: Powers, coefficient: Number) -> Option<Polynomial> {
     let radicand = match coefficient {
         Number::Exact { radicand, .. } => radicand,
         Number::Float(_) => 0,

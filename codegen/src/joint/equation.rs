@@ -1,9 +1,10 @@
-//! Equation: a row that the description writes out, over coordinates, points of bodies and t.
+//! Equation: a row that the description writes out, over coordinates, points of bodies and t; or a rod between places that formulas give.
 
-use super::{Feature, Kind, Operands, Resolved, Row, Value};
-use crate::expr::Graph;
+use super::link::refuse_length;
+use super::{Feature, Kind, Operands, Refusal, Resolved, Row, Value};
+use crate::expr::{ExprId, Graph};
 
-/// left − right = 0, as it is written.
+/// left − right = 0, as it is written; |Q − P|² − ℓ² = 0 of a rod.
 pub struct Equation;
 
 impl Kind for Equation {
@@ -27,25 +28,30 @@ impl Kind for Equation {
         Some(Feature::Written)
     }
 
-    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        written_row(operands, graph)
+    fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
+        let instead = "an `equation` for each of their components";
+        refuse_length(operands.length()?, instead, graph)
     }
-}
 
-/// The formula with the arms of the marks put in, so that the vector form has symbols for them.
-pub(super) fn written_row(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-    let Some(formula) = &operands.formula else {
-        return Vec::new();
-    };
-    let mut arms = Vec::new();
-    for (mark, symbols) in operands.marks.iter().zip(&formula.arms) {
-        if let Some([x, y]) = *symbols {
-            arms.extend([(x, mark.arm[0]), (y, mark.arm[1])]);
-        }
+    fn positive(&self, operands: &Resolved, _graph: &mut Graph) -> Option<(ExprId, &'static str)> {
+        Some((operands.length()?, "the distance"))
     }
-    vec![Row {
-        residual: graph.substitute(formula.residual, &arms),
-        quantity: formula.quantity,
-        component: "",
-    }]
+
+    /// The formula with the arms of the marks put in, so that the vector form has symbols for them.
+    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+        let Some(formula) = &operands.formula else {
+            return Vec::new();
+        };
+        let mut arms = Vec::new();
+        for (mark, symbols) in operands.marks.iter().zip(&formula.arms) {
+            if let Some([x, y]) = *symbols {
+                arms.extend([(x, mark.arm[0]), (y, mark.arm[1])]);
+            }
+        }
+        vec![Row {
+            residual: graph.substitute(formula.residual, &arms),
+            quantity: formula.quantity,
+            component: "",
+        }]
+    }
 }

@@ -28,7 +28,6 @@ mod relative_angle;
 mod relative_distance;
 mod relative_position;
 mod revolute;
-mod rod;
 mod roller;
 mod translational;
 mod weld;
@@ -161,9 +160,6 @@ pub static CONSTRAINTS: &[&dyn Kind] = &[
 
 /// The equation that a description writes out.
 pub static EQUATION: &dyn Kind = &equation::Equation;
-
-/// The distance of two places that formulas give.
-pub static ROD: &dyn Kind = &rod::Rod;
 
 /// Every quantity that a `drive` statement can prescribe.
 pub static DRIVERS: &[&dyn Kind] = &[

@@ -10,12 +10,11 @@ use super::{Dimension, Joint, Role};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::Mark;
-use crate::joint::{Drawn, EQUATION, Formula, Kind, Quantity, ROD, Refusal, Resolved};
+use crate::joint::{Drawn, EQUATION, Formula, Quantity, Refusal, Resolved};
 use crate::syntax::Equation;
 
 /// What an equation says.
 struct Stated {
-    kind: &'static dyn Kind,
     residual: ExprId,
     quantity: Quantity,
     /// The length of a rod that keeps it, and where it is written.
@@ -34,7 +33,6 @@ impl Resolver<'_> {
         };
         let kinematic = self.formulas.kinematic.take().unwrap_or_default();
         let Some(Stated {
-            kind,
             residual,
             quantity,
             length,
@@ -76,7 +74,7 @@ impl Resolver<'_> {
             }),
         };
         if let (Some((_, place)), Some(Refusal { problem, help })) =
-            (length, kind.refusal(&operands, &mut self.graph))
+            (length, EQUATION.refusal(&operands, &mut self.graph))
         {
             self.diagnostics
                 .push(Diagnostic::error(Code::ValueNotAllowed, place, problem).help(help));
@@ -94,7 +92,7 @@ impl Resolver<'_> {
             None => Role::Constraint,
         };
         let joint = Joint {
-            kind,
+            kind: EQUATION,
             role,
             redundant: equation.redundant,
             name: name.map(|name| name.text.clone()),
@@ -117,7 +115,6 @@ impl Resolver<'_> {
             return None;
         }
         Some(Stated {
-            kind: EQUATION,
             residual: self.graph.subtract(left, right),
             quantity: of_left.joined(of_right).quantity(),
             length: None,
@@ -131,7 +128,6 @@ impl Resolver<'_> {
         let (square, length) = (square?, length?);
         let wanted = self.graph.multiply(length, length);
         Some(Stated {
-            kind: ROD,
             residual: self.graph.subtract(square, wanted),
             quantity: Quantity::Power(2),
             length: self

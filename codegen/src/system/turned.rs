@@ -29,13 +29,8 @@ impl VectorForm {
 
     /// The places of the arms in an equation that an unknown turns: ascending.
     fn arms_in(&self, residual: ExprId, unknown: usize, graph: &Graph) -> Vec<usize> {
-        let symbols = graph.symbols(residual).iter();
-        let places = symbols.filter_map(|&symbol| self.place_of_symbol(symbol));
-        let mut own: Vec<usize> = places
-            .filter(|&place| self.arms[place].angle == unknown)
-            .collect();
-        own.sort_unstable();
-        own.dedup();
+        let mut own = self.arms_mentioned(residual, graph);
+        own.retain(|&place| self.arms[place].angle == unknown);
         own
     }
 
@@ -150,16 +145,9 @@ impl VectorForm {
 
     /// An expression in normal form, with every arm of an angle in terms of its first one.
     fn on_circles(&self, expr: ExprId, graph: &mut Graph) -> Option<ExprId> {
-        let mut places: Vec<usize> = graph
-            .symbols(expr)
-            .iter()
-            .filter_map(|&symbol| self.place_of_symbol(symbol))
-            .collect();
-        places.sort_unstable();
-        places.dedup();
         let mut circles: Vec<(usize, Circle)> = Vec::new();
         let mut replacements = Vec::new();
-        for place in places {
+        for place in self.arms_mentioned(expr, graph) {
             let arm = &self.arms[place];
             let known = circles.iter().find(|(angle, _)| *angle == arm.angle);
             let Some(&(_, first)) = known else {

@@ -205,15 +205,8 @@ impl VectorForm {
 
     /// An expression with its arms written out as sines and cosines of the angles that turn them.
     pub fn written_out(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
-        let mut places: Vec<usize> = graph
-            .symbols(expr)
-            .iter()
-            .filter_map(|symbol| self.place_of_symbol(*symbol))
-            .collect();
-        places.sort_unstable();
-        places.dedup();
         let mut replacements = Vec::new();
-        for place in places {
+        for place in self.arms_mentioned(expr, graph) {
             let arm = &self.arms[place];
             let angle = graph.variable(self.unknowns[arm.angle].position);
             let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
@@ -256,6 +249,17 @@ impl VectorForm {
     /// The unknown that a symbol is.
     pub fn place_of_unknown(&self, symbol: SymbolId) -> Option<usize> {
         self.unknown_of.get(&symbol).copied()
+    }
+
+    /// The places of the arms that an expression mentions: ascending.
+    pub(super) fn arms_mentioned(&self, expr: ExprId, graph: &Graph) -> Vec<usize> {
+        let symbols = graph.symbols(expr).iter();
+        let mut places: Vec<usize> = symbols
+            .filter_map(|&symbol| self.place_of_symbol(symbol))
+            .collect();
+        places.sort_unstable();
+        places.dedup();
+        places
     }
 
     /// The unknowns that an expression mentions, themselves or through the arms that they turn: ascending.
