@@ -33,6 +33,7 @@ pub mod stability;
 pub mod starts;
 pub mod stencil;
 pub mod study;
+pub mod swing;
 pub mod table;
 pub mod user_package;
 pub mod values;

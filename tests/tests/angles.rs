@@ -12,17 +12,8 @@ use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::view::View;
 use linkwright_tests::description::written;
 use linkwright_tests::random::Random;
+use linkwright_tests::swing::swing;
 use linkwright_tests::values::{assembled_from, levels};
-
-/// a sin(ω t) with its derivatives.
-fn swing(amplitude: f64, frequency: f64, t: f64) -> Signal {
-    let (sine, cosine) = (frequency * t).sin_cos();
-    Signal {
-        value: amplitude * sine,
-        rate: amplitude * frequency * cosine,
-        acceleration: -amplitude * frequency * frequency * sine,
-    }
-}
 
 /// A value, a rate and an acceleration of a combination of two signals.
 fn combined(parts: [(f64, Signal); 2]) -> [f64; 3] {
@@ -52,8 +43,8 @@ fn near(found: [f64; 3], expected: [f64; 3], limit: f64) {
 fn a_differential_turns_as_its_teeth_say_with_its_torques_and_powers() {
     const RATIO: f64 = 1.5;
     let given = |t: f64| to_joint::Inputs {
-        left_motor: swing(1.2, 2.0, t),
-        right_motor: swing(0.7, 3.1, t),
+        left_motor: swing(0.0, 1.2, 2.0, t),
+        right_motor: swing(0.0, 0.7, 3.1, t),
         pitch_torque: constant(1.0 + t),
         roll_torque: constant(2.0 - 3.0 * t),
     };

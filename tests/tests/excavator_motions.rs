@@ -2,16 +2,7 @@
 
 use linkwright::{PointMotion, Signal};
 use linkwright_mechanisms::excavator_motions::{forward, reach};
-
-/// c + a sin(ω t) with its derivatives.
-fn swing(center: f64, amplitude: f64, frequency: f64, t: f64) -> Signal {
-    let (sine, cosine) = (frequency * t).sin_cos();
-    Signal {
-        value: center + amplitude * sine,
-        rate: amplitude * frequency * cosine,
-        acceleration: -amplitude * frequency * frequency * sine,
-    }
-}
+use linkwright_tests::swing::swing;
 
 /// The distance between two points that move.
 fn length(from: PointMotion, to: PointMotion) -> Signal {

@@ -9,17 +9,8 @@ use linkwright_tests::description::written;
 use linkwright_tests::files;
 use linkwright_tests::forces::{Followed, systems};
 use linkwright_tests::jet::Jet;
+use linkwright_tests::swing::swing;
 use linkwright_tests::values::{assembled_from, levels};
-
-/// a sin(ω t + φ) with its derivatives.
-fn swing(amplitude: f64, frequency: f64, phase: f64, t: f64) -> Signal {
-    let (sine, cosine) = (frequency * t + phase).sin_cos();
-    Signal {
-        value: amplitude * sine,
-        rate: amplitude * frequency * cosine,
-        acceleration: -amplitude * frequency * frequency * sine,
-    }
-}
 
 fn jet(signal: Signal) -> Jet {
     Jet([signal.value, signal.rate, signal.acceleration])
@@ -28,8 +19,8 @@ fn jet(signal: Signal) -> Jet {
 /// The foot swings 30° and 20°, more than a walking robot's.
 fn wanted(t: f64) -> to_motors::Inputs {
     to_motors::Inputs {
-        wanted_pitch: swing(0.52, 5.0, 0.0, t),
-        wanted_roll: swing(0.35, 7.3, 0.4, t),
+        wanted_pitch: swing(0.0, 0.52, 5.0, t),
+        wanted_roll: swing(0.0, 0.35, 7.3, t + 0.4 / 7.3),
     }
 }
 

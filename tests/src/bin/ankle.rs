@@ -14,6 +14,7 @@ use linkwright_tests::ankle::{SIDES, foot_of};
 use linkwright_tests::files;
 use linkwright_tests::jet::Jet;
 use linkwright_tests::study::environment::Environment;
+use linkwright_tests::swing::swing;
 
 /// Measures the time and the error of both maps of the ankle and writes a report
 #[derive(Parser)]
@@ -51,23 +52,14 @@ fn main() -> ExitCode {
     }
 }
 
-fn signal(amplitude: f64, frequency: f64, t: f64) -> Signal {
-    let (sine, cosine) = (frequency * t).sin_cos();
-    Signal {
-        value: amplitude * sine,
-        rate: amplitude * frequency * cosine,
-        acceleration: -amplitude * frequency * frequency * sine,
-    }
-}
-
 /// What the foot is to do in each frame.
 fn wanted() -> Vec<to_motors::Inputs> {
     (0..=FRAMES)
         .map(|frame| {
             let t = 1e-3 * f64::from(frame);
             to_motors::Inputs {
-                wanted_pitch: signal(0.52, 5.0, t),
-                wanted_roll: signal(0.35, 7.3, t),
+                wanted_pitch: swing(0.0, 0.52, 5.0, t),
+                wanted_roll: swing(0.0, 0.35, 7.3, t),
             }
         })
         .collect()
