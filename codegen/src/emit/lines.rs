@@ -23,25 +23,42 @@ pub(super) fn filled<'a>(pieces: impl IntoIterator<Item = &'a str>, depth: usize
     lines
 }
 
-/// A long sum, or else a long product, in lines that begin with an operator.
+/// A long sum, or else a long product, in lines that begin with an operator. A term that is longer than a line breaks once more,
+/// between its factors.
 pub(super) fn terms(statement: &str, depth: usize) -> Option<Vec<String>> {
-    [[" + ", " - "], [" * ", " / "]]
-        .into_iter()
-        .find_map(|operators| {
-            let pieces = split(statement.trim_start(), operators)?;
-            let (first, others) = pieces.split_first()?;
-            let mut lines = vec![format!("{:depth$}{first}", "")];
-            for piece in others {
-                match lines.last_mut() {
-                    Some(line) if line.chars().count() + 1 + piece.chars().count() <= WIDTH => {
-                        line.push(' ');
-                        line.push_str(piece);
-                    }
-                    _ => lines.push(format!("{:1$}{piece}", "", depth + 4)),
-                }
+    let statement = statement.trim_start();
+    between(statement, SUM, depth, depth + 4)
+        .or_else(|| between(statement, PRODUCT, depth, depth + 4))
+}
+
+const SUM: [&str; 2] = [" + ", " - "];
+const PRODUCT: [&str; 2] = [" * ", " / "];
+
+/// Lines broken before these operators: the first one so deep, and the others.
+fn between(text: &str, operators: [&str; 2], depth: usize, others: usize) -> Option<Vec<String>> {
+    let mut lines: Vec<String> = Vec::new();
+    // What follows a term of several lines does not continue the last of them.
+    let mut is_open = false;
+    for piece in split(text, operators)? {
+        let length = piece.chars().count();
+        let indent = if lines.is_empty() { depth } else { others };
+        match lines.last_mut() {
+            Some(line) if is_open && line.chars().count() + 1 + length <= WIDTH => {
+                line.push(' ');
+                line.push_str(piece);
             }
-            lines.iter().all(|line| fits(line)).then_some(lines)
-        })
+            _ if indent + length <= WIDTH => {
+                lines.push(format!("{:indent$}{piece}", ""));
+                is_open = true;
+            }
+            _ if operators == SUM => {
+                lines.extend(between(piece, PRODUCT, indent, others + 4)?);
+                is_open = false;
+            }
+            _ => return None,
+        }
+    }
+    Some(lines)
 }
 
 /// A text before each of these operators that stands outside of all brackets; `None` where there is none.

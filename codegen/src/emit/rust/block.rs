@@ -1,14 +1,13 @@
 //! One function per block.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::ToTokens;
 
-use super::docs::{doc_lines, docs};
+use super::code::Code;
+use super::docs::doc_lines;
 use super::layout::Verbatim;
 use super::lints;
-use super::literal::count;
-use super::module::only;
-use super::names::identifier;
+use super::names::{identifier, identifier_text};
 use super::newton;
 use crate::emit::module::needs::{Needs, checked_at_once, exchanged_by};
 use crate::emit::module::scope::{Place, Scope};
@@ -20,101 +19,90 @@ const MOST_INLINED: usize = 16;
 
 impl Needs {
     /// The arguments as they are declared, and as they are passed.
-    fn arguments(self) -> (TokenStream, TokenStream) {
-        let exclusive = only(self.finds_branch, quote!(mut));
+    fn arguments(self) -> (String, String) {
+        let branches = match self.finds_branch {
+            true => "branches: &mut Branches",
+            false => "branches: &Branches",
+        };
         let arguments = [
-            (true, quote!(at: &mut Frame), quote!(at)),
-            (self.last, quote!(last: &Frame), quote!(last)),
-            (
-                self.branches,
-                quote!(branches: &#exclusive Branches),
-                quote!(branches),
-            ),
-            (
-                self.conditions,
-                quote!(conditions: &Conditions<'_>),
-                quote!(conditions),
-            ),
+            (true, "at: &mut Frame", "at"),
+            (self.last, "last: &Frame", "last"),
+            (self.branches, branches, "branches"),
+            (self.conditions, "conditions: &Conditions<'_>", "conditions"),
         ];
         let needed = arguments.into_iter().filter(|(is_needed, ..)| *is_needed);
         let (declared, passed): (Vec<_>, Vec<_>) = needed
             .map(|(_, declared, passed)| (declared, passed))
             .unzip();
-        (quote!(#(#declared),*), quote!(#(#passed),*))
+        (declared.join(", "), passed.join(", "))
     }
 }
 
 /// The call of a block's function.
-pub(super) fn call(block: &Block, module: &Module<'_>) -> TokenStream {
+pub(super) fn call(block: &Block, module: &Module<'_>) -> String {
     let needs = Needs::of(block, module);
-    let (name, (_, arguments)) = (identifier(&block.name), needs.arguments());
-    match needs.fails {
-        true => quote!(#name(#arguments)?;),
-        false => quote!(#name(#arguments);),
-    }
+    let (name, (_, arguments)) = (identifier_text(&block.name), needs.arguments());
+    let failure = if needs.fails { "?" } else { "" };
+    format!("{name}({arguments}){failure};")
 }
 
 /// The functions of all blocks.
 pub(super) fn functions(module: &Module<'_>) -> TokenStream {
+    let mut code = Code::default();
+    for (index, block) in module.program.blocks.iter().enumerate() {
+        function(index, block, module, &mut code);
+    }
+    code.to_token_stream()
+}
+
+fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
+    let needs = Needs::of(block, module);
+    let scope = Scope::new(module, &block.function, Place::Frame);
+    let iterated = |statement: &Statement| newton::statement(statement, index, block, &scope);
+    let statements = scope.statements(index, &iterated);
+    let reads = scope.reads();
+    let taken = [
+        (needs.time, "t, "),
+        (reads.parameters, "parameters, "),
+        (reads.inputs, "inputs, "),
+    ];
+    let taken = taken.into_iter().filter(|(is_read, _)| *is_read);
+    let taken: String = taken.map(|(_, name)| name).collect();
+    let mut inside = Code::default();
+    if !taken.is_empty() {
+        inside.lines(&format!("let &Conditions {{ {taken}.. }} = conditions;"));
+    }
+    inside.append(statements);
+    if module.is_large() {
+        own_check(index, block, &scope, &mut inside);
+    }
+    let (arguments, _) = needs.arguments();
+    let name = identifier_text(&block.name);
+    let mut head = format!("fn {name}({arguments})");
+    if needs.fails {
+        inside.push("Ok(())");
+        head += " -> Result<(), Failure>";
+    }
     // One function of thousands of blocks would take the compiler longer than all of them alone.
     let inline = match module.program.blocks.len() > MOST_INLINED {
-        true => quote!(#[inline(never)]),
-        false => quote!(#[inline]),
+        true => "#[inline(never)]",
+        false => "#[inline]",
     };
-    // Most mechanisms have no capital letter in any name, and then no token needs to be looked at.
-    let mut bodies = module.system.mechanism.bodies.iter();
-    let has_capitals = bodies.any(|body| body.name.contains(char::is_uppercase));
-    let blocks = module.program.blocks.iter().enumerate();
-    let functions = blocks.map(|(index, block)| {
-        let needs = Needs::of(block, module);
-        let scope = Scope::new(module, &block.function, Place::Frame);
-        let iterated = |statement: &Statement| newton::statement(statement, index, block, &scope);
-        let statements = scope.statements(index, &iterated);
-        let (name, (arguments, _)) = (identifier(&block.name), needs.arguments());
-        let title = docs(documentation::of_block(block, module));
-        let check = match module.is_large() {
-            true => own_check(index, block, &scope),
-            false => TokenStream::new(),
-        };
-        let reads = scope.reads();
-        let taken = [
-            (needs.time, quote!(t)),
-            (reads.parameters, quote!(parameters)),
-            (reads.inputs, quote!(inputs)),
-        ];
-        let taken = taken.into_iter().filter(|(is_read, _)| *is_read);
-        let taken: Vec<TokenStream> = taken.map(|(_, name)| name).collect();
-        let take = only(
-            !taken.is_empty(),
-            quote!(let &Conditions { #(#taken,)* .. } = conditions;),
-        );
-        let body = match needs.fails {
-            true => quote! {
-                #inline
-                fn #name(#arguments) -> Result<(), Failure> { #take #(#statements)* #check Ok(()) }
-            },
-            false => quote!(#inline fn #name(#arguments) { #take #(#statements)* }),
-        };
-        let (capitals, approximate) = match has_capitals {
-            true => lints::both(&body),
-            false => (TokenStream::new(), lints::approximate(&body)),
-        };
-        quote!(#title #capitals #approximate #body)
-    });
-    functions.collect()
+    let allow = lints::of_code(&inside);
+    let title = documentation::of_block(block, module);
+    code.function(title, allow.into_iter().chain([inline]), &head, inside);
 }
 
 /// Fails where a coordinate, a rate or an acceleration of the block is not finite. A frame of thousands of coordinates is not
 /// looked through at once: the compiler would turn it into as many local values.
-fn own_check(index: usize, block: &Block, scope: &Scope<'_>) -> TokenStream {
-    let found = checked_at_once(block, scope);
-    let fields = found.iter().map(|&symbol| scope.symbol(symbol));
-    let number = count(index);
-    quote! {
-        if !all_finite(&[#(#fields),*]) {
-            return Err(not_finite(t, #number));
-        }
-    }
+fn own_check(index: usize, block: &Block, scope: &Scope<'_>, code: &mut Code) {
+    let found = checked_at_once(block, scope).into_iter();
+    let fields = found.map(|symbol| scope.read(symbol) + ",");
+    let fields: Vec<String> = fields.collect();
+    let fields = fields.join(" ");
+    code.lines(&format!(
+        "if !all_finite(&[\n    {fields}\n]) {{\n    return Err(not_finite(t, {index}));\n}}"
+    ));
 }
 
 /// `struct Branches` with the drawing's choice.

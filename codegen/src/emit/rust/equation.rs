@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::code::Code;
 use super::names::identifier;
 use crate::emit::module::scope::Scope;
 use crate::expr::SymbolId;
@@ -11,7 +12,7 @@ use crate::expr::SymbolId;
 pub(super) struct Equation {
     /// What it reads of its type.
     pub given: TokenStream,
-    pub statements: Vec<TokenStream>,
+    pub statements: Code,
     pub results: Vec<TokenStream>,
     code: String,
 }
@@ -28,7 +29,7 @@ impl Equation {
         ];
         let given = own.into_iter().filter(|(is_read, _)| *is_read);
         let given: TokenStream = given.map(|(_, taken)| taken).collect();
-        let code = quote!(#(#statements)* #(#results)*).to_string();
+        let code = quote!(#statements #(#results)*).to_string();
         let is_alone = |symbol: &SymbolId| {
             let name = scope.symbol(*symbol).to_string();
             words(&code).filter(|word| *word == name).count() == 1

@@ -2,8 +2,9 @@
 
 use quote::quote;
 
+use super::code::comment;
 use super::docs::docs;
-use super::layout::{comment, laid_out};
+use super::layout::laid_out;
 use super::names::{WORDS, identifier};
 use super::parameters;
 use super::pieces::{Around, block, formatted};
@@ -29,7 +30,7 @@ pub fn file(
     };
     let mechanism = &first.system.mechanism;
     let mut lines = vec![facts::origin(first), String::new()];
-    let formatted = match mechanism.motion {
+    let items = match mechanism.motion {
         None => {
             lines.extend(facts::facts(first));
             first.items(true, math, &[])
@@ -41,14 +42,14 @@ pub fn file(
             let names: Vec<String> = names.map(|motion| format!("`{}`", motion.name)).collect();
             lines.push(format!("A module for each motion: {}.", names.join(", ")));
             let parameters = parameters::shared_parameters(first);
-            let parameters = formatted(parameters, &[]);
-            modules
-                .iter()
-                .map(|module| motion(module, math))
-                .fold(parameters, |text, motion| text + &motion)
+            let parameters = laid_out(&formatted(parameters, &[]));
+            let parameters = Some(parameters).filter(|text| !text.is_empty());
+            let motions = modules.iter().map(|module| motion(module, math));
+            let parts: Vec<String> = parameters.into_iter().chain(motions).collect();
+            parts.join("\n")
         }
     };
-    format!("{}\n{}", header(&lines), laid_out(&formatted))
+    format!("{}\n{items}", header(&lines))
 }
 
 /// The module of one motion. Who drives the mechanism in one way need not use the other ways.
@@ -61,7 +62,8 @@ fn motion(module: &Module<'_>, math: Option<&str>) -> String {
     let facts = facts::facts(module);
     let comments = facts.iter().map(|line| comment(line));
     let around = [Around::Module];
-    let inner = formatted(comments.collect(), &around) + &module.items(false, math, &around);
+    let facts = laid_out(&formatted(comments.collect(), &around));
+    let inner = facts + &module.items(false, math, &around);
     let head = quote! {
         #text
         #[allow(dead_code)]

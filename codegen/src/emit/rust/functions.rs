@@ -7,6 +7,9 @@ use quote::quote;
 use syn::Path;
 use syn::parse::Parser;
 
+/// What a module may take from somewhere else.
+pub(super) const FUNCTIONS: [&str; 2] = ["math", "angle_near"];
+
 /// `use crate::plain::{self as math, angle_near};`, as far as the code mentions these names. An import by name goes before the one
 /// of all names that every module begins with.
 ///
@@ -16,12 +19,10 @@ pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> TokenStream {
         let problem = format!("the option `math` is `{path}`, which is no path of a module");
         return quote!(compile_error!(#problem););
     };
-    let names = [
-        ("math", quote!(self as math)),
-        ("angle_near", quote!(angle_near)),
-    ];
-    let used = names
+    let imports = [quote!(self as math), quote!(angle_near)];
+    let used = FUNCTIONS
         .into_iter()
+        .zip(imports)
         .filter(|(name, _)| mentioned.contains(name));
     let used: Vec<TokenStream> = used.map(|(_, import)| import).collect();
     match used.as_slice() {

@@ -1,59 +1,17 @@
 //! Generated source as the formatter leaves it → as a person lays it out.
 //!
-//! The formatter knows neither comments nor empty lines. Comments are emitted as statements of a marker macro, which are
-//! replaced here, and items are set apart by an empty line.
+//! The formatter knows neither comments nor empty lines. Comments and what else is laid out already stand in strings until here, and
+//! items are set apart by an empty line.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::lines::broken;
+use super::code;
+use super::lines::{broken, wrapped};
 use crate::emit::lines::filled;
-
-/// What a comment is until the source is laid out; no generated code uses a macro of this name.
-const MARKER: &str = "comment_in_generated_code!(";
 
 /// What a text that is laid out already is until then.
 const VERBATIM: &str = "const VERBATIM_IN_GENERATED_CODE: &str = ";
-
-/// What lines of code are until then.
-const LINES_MARKER: &str = "lines_in_generated_code!(";
-
-/// What a string of lines begins with; no other string does.
-pub(super) const LINES: &str = "=>";
-
-/// The longest line that fits as deep as statements stand.
-const LONGEST_LINE: usize = 96;
-
-/// Statements that are lines already, one after the other: the formatter only sees one call of a macro.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Lines(String);
-
-impl Lines {
-    /// Takes a statement, as the formatter would write it in a line of any length, where it fits into one.
-    pub(super) fn take(&mut self, line: &str) -> bool {
-        let is_line = line.len() <= LONGEST_LINE && !line.contains('{');
-        if is_line {
-            self.0.push_str(line);
-        }
-        is_line
-    }
-
-    /// What stands for those that have been taken since.
-    pub(super) fn statement(&mut self) -> Option<TokenStream> {
-        let text = std::mem::take(&mut self.0);
-        (!text.is_empty()).then(|| {
-            let text = format!("{LINES}{text}");
-            quote!(lines_in_generated_code!(#text);)
-        })
-    }
-}
-
-/// Code as tokens.
-pub(super) fn tokens(code: &str) -> TokenStream {
-    // It is made of names and numbers, so this is a matter of our own code alone.
-    code.parse()
-        .unwrap_or_else(|error| panic!("generated code has no tokens: {error}: {code}"))
-}
 
 /// An item that is laid out by hand: the call of a macro, of which the formatter knows nothing.
 #[derive(Clone, Debug, Default)]
@@ -131,74 +89,85 @@ fn verbatim(line: &str) -> Option<String> {
         .map(|it| it.value())
 }
 
-/// A statement that becomes the comment `// text`. The text must not hold quotes or backslashes.
-pub(super) fn comment(text: &str) -> TokenStream {
-    let text: String = text
-        .chars()
-        .filter(|character| !matches!(character, '"' | '\\'))
-        .collect();
-    quote!(comment_in_generated_code!(#text);)
-}
-
 /// The source with its comments, and an empty line before every item that follows another.
 pub(super) fn laid_out(source: &str) -> String {
-    let mut text = String::with_capacity(source.len() + source.len() / 16);
-    let mut previous = "";
+    let mut text = Text::with_room(source.len() + source.len() / 16);
     let lines = broken(&source.lines().collect::<Vec<_>>());
     let mut lines = lines.iter().map(String::as_str);
     while let Some(line) = lines.next() {
         let content = line.trim_start();
-        let indent = &line[..line.len() - content.len()];
-        if begins_item(content) && ends_item(previous.trim_start()) {
-            text.push('\n');
-        }
+        let depth = line.len() - content.len();
         if let Some(item) = verbatim(content) {
-            if !text.is_empty() && !text.ends_with("\n\n") {
-                text.push('\n');
-            }
-            for line in item.lines() {
-                text.push_str(if line.is_empty() { "" } else { indent });
-                text.push_str(line);
-                text.push('\n');
-            }
-            previous = "}";
+            text.item(&item, depth);
             continue;
         }
-        if let Some(rest) = content.strip_prefix(LINES_MARKER) {
-            let code = quoted(rest, &mut lines).trim_start_matches(LINES);
-            for line in code.split_inclusive(';') {
-                text.push_str(indent);
-                text.push_str(line);
-                text.push('\n');
-                previous = line;
-            }
-            continue;
+        let string = code::called(content).map(|rest| string(rest, &mut lines));
+        match string.and_then(code::decoded) {
+            Some(code) => code.iter().for_each(|line| text.code(line, depth)),
+            None => text.line(line),
         }
-        match content.strip_prefix(MARKER) {
-            Some(rest) => {
-                text.push_str(indent);
-                text.push_str("// ");
-                text.push_str(quoted(rest, &mut lines));
-            }
-            None => text.push_str(line),
-        }
-        text.push('\n');
-        previous = line;
     }
-    text
+    text.all
 }
 
-/// The string in the call of a marker, of which this follows the opening parenthesis. The formatter breaks a long one after that, and
+/// Source that is being laid out.
+struct Text {
+    all: String,
+    is_after_item: bool,
+}
+
+impl Text {
+    fn with_room(capacity: usize) -> Text {
+        Text {
+            all: String::with_capacity(capacity),
+            is_after_item: false,
+        }
+    }
+
+    /// Adds a line as it is.
+    fn line(&mut self, line: &str) {
+        let content = line.trim_start();
+        if self.is_after_item && begins_item(content) {
+            self.all.push('\n');
+        }
+        self.is_after_item = ends_item(content);
+        self.all.push_str(line);
+        self.all.push('\n');
+    }
+
+    /// Adds a line that is indented by so much, in several lines where it is too long.
+    fn code(&mut self, line: &str, depth: usize) {
+        let content = line.trim_start();
+        let depth = depth + line.len() - content.len();
+        for line in wrapped(content, depth) {
+            self.line(&line);
+        }
+    }
+
+    /// Adds an item with an empty line before it.
+    fn item(&mut self, item: &str, depth: usize) {
+        if !self.all.is_empty() && !self.all.ends_with("\n\n") {
+            self.all.push('\n');
+        }
+        for line in item.lines() {
+            let indent = if line.is_empty() { 0 } else { depth };
+            self.all += &format!("{:indent$}{line}\n", "");
+        }
+        self.is_after_item = true;
+    }
+}
+
+/// The string in the call of a macro, of which this follows the opening parenthesis. The formatter breaks a long one after that, and
 /// before the closing one.
-fn quoted<'a>(rest: &'a str, lines: &mut impl Iterator<Item = &'a str>) -> &'a str {
-    let quoted = match rest.is_empty() {
+fn string<'a>(rest: &'a str, lines: &mut impl Iterator<Item = &'a str>) -> &'a str {
+    let string = match rest.is_empty() {
         true => lines.next().unwrap_or_default().trim(),
         false => rest,
     };
     if rest.is_empty() {
         lines.next();
     }
-    quoted.trim_end_matches(");").trim_matches('"')
+    string.trim_end_matches(");")
 }
 
 /// Whether a line is the first of an item: its documentation, its attributes, or an item that needs none.
@@ -221,49 +190,7 @@ fn ends_item(line: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use proc_macro2::TokenStream;
-    use quote::quote;
-
-    use super::super::pieces::formatted;
-    use super::{LONGEST_LINE, Lines, laid_out, tokens};
-
-    /// A function with these statements, and text of every kind around them.
-    fn function(statements: TokenStream) -> String {
-        let items = quote! {
-            /// A function.
-            fn f(at: &mut Frame, last: &Frame) -> Result<(), Failure> {
-                #statements
-                if !spans(a, b) { return Err(singular(a, t, 3)); }
-                Ok(())
-            }
-            const ONE: f64 = 1.0;
-        };
-        laid_out(&formatted(items, &[]))
-    }
-
-    #[test]
-    fn lines_are_what_the_formatter_makes_of_their_tokens() {
-        let lines = [
-            "let a = -2.5e-7 * x / (y - 1.0) + math::atan2(u, -v);",
-            "let (sine, cosine) = math::sin_cos(at.q.phi + 0.5);",
-            "at.q.phi = angle_near(sine, cosine, last.q.phi);",
-            "required(a - b, 3)?;",
-            "let lift = TABLE_LIFT.at(x)[1] * branches.loop_a.sign::<Scalar>();",
-        ];
-        let mut taken = Lines::default();
-        assert!(lines.iter().all(|line| taken.take(line)));
-        let taken = taken.statement().expect("five lines");
-        assert_eq!(taken.clone().into_iter().count(), 4, "one call of a macro");
-        assert_eq!(function(taken), function(tokens(&lines.concat())));
-    }
-
-    #[test]
-    fn what_may_not_fit_into_a_line_is_left_to_the_formatter() {
-        let mut taken = Lines::default();
-        assert!(!taken.take(&format!("let a = {} + b;", "c".repeat(LONGEST_LINE))));
-        assert!(!taken.take("let a = if b < 0.0 { 1.0 } else { 2.0 };"));
-        assert!(taken.statement().is_none());
-    }
+    use super::laid_out;
 
     #[test]
     fn documentation_that_ends_in_a_semicolon_is_not_torn_apart() {

@@ -9,6 +9,59 @@ use crate::emit::lines::{filled, fits, terms};
 /// Elements up to this length share a line with others.
 const SHORT: usize = 36;
 
+/// A line so deep, in several ones where it is too long and can be broken: a function's arguments or the elements of a list one below
+/// the other, elements alone in lines that they fill, anything else between its terms.
+pub(super) fn wrapped(content: &str, depth: usize) -> Vec<String> {
+    let indented = |content: &str, depth: usize| format!("{:depth$}{content}", "");
+    let whole = indented(content, depth);
+    if fits(&whole) || content.starts_with("//") {
+        return vec![whole];
+    }
+    let brackets = ["(", "["].into_iter().zip([") ", "],"]);
+    for (open, close) in brackets {
+        let is_it = match open {
+            "(" => content.starts_with("fn ") || content.starts_with("pub fn "),
+            _ => content.ends_with(close),
+        };
+        let (Some(start), Some(end)) = (content.find(open), content.rfind(close)) else {
+            continue;
+        };
+        if is_it && start < end {
+            let inner = elements(&content[start + 1..end]).into_iter();
+            let inner = inner.flat_map(|it| wrapped(&format!("{it},"), depth + 4));
+            let mut lines = vec![indented(&content[..=start], depth)];
+            lines.extend(inner);
+            lines.push(indented(&content[end..], depth));
+            return lines;
+        }
+    }
+    let all = elements(content);
+    if content.ends_with(',') && all.len() > 1 {
+        let all: Vec<String> = all.iter().map(|it| format!("{it},")).collect();
+        return filled(all.iter().map(String::as_str), depth);
+    }
+    terms(content, depth).unwrap_or_else(|| vec![whole])
+}
+
+/// What commas outside of all brackets part.
+fn elements(text: &str) -> Vec<&str> {
+    let (mut found, mut start, mut open) = (Vec::new(), 0, 0_i32);
+    for (place, letter) in text.char_indices() {
+        match letter {
+            '(' | '[' | '<' => open += 1,
+            ')' | ']' | '>' => open -= 1,
+            ',' if open == 0 => {
+                found.push(text[start..place].trim());
+                start = place + 1;
+            }
+            _ => {}
+        }
+    }
+    found.push(text[start..].trim());
+    found.retain(|element| !element.is_empty());
+    found
+}
+
 /// Lines of code, broken anew.
 pub(super) fn broken(lines: &[&str]) -> Vec<String> {
     let mut found = Vec::with_capacity(lines.len());

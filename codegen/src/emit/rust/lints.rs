@@ -1,6 +1,6 @@
 //! Which lints an item of generated code must allow, so that it is clean wherever it is included.
 
-use super::layout::LINES;
+use super::code::{Code, Piece, decoded};
 use super::module::only;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
@@ -58,31 +58,46 @@ pub(super) fn approximate(tokens: &TokenStream) -> TokenStream {
     only(is_approximate, quote!(#[allow(clippy::approx_constant)]))
 }
 
+/// What is needed by code of which a body's name may have capitals: what [`both`] says.
+pub(super) fn of_code(code: &Code) -> Vec<&'static str> {
+    let is = |is_word: fn(&str) -> bool, is_tree: fn(&TokenTree) -> bool| {
+        code.pieces().iter().any(|piece| match piece {
+            Piece::Lines(lines) => any_word(lines, is_word),
+            Piece::Syntax(tokens) => any(tokens, &mut |tree| is_tree(tree)),
+        })
+    };
+    let attributes = [
+        (
+            is(is_path_in_capitals, is_in_capitals),
+            "#[allow(non_snake_case)]",
+        ),
+        (is(is_close, is_known), "#[allow(clippy::approx_constant)]"),
+    ];
+    let needed = attributes.into_iter().filter(|(is_needed, _)| *is_needed);
+    needed.map(|(_, text)| text).collect()
+}
+
 /// Whether a literal is close to a constant, or one in lines of code.
 fn is_known(tree: &TokenTree) -> bool {
     let TokenTree::Literal(literal) = tree else {
         return false;
     };
     let text = literal.to_string();
-    match lines(&text) {
-        Some(mut words) => words.any(is_close),
+    match decoded(&text) {
+        Some(lines) => any_word(&lines, is_close),
         None => is_close(&text),
     }
 }
 
 /// Whether a literal is close to a known constant.
 fn is_close(literal: &str) -> bool {
-    literal.parse::<f64>().is_ok_and(|value| {
-        KNOWN
-            .iter()
-            .any(|known| (value - known).abs() < CLOSE * known)
-    })
-}
-
-/// The numbers and paths in lines of code, where this literal is such.
-fn lines(literal: &str) -> Option<impl Iterator<Item = &str>> {
-    let code = literal.strip_prefix('"')?.strip_prefix(LINES)?;
-    Some(code.split(|it: char| !(it.is_ascii_alphanumeric() || it == '_' || it == '.')))
+    let is_number = literal.as_bytes().first().is_some_and(u8::is_ascii_digit);
+    is_number
+        && literal.parse::<f64>().is_ok_and(|value| {
+            KNOWN
+                .iter()
+                .any(|known| (value - known).abs() < CLOSE * known)
+        })
 }
 
 /// Whether a name is that of a coordinate, or made of it, and has capitals of the body's.
@@ -97,12 +112,25 @@ fn is_in_capitals(tree: &TokenTree) -> bool {
     match tree {
         TokenTree::Ident(name) => has_capitals(&name.to_string()),
         TokenTree::Literal(literal) => {
-            let text = literal.to_string();
-            lines(&text)
-                .is_some_and(|words| words.flat_map(|word| word.split('.')).any(has_capitals))
+            decoded(&literal.to_string()).is_some_and(|lines| any_word(&lines, is_path_in_capitals))
         }
         _ => false,
     }
+}
+
+fn is_path_in_capitals(path: &str) -> bool {
+    path.split('.').any(has_capitals)
+}
+
+/// Whether some number or path in these lines is suspect; comments are neither.
+fn any_word(lines: &[String], is_suspect: fn(&str) -> bool) -> bool {
+    let is_between = |byte: &u8| !(byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.'));
+    let code = lines
+        .iter()
+        .filter(|line| !line.trim_start().starts_with("//"));
+    code.flat_map(|line| line.as_bytes().split(is_between))
+        .filter_map(|word| str::from_utf8(word).ok())
+        .any(is_suspect)
 }
 
 fn any(tokens: &TokenStream, suspect: &mut dyn FnMut(&TokenTree) -> bool) -> bool {

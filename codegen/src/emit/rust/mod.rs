@@ -3,6 +3,7 @@
 //! The file needs `linkwright` and nothing else, neither allocates nor panics, and is the same bytes on every run.
 
 mod block;
+mod code;
 mod coordinates;
 mod docs;
 mod equation;
@@ -29,6 +30,7 @@ mod points;
 mod scope;
 mod sensitivity;
 mod shell;
+mod statement;
 mod tables;
 mod textbook;
 mod torn;

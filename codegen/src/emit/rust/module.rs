@@ -5,8 +5,9 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::functions::functions;
-use super::layout::{LINES, Verbatim, tokens};
+use super::code::tokens;
+use super::functions::{FUNCTIONS, functions};
+use super::layout::{Verbatim, laid_out};
 use super::names::{identifier, identifier_text};
 use super::pieces::{Around, formatted};
 use super::{
@@ -49,7 +50,7 @@ impl Module<'_> {
         identifier(self.own_field(symbol))
     }
 
-    /// The items of the module, which stands in `around`, as the formatter leaves them. Its elementary functions are the runtime's,
+    /// The items of the module, which stands in `around`. Its elementary functions are the runtime's,
     /// or those of the module at the path `math`.
     pub(super) fn items(
         &self,
@@ -77,12 +78,13 @@ impl Module<'_> {
         let rest = parts.iter().fold(String::new(), |text, part| {
             text + &formatted(part(self), around)
         });
-        let mentioned = identifiers(&rest);
+        let rest = laid_out(&rest);
+        let mentioned = mentioned(&rest);
         let constants = self.constants(&mentioned);
         let tables = tables::tables(self, &mentioned);
         let functions = math.map(|path| functions(path, &mentioned));
         let first = quote!(use ::linkwright::#precision::*; #functions #constants #tables);
-        formatted(first, around) + &rest
+        laid_out(&formatted(first, around)) + "\n" + &rest
     }
 
     /// The named constants that the code mentions; what of the solved view is left out may have been all that needed one.
@@ -107,26 +109,26 @@ impl Module<'_> {
     }
 }
 
-/// Every word of code, but for what stands in its documentation and in strings.
-fn identifiers(code: &str) -> HashSet<&str> {
+/// Every word of code that may be the name of a constant, a table or a function, but for what stands in documentation, comments and
+/// strings.
+fn mentioned(code: &str) -> HashSet<&str> {
     let mut found = HashSet::new();
     let lines = code
         .lines()
-        .filter(|line| !line.trim_start().starts_with("///"));
+        .filter(|line| !line.trim_start().starts_with("//"));
     for line in lines {
         let mut rest = line;
         while let Some(start) = rest.find(|it: char| it == '"' || is_of_word(it)) {
             rest = &rest[start..];
             if let Some(string) = rest.strip_prefix('"') {
-                // Lines are code.
-                rest = string
-                    .strip_prefix(LINES)
-                    .unwrap_or_else(|| after_string(string));
+                rest = after_string(string);
                 continue;
             }
             let end = rest.find(|it: char| !is_of_word(it));
             let (word, others) = rest.split_at(end.unwrap_or(rest.len()));
-            found.insert(word);
+            if word.starts_with(|it: char| it.is_ascii_uppercase()) || FUNCTIONS.contains(&word) {
+                found.insert(word);
+            }
             rest = others;
         }
     }

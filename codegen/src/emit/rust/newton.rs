@@ -116,7 +116,7 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
             results,
             ..
         } = equation;
-        (quote!(#given #(#statements)*), results, q, qd, t)
+        (quote!(#given #statements), results, q, qd, t)
     };
     let (residual_body, residual, residual_q, _, residual_t) = part(&newton.residual, false);
     let (jacobian_body, jacobian, jacobian_q, _, jacobian_t) = part(&newton.jacobian, false);

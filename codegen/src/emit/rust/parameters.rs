@@ -148,7 +148,7 @@ pub(super) fn requirements(module: &Module<'_>) -> TokenStream {
         const REQUIREMENTS: [BlockName<'static>; #length] = [#(#names),*];
 
         fn requirements(parameters: &Parameters) -> [Scalar; #length] {
-            #(#statements)*
+            #statements
             [#(#results),*]
         }
     }
@@ -164,7 +164,7 @@ fn drawn(module: &Module<'_>) -> TokenStream {
     let unknowns = count(results.len());
     let function = quote! {
         fn drawn(parameters: &Parameters) -> [Scalar; #unknowns] {
-            #(#statements)*
+            #statements
             [#(#results),*]
         }
     };

@@ -1,13 +1,11 @@
 //! Whether a frame lies on the path of the last one.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
 
-use super::docs::docs;
+use super::code::Code;
 use super::lints;
 use super::literal::count;
-use super::module::only;
-use super::names::identifier;
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::tubes::iterated;
 use crate::emit::module::{Module, documentation};
@@ -19,30 +17,23 @@ pub(super) fn path(module: &Module<'_>) -> TokenStream {
         return TokenStream::new();
     };
     let (within, filled) = tubes(module, path);
-    let keeps = shown(
-        module,
-        &path.function,
-        Shown {
-            name: "keeps_to_path",
-            docs: &documentation::KEEPS_TO_PATH,
-            tubes: Some(filled),
-        },
-    );
-    let stays = path.closed.as_ref().map(|function| {
-        let shown = Shown {
+    let mut code = Code::default();
+    let keeps = Shown {
+        name: "keeps_to_path",
+        docs: &documentation::KEEPS_TO_PATH,
+        tubes: Some(filled),
+    };
+    shown(module, &path.function, keeps, &mut code);
+    code.syntax(within);
+    if let Some(function) = &path.closed {
+        let stays = Shown {
             name: "stays_regular",
             docs: &documentation::STAYS_REGULAR,
             tubes: None,
         };
-        self::shown(module, function, shown)
-    });
-    quote! {
-        #keeps
-
-        #within
-
-        #stays
+        shown(module, function, stays, &mut code);
     }
+    code.to_token_stream()
 }
 
 /// A function that shows something of a span.
@@ -50,96 +41,92 @@ struct Shown<'a> {
     name: &'a str,
     docs: &'a [&'a str],
     /// What fills the tubes, where it is given them.
-    tubes: Option<TokenStream>,
+    tubes: Option<Code>,
 }
 
-fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>) -> TokenStream {
-    let filled = shown.tubes.clone().unwrap_or_default();
+fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut Code) {
     let scope = Scope::new(module, function, Place::Path);
-    let statements = scope.plain_statements();
+    let found = scope.plain_statements();
     let reads = scope.reads();
     let mut own = function.statements.iter();
     let signals = own.any(|it| matches!(it, Statement::Signal { .. }));
     let (inputs, before) = (reads.inputs || signals, reads.before || signals);
-    let named = |names: &[(bool, &str)]| -> Vec<Ident> {
-        let read = names.iter().filter(|(is_read, _)| *is_read);
-        read.map(|(_, name)| identifier(name)).collect()
-    };
-    let conditions = named(&[
+    let fills = shown.tubes.as_ref().is_some_and(|it| !it.is_empty());
+    let conditions = taken(&[
         (reads.time, "t"),
         (reads.parameters, "parameters"),
         (inputs, "inputs"),
     ]);
-    let has_tubes = !filled.is_empty();
-    let both = named(&[
-        (reads.frame || has_tubes, "at"),
-        (reads.last || has_tubes, "last"),
+    let both = taken(&[
+        (reads.frame || fills, "at"),
+        (reads.last || fills, "last"),
         (before, "before"),
         (!conditions.is_empty(), "conditions"),
     ]);
-    let conditions = only(
-        !conditions.is_empty(),
-        quote!(let &Conditions { #(#conditions,)* .. } = conditions;),
-    );
-    let body = quote! {
-        #(#statements)*
-        #filled
-    };
-    let argument = |name: &str, is_read: bool| match is_read {
-        true => identifier(name),
-        false => format_ident!("_{name}"),
-    };
-    let (span, tubes) = (
-        argument("span", reads.span || signals),
-        argument("tubes", has_tubes),
-    );
-    let tubes = only(shown.tubes.is_some(), quote!(, #tubes: &mut Tubes));
-    let pair = argument("pair", !both.is_empty());
-    let both = only(
-        !both.is_empty(),
-        quote!(let &Pair { #(#both,)* .. } = pair;),
-    );
-    let (capitals, approximate) = lints::both(&body);
-    let (name, text) = (identifier(shown.name), docs(shown.docs.iter().copied()));
-    quote! {
-        #text
-        #capitals
-        #approximate
-        fn #name(#pair: &Pair<'_>, #span: &Span #tubes) -> Result<(), u16> {
-            #both
-            #conditions
-            #body
-            Ok(())
-        }
+    let mut statements = Code::default();
+    if !both.is_empty() {
+        statements.lines(&format!("let &Pair {{ {both}.. }} = pair;"));
     }
+    if !conditions.is_empty() {
+        statements.lines(&format!(
+            "let &Conditions {{ {conditions}.. }} = conditions;"
+        ));
+    }
+    statements.append(found);
+    if let Some(tubes) = &shown.tubes {
+        statements.append(tubes.clone());
+    }
+    statements.lines("Ok(())");
+    let argument = |name: &str, is_read: bool| match is_read {
+        true => name.to_string(),
+        false => format!("_{name}"),
+    };
+    let (pair, span) = (
+        argument("pair", !both.is_empty()),
+        argument("span", reads.span || signals),
+    );
+    let tubes = match shown.tubes {
+        Some(_) => format!(", {}: &mut Tubes", argument("tubes", fills)),
+        None => String::new(),
+    };
+    let head = format!(
+        "fn {}({pair}: &Pair<'_>, {span}: &Span{tubes}) -> Result<(), u16>",
+        shown.name
+    );
+    let allow = lints::of_code(&statements);
+    code.function(shown.docs, allow, &head, statements);
+}
+
+/// These names as far as they are read, each with its comma.
+fn taken(names: &[(bool, &str)]) -> String {
+    let read = names.iter().filter(|(is_read, _)| *is_read);
+    read.map(|(_, name)| format!("{name}, ")).collect()
 }
 
 /// Whether what Newton-Raphson finds is in its tubes, and what fills them.
-fn tubes(module: &Module<'_>, path: &Path) -> (TokenStream, TokenStream) {
+fn tubes(module: &Module<'_>, path: &Path) -> (TokenStream, Code) {
     let iterated = iterated(module.program, module.system, path);
+    let mut filled = Code::default();
     if iterated.is_empty() {
-        return (TokenStream::new(), TokenStream::new());
+        return (TokenStream::new(), filled);
     }
     let scope = Scope::new(module, &path.function, Place::Path);
-    let fields = |frame: &str| -> Vec<TokenStream> {
-        iterated
-            .iter()
-            .map(|&(symbol, _)| module.field(symbol, frame))
-            .collect()
-    };
-    let (now, before) = (fields("at"), fields("last"));
-    let sags = iterated.iter().map(|(_, sag)| match sag {
-        Some(sag) => scope.symbol(*sag),
-        None => quote!(0.0),
-    });
-    let (places, count) = ((0..iterated.len()).map(count), count(iterated.len()));
+    let mut found = Vec::with_capacity(iterated.len());
+    for (place, (symbol, sag)) in iterated.iter().enumerate() {
+        let [now, before] = ["at", "last"].map(|frame| module.field_text(*symbol, frame));
+        let sag = sag.map_or("0.0".to_string(), |sag| scope.read(sag));
+        filled.push(&format!(
+            "tubes[{place}] = Tube::new({now}, {before}, {sag});"
+        ));
+        found.push(module.field(*symbol, "at"));
+    }
+    let count = count(iterated.len());
     let within = quote! {
         /// Whether what Newton-Raphson has found is where the path is.
         fn is_within(at: &Frame, tubes: &Tubes, steps: Scalar) -> bool {
-            let found: [Scalar; #count] = [#(#now),*];
+            let found: [Scalar; #count] = [#(#found),*];
             tubes.iter().zip(found).all(|(tube, value)| tube.holds(value, steps))
         }
     };
-    let filled = quote!(#(tubes[#places] = Tube::new(#now, #before, #sags);)*);
     (within, filled)
 }

@@ -1,11 +1,11 @@
 //! The motion of points, and pressure angles, as functions of a frame that holds all coordinates.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
-use super::docs::docs;
+use super::code::Code;
 use super::literal::count;
-use super::names::identifier;
+use super::names::{identifier, identifier_text};
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::program::{Function, Output};
@@ -14,29 +14,30 @@ use crate::system::Pressure;
 /// One function for each point and each contact.
 pub(super) fn methods(module: &Module<'_>) -> TokenStream {
     let system = module.system;
+    let mut code = Code::default();
     let points = system
         .outputs
         .iter()
         .zip(&module.program.points)
         .enumerate();
-    let points = points.map(|(index, (output, function))| {
-        let name = identifier(&format!("point_{}", output.name.to_lowercase()));
-        let text = docs(documentation::of_point(index, system));
-        let (computed, results) = computed(module, function);
+    for (index, (output, function)) in points {
+        let name = identifier_text(&format!("point_{}", output.name.to_lowercase()));
+        let (mut statements, results) = computed(module, function);
         let [x, y, vx, vy, ax, ay] = results.as_slice() else {
             unreachable!("a point has two components of position, velocity and acceleration each")
         };
-        quote! {
-            #text
-            pub fn #name(&self) -> PointMotion {
-                #computed
-                PointMotion { position: [#x, #y], velocity: [#vx, #vy], acceleration: [#ax, #ay] }
-            }
-        }
-    });
+        statements.push(&format!(
+            "PointMotion {{\n    position: [{x}, {y}],\n    velocity: [{vx}, {vy}],\n    acceleration: [{ax}, {ay}],\n}}"
+        ));
+        let head = format!("pub fn {name}(&self) -> PointMotion");
+        let text = documentation::of_point(index, system);
+        code.function(text, [], &head, statements);
+    }
     let contacts = system.pressures.iter().zip(&module.program.pressures);
-    let contacts = contacts.map(|(pressure, function)| pressure_angle(module, pressure, function));
-    quote!(#(#points)* #(#contacts)*)
+    for (pressure, function) in contacts {
+        pressure_angle(module, pressure, function, &mut code);
+    }
+    code.to_token_stream()
 }
 
 /// The points by name, for code that is written for any mechanism.
@@ -68,37 +69,37 @@ pub(super) fn table(module: &Module<'_>) -> TokenStream {
 }
 
 /// `fn pressure_angle_NAME`.
-fn pressure_angle(module: &Module<'_>, pressure: &Pressure, function: &Function) -> TokenStream {
+fn pressure_angle(module: &Module<'_>, pressure: &Pressure, function: &Function, code: &mut Code) {
     let joint = &module.system.mechanism.joints[pressure.joint];
-    let name = identifier(&format!("pressure_angle_{}", joint.slug));
+    let name = identifier_text(&format!("pressure_angle_{}", joint.slug));
     let mut lines = documentation::of_pressure(pressure, module.system);
     lines.push("contact; `None` while the follower rests.".to_string());
-    let text = docs(lines);
-    let (computed, results) = computed(module, function);
-    quote! {
-        #text
-        pub fn #name(&self) -> Option<Scalar> {
-            #computed
-            pressure_angle(#(#results),*)
-        }
-    }
+    let (mut statements, results) = computed(module, function);
+    statements.push(&format!("pressure_angle({})", results.join(", ")));
+    let head = format!("pub fn {name}(&self) -> Option<Scalar>");
+    code.function(lines, [], &head, statements);
 }
 
 /// The statements of a method of the frame, and its results.
-fn computed(module: &Module<'_>, function: &Function) -> (TokenStream, Vec<TokenStream>) {
+fn computed(module: &Module<'_>, function: &Function) -> (Code, Vec<String>) {
     let scope = Scope::new(module, function, Place::Coordinates);
-    let (statements, results, reads) = (scope.plain_statements(), scope.results(), scope.reads());
+    let (statements, results, reads) = (
+        scope.plain_statements(),
+        scope.written_results(),
+        scope.reads(),
+    );
     let read = [
-        (reads.position, quote!(q)),
-        (reads.rate, quote!(qd)),
-        (reads.acceleration, quote!(qdd)),
-        (reads.parameters, quote!(parameters)),
+        (reads.position, "q, "),
+        (reads.rate, "qd, "),
+        (reads.acceleration, "qdd, "),
+        (reads.parameters, "parameters, "),
     ];
     let read = read.into_iter().filter(|(is_read, _)| *is_read);
-    let read: Vec<TokenStream> = read.map(|(_, name)| name).collect();
-    let take = match read.is_empty() {
-        true => TokenStream::new(),
-        false => quote!(let Self { #(#read,)* .. } = self;),
-    };
-    (quote!(#take #(#statements)*), results)
+    let read: String = read.map(|(_, name)| name).collect();
+    let mut code = Code::default();
+    if !read.is_empty() {
+        code.lines(&format!("let Self {{ {read}.. }} = self;"));
+    }
+    code.append(statements);
+    (code, results)
 }

@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenStream;
 
-use super::layout::tokens;
+use super::code::tokens;
 use super::names::identifier_text;
 use crate::emit::module::scope::{Location, Scope};
 use crate::expr::SymbolId;

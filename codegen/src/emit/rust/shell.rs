@@ -1,9 +1,10 @@
 //! The type that a user holds, and the function that calls all blocks.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::block::call;
+use super::code::Code;
 use super::docs::doc_lines;
 use super::layout::Verbatim;
 use super::module::{derives, only};
@@ -50,13 +51,11 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
 
 /// Solves all blocks at one time.
 fn solve(module: &Module<'_>) -> TokenStream {
-    let calls: Vec<TokenStream> = module
-        .program
-        .blocks
-        .iter()
-        .map(|block| call(block, module))
-        .collect();
-    let called = calls.iter().map(ToString::to_string).collect::<String>();
+    let mut calls = Code::default();
+    for block in &module.program.blocks {
+        calls.push(&call(block, module));
+    }
+    let called = calls.to_token_stream().to_string();
     let argument = |name: &str| match called.contains(name) {
         true => identifier(name),
         false => identifier(&format!("_{name}")),
@@ -88,7 +87,7 @@ fn solve(module: &Module<'_>) -> TokenStream {
         ) -> Result<(), Failure> {
             at.t = conditions.t;
             #parameters
-            #(#calls)*
+            #calls
             #verdict
         }
     }

@@ -3,8 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::code::comment;
 use super::docs::docs;
-use super::layout::{Verbatim, comment};
+use super::layout::Verbatim;
 use super::lints;
 use super::literal::count;
 use super::module::only;
@@ -107,7 +108,7 @@ fn vector(
     let name = identifier(name);
     let function = quote! {
         pub fn #name(#arguments) -> Vector<#size> {
-            #(#statements)*
+            #statements
             #(#bindings)*
             Vector::from([#(#entries),*])
         }
@@ -128,7 +129,7 @@ fn monitored(module: &Module<'_>, function: &Function) -> TokenStream {
     let arguments = arguments(module, scope.reads(), false);
     let function = quote! {
         pub fn monitored(#arguments) -> [Scalar; #size] {
-            #(#statements)*
+            #statements
             [#(#results),*]
         }
     };
@@ -156,7 +157,7 @@ fn matrix(module: &Module<'_>, function: &Function) -> TokenStream {
     let arguments = arguments(module, scope.reads(), false);
     let function = quote! {
         pub fn phi_q(#arguments) -> Matrix<#size, #size> {
-            #(#statements)*
+            #statements
             let mut phi_q = Matrix::zeros();
             #(#entries)*
             phi_q
@@ -219,7 +220,7 @@ pub(super) fn characteristic_length(module: &Module<'_>) -> TokenStream {
     let otherwise = module.float(lengths.nominal);
     let function = quote! {
         fn characteristic_length(parameters: &Parameters) -> Scalar {
-            #(#statements)*
+            #statements
             largest_length(&[#(#results),*], #otherwise)
         }
     };
@@ -251,7 +252,7 @@ pub(super) fn length(module: &Module<'_>, lengths: &Lengths) -> Length {
     Length {
         statement: quote! {
             let parameters = &self.parameters;
-            #(#statements)*
+            #statements
             let length = largest_length(&[#(#results),*], #otherwise);
         },
         name: quote!(length),

@@ -99,7 +99,7 @@ fn scales(tearing: &Tearing, module: &Module<'_>) -> TokenStream {
         #[inline]
         fn scales(&self, #time: Scalar) -> [Scalar; #tear_count] {
             #given
-            #(#statements)*
+            #statements
             let rows = BlockEquations::row_scales(self);
             [#(#rows),*]
         }
@@ -135,7 +135,7 @@ fn evaluate(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Tok
             #time: Scalar,
         ) -> Option<torn::Evaluation<Scalar, #tear_count, Self::Carried>> {
             #given
-            #(#statements)*
+            #statements
             Some(torn::Evaluation {
                 residual: [#(#residual),*],
                 inverse: [#(#inverse),*],
@@ -174,7 +174,7 @@ fn complete(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Tok
             #time: Scalar,
         ) -> torn::Completion<Scalar, Const<#size>> {
             #given
-            #(#statements)*
+            #statements
             torn::Completion {
                 cosines: #cosines,
                 sines: #sines,
@@ -206,7 +206,7 @@ fn signs(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> TokenS
         fn signs(&self, #argument: &Vector<#size>, #time: Scalar) -> Self::Signs {
             #given
             #taken
-            #(#statements)*
+            #statements
             [#(#results),*]
         }
     }
