@@ -11,12 +11,12 @@ use linkwright::{
 };
 use linkwright_codegen::stages::emit::derivation::BlockWords;
 
+use super::Interpreted;
+use super::compiled::Compiled;
 use crate::instant::Instant;
 use crate::path::InterpretedPath;
 use crate::supplied::{InputSignals, Modes, Numbers, ParameterValues, Pose};
 use crate::view::View;
-use super::Interpreted;
-use super::compiled::Compiled;
 
 impl Blocks for Interpreted {
     type Scalar = f64;

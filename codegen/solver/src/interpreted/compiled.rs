@@ -6,7 +6,6 @@
 
 use std::collections::HashSet;
 
-use linkwright::{Blocks, Values};
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::{
     BlockWords, Script, SingularPose, block_words, singular_poses,
@@ -22,7 +21,6 @@ use crate::newton::Newton;
 use crate::operation::{Operation, Writer};
 use crate::path::InterpretedPath;
 use crate::supplied::{InputSignals, Modes, ParameterValues};
-use crate::view::View;
 
 /// What is the same for all instants.
 #[derive(Debug)]

@@ -12,7 +12,7 @@ mod view;
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
-use linkwright::{Blocks, Failure, Start, Values};
+use linkwright::{Blocks, Failure, Start};
 use linkwright_codegen::diagnostic::Diagnostics;
 use linkwright_codegen::findings;
 use linkwright_codegen::stages::expr::ExprId;
@@ -20,7 +20,6 @@ use linkwright_codegen::stages::program::{Program, lower_with_unknowns};
 use linkwright_codegen::stages::structure::{self, SolvedPlan};
 use linkwright_codegen::stages::system::System;
 
-use compiled::Compiled;
 use crate::derivatives::{Derivative, of_program};
 use crate::forces;
 use crate::instant::Instant;
@@ -29,6 +28,7 @@ use crate::path::InterpretedPath;
 use crate::reader::Reader;
 use crate::supplied::Modes;
 use crate::view::View;
+use compiled::Compiled;
 
 /// A mechanism that is solved block by block, in SI units: m, rad, s.
 #[derive(Clone, Debug)]

@@ -3,13 +3,13 @@
 //! The operations of a block run one after another; where one of them is a Newton-Raphson, the runtime's solves it, and its
 //! factorization solves the rates. Deliberately unknown here: what registers mean outside of the block.
 
-use linkwright::{Blocks, Branch, Failure, Frame, Measure, Start, Values, block, kinematics};
+use linkwright::{Branch, Failure, Frame, Measure, Start, block, kinematics};
 
+use super::Interpreted;
+use super::compiled::Compiled;
 use crate::newton::Newton;
 use crate::operation::{Operation, run};
 use crate::supplied::Modes;
-use super::Interpreted;
-use super::compiled::Compiled;
 
 impl Interpreted {
     /// Solves one block.

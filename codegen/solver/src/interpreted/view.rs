@@ -4,6 +4,7 @@ use linkwright::{Blocks, Failure, PointMotion};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::system::System;
 
+use super::Interpreted;
 use crate::assemblies::assemblies;
 use crate::derivatives::Derivative;
 use crate::instant::{Instant, Layout};
@@ -11,7 +12,6 @@ use crate::measures::Measures;
 use crate::number::time;
 use crate::supplied::ModeName;
 use crate::view::View;
-use super::Interpreted;
 
 impl View for Interpreted {
     fn system(&self) -> &System {

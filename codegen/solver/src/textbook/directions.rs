@@ -2,7 +2,7 @@
 //!
 //! All of it follows from one factorization of Φ_q. Deliberately unknown here: how the pose was found.
 
-use linkwright::{Equations, Failure, Frame, PointMotion, Settings, kinematics};
+use linkwright::{Failure, Frame, PointMotion, Settings, kinematics};
 use linkwright_codegen::stages::expr::{ExprId, Tape};
 use linkwright_codegen::stages::model::Requested;
 use linkwright_codegen::stages::system::System;

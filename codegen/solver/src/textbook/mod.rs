@@ -10,7 +10,6 @@ mod observed;
 
 use std::cell::RefCell;
 
-use linkwright::Equations;
 use linkwright_codegen::stages::expr::{ExprId, SymbolId, Tape};
 use linkwright_codegen::stages::system::System;
 use nalgebra::DVector;

@@ -1,7 +1,7 @@
 //! *A frame of the textbook view* → *what is looked at in it*: points, pressure angles, and how far equations are from zero.
 
 use linkwright::contact::pressure_angle;
-use linkwright::{Equations, Frame, PointMotion};
+use linkwright::{Frame, PointMotion};
 use nalgebra::{DVector, Dyn};
 
 use super::TextbookEquations;
