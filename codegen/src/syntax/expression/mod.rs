@@ -3,13 +3,18 @@
 //! Rust's own expressions are of no use here: its `^` is weaker than `+`, and its grammar is far wider. A chain of one strength
 //! becomes one node; what nests is counted, so that neither this parser nor whoever walks its tree overflows the stack.
 
+mod choice;
+mod components;
+
+use choice::choice;
+use components::argument;
+
+pub(super) use components::coordinates;
+
 use proc_macro2::Delimiter;
 
 use super::brackets::too_deep;
-use super::formula::{
-    Choice, Comparison, Component, Expression, ExpressionKind, Name, Operation, Pair, Reference,
-    Sign,
-};
+use super::formula::{Component, Expression, ExpressionKind, Name, Operation, Reference, Sign};
 use super::reference::reference_or_component;
 use super::tokens::{Outcome, Tokens};
 use super::{DEEPEST, indexed, literal};
@@ -21,10 +26,6 @@ const FORMULA: &str =
 
 /// Words of programs that some will try here.
 const CONTROL: [&str; 5] = ["else", "match", "for", "while", "let"];
-
-/// How a choice is written.
-const CHOICE: &str =
-    "a choice is written `if t < 2s { … } else { … }`, with `<`, `<=`, `>` or `>=`";
 
 /// A formula up to the first token that cannot continue it. What may follow is for the caller to say.
 pub(super) fn expression(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
@@ -266,145 +267,6 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         },
         span,
     })
-}
-
-/// `if left < right { holds } else { otherwise }`, or another choice after `else`.
-fn choice(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
-    if depth >= DEEPEST {
-        return Err(Box::new(too_deep(tokens.next_span())));
-    }
-    let Some(start) = tokens.keyword("if") else {
-        return Err(tokens.unexpected("`if`", CHOICE));
-    };
-    let left = sum(tokens, depth + 1)?;
-    let comparison = match (tokens.mark('<'), tokens.mark('>')) {
-        (None, None) => {
-            let wanted = "`<`, `<=`, `>` or `>=`";
-            return Err(tokens.unexpected_with_code(Code::OutsideGrammar, wanted, CHOICE));
-        }
-        (Some(_), None) if tokens.mark('=').is_some() => Comparison::LessOrEqual,
-        (Some(_), None) => Comparison::Less,
-        (None, Some(_)) if tokens.mark('=').is_some() => Comparison::GreaterOrEqual,
-        (None, Some(_)) => Comparison::Greater,
-        (Some(less), Some(greater)) => {
-            let message = "`<>` is no comparison";
-            let finding = Diagnostic::error(Code::OutsideGrammar, less.to(greater), message);
-            return Err(Box::new(finding.help(CHOICE)));
-        }
-    };
-    let right = sum(tokens, depth + 1)?;
-    let condition = left.span.to(right.span);
-    let holds = piece(tokens, depth)?;
-    if tokens.keyword("else").is_none() {
-        return Err(tokens.unexpected("`else`", CHOICE));
-    }
-    let otherwise = if tokens.peek_word() == Some("if") {
-        choice(tokens, depth + 1)?
-    } else {
-        piece(tokens, depth)?
-    };
-    let span = start.to(otherwise.span);
-    Ok(Expression {
-        kind: ExpressionKind::Choice(Box::new(Choice {
-            left,
-            comparison,
-            right,
-            holds,
-            otherwise,
-            condition,
-        })),
-        span,
-    })
-}
-
-/// A formula in braces.
-fn piece(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
-    let Some((mut inner, span)) = tokens.group(Delimiter::Brace) else {
-        return Err(after_expression(tokens, "an operation or `{`", CHOICE));
-    };
-    let mut inside = sum(&mut inner, depth + 1)?;
-    if !inner.at_end() {
-        return Err(after_expression(&inner, "an operation or `}`", CHOICE));
-    }
-    inside.span = span;
-    Ok(inside)
-}
-
-/// An argument of a call: a formula, or two or three of them in parentheses.
-fn argument(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
-    let mut ahead = *tokens;
-    let Some((mut inner, span)) = ahead.group(Delimiter::Parenthesis) else {
-        return sum(tokens, depth);
-    };
-    let mut within = inner;
-    while !within.at_end() && !within.peek_mark(',') {
-        within.skip();
-    }
-    if within.at_end() {
-        return sum(tokens, depth);
-    }
-    let mut components = vec![sum(&mut inner, depth + 1)?];
-    while inner.mark(',').is_some() && !(inner.at_end() && components.len() > 1) {
-        components.push(sum(&mut inner, depth + 1)?);
-    }
-    if !inner.at_end() {
-        let help = "components are written `(x, y)` or `(x, y, z)`";
-        return Err(after_expression(&inner, "an operation, `,` or `)`", help));
-    }
-    if components.len() > 3 {
-        let message = format!(
-            "expected `(X, Y)` or `(X, Y, Z)`, found {} values",
-            components.len()
-        );
-        let finding = Diagnostic::error(Code::WrongForm, span, message);
-        return Err(Box::new(
-            finding.help("a place has two or three components"),
-        ));
-    }
-    *tokens = ahead;
-    Ok(Expression {
-        kind: ExpressionKind::Components(components),
-        span,
-    })
-}
-
-/// `(X, Y)` with two to `most` components; those after the second are returned beside the pair.
-pub(super) fn coordinates(
-    tokens: &mut Tokens<'_>,
-    most: usize,
-) -> Outcome<(Pair, Option<Expression>)> {
-    let wanted = if most == 2 {
-        "`(X, Y)`"
-    } else {
-        "`(X, Y)` or `(X, Y, ANGLE)`"
-    };
-    let Some((mut inner, span)) = tokens.group(Delimiter::Parenthesis) else {
-        return Err(tokens.unexpected(wanted, &format!("write {wanted} in parentheses")));
-    };
-    let mut components = Vec::new();
-    while !inner.at_end() {
-        components.push(expression(&mut inner)?);
-        if inner.mark(',').is_none() && !inner.at_end() {
-            return Err(after_expression(
-                &inner,
-                "an operation, `,` or `)`",
-                "values are separated with `,`",
-            ));
-        }
-    }
-    let count = components.len();
-    let mut components = components.into_iter();
-    match (components.next(), components.next()) {
-        (Some(x), Some(y)) if count <= most => Ok((Pair { x, y, span }, components.next())),
-        _ => {
-            let message = format!(
-                "expected {wanted}, found {count} {}",
-                if count == 1 { "value" } else { "values" }
-            );
-            let finding = Diagnostic::error(Code::WrongForm, span, message);
-            Err(Box::new(finding.help(format!("write {wanted}"))))
-        }
-    }
 }
 
 /// The finding that a formula is followed by something that does not continue it; `wanted` says what may follow, and `help` what to
