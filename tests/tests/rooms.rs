@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 20] = [
+const ORDER: [&str; 22] = [
     "diagnostic",
     "columns",
     "syntax",
@@ -23,6 +23,8 @@ const ORDER: [&str; 20] = [
     "finiteness",
     "modes",
     "emit",
+    "checks",
+    "read",
     "files",
     "stages",
     "cargo",

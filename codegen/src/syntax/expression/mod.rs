@@ -6,9 +6,6 @@
 mod choice;
 mod components;
 
-use choice::choice;
-use components::argument;
-
 pub(super) use components::coordinates;
 
 use proc_macro2::Delimiter;
@@ -19,6 +16,8 @@ use super::reference::reference_or_component;
 use super::tokens::{Outcome, Tokens};
 use super::{DEEPEST, indexed, literal};
 use crate::diagnostic::{Code, Diagnostic};
+use choice::choice;
+use components::argument;
 
 /// What to do where a formula is wanted and something else stands.
 const FORMULA: &str =
