@@ -54,7 +54,7 @@ pub(crate) struct State {
 impl Interpreted {
     /// The blocks of a system; `None` where its equations do not determine the motion.
     pub fn new(system: &System) -> Option<Interpreted> {
-        let mut system = everything(system);
+        let mut system = system.in_full();
         let plan = structure::plan(&mut system)?;
         let program = lower_with_unknowns(&mut system, &plan);
         Some(Interpreted::of(system, plan, program))
@@ -65,7 +65,7 @@ impl Interpreted {
     /// # Errors
     /// Numbers in the blocks that become infinite or undefined, and work beyond its bounds.
     pub fn checked(system: &System) -> Result<(Option<Interpreted>, Diagnostics), Diagnostics> {
-        let mut system = everything(system);
+        let mut system = system.in_full();
         let Some(plan) = structure::plan(&mut system) else {
             return Ok((None, findings(&system, None)?));
         };
@@ -148,13 +148,4 @@ impl Interpreted {
         self.compiled.set_signs(registers, modes);
         self.run_block(index, registers, *t, start, modes, &Default::default())
     }
-}
-
-/// A system of which nothing is left out.
-fn everything(system: &System) -> System {
-    let mut system = system.clone();
-    // What is asked for would leave other things out.
-    system.mechanism.requests.clear();
-    system.mechanism.monitor = false;
-    system
 }

@@ -58,7 +58,7 @@ impl VectorForm {
         self.arm_places.insert((angle, local), place);
         self.arms_of.entry(angle).or_default().push(place);
         self.arm_of.extend(symbols.map(|symbol| (symbol, place)));
-        self.arms.push(Arm {
+        self.arms.write().push(Arm {
             angle,
             local,
             symbols,

@@ -6,10 +6,10 @@ use super::{VectorForm, VectorRow};
 use crate::expr::{Graph, SymbolId};
 use crate::joint::{Kind, Quantity, Resolved, Row};
 use crate::model::{Joint, Mechanism, Role};
-use crate::system::Unknown;
 use crate::system::assemble::Watch;
 use crate::system::mark_names::MarkNames;
 use crate::system::orientation::Orientations;
+use crate::system::{Settled, Unknown};
 
 impl VectorForm {
     /// The vector form of every joint, with the drawn values of the auxiliary unknowns; `dropped` says of each joint which of
@@ -21,11 +21,11 @@ impl VectorForm {
         watch: &mut Watch,
     ) -> VectorForm {
         let mut form = VectorForm {
-            unknowns: coordinates.to_vec(),
-            rows: Vec::new(),
-            arms: Vec::new(),
-            orientations: Orientations::new(mechanism.bodies.len(), &mechanism.graph),
-            points: Vec::new(),
+            unknowns: Settled::new(coordinates.to_vec()),
+            rows: Settled::new(Vec::new()),
+            arms: Settled::new(Vec::new()),
+            orientations: Settled::new(Orientations::new(mechanism.bodies.len(), &mechanism.graph)),
+            points: Settled::new(Vec::new()),
             naming: mechanism.naming,
             angles: mechanism
                 .bodies
@@ -70,18 +70,18 @@ impl VectorForm {
             }
             for row in kept_rows(joint.kind, &joint.operands, dropped, graph) {
                 if row.quantity == Quantity::Angle {
-                    form.orientations.tie(&row, &angles, graph);
+                    form.orientations.write().tie(&row, &angles, graph);
                 }
             }
         }
-        form.orientations.settle(graph);
+        form.orientations.write().settle(graph);
         for (index, (joint, dropped)) in joints.iter().zip(dropped).enumerate() {
             if !dropped.contains(&true) {
                 form.add_auxiliaries(joint, bodies, graph);
             }
             let operands = form.with_arms(&joint.operands, bodies, graph);
             let rows = kept_rows(joint.kind, &operands, dropped, graph);
-            form.rows.extend(rows.iter().map(|row| VectorRow {
+            form.rows.write().extend(rows.iter().map(|row| VectorRow {
                 joint: index,
                 residual: row.residual,
                 quantity: row.quantity,
@@ -94,7 +94,7 @@ impl VectorForm {
         for point in points.iter() {
             let mark = form.mark_with_arm(&point.mark, bodies, graph);
             let position = mark.position(graph);
-            form.points.push(position);
+            form.points.write().push(position);
         }
         for unknown in &form.unknowns {
             let (rate, acceleration) = (
@@ -132,7 +132,11 @@ impl VectorForm {
             value: Some(graph.add(value, delta)),
             ..self.with_arms(operands, bodies, graph)
         };
-        let own = self.rows.iter_mut().filter(|row| row.joint == joint);
+        let own = self
+            .rows
+            .write()
+            .iter_mut()
+            .filter(|row| row.joint == joint);
         for (row, shifted) in own.zip(kind.vector_rows(&shifted, graph)) {
             row.residual = shifted.residual;
         }

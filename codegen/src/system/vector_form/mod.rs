@@ -13,7 +13,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::mark_names::MarkNames;
 use super::orientation::Orientations;
-use super::{SymbolRole, Unknown};
+use super::{Settled, SymbolRole, Unknown};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::Quantity;
 use crate::joint::geometry::{BodyId, Vector};
@@ -23,15 +23,15 @@ use crate::model::Naming;
 #[derive(Clone, Debug)]
 pub struct VectorForm {
     /// The coordinates in their order, then the auxiliary unknowns of the joints.
-    pub unknowns: Vec<Unknown>,
+    pub unknowns: Settled<Vec<Unknown>>,
     /// As many rows as unknowns where the mechanism is driven.
-    pub rows: Vec<VectorRow>,
+    pub rows: Settled<Vec<VectorRow>>,
     /// Every turned local vector that occurs, in order of first use.
-    pub arms: Vec<Arm>,
+    pub arms: Settled<Vec<Arm>>,
     /// Which bodies share their sine and cosine.
-    pub orientations: Orientations,
+    pub orientations: Settled<Orientations>,
     /// r + arm of each declared point, in the mechanism's order.
-    pub points: Vec<Vector>,
+    pub points: Settled<Vec<Vector>>,
     naming: &'static Naming,
     // The angle of each body; none for the ground.
     angles: Vec<Option<usize>>,
@@ -108,7 +108,7 @@ impl VectorForm {
     }
 
     /// What the symbols of the vector form are.
-    pub(crate) fn note_roles(&self, roles: &mut Vec<SymbolRole>, coordinates: usize) {
+    pub(super) fn note_roles(&self, roles: &mut Vec<SymbolRole>, coordinates: usize) {
         for (index, unknown) in self.unknowns.iter().enumerate().skip(coordinates) {
             set(roles, unknown.position, SymbolRole::Position(index));
             set(roles, unknown.rate, SymbolRole::Rate(index));
