@@ -20,6 +20,7 @@ use crate::program::function::Level;
 use crate::program::two_links::TwoLinks;
 use crate::system::VectorForm;
 use crate::words::{Piece, Singular, phrase};
+use words::{TriangleNames, first_link};
 
 /// R(φ_a) p + R(φ_b) q + c = 0.
 #[derive(Clone, Debug)]
@@ -110,14 +111,79 @@ impl Form for TwoRotations {
             (first[0] * second[1] - first[1] * second[0]) / lengths
         };
         self.say_mode(triangle.as_ref(), drawn, builder);
+        let sides = Sides::of(&names, [p, q], c, builder);
+        let k = sides.product(&names, builder);
+        builder.note_links(TwoLinks {
+            angles,
+            links: [p, q],
+            closure: c,
+            product: k,
+        });
+        let h = self.height(&sides, k, drawn, &names, builder);
+        let turned = self.turned_links(&sides, [p, q], [k, h], &names, builder);
+        let directions = [0, 1].map(|side| {
+            let (link, square) = ([p, q][side], sides.squares[side]);
+            turning(
+                angles[side],
+                link,
+                turned[side],
+                square,
+                &names.links[side],
+                builder,
+            )
+        });
+        for side in [0, 1] {
+            builder.angle(angles[side], directions[side]);
+        }
+        let stretches = [0, 1].map(|side| {
+            builder.moving_link(angles[side], [p, q][side], turned[side], directions[side])
+        });
+        Box::new(Found {
+            angles,
+            names: names.links,
+            links: turned,
+            arranged: (self.arrangement, is_backward),
+            stretches,
+            c,
+            h,
+            rates: None,
+        })
+    }
+}
+
+/// The sides of the triangle, as vectors and squares.
+struct Sides {
+    /// d, the sum of both links.
+    base: Vector,
+    base_square: ExprId,
+    /// p² and q².
+    squares: [ExprId; 2],
+}
+
+impl Sides {
+    fn of(
+        names: &TriangleNames,
+        [p, q]: [Vector; 2],
+        c: Vector,
+        builder: &mut Builder<'_>,
+    ) -> Sides {
         let minus = builder.negated(c);
-        let d = builder.vector(&names.base, minus);
-        let d_square = builder.dot(d, d);
-        let d_square = builder.value(&format!("|{}|^2", names.base), d_square);
+        let base = builder.vector(&names.base, minus);
+        let base_square = builder.dot(base, base);
+        let base_square = builder.value(&format!("|{}|^2", names.base), base_square);
         let squares = [builder.dot(p, p), builder.dot(q, q)];
+        let squares =
+            [0, 1].map(|side| builder.value(&format!("|{}|^2", names.links[side]), squares[side]));
+        Sides {
+            base,
+            base_square,
+            squares,
+        }
+    }
+
+    /// k = w_a · w_b, by the law of cosines.
+    fn product(&self, names: &TriangleNames, builder: &mut Builder<'_>) -> ExprId {
         let [first, second] = names.links.clone();
-        let p_square = builder.value(&format!("|{first}|^2"), squares[0]);
-        let q_square = builder.value(&format!("|{second}|^2"), squares[1]);
         builder.show(|_| {
             let squares = [&names.base, &first, &second].map(|name| Piece::Square(name.clone()));
             let [d, p, q] = squares;
@@ -125,27 +191,39 @@ impl Form for TwoRotations {
             let product = Piece::Dot(first.clone(), second.clone());
             vec![[Piece::Local("k".to_string()).into(), half, product.into()]]
         });
+        let [p_square, q_square] = self.squares;
         let links_square = builder.graph().add(p_square, q_square);
-        let twice = builder.graph().subtract(d_square, links_square);
+        let twice = builder.graph().subtract(self.base_square, links_square);
         let k = builder.half(twice);
-        let k = builder.value("k", k);
-        builder.note_links(TwoLinks {
-            angles,
-            links: [p, q],
-            closure: c,
-            product: k,
-        });
+        builder.value("k", k)
+    }
+}
+
+impl TwoRotations {
+    /// h = w_a × w_b, where the links reach; its sign is the assembly mode.
+    fn height(
+        &self,
+        sides: &Sides,
+        k: ExprId,
+        drawn: f64,
+        names: &TriangleNames,
+        builder: &mut Builder<'_>,
+    ) -> ExprId {
+        let [p_square, q_square] = sides.squares;
         let scale = builder.graph().multiply(p_square, q_square);
         let k_square = builder.graph().multiply(k, k);
         let excess = builder.graph().subtract(scale, k_square);
         let excess = builder.factor("excess", excess);
-        let spanned = [d_square, p_square, q_square].map(|square| builder.graph().sqrt(square));
+        let squares = [sides.base_square, p_square, q_square];
         let ends = {
-            let ([distance, p, q], graph) = (spanned, builder.graph());
+            let [distance, p, q] = squares.map(|square| builder.graph().sqrt(square));
+            let graph = builder.graph();
             [distance, graph.add(p, q), graph.subtract(p, q)]
         };
         builder.reach(excess, scale, ends);
-        let names_of = angles.map(|angle| builder.system.unknown_name(angle).to_string());
+        let names_of = self
+            .angles
+            .map(|angle| builder.system.unknown_name(angle).to_string());
         let meaning = format!(
             "whether {} is found ahead of {} or behind it",
             names_of[1], names_of[0]
@@ -153,72 +231,38 @@ impl Form for TwoRotations {
         let branch = builder.branch(names_of.join("_"), meaning, drawn);
         let root = builder.graph().sqrt(excess);
         let h = builder.graph().multiply(branch, root);
-        let remark = phrase![
-            Piece::Cross(first.clone(), second.clone()),
-            ", twice the area"
-        ];
-        let h = builder.value_with("h", h, remark);
+        let [first, second] = names.links.clone();
+        let remark = phrase![Piece::Cross(first, second), ", twice the area"];
+        builder.value_with("h", h, remark)
+    }
+
+    /// w_a and w_b, from d by k and h.
+    fn turned_links(
+        &self,
+        sides: &Sides,
+        [p, q]: [Vector; 2],
+        [k, h]: [ExprId; 2],
+        names: &TriangleNames,
+        builder: &mut Builder<'_>,
+    ) -> [Vector; 2] {
+        let d = sides.base;
+        let [first, second] = &names.links;
         let one = builder.graph().one();
-        let inverse = builder.graph().divide(one, d_square);
+        let inverse = builder.graph().divide(one, sides.base_square);
         let inverse = builder.factor("inverse", inverse);
         // d · w_a = p² + k and d × w_a = −h.
-        let forward = builder.graph().add(p_square, k);
+        let forward = builder.graph().add(sides.squares[0], k);
         let forward = builder.graph().multiply(forward, inverse);
         let forward = builder.factor("forward", forward);
         let sideways = builder.graph().multiply(h, inverse);
         let sideways = builder.factor("sideways", sideways);
-        builder.show(|_| {
-            let base = &names.base;
-            let along = phrase![
-                "(",
-                Piece::Square(first.clone()),
-                " + ",
-                Piece::Local("k".to_string()),
-                ")",
-                Piece::Times
-            ];
-            let across = phrase![
-                Piece::Local("h".to_string()),
-                Piece::Times,
-                Piece::Across(base.clone())
-            ];
-            let square = Piece::Square(base.clone());
-            let sum = phrase![
-                "(",
-                along,
-                Piece::Vector(base.clone()),
-                Piece::Minus,
-                across,
-                ")/",
-                square
-            ];
-            vec![[Piece::Vector(first.clone()).into(), sum, "".into()]]
-        });
+        builder.show(|_| vec![first_link(names)]);
         let clockwise = [d[1], builder.graph().negate(d[0])];
         let value = builder.combined(forward, d, sideways, clockwise);
-        let w = builder.link(angles[0], p, value, &first, "");
+        let w = builder.link(self.angles[0], p, value, first, "");
         let value = [0, 1].map(|axis| builder.graph().subtract(d[axis], w[axis]));
-        let u = builder.link(angles[1], q, value, &second, "");
-        let directions = [
-            turning(angles[0], p, w, p_square, &first, builder),
-            turning(angles[1], q, u, q_square, &second, builder),
-        ];
-        builder.angle(angles[0], directions[0]);
-        builder.angle(angles[1], directions[1]);
-        let stretches = [
-            builder.moving_link(angles[0], p, w, directions[0]),
-            builder.moving_link(angles[1], q, u, directions[1]),
-        ];
-        Box::new(Found {
-            angles,
-            names: names.links,
-            links: [w, u],
-            arranged: (self.arrangement, is_backward),
-            stretches,
-            c,
-            h,
-            rates: None,
-        })
+        let u = builder.link(self.angles[1], q, value, second, "");
+        [w, u]
     }
 }
 

@@ -198,3 +198,32 @@ impl TwoRotations {
         });
     }
 }
+
+/// The first link as a sum along the base and across it, as a page shows it.
+pub(super) fn first_link(names: &TriangleNames) -> [Phrase; 3] {
+    let (first, base) = (&names.links[0], &names.base);
+    let along = phrase![
+        "(",
+        Piece::Square(first.clone()),
+        " + ",
+        Piece::Local("k".to_string()),
+        ")",
+        Piece::Times
+    ];
+    let across = phrase![
+        Piece::Local("h".to_string()),
+        Piece::Times,
+        Piece::Across(base.clone())
+    ];
+    let square = Piece::Square(base.clone());
+    let sum = phrase![
+        "(",
+        along,
+        Piece::Vector(base.clone()),
+        Piece::Minus,
+        across,
+        ")/",
+        square
+    ];
+    [Piece::Vector(first.clone()).into(), sum, "".into()]
+}
