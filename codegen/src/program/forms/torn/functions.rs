@@ -43,23 +43,7 @@ fn stated(
     builder: &mut Builder<'_>,
 ) -> Option<Tearing> {
     let sequence = &torn.sequence;
-    for &tear in &sequence.tears {
-        if is_angle(tear, builder) {
-            builder.explicit_angle(tear);
-        }
-    }
-    let (mut steps, mut sign_values) = (Vec::new(), Vec::new());
-    for step in &sequence.steps {
-        steps.push(match step {
-            Step::TwoPins(link) => Stated::TwoPins(link.position(builder)),
-            Step::ThreeCircles(circles) => Stated::ThreeCircles(circles.position(builder)),
-            Step::Closed(form) => {
-                let solved = form.position(builder);
-                sign_values.extend(sign_value(form.as_ref(), sign_values.len(), builder)?);
-                Stated::Closed(solved)
-            }
-        });
-    }
+    let (mut steps, sign_values) = positions(torn, builder)?;
     let rests = rests(torn, &mut steps, places, builder);
     let (determinant, inverse) = inverse(&rests, builder);
     let residuals = rests.iter().map(|rest| rest.residual);
@@ -73,45 +57,14 @@ fn stated(
     }
     let later = std::mem::take(&mut builder.statements);
     let completed = completed(torn, places, block, builder)?;
-    let graph = &builder.system.mechanism.graph;
-    let found = statements.iter().chain(&later).flat_map(Statement::targets);
-    let found: HashSet<SymbolId> = found.collect();
-    let read = statements.iter().chain(&later).flat_map(Statement::values);
-    let all = evaluated.iter().chain(&completed).copied();
-    let mut read = read.chain(all);
-    // What is read of the unknowns must have been found.
-    let is_missing = |symbol: &SymbolId| {
-        let unknown = match builder.system.roles[symbol.index()] {
-            SymbolRole::Position(unknown) => unknown,
-            _ => return false,
-        };
-        torn.whole.unknowns.contains(&unknown)
-            && !sequence.tears.contains(&unknown)
-            && !found.contains(symbol)
-    };
-    if read.any(|expr| graph.symbols(expr).iter().any(is_missing)) {
+    let all = statements.iter().chain(&later);
+    let results = evaluated.iter().chain(&completed).copied();
+    if reads_unfound(torn, all, results, builder.system) {
         return None;
     }
+    let graph = &builder.system.mechanism.graph;
     let (evaluate, complete, carried) = parted(&statements, evaluated, completed, &later, graph);
-    let scales: Vec<(usize, ExprId)> = sequence
-        .remaining
-        .iter()
-        .map(|remaining| match *remaining {
-            Remaining::Equation(at) => (at, builder.graph().one()),
-            Remaining::Length { step, equation } => match steps[step].link() {
-                Some(link) => (equation, link.length(builder)),
-                None => (equation, builder.graph().one()),
-            },
-        })
-        .collect();
-    let terms = sequence.remaining.iter().map(|remaining| match *remaining {
-        Remaining::Equation(at) => {
-            let scale = block.scaled_by[0].scale(block.quantities[at]);
-            (magnitude(torn.whole.residuals[at], builder.system) / scale).max(1.0)
-        }
-        Remaining::Length { .. } => 1.0,
-    });
-    let terms = terms.collect();
+    let (scales, terms) = scales(torn, &steps, block, builder);
     let proof = match (&sequence.steps[..], &sequence.tears[..]) {
         (&[Step::ThreeCircles(ref circles)], &[tear]) => {
             let shifts = builder.derivatives.shifts();
@@ -140,6 +93,84 @@ fn stated(
         complete,
         sign_values: Function::of_results(sign_values),
     })
+}
+
+/// The steps with their positions stated, and what has the signs of closed forms among them.
+fn positions(torn: &Torn, builder: &mut Builder<'_>) -> Option<(Vec<Stated>, Vec<ExprId>)> {
+    for &tear in &torn.sequence.tears {
+        if is_angle(tear, builder) {
+            builder.explicit_angle(tear);
+        }
+    }
+    let (mut steps, mut sign_values) = (Vec::new(), Vec::new());
+    for step in &torn.sequence.steps {
+        steps.push(match step {
+            Step::TwoPins(link) => Stated::TwoPins(link.position(builder)),
+            Step::ThreeCircles(circles) => Stated::ThreeCircles(circles.position(builder)),
+            Step::Closed(form) => {
+                let solved = form.position(builder);
+                sign_values.extend(sign_value(form.as_ref(), sign_values.len(), builder)?);
+                Stated::Closed(solved)
+            }
+        });
+    }
+    Some((steps, sign_values))
+}
+
+/// Whether these statements and results read the position of an unknown that nothing has found.
+fn reads_unfound<'a>(
+    torn: &Torn,
+    statements: impl Iterator<Item = &'a Statement> + Clone,
+    results: impl Iterator<Item = ExprId>,
+    system: &System,
+) -> bool {
+    let graph = &system.mechanism.graph;
+    let found: HashSet<SymbolId> = statements.clone().flat_map(Statement::targets).collect();
+    let mut read = statements.flat_map(Statement::values).chain(results);
+    let is_missing = |symbol: &SymbolId| {
+        let unknown = match system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => unknown,
+            _ => return false,
+        };
+        torn.whole.unknowns.contains(&unknown)
+            && !torn.sequence.tears.contains(&unknown)
+            && !found.contains(symbol)
+    };
+    read.any(|expr| graph.symbols(expr).iter().any(is_missing))
+}
+
+/// Of what remains, which of the block's equations it is and what its residual is multiplied by to be scaled as that equation; and the size
+/// of its terms in the drawing, at least 1.
+fn scales(
+    torn: &Torn,
+    steps: &[Stated],
+    block: &NewtonBlock,
+    builder: &mut Builder<'_>,
+) -> (Vec<(usize, ExprId)>, Vec<f64>) {
+    let scales: Vec<(usize, ExprId)> = torn
+        .sequence
+        .remaining
+        .iter()
+        .map(|remaining| match *remaining {
+            Remaining::Equation(at) => (at, builder.graph().one()),
+            Remaining::Length { step, equation } => match steps[step].link() {
+                Some(link) => (equation, link.length(builder)),
+                None => (equation, builder.graph().one()),
+            },
+        })
+        .collect();
+    let terms = torn
+        .sequence
+        .remaining
+        .iter()
+        .map(|remaining| match *remaining {
+            Remaining::Equation(at) => {
+                let scale = block.scaled_by[0].scale(block.quantities[at]);
+                (magnitude(torn.whole.residuals[at], builder.system) / scale).max(1.0)
+            }
+            Remaining::Length { .. } => 1.0,
+        });
+    (scales, terms.collect())
 }
 
 /// The sum of the magnitudes of a sum's terms in the drawing.
