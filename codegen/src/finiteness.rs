@@ -125,7 +125,7 @@ impl Range {
 
 /// The bound that the equations or their plan passed.
 fn passed(system: &System) -> Option<Diagnostic> {
-    let Exceeded { at, bound } = system.exceeded?;
+    let Exceeded { at, bound } = (*system.exceeded)?;
     Some(match bound {
         Bound::Graph(excess) => beyond_bounds(excess, at),
         Bound::Together(unknowns) => Diagnostic::error(

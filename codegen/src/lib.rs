@@ -24,6 +24,7 @@
 #![doc(html_root_url = "https://docs.rs/linkwright-codegen/0.1.0")]
 
 mod cargo;
+mod checks;
 mod columns;
 mod consequences;
 pub mod diagnostic;
@@ -37,6 +38,7 @@ mod joint;
 mod model;
 mod modes;
 mod program;
+mod read;
 pub mod stages;
 mod structure;
 mod syntax;
@@ -44,40 +46,15 @@ mod system;
 mod words;
 
 pub use cargo::{attach_files, build, build_with, write_module};
+pub use checks::{check, check_all, findings, findings_of_derivation, report};
 pub use emit::{Language, OutputFile, Scalar};
 pub use format::format;
 pub use program::{Operations, Report};
+pub use read::{Read, read, read_along};
 pub use system::System;
 
 use diagnostic::{Diagnostics, Source};
-
-/// A description whose equations have been derived.
-#[derive(Clone, Debug)]
-pub struct Read {
-    /// The equations of each motion in written order; those of the mechanism where it has no motions. Never empty.
-    pub motions: Vec<System>,
-    /// What should be looked at although it is no error.
-    pub warnings: Diagnostics,
-}
-
-impl Read {
-    /// The equations, where there is one motion only.
-    pub fn only(mut self) -> Option<System> {
-        match self.motions.len() {
-            1 => self.motions.pop(),
-            _ => None,
-        }
-    }
-
-    /// The equations of the motion of this name.
-    pub fn motion(&self, name: &str) -> Option<&System> {
-        let named = |system: &&System| {
-            let motion = system.mechanism.motion.as_ref();
-            motion.is_some_and(|motion| motion.name == name)
-        };
-        self.motions.iter().find(named)
-    }
-}
+use read::read_for;
 
 /// What can be chosen about the generated code.
 ///
@@ -151,176 +128,6 @@ pub struct GeneratedFiles {
     pub files: Vec<OutputFile>,
     /// What should be looked at although it is no error.
     pub warnings: Diagnostics,
-}
-
-/// Derives the equations of a description, whether or not they determine the motion.
-///
-/// # Errors
-/// Every error of the text and of its names, values and forms.
-pub fn read(source: &Source) -> Result<Read, Diagnostics> {
-    read_for(source, Language::default(), None)
-}
-
-/// The same with the sensitivities to these parameters in place of those that the description asks for. A name that no parameter has
-/// is passed over.
-///
-/// # Errors
-/// Those of [`read`].
-pub fn read_along(source: &Source, parameters: &[&str]) -> Result<Read, Diagnostics> {
-    read_for(source, Language::default(), Some(parameters))
-}
-
-/// The same with names as a language wants them, perhaps along parameters that somebody else asks for.
-fn read_for(
-    source: &Source,
-    language: Language,
-    along: Option<&[&str]>,
-) -> Result<Read, Diagnostics> {
-    let mut diagnostics = Diagnostics::new();
-    let Some(document) = syntax::parse(source, &mut diagnostics) else {
-        return Err(diagnostics);
-    };
-    let read = resolved(&document, source, language, along, diagnostics);
-    let said = |found: Diagnostics| found.respelled(&document.spellings);
-    match read {
-        Ok(Read { motions, warnings }) => Ok(Read {
-            motions,
-            warnings: said(warnings),
-        }),
-        Err(found) => Err(said(found)),
-    }
-}
-
-/// The equations of a document, and all that is found on the way after what was found before.
-fn resolved(
-    document: &syntax::Document,
-    source: &Source,
-    language: Language,
-    along: Option<&[&str]>,
-    mut diagnostics: Diagnostics,
-) -> Result<Read, Diagnostics> {
-    let mut resolving = Diagnostics::new();
-    let mechanisms = model::resolve(document, language.naming(), &mut resolving);
-    if diagnostics.has_errors() {
-        consequences::add_independent(resolving, document, source, &mut diagnostics);
-        return Err(diagnostics);
-    }
-    diagnostics.extend(resolving);
-    let Some(mut mechanisms) = mechanisms else {
-        return Err(diagnostics);
-    };
-    for mechanism in along.and(Some(&mut mechanisms)).into_iter().flatten() {
-        let own = |name: &&str| mechanism.parameters.iter().position(|it| it.name == *name);
-        let mut wanted: Vec<usize> = along.into_iter().flatten().filter_map(own).collect();
-        wanted.sort_unstable();
-        wanted.dedup();
-        mechanism.sensitivities = wanted;
-    }
-    let motions: Vec<System> = mechanisms.into_iter().map(structure::released).collect();
-    let found = of_motions(&motions, finiteness::of_system);
-    diagnostics.extend(found);
-    if diagnostics.has_errors() {
-        return Err(diagnostics);
-    }
-    Ok(Read {
-        motions,
-        warnings: diagnostics,
-    })
-}
-
-/// What is found in motions; a finding of some motions alone names the motion.
-fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnostics) -> Diagnostics {
-    let found = motions.iter().map(|system| {
-        let motion = system.mechanism.motion.as_ref();
-        let name = motion.map_or("", |motion| motion.name.as_str());
-        let found = find(system).respelled(&system.mechanism.spellings);
-        (name, None, found)
-    });
-    diagnostic::merged(found.collect())
-}
-
-/// Checks that the equations determine every coordinate exactly once and that what solves them is made of numbers. Gives warnings.
-///
-/// # Errors
-/// Too few or too many equations, with the bodies and joints concerned; numbers that become infinite or undefined.
-pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
-    let spellings = &system.mechanism.spellings;
-    let mut diagnostics = Diagnostics::new();
-    if !structure::analyze(system, &mut diagnostics) {
-        return Err(diagnostics.respelled(spellings));
-    }
-    let mut diagnostics = diagnostics.respelled(spellings);
-    let mut system = system.clone();
-    let solved = structure::plan(&mut system);
-    let program = solved.map(|solved| program::lower(&mut system, &solved));
-    diagnostics.extend(findings(&system, program.as_ref())?);
-    Ok(diagnostics)
-}
-
-/// Checks what solves a system: that its numbers are numbers. Gives warnings. Where nothing solves it, only the bounds of work are
-/// checked.
-///
-/// # Errors
-/// Numbers that become infinite or undefined, and work beyond its bounds.
-pub fn findings(
-    system: &System,
-    program: Option<&stages::program::Program>,
-) -> Result<Diagnostics, Diagnostics> {
-    let spellings = &system.mechanism.spellings;
-    let mut found = finiteness::of_program(system, program, finiteness::Range::F64);
-    if found.has_errors() {
-        return Err(found.respelled(spellings));
-    }
-    found.extend(
-        program
-            .iter()
-            .flat_map(|it| modes::undecided(system, &it.blocks, &it.branches)),
-    );
-    Ok(found.respelled(spellings))
-}
-
-/// The same of what a derivation shows.
-///
-/// # Errors
-/// Those of [`findings`].
-pub fn findings_of_derivation(
-    derivation: &stages::emit::derivation::Derivation<'_>,
-) -> Result<Diagnostics, Diagnostics> {
-    let (system, blocks) = (derivation.system(), derivation.blocks());
-    let spellings = &system.mechanism.spellings;
-    let mut found = finiteness::of_blocks(system, blocks);
-    if found.has_errors() {
-        return Err(found.respelled(spellings));
-    }
-    found.extend(modes::undecided(system, blocks, derivation.branches()));
-    Ok(found.respelled(spellings))
-}
-
-/// The same for every motion; a finding of some motions alone names the motion.
-///
-/// # Errors
-/// Those of [`check`], each once.
-pub fn check_all(motions: &[System]) -> Result<(), Diagnostics> {
-    let found = of_motions(motions, |system| {
-        let mut found = Diagnostics::new();
-        structure::analyze(system, &mut found);
-        found
-    });
-    if found.has_errors() {
-        Err(found)
-    } else {
-        Ok(())
-    }
-}
-
-/// What the solved view of a system computes and leaves out, with counts of operations; `None` where the equations do not
-/// determine the motion, or take more work than one description may cause.
-pub fn report(system: &System) -> Option<Report> {
-    let mut system = system.clone();
-    let plan = structure::plan(&mut system)?;
-    let report = program::lower(&mut system, &plan).report;
-    let is_whole = system.mechanism.graph.excess().is_none();
-    is_whole.then_some(report)
 }
 
 /// Writes the Rust module of a description.

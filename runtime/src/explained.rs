@@ -92,20 +92,7 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
                     "out of reach by {by:.1e} m, beyond where {singular}"
                 )?;
             }
-            _ => {
-                let what = match kind {
-                    FailureKind::Diverged => "Newton-Raphson runs away",
-                    FailureKind::Cycling => "Newton-Raphson repeats itself",
-                    FailureKind::Stalled => "Newton-Raphson stalls",
-                    FailureKind::WrongBranch => "only another assembly mode is found",
-                    FailureKind::StepTooLarge => {
-                        "the step is too large for the motion to be followed"
-                    }
-                    FailureKind::NotFinite => "a number is not finite",
-                    _ => "Newton-Raphson does not converge",
-                };
-                formatter.write_str(what)?;
-            }
+            _ => formatter.write_str(kind.words())?,
         }
         if iterations > 0 {
             let several = if iterations == 1 { "" } else { "s" };

@@ -85,6 +85,26 @@ pub enum FailureKind<T = f64> {
     NotFinite,
 }
 
+impl<T> FailureKind<T> {
+    /// What happened, in a person's words and without its figure: `Newton-Raphson runs away`.
+    ///
+    /// Whoever shows a failure asks here, so that a kind has its words in one place.
+    pub fn words(&self) -> &'static str {
+        match self {
+            Self::Singular { .. } => "its Jacobian is singular",
+            Self::Diverged => "Newton-Raphson runs away",
+            Self::Cycling => "Newton-Raphson repeats itself",
+            Self::Stalled => "Newton-Raphson stalls",
+            Self::IterationLimit => "Newton-Raphson does not converge",
+            Self::OutOfReach { .. } => "out of reach",
+            Self::WrongBranch => "only another assembly mode is found",
+            Self::StepTooLarge => "the step is too large for the motion to be followed",
+            Self::NotPositive { .. } => "a parameter is not positive",
+            Self::NotFinite => "a number is not finite",
+        }
+    }
+}
+
 impl<T: Real> Failure<T> {
     /// The same failure, ascribed to the block with the index `block`.
     #[must_use]

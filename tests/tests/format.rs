@@ -23,22 +23,9 @@ fn read(path: &Path) -> Source {
     Source::new(path.display().to_string(), text)
 }
 
-/// All files with this extension below a folder, but those of builds.
-fn below(folder: &Path, extension: &str, found: &mut Vec<PathBuf>) {
-    found.extend(files::with_extension(folder, extension));
-    for entry in fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("a listed file").path();
-        let is_built = path.ends_with("target") || path.ends_with(".git");
-        if path.is_dir() && !is_built {
-            below(&path, extension, found);
-        }
-    }
-}
-
 fn all(extension: &str) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    below(&files::repository(), extension, &mut found);
-    found
+    // Without what was built.
+    files::below(&files::repository(), extension, &["target", ".git"])
 }
 
 /// The descriptions of the reference and of the guide.

@@ -1,12 +1,11 @@
 //! The order of the generator's rooms, and of the packages: each imports only what is named before it.
 
 use std::fs;
-use std::path::{Path, PathBuf};
 
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 20] = [
+const ORDER: [&str; 22] = [
     "diagnostic",
     "columns",
     "syntax",
@@ -23,6 +22,8 @@ const ORDER: [&str; 20] = [
     "finiteness",
     "modes",
     "emit",
+    "checks",
+    "read",
     "files",
     "stages",
     "cargo",
@@ -54,17 +55,6 @@ const PACKAGES: [(&str, &[&str]); 8] = [
 
 fn rank(room: &str) -> Option<usize> {
     ORDER.iter().position(|it| *it == room)
-}
-
-/// The Rust files of a folder and all folders in it.
-fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
-    found.extend(files::with_extension(folder, "rs"));
-    for entry in fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("a listed file").path();
-        if path.is_dir() {
-            sources(&path, found);
-        }
-    }
 }
 
 /// The names after `crate::`: one, or several in braces, which may stand on several lines. What is exported by `lib.rs` itself
@@ -151,8 +141,7 @@ fn dependencies(manifest: &str) -> Vec<String> {
 #[test]
 fn a_room_imports_only_rooms_named_before_it() {
     let folder = files::repository().join("codegen/src");
-    let mut paths = Vec::new();
-    sources(&folder, &mut paths);
+    let paths = files::below(&folder, "rs", &[]);
     let mut rooms = Vec::new();
     for path in &paths {
         let relative = path.strip_prefix(&folder).expect("a path in the folder");

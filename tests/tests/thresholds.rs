@@ -171,27 +171,14 @@ fn tokens(text: &str) -> TokenStream {
     TokenStream::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
-/// The Rust files of a folder and all folders in it, but for those of tests.
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut found = files::with_extension(folder, "rs");
-    found.retain(|path| files::stem(path) != "tests");
-    let mut folders: Vec<PathBuf> = fs::read_dir(folder)
-        .expect("a folder")
-        .map(|entry| entry.expect("a listed file").path())
-        // What `new` writes belongs to whoever it is written for.
-        .filter(|path| path.is_dir() && !["tests", "template"].iter().any(|it| path.ends_with(it)))
-        .collect();
-    folders.sort();
-    found.extend(folders.iter().flat_map(|it| sources(it)));
-    found
-}
-
 /// What all sources hold, by their paths in the repository.
 fn scanned() -> BTreeMap<String, Found> {
     let root = files::repository();
     let paths = SOURCES
         .iter()
-        .flat_map(|folder| sources(&root.join(folder)));
+        // What `new` writes belongs to whoever it is written for.
+        .flat_map(|folder| files::below(&root.join(folder), "rs", &["tests", "template"]))
+        .filter(|path| files::stem(path) != "tests");
     paths
         .map(|path| {
             let mut found = Found::default();

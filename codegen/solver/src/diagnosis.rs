@@ -87,13 +87,8 @@ fn reason(
                 None => "a coordinate, velocity or acceleration is not finite".to_string(),
             };
         }
-        FailureKind::Diverged => "Newton-Raphson runs away",
-        FailureKind::Cycling => "Newton-Raphson repeats itself",
-        FailureKind::Stalled => "Newton-Raphson stalls",
         FailureKind::WrongBranch => "Newton-Raphson finds only another assembly mode",
-        FailureKind::StepTooLarge => "the step is too large for the motion to be followed",
-        // Later versions of the runtime may know more kinds of failure; each has these figures.
-        _ => "Newton-Raphson does not converge",
+        kind => kind.words(),
     };
     if failure.iterations == 0 {
         return what.to_string();

@@ -2,9 +2,10 @@
 //!
 //! A tape is independent of its graph afterwards. It does not know how code is emitted.
 
-use super::code::{Code, Recorder, Register};
+use super::code::{Code, Register};
 use super::graph::Graph;
 use super::node::{ExprId, SymbolId};
+use super::recorder::Recorder;
 
 /// The instructions that evaluate expressions.
 #[derive(Clone, Debug)]

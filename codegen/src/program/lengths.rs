@@ -24,7 +24,7 @@ impl Lengths {
     /// Those of the whole mechanism, which the textbook view is scaled by.
     pub(super) fn of_system(system: &mut System) -> Lengths {
         let nominal = system.characteristic_length();
-        let following = system.lengths.clone();
+        let following = system.lengths.to_vec();
         Lengths {
             nominal,
             following: (!following.is_empty()).then(|| shared(following, system)),

@@ -8,7 +8,7 @@ use super::elimination::{BlockEquation, Definition, eliminate, in_order};
 use super::following::follow;
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::system::{Bound, Exceeded, SymbolRole, System, VectorForm};
+use crate::system::{Bound, Exceeded, System, VectorForm};
 
 /// The most unknowns that Newton-Raphson finds together: their dense Jacobian has a million entries.
 pub const LARGEST_TOGETHER: usize = 1000;
@@ -54,7 +54,6 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     if system.mechanism.forces.need_efforts() {
         system.shift_drivers();
     }
-    let coordinates = system.coordinates.len();
     let form = &mut system.vector_form;
     let graph = &mut system.mechanism.graph;
     let incidence = incidence(form, graph);
@@ -101,7 +100,7 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
         let at = system.mechanism.joints[joints[0]].span;
         let mut block = block(residuals, &unknowns, joints, form, graph);
         if let Some(bound) = passed(&block, graph) {
-            system.exceeded.get_or_insert(Exceeded { at, bound });
+            system.exceed(Exceeded { at, bound });
             return None;
         }
         for definition in &block.definitions {
@@ -132,14 +131,7 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
         block.joints.sort_unstable();
         block.joints.dedup();
     }
-    // Arms that were made for angles that follow others have roles too.
-    system.roles.resize(
-        system.mechanism.graph.symbol_count(),
-        SymbolRole::Intermediate,
-    );
-    system
-        .vector_form
-        .note_roles(&mut system.roles, coordinates);
+    system.note_arms();
     Some(SolvedPlan { blocks })
 }
 

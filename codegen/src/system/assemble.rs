@@ -9,7 +9,8 @@ use super::length::lengths;
 use super::pressure::pressures;
 use super::row_name::RowNames;
 use super::{
-    Bound, Described, Entry, Exceeded, Output, Row, SymbolRole, System, Unknown, VectorForm,
+    Bound, Described, Entry, Exceeded, Output, Row, Settled, SymbolRole, System, Unknown,
+    VectorForm,
 };
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -109,18 +110,18 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
     vector_form.note_roles(&mut roles, coordinates.len());
     System {
         mechanism,
-        coordinates,
-        rows,
-        monitored,
-        outputs,
-        directions,
-        rate_jacobian,
-        pressures,
+        coordinates: Settled::new(coordinates),
+        rows: Settled::new(rows),
+        monitored: Settled::new(monitored),
+        outputs: Settled::new(outputs),
+        directions: Settled::new(directions),
+        rate_jacobian: Settled::new(rate_jacobian),
+        pressures: Settled::new(pressures),
         forces,
         vector_form,
-        lengths,
-        roles,
-        exceeded: watch.exceeded,
+        lengths: Settled::new(lengths),
+        roles: Settled::new(roles),
+        exceeded: Settled::new(watch.exceeded),
     }
 }
 

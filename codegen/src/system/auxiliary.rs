@@ -52,7 +52,7 @@ impl VectorForm {
                 ["'", "''"].map(|dots| graph.symbol(&format!("{name}{dots}")));
             let estimate = in_drawing(auxiliary.kind, &joint.operands, bodies, graph);
             self.auxiliary_places.insert(position, self.unknowns.len());
-            self.unknowns.push(Unknown {
+            self.unknowns.write().push(Unknown {
                 name,
                 position,
                 rate,

@@ -304,7 +304,9 @@ impl System {
             }
             _ => [zero; 2],
         };
-        roles.resize(graph.symbol_count(), SymbolRole::Intermediate);
+        roles
+            .write()
+            .resize(graph.symbol_count(), SymbolRole::Intermediate);
         Passing {
             rows,
             body,

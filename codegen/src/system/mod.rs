@@ -19,9 +19,11 @@ mod own_columns;
 mod pressure;
 mod rate;
 mod row_name;
+mod settled;
 mod turned;
 mod vector_form;
 mod vector_sum;
+mod wishes;
 mod written_order;
 
 pub use assemble::{assemble, assemble_without};
@@ -29,6 +31,7 @@ pub use carried::{Carried, Component};
 pub use direction::{Cause, Direction};
 pub use forces::{Forces, Passing, Weight};
 pub use pressure::Pressure;
+pub use settled::Settled;
 pub use vector_form::{Arm, VectorForm};
 pub use vector_sum::VectorTerm;
 pub use written_order::WrittenOrder;
@@ -45,30 +48,30 @@ pub struct System {
     /// The mechanism; its graph holds every expression below.
     pub mechanism: Mechanism,
     /// q: x, y, φ of every moving body in written order, then the contact parameters of the joints in written order.
-    pub coordinates: Vec<Unknown>,
+    pub coordinates: Settled<Vec<Unknown>>,
     /// Φ and what is derived from it, a row per scalar equation, in written order.
-    pub rows: Vec<Row>,
+    pub rows: Settled<Vec<Row>>,
     /// Rows of joints marked `redundant` that repeat what `rows` say: not solved, but watched. In written order.
-    pub monitored: Vec<Row>,
+    pub monitored: Settled<Vec<Row>>,
     /// The motion of every declared point.
-    pub outputs: Vec<Output>,
+    pub outputs: Settled<Vec<Output>>,
     /// What the pose is moved along besides time, where a statement asks for it.
-    pub directions: Vec<Direction>,
+    pub directions: Settled<Vec<Direction>>,
     /// (Φ_q q̇ + Φ_t)_q row by row, where a sensitivity is asked for.
-    pub rate_jacobian: Vec<Vec<Entry>>,
+    pub rate_jacobian: Settled<Vec<Vec<Entry>>>,
     /// The pressure angles of cams and their followers.
-    pub pressures: Vec<Pressure>,
+    pub pressures: Settled<Vec<Pressure>>,
     /// What acts on the bodies, where forces are wanted.
     pub forces: Option<Forces>,
     /// The same constraints in vector form.
     pub vector_form: VectorForm,
     /// The lengths whose largest is what lengths are judged against, where parameters change one of them; else none, and it is
     /// the drawing's largest coordinate.
-    pub lengths: Vec<ExprId>,
+    pub lengths: Settled<Vec<ExprId>>,
     /// What each symbol of the graph is, by [`SymbolId::index`].
-    pub roles: Vec<SymbolRole>,
+    pub roles: Settled<Vec<SymbolRole>>,
     /// The bound that the equations or their solution passed, where they did: what is behind it is not derived.
-    pub exceeded: Option<Exceeded>,
+    pub exceeded: Settled<Option<Exceeded>>,
 }
 
 /// A bound that was passed.
@@ -216,11 +219,27 @@ impl System {
         }
     }
 
+    /// Notes that a bound is passed; the first one that is counts.
+    pub fn exceed(&mut self, exceeded: Exceeded) {
+        self.exceeded.write().get_or_insert(exceeded);
+    }
+
+    /// What arms are that were made for angles that follow others.
+    pub fn note_arms(&mut self) {
+        let roles = self.roles.write();
+        roles.resize(
+            self.mechanism.graph.symbol_count(),
+            SymbolRole::Intermediate,
+        );
+        self.vector_form.note_roles(roles, self.coordinates.len());
+    }
+
     /// A new symbol for a value that is computed on the way. Equal names are told apart by what follows the space.
     pub fn intermediate(&mut self, name: &str) -> SymbolId {
         let number = self.mechanism.graph.symbol_count();
         let symbol = self.mechanism.graph.symbol(&format!("{name} {number}"));
         self.roles
+            .write()
             .resize(symbol.index() + 1, SymbolRole::Intermediate);
         symbol
     }
@@ -235,9 +254,10 @@ impl System {
         let last = graph.symbol(&name);
         if self.roles.len() <= last.index() {
             self.roles
+                .write()
                 .resize(last.index() + 1, SymbolRole::Intermediate);
         }
-        self.roles[last.index()] = SymbolRole::Last(symbol);
+        self.roles.write()[last.index()] = SymbolRole::Last(symbol);
         last
     }
 
@@ -262,9 +282,10 @@ impl System {
             for symbol in self.vector_form.arms[place].symbols {
                 if self.roles.len() <= symbol.index() {
                     self.roles
+                        .write()
                         .resize(symbol.index() + 1, SymbolRole::Intermediate);
                 }
-                self.roles[symbol.index()] = SymbolRole::Arm(place);
+                self.roles.write()[symbol.index()] = SymbolRole::Arm(place);
             }
         }
         arm

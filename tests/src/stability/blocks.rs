@@ -40,10 +40,7 @@ struct State<'a> {
 impl Blocks {
     /// The solved view with nothing left out; `None` where there is none.
     pub fn new(system: &System) -> Option<Blocks> {
-        let mut system = system.clone();
-        system.mechanism.requests.clear();
-        system.mechanism.transmissions.clear();
-        system.directions.clear();
+        let mut system = system.without_directions();
         let plan = structure::plan_of_motion(&mut system)?;
         let (blocks, branches) = unpruned(&mut system, &plan);
         Some(Blocks {

@@ -3,65 +3,20 @@
 use std::collections::HashSet;
 
 use super::Torn;
+use super::completed::completed;
+use super::levels::solve_level;
+use super::rests::{inverse, rests};
 use super::sequence::{Remaining, Step};
-use super::three_circles::Circles;
-use super::turned_link::TurnedLink;
-use super::two_pins::Between;
-use crate::expr::{ExprId, Node, Number, SymbolId};
+use super::stated::Stated;
+use crate::expr::{ExprId, Node, SymbolId};
 use crate::joint::Quantity;
 use crate::program::block::NewtonBlock;
-use crate::program::builder::{Builder, Inside};
-use crate::program::forms::Solved;
+use crate::program::builder::Builder;
 use crate::program::function::{Function, Level, Statement};
-use crate::program::tearing::{self, Tearing, parted};
+use crate::program::tearing::{Tearing, parted};
 use crate::system::{SymbolRole, System};
 
-/// A step whose position has been stated.
-enum Stated {
-    Closed(Box<dyn Solved>),
-    TwoPins(Between),
-    ThreeCircles(Circles),
-}
-
-/// What remains with given tears.
-struct Rest {
-    residual: ExprId,
-    /// By each tear.
-    slopes: Vec<ExprId>,
-}
-
-/// What is found at each instant beside the unknowns.
-pub(super) fn found(
-    torn: &Torn,
-    tearing: &Tearing,
-    builder: &mut Builder<'_>,
-) -> tearing::TornFields {
-    let mut directions = Vec::with_capacity(torn.whole.unknowns.len());
-    for &unknown in &torn.whole.unknowns {
-        let name = builder.system.unknown_name(unknown).to_string();
-        directions.push(is_angle(unknown, builder).then(|| {
-            let named = |function: &str| format!("{function}_{name}");
-            ["sin", "cos"].map(|function| builder.system.intermediate(&named(function)))
-        }));
-    }
-    let tears = torn.sequence.tears.iter();
-    let names: Vec<&str> = tears.map(|&it| builder.system.unknown_name(it)).collect();
-    let name = names.join("_");
-    let signs = (1..=tearing.signs.len()).map(|number| format!("sign_{number}_{name}"));
-    let memory: Vec<String> = [format!("determinant_{name}")]
-        .into_iter()
-        .chain(signs)
-        .collect();
-    let memory = memory.iter();
-    tearing::TornFields {
-        directions,
-        memory: memory
-            .map(|name| builder.system.intermediate(name))
-            .collect(),
-    }
-}
-
-fn is_angle(unknown: usize, builder: &Builder<'_>) -> bool {
+pub(super) fn is_angle(unknown: usize, builder: &Builder<'_>) -> bool {
     builder.system.vector_form.unknowns[unknown].quantity == Quantity::Angle
 }
 
@@ -88,23 +43,7 @@ fn stated(
     builder: &mut Builder<'_>,
 ) -> Option<Tearing> {
     let sequence = &torn.sequence;
-    for &tear in &sequence.tears {
-        if is_angle(tear, builder) {
-            builder.explicit_angle(tear);
-        }
-    }
-    let (mut steps, mut sign_values) = (Vec::new(), Vec::new());
-    for step in &sequence.steps {
-        steps.push(match step {
-            Step::TwoPins(link) => Stated::TwoPins(link.position(builder)),
-            Step::ThreeCircles(circles) => Stated::ThreeCircles(circles.position(builder)),
-            Step::Closed(form) => {
-                let solved = form.position(builder);
-                sign_values.extend(sign_value(form.as_ref(), sign_values.len(), builder)?);
-                Stated::Closed(solved)
-            }
-        });
-    }
+    let (mut steps, sign_values) = positions(torn, builder)?;
     let rests = rests(torn, &mut steps, places, builder);
     let (determinant, inverse) = inverse(&rests, builder);
     let residuals = rests.iter().map(|rest| rest.residual);
@@ -118,45 +57,14 @@ fn stated(
     }
     let later = std::mem::take(&mut builder.statements);
     let completed = completed(torn, places, block, builder)?;
-    let graph = &builder.system.mechanism.graph;
-    let found = statements.iter().chain(&later).flat_map(Statement::targets);
-    let found: HashSet<SymbolId> = found.collect();
-    let read = statements.iter().chain(&later).flat_map(Statement::values);
-    let all = evaluated.iter().chain(&completed).copied();
-    let mut read = read.chain(all);
-    // What is read of the unknowns must have been found.
-    let is_missing = |symbol: &SymbolId| {
-        let unknown = match builder.system.roles[symbol.index()] {
-            SymbolRole::Position(unknown) => unknown,
-            _ => return false,
-        };
-        torn.whole.unknowns.contains(&unknown)
-            && !sequence.tears.contains(&unknown)
-            && !found.contains(symbol)
-    };
-    if read.any(|expr| graph.symbols(expr).iter().any(is_missing)) {
+    let all = statements.iter().chain(&later);
+    let results = evaluated.iter().chain(&completed).copied();
+    if reads_unfound(torn, all, results, builder.system) {
         return None;
     }
+    let graph = &builder.system.mechanism.graph;
     let (evaluate, complete, carried) = parted(&statements, evaluated, completed, &later, graph);
-    let scales: Vec<(usize, ExprId)> = sequence
-        .remaining
-        .iter()
-        .map(|remaining| match *remaining {
-            Remaining::Equation(at) => (at, builder.graph().one()),
-            Remaining::Length { step, equation } => match steps[step].link() {
-                Some(link) => (equation, link.length(builder)),
-                None => (equation, builder.graph().one()),
-            },
-        })
-        .collect();
-    let terms = sequence.remaining.iter().map(|remaining| match *remaining {
-        Remaining::Equation(at) => {
-            let scale = block.scaled_by[0].scale(block.quantities[at]);
-            (magnitude(torn.whole.residuals[at], builder.system) / scale).max(1.0)
-        }
-        Remaining::Length { .. } => 1.0,
-    });
-    let terms = terms.collect();
+    let (scales, terms) = scales(torn, &steps, block, builder);
     let proof = match (&sequence.steps[..], &sequence.tears[..]) {
         (&[Step::ThreeCircles(ref circles)], &[tear]) => {
             let shifts = builder.derivatives.shifts();
@@ -185,6 +93,84 @@ fn stated(
         complete,
         sign_values: Function::of_results(sign_values),
     })
+}
+
+/// The steps with their positions stated, and what has the signs of closed forms among them.
+fn positions(torn: &Torn, builder: &mut Builder<'_>) -> Option<(Vec<Stated>, Vec<ExprId>)> {
+    for &tear in &torn.sequence.tears {
+        if is_angle(tear, builder) {
+            builder.explicit_angle(tear);
+        }
+    }
+    let (mut steps, mut sign_values) = (Vec::new(), Vec::new());
+    for step in &torn.sequence.steps {
+        steps.push(match step {
+            Step::TwoPins(link) => Stated::TwoPins(link.position(builder)),
+            Step::ThreeCircles(circles) => Stated::ThreeCircles(circles.position(builder)),
+            Step::Closed(form) => {
+                let solved = form.position(builder);
+                sign_values.extend(sign_value(form.as_ref(), sign_values.len(), builder)?);
+                Stated::Closed(solved)
+            }
+        });
+    }
+    Some((steps, sign_values))
+}
+
+/// Whether these statements and results read the position of an unknown that nothing has found.
+fn reads_unfound<'a>(
+    torn: &Torn,
+    statements: impl Iterator<Item = &'a Statement> + Clone,
+    results: impl Iterator<Item = ExprId>,
+    system: &System,
+) -> bool {
+    let graph = &system.mechanism.graph;
+    let found: HashSet<SymbolId> = statements.clone().flat_map(Statement::targets).collect();
+    let mut read = statements.flat_map(Statement::values).chain(results);
+    let is_missing = |symbol: &SymbolId| {
+        let unknown = match system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => unknown,
+            _ => return false,
+        };
+        torn.whole.unknowns.contains(&unknown)
+            && !torn.sequence.tears.contains(&unknown)
+            && !found.contains(symbol)
+    };
+    read.any(|expr| graph.symbols(expr).iter().any(is_missing))
+}
+
+/// Of what remains, which of the block's equations it is and what its residual is multiplied by to be scaled as that equation; and the size
+/// of its terms in the drawing, at least 1.
+fn scales(
+    torn: &Torn,
+    steps: &[Stated],
+    block: &NewtonBlock,
+    builder: &mut Builder<'_>,
+) -> (Vec<(usize, ExprId)>, Vec<f64>) {
+    let scales: Vec<(usize, ExprId)> = torn
+        .sequence
+        .remaining
+        .iter()
+        .map(|remaining| match *remaining {
+            Remaining::Equation(at) => (at, builder.graph().one()),
+            Remaining::Length { step, equation } => match steps[step].link() {
+                Some(link) => (equation, link.length(builder)),
+                None => (equation, builder.graph().one()),
+            },
+        })
+        .collect();
+    let terms = torn
+        .sequence
+        .remaining
+        .iter()
+        .map(|remaining| match *remaining {
+            Remaining::Equation(at) => {
+                let scale = block.scaled_by[0].scale(block.quantities[at]);
+                (magnitude(torn.whole.residuals[at], builder.system) / scale).max(1.0)
+            }
+            Remaining::Length { .. } => 1.0,
+        });
+    (scales, terms.collect())
 }
 
 /// The sum of the magnitudes of a sum's terms in the drawing.
@@ -226,272 +212,5 @@ fn sign_value(
         (true, _) => Some(Some(value)),
         (_, true) => Some(Some(graph.negate(value))),
         _ => None,
-    }
-}
-
-/// The residuals and their derivatives by the tears, once all steps are stated.
-fn rests(
-    torn: &Torn,
-    steps: &mut [Stated],
-    places: &[usize],
-    builder: &mut Builder<'_>,
-) -> Vec<Rest> {
-    for step in steps.iter_mut() {
-        if let Stated::Closed(solved) = step {
-            solved.prepare(builder);
-        }
-    }
-    for &place in places {
-        for step in steps.iter_mut() {
-            step.rates(Level::Response(place), builder);
-        }
-    }
-    let mut rests = Vec::with_capacity(places.len());
-    for remaining in &torn.sequence.remaining {
-        let residual = match *remaining {
-            Remaining::Length { step, .. } => match steps[step].link() {
-                Some(link) => link.residual(builder),
-                None => builder.graph().zero(),
-            },
-            Remaining::Equation(at) => torn.whole.residuals[at],
-        };
-        let residual = builder.value("rest", residual);
-        let mut slopes = Vec::with_capacity(places.len());
-        for &place in places {
-            let slope = rest_rate(torn, steps, *remaining, Level::Response(place), builder);
-            slopes.push(builder.value("slope", slope));
-        }
-        rests.push(Rest { residual, slopes });
-    }
-    rests
-}
-
-/// The rate of what remains.
-fn rest_rate(
-    torn: &Torn,
-    steps: &[Stated],
-    remaining: Remaining,
-    level: Level,
-    builder: &mut Builder<'_>,
-) -> ExprId {
-    match remaining {
-        Remaining::Equation(at) => builder.rate_at(torn.whole.residuals[at], level),
-        Remaining::Length { step, .. } => match steps[step].link() {
-            Some(link) => link.residual_rate(level, builder),
-            None => builder.graph().zero(),
-        },
-    }
-}
-
-/// The determinant of the derivatives, and their inverse row by row, by Cramer's rule.
-fn inverse(rests: &[Rest], builder: &mut Builder<'_>) -> (ExprId, Vec<ExprId>) {
-    let one = builder.graph().one();
-    match rests {
-        [first, second] => {
-            let ([a, b], [c, d]) = (
-                [first.slopes[0], first.slopes[1]],
-                [second.slopes[0], second.slopes[1]],
-            );
-            let determinant = builder.cross([a, b], [c, d]);
-            let determinant = builder.value("determinant", determinant);
-            let ratio = builder.graph().divide(one, determinant);
-            let ratio = builder.value("inverse", ratio);
-            let minus = builder.negated([b, c]);
-            let entries = [d, minus[0], minus[1], a];
-            let entries = entries.map(|entry| builder.graph().multiply(entry, ratio));
-            let entries = entries.map(|entry| builder.value("inverse", entry));
-            (determinant, entries.to_vec())
-        }
-        _ => {
-            let determinant = rests.first().map_or(one, |rest| rest.slopes[0]);
-            let inverse = builder.graph().divide(one, determinant);
-            let inverse = builder.value("inverse", inverse);
-            (determinant, vec![inverse])
-        }
-    }
-}
-
-/// States what a level finds: what everything does while the tears rest, then what the tears do, then both together.
-fn solve_level(
-    torn: &Torn,
-    steps: &mut [Stated],
-    places: &[usize],
-    inverse: &[ExprId],
-    level: Level,
-    builder: &mut Builder<'_>,
-) {
-    let before = std::mem::take(&mut builder.statements);
-    for step in steps.iter_mut() {
-        step.rates(level, builder);
-    }
-    let own = std::mem::replace(&mut builder.statements, before);
-    let symbol_at = |unknown: usize, builder: &Builder<'_>| {
-        let unknown = &builder.system.vector_form.unknowns[unknown];
-        match level {
-            Level::Velocity => unknown.rate,
-            _ => unknown.acceleration,
-        }
-    };
-    let zero = builder.graph().zero();
-    let tears: Vec<SymbolId> = torn
-        .sequence
-        .tears
-        .iter()
-        .map(|&tear| symbol_at(tear, builder))
-        .collect();
-    let mut held: Vec<(SymbolId, ExprId)> = tears.iter().map(|&tear| (tear, zero)).collect();
-    let mut moved: Vec<(SymbolId, ExprId, ExprId)> = Vec::new();
-    for statement in own {
-        let Statement::Let { target, value, .. } = statement else {
-            builder.state(statement);
-            continue;
-        };
-        let at_rest = builder.graph().substitute(value, &held);
-        if at_rest == value {
-            builder.assign(target, value);
-            continue;
-        }
-        let name = format!("{}_held", builder.system.symbol_name(target));
-        let resting = builder.value(&name, at_rest);
-        held.push((target, resting));
-        moved.push((target, value, resting));
-    }
-    let mut drifts = Vec::with_capacity(places.len());
-    for remaining in &torn.sequence.remaining {
-        let drift = rest_rate(torn, steps, *remaining, level, builder);
-        let drift = builder.graph().substitute(drift, &held);
-        drifts.push(builder.value("drift", drift));
-    }
-    for (row, &tear) in inverse.chunks(places.len()).zip(&tears) {
-        let terms = row.iter().zip(&drifts);
-        let terms: Vec<ExprId> = terms
-            .map(|(&entry, &drift)| builder.graph().multiply(entry, drift))
-            .collect();
-        let sum = builder.graph().sum(&terms);
-        let value = builder.graph().negate(sum);
-        builder.assign(tear, value);
-    }
-    for (target, value, resting) in moved {
-        let unknown = match builder.system.roles[target.index()] {
-            SymbolRole::Rate(unknown) | SymbolRole::Acceleration(unknown) => Some(unknown),
-            _ => None,
-        };
-        let whole = match unknown {
-            None => value,
-            Some(unknown) => {
-                let mut terms = vec![resting];
-                for (&place, &tear) in places.iter().zip(&tears) {
-                    let response = builder
-                        .derivatives
-                        .of_unknown(unknown, place, builder.system);
-                    let tear = builder.graph().variable(tear);
-                    terms.push(builder.graph().multiply(response, tear));
-                }
-                builder.graph().sum(&terms)
-            }
-        };
-        builder.assign(target, whole);
-    }
-}
-
-/// Of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then all residuals; then how
-/// the unknowns respond to the tears, in scales.
-fn completed(
-    torn: &Torn,
-    places: &[usize],
-    block: &NewtonBlock,
-    builder: &mut Builder<'_>,
-) -> Option<Vec<ExprId>> {
-    let zero = builder.graph().zero();
-    let unknowns = &torn.whole.unknowns;
-    let (mut cosines, mut sines) = (Vec::new(), Vec::new());
-    for &unknown in unknowns {
-        if is_angle(unknown, builder) {
-            let inside = builder.inside.as_ref()?;
-            let direction = inside.directions.get(&unknown)?;
-            cosines.push(direction.cosine);
-            sines.push(direction.sine);
-        } else {
-            cosines.push(builder.position(unknown));
-            sines.push(zero);
-        }
-    }
-    let mut results = [cosines, sines].concat();
-    for level in [Level::Velocity, Level::Acceleration] {
-        for &unknown in unknowns {
-            let unknown = &builder.system.vector_form.unknowns[unknown];
-            let symbol = match level {
-                Level::Velocity => unknown.rate,
-                _ => unknown.acceleration,
-            };
-            results.push(builder.graph().variable(symbol));
-        }
-    }
-    results.extend(&torn.whole.residuals);
-    let scale = |unknown: usize, builder: &Builder<'_>| {
-        let quantity = builder.system.vector_form.unknowns[unknown].quantity;
-        block.scaled_by[1].scale(quantity)
-    };
-    for (&place, &tear) in places.iter().zip(&torn.sequence.tears) {
-        let own = scale(tear, builder);
-        for &unknown in unknowns
-            .iter()
-            .filter(|&it| !torn.sequence.tears.contains(it))
-        {
-            let response = builder
-                .derivatives
-                .of_unknown(unknown, place, builder.system);
-            let factor = own / scale(unknown, builder);
-            results.push(match factor == 1.0 {
-                true => response,
-                false => builder.graph().scale(Number::float(factor), response),
-            });
-        }
-    }
-    Some(results)
-}
-
-impl Stated {
-    fn rates(&mut self, level: Level, builder: &mut Builder<'_>) {
-        match self {
-            Stated::Closed(solved) => solved.rates(level, builder),
-            Stated::TwoPins(between) => between.rates(level, builder),
-            Stated::ThreeCircles(circles) => circles.rates(level, builder),
-        }
-    }
-
-    /// The link whose length remains to be met.
-    fn link(&self) -> Option<&TurnedLink> {
-        match self {
-            Stated::Closed(_) => None,
-            Stated::TwoPins(between) => Some(&between.link),
-            Stated::ThreeCircles(circles) => circles.first(),
-        }
-    }
-}
-
-/// What a builder had stated before a torn block.
-pub(super) struct Before {
-    statements: Vec<Statement>,
-    defined: HashSet<SymbolId>,
-    writes_prose: bool,
-}
-
-impl Builder<'_> {
-    /// Begins to state closed forms inside a torn block, as if nothing had been stated.
-    fn begin_inside(&mut self) -> Before {
-        self.inside = Some(Inside::default());
-        Before {
-            statements: std::mem::take(&mut self.statements),
-            defined: std::mem::take(&mut self.defined),
-            writes_prose: std::mem::replace(&mut self.writes_prose, false),
-        }
-    }
-
-    fn end_inside(&mut self, before: Before) {
-        self.inside = None;
-        self.statements = before.statements;
-        self.defined = before.defined;
-        self.writes_prose = before.writes_prose;
     }
 }

@@ -6,8 +6,12 @@
 //! while the tears rest, then what the tears do, then both together. Where a closed form inside is nearly singular, although the whole
 //! need not be, all equations are solved at once.
 
+mod completed;
 mod functions;
+mod levels;
+mod rests;
 mod sequence;
+mod stated;
 mod three_circles;
 mod turned_link;
 mod two_pins;
@@ -21,6 +25,7 @@ use crate::program::builder::{Builder, Direction};
 use crate::program::function::Statement;
 use crate::system::{System, VectorForm};
 use crate::words::{Phrase, Piece, Singular, enumerated, phrase};
+
 pub(in crate::program::forms) use sequence::Sequence;
 use sequence::{Remaining, Search, Step};
 
@@ -100,7 +105,7 @@ impl Form for Torn {
         self.open(builder);
         builder.statements.extend(said);
         let found = self.whole.found(builder);
-        let torn = functions::found(self, &tearing, builder);
+        let torn = completed::found(self, &tearing, builder);
         let directions = torn.directions.clone();
         block.tearing = Some(tearing);
         builder.state(Statement::Newton {

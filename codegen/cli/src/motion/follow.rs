@@ -1,0 +1,207 @@
+//! *A motion that is assembled, and a schedule* → *its wanted instants, handed on in the order of time*, and what is remembered of them.
+
+use std::io;
+
+use linkwright::PointMotion;
+use linkwright_solver::approach::Watch;
+use linkwright_solver::instant::Instant;
+use linkwright_solver::number::time;
+use linkwright_solver::schedule::Schedule;
+use linkwright_solver::trajectory::follow;
+use linkwright_solver::view::View;
+use linkwright_solver::warnings::warnings;
+
+use super::{Followed, Row, Shown, Sink, of_coordinate};
+
+/// A measure below this is worth a warning: three digits fewer can be trusted there than elsewhere.
+const CLOSE: f64 = 1e-3;
+
+impl<V: View> Followed<V> {
+    /// Follows the motion over the rest of the schedule, and hands wanted instants on in the order of time; `reached` hears how many
+    /// times were visited.
+    ///
+    /// # Errors
+    /// Those of the sinks, which end it.
+    pub fn follow(
+        &mut self,
+        schedule: &Schedule,
+        sinks: &mut [&mut dyn Sink],
+        mut reached: impl FnMut(usize),
+    ) -> io::Result<()> {
+        let Some(mut shell) = self.shell.take() else {
+            return Ok(());
+        };
+        let laws = self.view.input_laws();
+        let mut watch = self.view.measures().map(|it| Watch::new(it, laws.clone()));
+        let mut end = None;
+        let mut approaches = Vec::new();
+        let mut earlier: Vec<(Instant, Vec<f64>)> = Vec::new();
+        let start = shell.frame().clone();
+        if schedule.backward.length() > 0 {
+            let (mut shell, mut watch) = (shell.clone(), watch.clone());
+            if let Some(watch) = &mut watch {
+                watch.see(&shell);
+            }
+            end = follow(&mut shell, &laws, &schedule.backward, |shell, wanted| {
+                let instant = shell.frame();
+                let sizes = watch.as_mut().map_or(Vec::new(), |watch| watch.see(shell));
+                if wanted {
+                    earlier.push((instant.clone(), sizes));
+                }
+                self.visits += 1;
+                reached(self.visits);
+                Ok::<(), io::Error>(())
+            })?;
+            approaches.extend(watch.map_or(Vec::new(), |watch| watch.finish(&shell)));
+        }
+        for (instant, sizes) in earlier.iter().rev() {
+            self.show(instant, sizes, sinks)?;
+        }
+        let sizes = watch.as_mut().map_or(Vec::new(), |watch| watch.see(&shell));
+        if schedule.start.wanted {
+            self.show(&start, &sizes, sinks)?;
+        }
+        if end.is_none() {
+            end = follow(&mut shell, &laws, &schedule.forward, |shell, wanted| {
+                let instant = shell.frame();
+                let sizes = watch.as_mut().map_or(Vec::new(), |watch| watch.see(shell));
+                self.visits += 1;
+                reached(self.visits);
+                match wanted {
+                    true => self.show(instant, &sizes, sinks),
+                    false => Ok(()),
+                }
+            })?;
+            approaches.extend(watch.map_or(Vec::new(), |watch| watch.finish(&shell)));
+        }
+        self.warnings = warnings(&approaches, self.view.singular_poses(), CLOSE);
+        self.error = end.map(|end| self.view.ended(&end.failure, &end.last));
+        self.finish();
+        self.view = shell.blocks().clone();
+        Ok(())
+    }
+
+    /// What is said once all instants have been seen.
+    pub(super) fn finish(&mut self) {
+        let pulls = self.force_names.iter().zip(&self.pulls);
+        let pulls = pulls.filter_map(|((name, _), t)| Some((name, (*t)?)));
+        let parted = pulls.map(|(name, t)| {
+            let t = time(t);
+            format!(
+                "{name} is negative at t = {t} s: the bodies would have to pull there, and part"
+            )
+        });
+        self.warnings.extend(parted);
+        if let (Some(last), Some(number)) = (&self.last, self.count.checked_sub(1)) {
+            let row = self.row(number, last, self.motions(last), self.forces(last));
+            self.rows.end(row);
+        }
+    }
+
+    pub(super) fn show(
+        &mut self,
+        instant: &Instant,
+        sizes: &[f64],
+        sinks: &mut [&mut dyn Sink],
+    ) -> io::Result<()> {
+        self.residuals.see(instant);
+        self.pressure.see(instant);
+        let is_row = self.rows.keeps(self.count);
+        let measures: Vec<f64> = match self.wanted.monitor {
+            true => sizes
+                .iter()
+                .zip(&self.measured)
+                .map(|(size, part)| part.bounded(*size))
+                .collect(),
+            false => Vec::new(),
+        };
+        for (place, measure) in measures.iter().enumerate() {
+            if self
+                .smallest_measure
+                .is_none_or(|(_, _, smallest)| *measure < smallest)
+            {
+                self.smallest_measure = Some((place, instant.t(), *measure));
+            }
+        }
+        let forces = self.forces(instant);
+        for (largest, force) in self.largest_forces.iter_mut().zip(forces.iter().flatten()) {
+            if force.abs() > largest.0.abs() {
+                *largest = (*force, instant.t());
+            }
+        }
+        let pressures = self.force_names.iter().zip(forces.iter().flatten());
+        for (pulls, ((name, _), force)) in self.pulls.iter_mut().zip(pressures) {
+            if name.ends_with("_pressure") && *force < 0.0 {
+                pulls.get_or_insert(instant.t());
+            }
+        }
+        if is_row || self.course.is_some() || !sinks.is_empty() {
+            let motions = self.motions(instant);
+            if let Some(course) = &mut self.course {
+                let forces = forces.as_deref().unwrap_or_default();
+                course.push(instant, &motions, &self.wanted.coordinates, forces);
+            }
+            if !sinks.is_empty() {
+                let asked = !self.derivative_names.is_empty();
+                let derivatives = if asked {
+                    self.view.derivatives(instant)
+                } else {
+                    Some(Vec::new())
+                };
+                let shown = Shown {
+                    instant,
+                    motions: &motions,
+                    derivatives: derivatives.as_deref(),
+                    forces: forces.as_deref(),
+                    measures: &measures,
+                };
+                for sink in sinks.iter_mut() {
+                    sink.take(&shown)?;
+                }
+            }
+            if is_row {
+                let row = self.row(self.count, instant, motions, forces);
+                self.rows.push(row);
+            }
+        }
+        self.last = Some(match self.last.take() {
+            Some(mut last) => {
+                last.clone_from(instant);
+                last
+            }
+            None => instant.clone(),
+        });
+        self.count += 1;
+        Ok(())
+    }
+
+    fn motions(&self, instant: &Instant) -> Vec<PointMotion> {
+        let all = self.view.points(instant);
+        self.wanted.points.iter().map(|&point| all[point]).collect()
+    }
+
+    /// The forces that are asked for; `None` where they are not known.
+    fn forces(&self, instant: &Instant) -> Option<Vec<f64>> {
+        match self.force_names.is_empty() {
+            true => Some(Vec::new()),
+            false => self.view.forces(instant),
+        }
+    }
+
+    fn row(
+        &self,
+        number: usize,
+        instant: &Instant,
+        motions: Vec<PointMotion>,
+        forces: Option<Vec<f64>>,
+    ) -> Row {
+        let coordinates = self.wanted.coordinates.iter();
+        Row {
+            number,
+            t: instant.t(),
+            motions,
+            coordinates: coordinates.map(|it| of_coordinate(instant, *it)).collect(),
+            forces: forces.unwrap_or_else(|| vec![f64::NAN; self.force_names.len()]),
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! *A mechanism* → *what it is made of*: bodies, coordinates, what it is given, equations, degrees of freedom.
+
+use std::io::{self, Write};
+
+use linkwright_codegen::stages::emit::Notation;
+use linkwright_codegen::stages::emit::text::formula;
+use linkwright_codegen::stages::model::{Body, Role};
+use linkwright_solver::check::equation_count;
+use linkwright_solver::view::View;
+
+use super::listing::{line, list, shortened};
+use crate::motion::Followed;
+
+pub(super) fn mechanism<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let system = motion.system();
+    let moving = system.mechanism.moving_bodies().iter();
+    let (angles, bodies): (Vec<&Body>, Vec<&Body>) = moving.partition(|body| body.is_angle());
+    for (title, all) in [("bodies", bodies), ("angles", angles)] {
+        if title == "bodies" || !all.is_empty() {
+            let names = all.iter().map(|body| body.name.clone());
+            list(output, title, all.len(), names)?;
+        }
+    }
+    let names = system.coordinates.iter().map(|it| it.name.clone());
+    shortened(output, "coordinates", system.coordinates.len(), names)?;
+    given(motion, output)?;
+    for (title, role) in [
+        ("constraint equations", Role::Constraint),
+        ("driver equations", Role::Driver),
+    ] {
+        let joints = system.mechanism.joints.iter().enumerate();
+        let labels = joints
+            .filter(|(_, joint)| joint.role == role)
+            .map(|(index, joint)| {
+                match system.rows.iter().filter(|row| row.joint == index).count() {
+                    1 => joint.label.clone(),
+                    rows => format!("{} [{rows}]", joint.label),
+                }
+            });
+        list(output, title, equation_count(system, role), labels)?;
+    }
+    let free = system
+        .coordinates
+        .len()
+        .saturating_sub(equation_count(system, Role::Constraint));
+    let driven = equation_count(system, Role::Driver);
+    let text = format!(
+        "{free} without drivers, {} with them",
+        free.saturating_sub(driven)
+    );
+    line(output, "degrees of freedom", &text)
+}
+
+/// The parameters and inputs with what they are here.
+fn given<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let system = motion.system();
+    let mechanism = &system.mechanism;
+    let parameters = mechanism.parameters.iter().map(|own| {
+        let value = mechanism.graph.nominal(own.symbol).unwrap_or(f64::NAN);
+        format!("{} = {value} {}", own.name, own.dimension.unit())
+    });
+    if !mechanism.parameters.is_empty() {
+        list(output, "parameters", mechanism.parameters.len(), parameters)?;
+    }
+    let inputs = mechanism.inputs.iter().map(|own| {
+        let signal = formula(system, &[], Notation::Ascii, own.signal[0]);
+        format!("{} = {signal} {}", own.name, own.dimension.unit())
+    });
+    if !mechanism.inputs.is_empty() {
+        list(output, "inputs", mechanism.inputs.len(), inputs)?;
+    }
+    Ok(())
+}

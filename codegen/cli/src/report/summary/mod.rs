@@ -1,0 +1,195 @@
+//! *A motion* → *what a person reads*: the mechanism, its equations, the start, the motion of the points, the residuals.
+
+mod listing;
+mod mechanism;
+mod motions;
+
+use std::io::{self, Write};
+
+use linkwright_solver::diagnosis::unit;
+use linkwright_solver::number::{counted, fixed, scientific, time};
+use linkwright_solver::view::View;
+
+use super::first_step;
+use super::forces;
+use crate::arguments::{Reported, TurnUnit};
+use crate::motion::Followed;
+use listing::line;
+use mechanism::mechanism;
+use motions::motions;
+
+/// The width that lists are wrapped to, in characters.
+const WIDTH: usize = 110;
+
+/// What a summary shows, and how.
+#[derive(Clone, Copy, Debug)]
+pub struct Layout {
+    /// A table of every shown point, and not of the first few that move.
+    pub points_chosen: bool,
+    /// A table of every shown coordinate, and not all beside one another.
+    pub coordinates_chosen: bool,
+    /// The unit of angles.
+    pub angles: TurnUnit,
+    /// The first Newton-Raphson step, too.
+    pub first_step: bool,
+}
+
+impl Layout {
+    /// As what is reported asks, without the first step.
+    pub fn of(reported: &Reported) -> Layout {
+        Layout {
+            points_chosen: !reported.points.is_empty(),
+            coordinates_chosen: !reported.show.is_empty(),
+            angles: reported.angles,
+            first_step: false,
+        }
+    }
+}
+
+/// Writes the summary; without frames only what is known of the mechanism itself.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write<V: View>(
+    motion: &Followed<V>,
+    layout: &Layout,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    writeln!(output, "{}", motion.title())?;
+    start(motion, output)?;
+    mechanism(motion, output)?;
+    if layout.first_step {
+        first_step::write(&motion.view, motion.start, output)?;
+    }
+    if motion.count == 0 {
+        return Ok(());
+    }
+    motions(motion, layout, output)?;
+    forces::write(motion, output)?;
+    writeln!(output)?;
+    pressure_angles(motion, output)?;
+    closest(motion, output)?;
+    residuals(motion, output)?;
+    integration(motion, output)
+}
+
+/// Where blocks are closest to singular, where that is asked for.
+fn closest<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    if !motion.wanted.monitor {
+        return Ok(());
+    }
+    match motion.smallest_measure {
+        Some((place, t, measure)) => writeln!(
+            output,
+            "closest to singular\n  {} = {} at t = {} s\n",
+            motion.measure_names[place],
+            fixed(measure, 6),
+            time(t)
+        ),
+        None => writeln!(output, "closest to singular\n  no block can be\n"),
+    }
+}
+
+fn pressure_angles<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let found = &motion.pressure.largest;
+    if found.is_empty() {
+        return Ok(());
+    }
+    writeln!(output, "largest pressure angles")?;
+    for largest in found {
+        let text = match largest.angle {
+            Some(angle) => format!(
+                "{}° at t = {} s",
+                fixed(angle.to_degrees(), 2),
+                time(largest.t)
+            ),
+            None => "none, the follower rests".to_string(),
+        };
+        writeln!(output, "  {}  {text}", largest.joint)?;
+    }
+    writeln!(output)
+}
+
+fn start<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let when = match motion.is_assembled {
+        true => format!("at t = {} s", time(motion.start)),
+        false => "in the drawing".to_string(),
+    };
+    let text = format!(
+        "det Φ_q = {}, reciprocal condition {} (dimensionless: {})",
+        scientific(motion.condition.determinant, 6),
+        scientific(motion.condition.reciprocal, 2),
+        scientific(motion.dimensionless_condition.reciprocal, 2),
+    );
+    line(output, &when, &text)
+}
+
+fn residuals<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let found = &motion.residuals.largest;
+    let system = motion.system();
+    let frames = counted(motion.count, "frame");
+    writeln!(output, "largest residuals over {frames}")?;
+    let joint = system.rows.get(found.row).map(|row| row.joint);
+    let place = match joint {
+        Some(joint) if found.position > 0.0 => {
+            format!(" in {}", system.mechanism.joints[joint].label)
+        }
+        _ => String::new(),
+    };
+    let unit = match system.rows.is_empty() {
+        true => String::new(),
+        false => unit(system, found.row),
+    };
+    let text = format!(
+        "{} {unit}{place}; relative to its terms at most {}",
+        scientific(found.position, 1),
+        scientific(found.scaled, 1)
+    );
+    line(output, "|Φ|", &text)?;
+    if let Some(most) = found.monitored {
+        let row = &system.monitored[found.monitored_row];
+        let joint = &system.mechanism.joints[row.joint].label;
+        let text = format!("{} in {joint}", scientific(most, 1));
+        line(output, "redundant equations", &text)?;
+    }
+    line(output, "|Φ_q q̇ + Φ_t|", &scientific(found.velocity, 1))?;
+    line(output, "|Φ_q q̈ - γ|", &scientific(found.acceleration, 1))?;
+    let [steps, solves] = motion.view.newton_steps();
+    let steps = match solves {
+        0 => format!(
+            "none in {}: all blocks have closed forms",
+            counted(motion.visits, "instant")
+        ),
+        _ => format!(
+            "{steps} in {}, polishing included",
+            counted(solves as usize, "solve")
+        ),
+    };
+    line(output, "Newton-Raphson steps", &steps)
+}
+
+/// What the integration has taken, and how well it keeps the energy.
+fn integration<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+    let Some(found) = &motion.simulated else {
+        return Ok(());
+    };
+    let effort = &found.effort;
+    writeln!(output, "\nintegration of the free coordinates")?;
+    let steps = format!(
+        "{}, {} tried in vain",
+        counted(effort.steps as usize, "step"),
+        effort.rejected
+    );
+    line(output, "steps", &steps)?;
+    line(output, "evaluations", &effort.evaluations.to_string())?;
+    let drift = match found.drift {
+        Some((drift, t)) => format!(
+            "{} J at t = {} s, beside a kinetic energy of up to {} J",
+            scientific(drift, 1),
+            time(t),
+            scientific(found.kinetic, 3)
+        ),
+        None => "not known, since drivers bring in work".to_string(),
+    };
+    line(output, "drift of the energy", &drift)
+}

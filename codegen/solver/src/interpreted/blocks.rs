@@ -1,0 +1,218 @@
+//! *The interpreted blocks* → *what a [`Shell`](linkwright::Shell) is generic over*, as a generated module gives it: modes, estimates,
+//! one frame from the last, names for failures.
+//!
+//! Deliberately unknown here: how a motion is followed.
+
+use linkwright::blocks::first_not_positive;
+use linkwright::closed_form::failed;
+use linkwright::{
+    BlockName, Blocks, Branch, Conditions, Failure, FailureKind, Pair, PointMotion, Span, Tube,
+    Values,
+};
+use linkwright_codegen::stages::emit::derivation::BlockWords;
+
+use super::Interpreted;
+use super::compiled::Compiled;
+use crate::instant::Instant;
+use crate::path::InterpretedPath;
+use crate::supplied::{InputSignals, Modes, Numbers, ParameterValues, Pose};
+use crate::view::View;
+
+impl Blocks for Interpreted {
+    type Scalar = f64;
+    type Frame = Instant;
+    type Coordinates = Pose;
+    type Branches = Modes;
+    type Parameters = ParameterValues;
+    type Inputs = InputSignals;
+    type Tubes = Vec<Tube>;
+
+    fn is_guarded(&self) -> bool {
+        self.compiled.path.is_some()
+    }
+
+    fn tubes(&self) -> Vec<Tube> {
+        let count = self
+            .compiled
+            .path
+            .as_ref()
+            .map_or(0, InterpretedPath::tube_count);
+        Vec::with_capacity(count)
+    }
+
+    fn keeps_to_path(
+        &self,
+        pair: &Pair<'_, Interpreted>,
+        span: &Span,
+        tubes: &mut Vec<Tube>,
+    ) -> Result<(), u16> {
+        let path = self.compiled.path.as_ref();
+        let [registers, _] = &mut *self.path_registers.borrow_mut();
+        path.map_or(Ok(()), |path| path.keep(pair, span, tubes, registers))
+    }
+
+    fn is_closed(&self) -> bool {
+        let path = self.compiled.path.as_ref();
+        path.is_some_and(InterpretedPath::is_closed)
+    }
+
+    fn stays_regular(&self, pair: &Pair<'_, Interpreted>, span: &Span) -> Result<(), u16> {
+        let path = self.compiled.path.as_ref();
+        let [_, registers] = &mut *self.path_registers.borrow_mut();
+        path.map_or(Ok(()), |path| path.stay(pair, span, registers))
+    }
+
+    fn is_within(&self, at: &Instant, tubes: &Vec<Tube>, steps: f64) -> bool {
+        let path = self.compiled.path.as_ref();
+        path.is_none_or(|path| path.are_within(at, tubes, steps))
+    }
+
+    fn nominal_parameters(&self) -> ParameterValues {
+        Numbers::nominal_parameters(self.system())
+    }
+
+    fn initial_inputs(&self) -> InputSignals {
+        InputSignals::initial(self.system())
+    }
+
+    fn drawn_branches(&self) -> Modes {
+        let drawn = |positive| {
+            if positive {
+                Branch::Positive
+            } else {
+                Branch::Negative
+            }
+        };
+        let newtons = self.compiled.program.blocks.iter();
+        let newtons = newtons.filter_map(|block| block.newton.as_ref());
+        Modes {
+            closed: self
+                .compiled
+                .program
+                .branches
+                .iter()
+                .map(|it| drawn(it.is_positive()))
+                .collect(),
+            iterated: newtons
+                .map(|newton| newton.drawn.sign().map(drawn))
+                .collect(),
+        }
+    }
+
+    fn exchanged(&self, modes: &Modes, block: u16) -> Option<Modes> {
+        let block = self.compiled.blocks.get(usize::from(block))?;
+        let mut modes = modes.clone();
+        match (&block.newton, &block.closed[..]) {
+            (Some(_), _) => {
+                let mode = modes.iterated.get_mut(block.iterated)?;
+                *mode = Some((*mode)?.opposite());
+            }
+            (None, &[place]) => modes.closed[place] = modes.closed[place].opposite(),
+            _ => return None,
+        }
+        Some(modes)
+    }
+
+    fn drawn_pose(&self, parameters: &ParameterValues) -> Pose {
+        let mut drawn = self.compiled.drawn(parameters);
+        drawn.truncate(self.system().coordinates.len());
+        Numbers(drawn)
+    }
+
+    fn estimate(&self, pose: &Pose, parameters: &ParameterValues, t: f64) -> Instant {
+        let Compiled { system, layout, .. } = &*self.compiled;
+        let mut instant = layout.empty();
+        let drawn = self.compiled.drawn(parameters);
+        let unknowns = system.vector_form.unknowns.iter().zip(drawn);
+        let values = instant.values_mut();
+        values[0] = t;
+        values[1..=parameters.0.len()].copy_from_slice(&parameters.0);
+        for (place, (unknown, drawn)) in unknowns.enumerate() {
+            if let Some(slot) = layout.slot(unknown.position) {
+                values[slot] = pose.value(place).unwrap_or(drawn);
+            }
+        }
+        instant
+    }
+
+    fn time(frame: &Instant) -> f64 {
+        frame.t()
+    }
+
+    fn solve(
+        &self,
+        at: &mut Instant,
+        last: &Instant,
+        modes: &mut Modes,
+        conditions: &Conditions<'_, f64, ParameterValues, InputSignals>,
+    ) -> Result<(), Failure> {
+        let registers = &mut *self.registers.borrow_mut();
+        let Conditions {
+            t,
+            start,
+            parameters,
+            inputs,
+            settings,
+        } = *conditions;
+        self.compiled.fill(registers, last, t, parameters, inputs);
+        self.compiled.set_signs(registers, modes);
+        for index in 0..self.compiled.blocks.len() {
+            self.run_block(index, registers, t, start, modes, settings)?;
+        }
+        self.compiled.keep(registers, t, at);
+        if at.values().iter().all(|value| value.is_finite()) {
+            Ok(())
+        } else {
+            Err(failed(FailureKind::NotFinite, t, 0))
+        }
+    }
+
+    fn name(&self) -> &str {
+        &self.system().mechanism.name
+    }
+
+    fn coordinate_name(&self, index: usize) -> Option<&str> {
+        self.system()
+            .coordinates
+            .get(index)
+            .map(|it| it.name.as_str())
+    }
+
+    fn parameter_name(&self, index: usize) -> Option<&str> {
+        let parameters = &self.system().mechanism.parameters;
+        parameters.get(index).map(|it| it.name.as_str())
+    }
+
+    fn input_name(&self, index: usize) -> Option<&str> {
+        let inputs = &self.system().mechanism.inputs;
+        inputs.get(index).map(|it| it.name.as_str())
+    }
+
+    fn coordinate(&self, frame: &Instant, index: usize) -> Option<[f64; 3]> {
+        frame.coordinate(index)
+    }
+
+    fn point_name(&self, index: usize) -> Option<&str> {
+        self.system().outputs.get(index).map(|it| it.name.as_str())
+    }
+
+    fn point(&self, frame: &Instant, index: usize) -> Option<PointMotion<f64>> {
+        self.points(frame).get(index).copied()
+    }
+
+    fn not_positive(&self, parameters: &ParameterValues) -> Option<(u16, f64)> {
+        let required = self.compiled.required.as_ref()?;
+        first_not_positive(&self.compiled.of_parameters(required, parameters))
+    }
+
+    fn requirement_name(&self, index: usize) -> Option<BlockName<'_>> {
+        let requirements = self.compiled.program.requirements.as_ref()?;
+        let (name, singular) = requirements.names.get(index)?;
+        Some(BlockName { name, singular })
+    }
+
+    fn block_name(&self, index: usize) -> Option<BlockName<'_>> {
+        let BlockWords { name, singular } = self.compiled.words.get(index)?;
+        Some(BlockName { name, singular })
+    }
+}

@@ -1,0 +1,226 @@
+//! *A system, its plan and its program* → *what is the same for all instants*: operations on registers, block by block, and which
+//! register holds what.
+//!
+//! What instants are given is put into registers here, and what they keep is taken out. Deliberately unknown here: how a block's
+//! operations are run, and when.
+
+use std::collections::HashSet;
+
+use linkwright_codegen::stages::emit::Notation;
+use linkwright_codegen::stages::emit::derivation::{
+    BlockWords, Script, SingularPose, block_words, singular_poses,
+};
+use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId, Tape};
+use linkwright_codegen::stages::program::{Program, Statement};
+use linkwright_codegen::stages::structure::SolvedPlan;
+use linkwright_codegen::stages::system::System;
+
+use crate::instant::{Instant, Layout};
+use crate::measures::MeasuredPart;
+use crate::newton::Newton;
+use crate::operation::{Operation, Writer};
+use crate::path::InterpretedPath;
+use crate::supplied::{InputSignals, Modes, ParameterValues};
+
+/// What is the same for all instants.
+#[derive(Debug)]
+pub(crate) struct Compiled {
+    pub system: System,
+    pub plan: SolvedPlan,
+    pub program: Program,
+    pub poses: Vec<SingularPose>,
+    /// What can be singular, and what its measures are made of.
+    pub measured: (Vec<MeasuredPart>, Vec<ExprId>),
+    pub layout: Layout,
+    pub code: Code,
+    pub blocks: Vec<InterpretedBlock>,
+    pub(super) words: Vec<BlockWords>,
+    pub(super) time: Register,
+    pub(super) given: Vec<Register>,
+    /// The registers of all assembly modes of closed forms.
+    pub(super) signs: Vec<Register>,
+    /// What is read of the last instant: the place there.
+    pub(super) last: Vec<(Register, usize)>,
+    /// What instants keep, from the first place after what was given.
+    pub(super) kept: Vec<Register>,
+    /// The estimates of all unknowns of the vector form, by symbol of parameters.
+    pub(super) drawn: Tape,
+    /// What parameters must leave positive.
+    pub(super) required: Option<Tape>,
+    /// What shows that blocks keep to their path, where somebody wants to know.
+    pub(super) path: Option<InterpretedPath>,
+}
+
+/// A block as operations.
+#[derive(Debug)]
+pub(crate) struct InterpretedBlock {
+    pub operations: Vec<Operation>,
+    pub newton: Option<Newton>,
+    /// The places in [`Modes::closed`] of its signs.
+    pub closed: Vec<usize>,
+    /// Its place in [`Modes::iterated`], where it has a Newton-Raphson.
+    pub iterated: usize,
+}
+
+impl InterpretedBlock {
+    /// The blocks of a program, written one after another.
+    fn all(program: &Program, system: &System, writer: &mut Writer<'_>) -> Vec<InterpretedBlock> {
+        let graph = &system.mechanism.graph;
+        let mut signs_left: Vec<usize> = (0..program.branches.len()).collect();
+        let mut blocks: Vec<InterpretedBlock> = Vec::with_capacity(program.blocks.len());
+        for block in &program.blocks {
+            let read = block
+                .function
+                .values()
+                .flat_map(|value| graph.symbols(value));
+            let read: HashSet<SymbolId> = read.copied().collect();
+            let is_own = |place: &usize| read.contains(&program.branches[*place].symbol);
+            let (closed, others) = signs_left.into_iter().partition(is_own);
+            signs_left = others;
+            let mut newton = None;
+            for statement in &block.function.statements {
+                if let Statement::Newton { .. } = statement {
+                    newton = Newton::new(block, system, writer);
+                }
+                writer.statement(statement);
+            }
+            blocks.push(InterpretedBlock {
+                operations: writer.take(),
+                iterated: blocks.iter().filter(|it| it.newton.is_some()).count(),
+                newton,
+                closed,
+            });
+        }
+        blocks
+    }
+}
+
+impl Compiled {
+    /// The operations of a program, and what else is asked of it at every instant.
+    pub(super) fn new(
+        system: System,
+        plan: SolvedPlan,
+        program: Program,
+        measured: (Vec<MeasuredPart>, Vec<ExprId>),
+    ) -> Compiled {
+        let poses =
+            |notation| singular_poses(&system, &plan, &program.forms, Script::Text(notation));
+        let words = block_words(&program.blocks, &system, &plan, &poses(Notation::Unicode));
+        let poses = poses(Notation::Ascii);
+        let layout = Layout::new(&system, &program.fields);
+        let graph = &system.mechanism.graph;
+        let mut recorder = Recorder::new(graph);
+        let mut bound = |symbol| {
+            let register = recorder.register();
+            recorder.bind(symbol, register);
+            register
+        };
+        let time = bound(system.mechanism.time);
+        let given = layout.symbols()[layout.given()]
+            .iter()
+            .map(|&it| bound(it))
+            .collect();
+        let signs = program.branches.iter().map(|it| bound(it.symbol)).collect();
+        let mut writer = Writer::new(recorder);
+        writer.last(system.mechanism.time);
+        let blocks = InterpretedBlock::all(&program, &system, &mut writer);
+        let kept = layout.symbols()[layout.solved()].iter();
+        let kept = kept.map(|&symbol| writer.recorder.symbol(symbol)).collect();
+        let (code, last) = writer.finish();
+        let last = last
+            .into_iter()
+            .filter_map(|(symbol, register)| Some((register, layout.slot(symbol)?)));
+        let last = last.collect();
+        let unknowns = system.vector_form.unknowns.iter();
+        let drawn = Tape::new(graph, &unknowns.map(|it| it.estimate).collect::<Vec<_>>());
+        let required = program.requirements.as_ref().map(|requirements| {
+            let values = requirements.function.results.iter().map(|it| it.expr);
+            Tape::new(graph, &values.collect::<Vec<_>>())
+        });
+        Compiled {
+            required,
+            path: InterpretedPath::new(&system, &program, &layout),
+            last,
+            drawn,
+            measured,
+            words,
+            poses,
+            layout,
+            code,
+            blocks,
+            time,
+            given,
+            signs,
+            kept,
+            plan,
+            program,
+            system,
+        }
+    }
+
+    /// Puts in what an instant starts from: the last one, the time, parameters and inputs.
+    pub(super) fn fill(
+        &self,
+        registers: &mut [f64],
+        last: &Instant,
+        t: f64,
+        parameters: &ParameterValues,
+        inputs: &InputSignals,
+    ) {
+        for &(register, slot) in &self.last {
+            registers[register.index()] = last.values()[slot];
+        }
+        registers[self.time.index()] = t;
+        let signals = inputs
+            .0
+            .iter()
+            .flat_map(|it| [it.value, it.rate, it.acceleration]);
+        let given = parameters.0.iter().copied().chain(signals);
+        for (register, value) in self.given.iter().zip(given) {
+            registers[register.index()] = value;
+        }
+    }
+
+    /// Puts in the assembly modes of closed forms.
+    pub(super) fn set_signs(&self, registers: &mut [f64], modes: &Modes) {
+        for (register, branch) in self.signs.iter().zip(&modes.closed) {
+            registers[register.index()] = branch.sign();
+        }
+    }
+
+    /// Takes out what an instant keeps.
+    pub(super) fn keep(&self, registers: &[f64], t: f64, at: &mut Instant) {
+        let values = at.values_mut();
+        values[0] = t;
+        for (value, register) in values[1..]
+            .iter_mut()
+            .zip(self.given.iter().chain(&self.kept))
+        {
+            *value = registers[register.index()];
+        }
+    }
+
+    /// The estimates of all unknowns of the vector form.
+    pub(super) fn drawn(&self, parameters: &ParameterValues) -> Vec<f64> {
+        self.of_parameters(&self.drawn, parameters)
+    }
+
+    /// The time of the last instant, which Newton-Raphson goes on from.
+    pub(super) fn last_time(&self, registers: &[f64]) -> f64 {
+        // The first of what is read of the last instant.
+        let time = self.last.first();
+        time.map_or(0.0, |(register, _)| registers[register.index()])
+    }
+
+    /// The values of expressions of the parameters.
+    pub(super) fn of_parameters(&self, tape: &Tape, parameters: &ParameterValues) -> Vec<f64> {
+        let mechanism = &self.system.mechanism;
+        let mut symbols = vec![0.0; mechanism.graph.symbol_count()];
+        for (own, value) in mechanism.parameters.iter().zip(&parameters.0) {
+            symbols[own.symbol.index()] = *value;
+        }
+        let mut values = vec![0.0; tape.result_count()];
+        tape.evaluate(&symbols, &mut Vec::new(), &mut values);
+        values
+    }
+}

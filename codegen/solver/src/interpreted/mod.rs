@@ -1,0 +1,151 @@
+//! *A [`System`]* → *its blocks, solved without a compile step*.
+//!
+//! [`Interpreted`] runs the statements that generated code is made of, block by block, and is held by a [`Shell`](linkwright::Shell) as
+//! generated code is: the same modes, the same path, the same failures in the same words. Nothing is left out: instants hold
+//! every coordinate, and every other unknown of the vector form, with rates and accelerations.
+
+mod blocks;
+mod compiled;
+mod run;
+mod view;
+
+use std::cell::{Cell, RefCell};
+use std::sync::Arc;
+
+use linkwright::{Blocks, Failure, Start};
+use linkwright_codegen::diagnostic::Diagnostics;
+use linkwright_codegen::findings;
+use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::program::{Program, lower_with_unknowns};
+use linkwright_codegen::stages::structure::{self, SolvedPlan};
+use linkwright_codegen::stages::system::System;
+
+use crate::derivatives::{Derivative, of_program};
+use crate::forces;
+use crate::instant::Instant;
+use crate::measures::measured;
+use crate::path::InterpretedPath;
+use crate::reader::Reader;
+use crate::supplied::Modes;
+use crate::view::View;
+use compiled::Compiled;
+
+/// A mechanism that is solved block by block, in SI units: m, rad, s.
+#[derive(Clone, Debug)]
+pub struct Interpreted {
+    compiled: Arc<Compiled>,
+    registers: RefCell<Vec<f64>>,
+    path_registers: RefCell<[Vec<f64>; 2]>,
+    points: Reader,
+    derivatives: Vec<Derivative>,
+    /// Where instants keep the forces that are asked for.
+    forces: Vec<Option<usize>>,
+    residuals: Cell<u64>,
+    solves: Cell<u64>,
+}
+
+/// The values of all registers while blocks are solved one after another.
+#[derive(Clone, Debug)]
+pub(crate) struct State {
+    pub t: f64,
+    pub registers: Vec<f64>,
+}
+
+impl Interpreted {
+    /// The blocks of a system; `None` where its equations do not determine the motion.
+    pub fn new(system: &System) -> Option<Interpreted> {
+        let mut system = system.in_full();
+        let plan = structure::plan(&mut system)?;
+        let program = lower_with_unknowns(&mut system, &plan);
+        Some(Interpreted::of(system, plan, program))
+    }
+
+    /// The same with warnings about what solves the system.
+    ///
+    /// # Errors
+    /// Numbers in the blocks that become infinite or undefined, and work beyond its bounds.
+    pub fn checked(system: &System) -> Result<(Option<Interpreted>, Diagnostics), Diagnostics> {
+        let mut system = system.in_full();
+        let Some(plan) = structure::plan(&mut system) else {
+            return Ok((None, findings(&system, None)?));
+        };
+        let program = lower_with_unknowns(&mut system, &plan);
+        let warnings = findings(&system, Some(&program))?;
+        Ok((Some(Interpreted::of(system, plan, program)), warnings))
+    }
+
+    fn of(mut system: System, plan: SolvedPlan, program: Program) -> Interpreted {
+        let measured = measured(&mut system, &plan, &program);
+        let compiled = Compiled::new(system, plan, program, measured);
+        let points: Vec<ExprId> = compiled
+            .system
+            .outputs
+            .iter()
+            .flat_map(|it| [it.position, it.velocity, it.acceleration])
+            .flatten()
+            .collect();
+        let graph = &compiled.system.mechanism.graph;
+        let path = compiled.path.as_ref();
+        Interpreted {
+            points: Reader::new(graph, &compiled.layout, &points),
+            derivatives: of_program(&compiled.program, &compiled.layout),
+            forces: forces::of_program(&compiled.program, &compiled.layout),
+            registers: RefCell::new(compiled.code.registers().to_vec()),
+            path_registers: RefCell::new(
+                path.map_or_else(Default::default, InterpretedPath::registers),
+            ),
+            compiled: Arc::new(compiled),
+            residuals: Cell::new(0),
+            solves: Cell::new(0),
+        }
+    }
+
+    /// The plan that is followed.
+    pub fn plan(&self) -> &SolvedPlan {
+        &self.compiled.plan
+    }
+
+    /// The functions that are run.
+    pub fn program(&self) -> &Program {
+        &self.compiled.program
+    }
+
+    pub(crate) fn compiled(&self) -> &Compiled {
+        &self.compiled
+    }
+
+    /// Before the first block, with the drawing as the last instant, nominal parameters, and the inputs that their laws give.
+    pub(crate) fn before_assembly(&self, t: f64) -> State {
+        let parameters = self.nominal_parameters();
+        let last = self.estimate(&self.drawn_pose(&parameters), &parameters, t);
+        let mut registers = self.compiled.code.registers().to_vec();
+        self.compiled.fill(
+            &mut registers,
+            &last,
+            t,
+            &parameters,
+            &self.input_laws().at(t),
+        );
+        State { t, registers }
+    }
+
+    /// The instant that was found.
+    pub(crate) fn instant(&self, state: &State) -> Instant {
+        let mut instant = self.compiled.layout.empty();
+        self.compiled.keep(&state.registers, state.t, &mut instant);
+        instant
+    }
+
+    /// Solves a block in these modes from the last instant.
+    pub(crate) fn solve_block(
+        &self,
+        index: usize,
+        state: &mut State,
+        start: Start,
+        modes: &mut Modes,
+    ) -> Result<(), Failure> {
+        let State { t, registers } = state;
+        self.compiled.set_signs(registers, modes);
+        self.run_block(index, registers, *t, start, modes, &Default::default())
+    }
+}

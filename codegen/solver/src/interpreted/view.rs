@@ -1,0 +1,99 @@
+//! *The interpreted blocks* → *what is looked at in a motion*: points, derivatives, forces, measures, and failures in words.
+
+use linkwright::{Blocks, Failure, PointMotion};
+use linkwright_codegen::stages::emit::derivation::SingularPose;
+use linkwright_codegen::stages::system::System;
+
+use super::Interpreted;
+use crate::assemblies::assemblies;
+use crate::derivatives::Derivative;
+use crate::instant::{Instant, Layout};
+use crate::measures::Measures;
+use crate::number::time;
+use crate::supplied::ModeName;
+use crate::view::View;
+
+impl View for Interpreted {
+    fn system(&self) -> &System {
+        &self.compiled.system
+    }
+
+    fn layout(&self) -> &Layout {
+        &self.compiled.layout
+    }
+
+    fn mode_names(&self) -> Vec<ModeName> {
+        let program = &self.compiled.program;
+        let closed = program
+            .branches
+            .iter()
+            .enumerate()
+            .map(|(place, branch)| ModeName {
+                name: branch.name.clone(),
+                place,
+                is_closed: true,
+            });
+        let iterated = program.blocks.iter().filter(|block| block.newton.is_some());
+        let iterated = iterated.enumerate().map(|(place, block)| ModeName {
+            name: block.name.clone(),
+            place,
+            is_closed: false,
+        });
+        closed.chain(iterated).collect()
+    }
+
+    fn newton_steps(&self) -> [u64; 2] {
+        let solves = self.solves.get();
+        [self.residuals.get().saturating_sub(solves), solves]
+    }
+
+    fn points(&self, instant: &Instant) -> Vec<PointMotion> {
+        let values = self.points.values(instant);
+        let motion = |it: &[f64]| PointMotion {
+            position: [it[0], it[1]],
+            velocity: [it[2], it[3]],
+            acceleration: [it[4], it[5]],
+        };
+        values.chunks_exact(6).map(motion).collect()
+    }
+
+    fn derivatives(&self, instant: &Instant) -> Option<Vec<f64>> {
+        let found = self.derivatives.iter();
+        let value = |it: &Derivative| match *it {
+            Derivative::Kept(slot) => instant.values()[slot],
+            Derivative::Constant(value) => value,
+        };
+        Some(found.map(value).collect())
+    }
+
+    fn forces(&self, instant: &Instant) -> Option<Vec<f64>> {
+        let slots = self.forces.iter();
+        slots.map(|slot| Some(instant.values()[(*slot)?])).collect()
+    }
+
+    fn measures(&self) -> Option<Measures> {
+        Some(Measures::new(self))
+    }
+
+    fn singular_poses(&self) -> &[SingularPose] {
+        &self.compiled.poses
+    }
+
+    fn not_assembled(&self, failure: &Failure) -> String {
+        let others = match assemblies(self, failure.time).found.len() {
+            0 => String::new(),
+            1 => "; another assembly exists (`linkwright check` shows it)".to_string(),
+            count => format!("; {count} other assemblies exist (`linkwright check` lists them)"),
+        };
+        let (t, explained) = (time(failure.time), self.explained(failure));
+        format!(
+            "cannot be assembled as drawn at t = {t} s: {}{others}",
+            explained.cause()
+        )
+    }
+
+    fn ended(&self, failure: &Failure, _last: &Instant) -> String {
+        let (t, explained) = (time(failure.time), self.explained(failure));
+        format!("cannot be solved beyond t = {t} s: {}", explained.cause())
+    }
+}

@@ -1,0 +1,155 @@
+//! *A pose that is solved* → *how it moves along each direction*: drivers and parameters.
+//!
+//! All of it follows from one factorization of Φ_q. Deliberately unknown here: how the pose was found.
+
+use linkwright::{Failure, Frame, PointMotion, Settings, kinematics};
+use linkwright_codegen::stages::expr::{ExprId, Tape};
+use linkwright_codegen::stages::model::Requested;
+use linkwright_codegen::stages::system::System;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use super::TextbookEquations;
+
+/// What is known of all directions.
+#[derive(Clone, Debug)]
+pub(super) struct Directions {
+    /// ∂Φ/∂δ of every direction, one after another: n results each.
+    columns: Tape,
+    count: usize,
+    // Drivers come first among them.
+    driven: usize,
+    /// (Φ_q q̇ + Φ_t)_p of all parameters whose sensitivities are asked for, column by column.
+    rate_columns: Tape,
+    /// The entries of (Φ_q q̇ + Φ_t)_q that are not zero, and their rows and columns.
+    rate_jacobian: Tape,
+    rate_places: Vec<(usize, usize)>,
+    transmissions: Vec<Requested>,
+}
+
+impl Directions {
+    pub fn new(system: &System) -> Directions {
+        let graph = &system.mechanism.graph;
+        let columns: Vec<ExprId> = system
+            .directions
+            .iter()
+            .flat_map(|direction| direction.column.iter().copied())
+            .collect();
+        let rate_columns: Vec<ExprId> = system
+            .directions
+            .iter()
+            .flat_map(|direction| direction.rate_column.iter().copied())
+            .collect();
+        let rate_rows = system.rate_jacobian.iter().enumerate();
+        let (rate_places, rate_entries): (Vec<(usize, usize)>, Vec<ExprId>) = rate_rows
+            .flat_map(|(row, entries)| {
+                let entries = entries.iter();
+                entries.map(move |entry| ((row, entry.coordinate), entry.value))
+            })
+            .unzip();
+        Directions {
+            columns: Tape::new(graph, &columns),
+            count: system.directions.len(),
+            driven: system.driven().count(),
+            rate_columns: Tape::new(graph, &rate_columns),
+            rate_jacobian: Tape::new(graph, &rate_entries),
+            rate_places,
+            transmissions: system.mechanism.transmissions.clone(),
+        }
+    }
+}
+
+impl TextbookEquations {
+    /// ∂q/∂δ (n × directions) at a pose that is solved: Φ_q ∂q/∂δ = −∂Φ/∂δ for each of [`System::directions`], first the drivers,
+    /// then the parameters.
+    ///
+    /// # Errors
+    /// Where Φ_q is singular.
+    pub fn responses(&self, q: &DVector<f64>, t: f64) -> Result<DMatrix<f64>, Failure> {
+        let factorization = kinematics::factorize(self, q, t, &Settings::default())?;
+        let mut columns = DVector::zeros(self.dimension * self.directions.count);
+        self.evaluate(&self.directions.columns, q, None, t, &mut columns);
+        let mut responses = DMatrix::zeros(self.dimension, self.directions.count);
+        let parts = columns.as_slice().chunks_exact(self.dimension.max(1));
+        for (mut response, column) in responses.column_iter_mut().zip(parts) {
+            let mut right_hand_side = -DVector::from_column_slice(column);
+            factorization.solve(&mut right_hand_side);
+            response.copy_from(&right_hand_side);
+        }
+        Ok(responses)
+    }
+
+    /// ∂q̇/∂p (n × parameters whose sensitivities are asked for) at a frame that is solved:
+    /// Φ_q ∂q̇/∂p = −((Φ_q q̇ + Φ_t)_q ∂q/∂p + (Φ_q q̇ + Φ_t)_p). `responses` is what [`TextbookEquations::responses`] says of its pose.
+    ///
+    /// # Errors
+    /// Where Φ_q is singular.
+    pub fn sensitivity_rates(
+        &self,
+        frame: &Frame<f64, Dyn>,
+        responses: &DMatrix<f64>,
+    ) -> Result<DMatrix<f64>, Failure> {
+        let Frame { t, q, qd, .. } = frame;
+        let factorization = kinematics::factorize(self, q, *t, &Settings::default())?;
+        let parameters = self.directions.count - self.directions.driven;
+        let mut columns = DVector::zeros(self.dimension * parameters);
+        self.evaluate(&self.directions.rate_columns, q, Some(qd), *t, &mut columns);
+        let mut entries = DVector::zeros(self.directions.rate_places.len());
+        self.evaluate(
+            &self.directions.rate_jacobian,
+            q,
+            Some(qd),
+            *t,
+            &mut entries,
+        );
+        let mut rate_jacobian = DMatrix::zeros(self.dimension, self.dimension);
+        for (place, entry) in self.directions.rate_places.iter().zip(&entries) {
+            rate_jacobian[*place] = *entry;
+        }
+        let mut rates = DMatrix::zeros(self.dimension, parameters);
+        let parts = columns.as_slice().chunks_exact(self.dimension.max(1));
+        for (parameter, column) in parts.enumerate() {
+            let response = responses.column(self.directions.driven + parameter);
+            let moved = &rate_jacobian * response;
+            let mut right_hand_side = -(moved + DVector::from_column_slice(column));
+            factorization.solve(&mut right_hand_side);
+            rates.set_column(parameter, &right_hand_side);
+        }
+        Ok(rates)
+    }
+
+    /// What the drivers transmit, in the order of the mechanism's transmissions: a row for each component (x and y of a
+    /// point), a column for each driver. `responses` is what [`TextbookEquations::responses`] says of the same pose.
+    pub fn transmissions(
+        &self,
+        q: &DVector<f64>,
+        t: f64,
+        responses: &DMatrix<f64>,
+    ) -> Vec<DMatrix<f64>> {
+        // The velocity of a point is linear in q̇, so responses in place of q̇ give the columns.
+        let along: Vec<Vec<PointMotion<f64>>> = responses
+            .column_iter()
+            .take(self.directions.driven)
+            .map(|response| {
+                let (qd, qdd) = (response.into_owned(), DVector::zeros(self.dimension));
+                self.points(&Frame {
+                    t,
+                    q: q.clone(),
+                    qd,
+                    qdd,
+                })
+            })
+            .collect();
+        let matrix = |quantity: &Requested| match *quantity {
+            Requested::Point(place) => {
+                DMatrix::from_fn(2, self.directions.driven, |row, column| {
+                    along[column][place].velocity[row]
+                })
+            }
+            Requested::Coordinate(place) => {
+                let row = responses.rows(place, 1);
+                row.columns(0, self.directions.driven).into_owned()
+            }
+        };
+        self.directions.transmissions.iter().map(matrix).collect()
+    }
+}

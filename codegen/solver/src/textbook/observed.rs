@@ -1,0 +1,74 @@
+//! *A frame of the textbook view* → *what is looked at in it*: points, pressure angles, and how far equations are from zero.
+
+use linkwright::contact::pressure_angle;
+use linkwright::{Frame, PointMotion};
+use nalgebra::{DVector, Dyn};
+
+use super::TextbookEquations;
+
+impl TextbookEquations {
+    /// The names of the points, in the order of [`TextbookEquations::points`].
+    pub fn point_names(&self) -> &[String] {
+        &self.output_names
+    }
+
+    /// The pressure angle of every contact at `frame`, in rad and in the order of [`System::pressures`]; none where the follower
+    /// rests.
+    pub fn pressure_angles(&self, frame: &Frame<f64, Dyn>) -> Vec<Option<f64>> {
+        let scratch = &mut *self.scratch.borrow_mut();
+        self.fill(&mut scratch.symbols, &self.positions, frame.q.as_slice());
+        self.fill(&mut scratch.symbols, &self.rates, frame.qd.as_slice());
+        self.set_time(scratch, frame.t);
+        let results = &mut scratch.results[..3 * self.pressure_count];
+        self.pressures
+            .evaluate(&scratch.symbols, &mut scratch.workspace, results);
+        results
+            .chunks_exact(3)
+            .map(|it| pressure_angle(it[0], it[1], it[2]))
+            .collect()
+    }
+
+    /// The motion of every declared point at `frame`, in the order of [`System::outputs`].
+    pub fn points(&self, frame: &Frame<f64, Dyn>) -> Vec<PointMotion<f64>> {
+        let scratch = &mut *self.scratch.borrow_mut();
+        self.fill(&mut scratch.symbols, &self.positions, frame.q.as_slice());
+        self.fill(&mut scratch.symbols, &self.rates, frame.qd.as_slice());
+        self.fill(
+            &mut scratch.symbols,
+            &self.accelerations,
+            frame.qdd.as_slice(),
+        );
+        self.set_time(scratch, frame.t);
+        let results = &mut scratch.results[..6 * self.output_names.len()];
+        self.outputs
+            .evaluate(&scratch.symbols, &mut scratch.workspace, results);
+        results
+            .chunks_exact(6)
+            .map(|it| PointMotion {
+                position: [it[0], it[1]],
+                velocity: [it[2], it[3]],
+                acceleration: [it[4], it[5]],
+            })
+            .collect()
+    }
+
+    /// Fills `magnitudes` (n) with the sum of the absolute values of the terms of each Φ_i: what its residual is the
+    /// difference of, so that `ε · magnitude` is the rounding that must be expected in it.
+    pub fn residual_magnitudes(&self, q: &DVector<f64>, t: f64, magnitudes: &mut DVector<f64>) {
+        let scratch = &mut *self.scratch.borrow_mut();
+        self.fill(&mut scratch.symbols, &self.positions, q.as_slice());
+        self.set_time(scratch, t);
+        self.magnitudes.evaluate(
+            &scratch.symbols,
+            &mut scratch.workspace,
+            magnitudes.as_mut_slice(),
+        );
+    }
+
+    /// The residuals of the redundant equations, in the order of [`System::monitored`].
+    pub fn monitored(&self, q: &DVector<f64>, t: f64) -> DVector<f64> {
+        let mut residuals = DVector::zeros(self.monitored_count);
+        self.evaluate(&self.monitored, q, None, t, &mut residuals);
+        residuals
+    }
+}

@@ -1,0 +1,171 @@
+//! The blocks of a plan, one after another → their functions: positions, then rates, then accelerations, then responses to each
+//! direction.
+
+use std::sync::Arc;
+
+use super::{Block, Branch};
+use crate::program::builder::Builder;
+use crate::program::directional_derivatives::DirectionalDerivatives;
+use crate::program::forms::{Form, recognize};
+use crate::program::function::{Function, Level};
+use crate::program::path::{Path, Paths};
+use crate::structure::SolvedBlock;
+use crate::system::System;
+use crate::words::Known;
+
+/// What all blocks of a mechanism are lowered with.
+pub(in crate::program) struct Lowering<'a> {
+    pub system: &'a mut System,
+    pub branches: Vec<Branch>,
+    pub derivatives: DirectionalDerivatives,
+    pub known: Known,
+    pub paths: Paths,
+    /// Whether a person's words are wanted too.
+    pub writes_prose: bool,
+    names: Vec<String>,
+}
+
+impl<'a> Lowering<'a> {
+    pub(in crate::program) fn new(system: &'a mut System, writes_prose: bool) -> Lowering<'a> {
+        Lowering {
+            derivatives: DirectionalDerivatives::new(system),
+            known: Known::nothing(system),
+            paths: Paths::new(system),
+            branches: Vec::new(),
+            names: Vec::new(),
+            writes_prose,
+            system,
+        }
+    }
+
+    /// The function of the next block, which is the block `place` of the plan.
+    pub(in crate::program) fn block(&mut self, place: usize, block: &SolvedBlock) -> Block {
+        let forms: Vec<Arc<dyn Form>> = block
+            .parts
+            .iter()
+            .map(|part| recognize(part, self.system))
+            .collect();
+        let name = self.set_apart(block_name(block, self.system));
+        let how = match &forms[..] {
+            [] => "explicit".to_string(),
+            _ => forms
+                .iter()
+                .map(|form| form.name())
+                .collect::<Vec<_>>()
+                .join(", then "),
+        };
+        let labels = block.joints.iter();
+        let labels = labels.map(|&joint| self.system.mechanism.joints[joint].label.as_str());
+        let title = format!(
+            "{}: {}.",
+            capitalized(&how),
+            labels.collect::<Vec<_>>().join(", ")
+        );
+        let monitor = self.system.mechanism.monitor;
+        let mut builder = Builder::new(self, place);
+        let mut solved = Vec::with_capacity(forms.len());
+        for form in &forms {
+            let found = form.position(&mut builder);
+            for unknown in form.unknowns() {
+                builder.known.find(unknown, place);
+            }
+            if monitor {
+                builder.measure(form.as_ref(), found.as_ref());
+            }
+            solved.push(found);
+        }
+        builder.definitions(block);
+        builder.section(Level::Velocity);
+        for found in &mut solved {
+            found.prepare(&mut builder);
+        }
+        for level in builder.levels() {
+            if level != Level::Velocity {
+                builder.section(level);
+            }
+            for found in &solved {
+                found.rates(level, &mut builder);
+            }
+            builder.definition_rates(block, level);
+        }
+        let transposed = match builder.system.mechanism.forces.need_multipliers() {
+            true => solved
+                .iter()
+                .map(|it| it.transposed(&mut builder))
+                .collect(),
+            false => Vec::new(),
+        };
+        let mut newton = solved.into_iter().find_map(|found| found.newton());
+        builder.without_shifts(newton.as_mut());
+        let (function, measured, page_names, written_out) = builder.finish();
+        Block {
+            name,
+            title,
+            place: Some(place),
+            joints: block.joints.clone(),
+            forms,
+            function,
+            newton,
+            measured,
+            transposed,
+            page_names,
+            written_out,
+        }
+    }
+
+    /// What shows that these blocks of the plan have kept to their path.
+    pub(in crate::program) fn path<'b>(
+        &mut self,
+        blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
+    ) -> Path {
+        Builder::new(self, 0).path(blocks)
+    }
+
+    /// The same for closed forms one after another; `None` where some are of another form.
+    pub(in crate::program) fn closed_path<'b>(
+        &mut self,
+        blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
+    ) -> Option<Function> {
+        Builder::new(self, 0).two_links(blocks)
+    }
+
+    /// A name that no other block has.
+    fn set_apart(&mut self, base: String) -> String {
+        let mut name = base.clone();
+        let mut number = 2;
+        while self.names.contains(&name) {
+            name = format!("{base}_{number}");
+            number += 1;
+        }
+        self.names.push(name.clone());
+        name
+    }
+}
+
+/// `loop_l_g_h`: named joints, or else the first of the others.
+fn block_name(block: &SolvedBlock, system: &System) -> String {
+    const NAMED: usize = 6;
+    if block.parts.is_empty() {
+        return "explicit".to_string();
+    }
+    let joints = || {
+        block
+            .joints
+            .iter()
+            .map(|&joint| &system.mechanism.joints[joint])
+    };
+    let pins: Vec<&str> = joints()
+        .filter(|joint| joint.kind.joins_points())
+        .map(|joint| joint.slug.as_str())
+        .collect();
+    let all: Vec<&str> = joints().map(|joint| joint.slug.as_str()).collect();
+    let named = if pins.is_empty() { all } else { pins };
+    format!("loop_{}", named[..named.len().min(NAMED)].join("_"))
+}
+
+fn capitalized(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(characters).collect()
+    })
+}

@@ -1,0 +1,113 @@
+//! What a closed form asks of its pose: that links reach, that nothing vanishes, which assembly mode it has, how far it is from singular.
+
+use super::Builder;
+use crate::expr::{ExprId, Number, Rational};
+use crate::program::block::{Branch, Measured};
+use crate::program::forms::{Form, Solved};
+use crate::program::function::Statement;
+
+/// A closed form inside a torn block is too close to singular where the square of its sine is one part in so many: it amplifies
+/// rounding eightfold.
+const SLENDER: i128 = 64;
+
+impl Builder<'_> {
+    /// Fails where `excess` is not positive beside `scale`.
+    pub fn reach(
+        &mut self,
+        excess: ExprId,
+        scale: ExprId,
+        [distance, longest, shortest]: [ExprId; 3],
+    ) {
+        if self.inside.is_some() {
+            // Before its form is singular, rounding is amplified.
+            let least = Rational::new(1, SLENDER).unwrap_or(Rational::ONE);
+            let graph = self.graph();
+            let least = graph.scale(Number::rational(least), scale);
+            let excess = graph.subtract(excess, least);
+            let zero = graph.zero();
+            self.statements.push(Statement::Reach {
+                excess,
+                scale,
+                distance: zero,
+                longest: zero,
+                shortest: zero,
+            });
+            return;
+        }
+        self.statements.push(Statement::Reach {
+            excess,
+            scale,
+            distance,
+            longest,
+            shortest,
+        });
+    }
+
+    /// Fails where a divisor vanishes beside `scale`; a constant one was looked at when the plan was made.
+    pub fn nonzero(&mut self, value: ExprId, scale: ExprId) {
+        if !self.system.mechanism.graph.is_constant(value) {
+            self.statements.push(Statement::Nonzero { value, scale });
+        }
+    }
+
+    /// A new assembly mode as a factor that is +1 or −1, which has the sign of the sine `drawn`. A page writes the sign of the drawing.
+    pub fn branch(&mut self, name: String, meaning: String, drawn: f64) -> ExprId {
+        if let Some(inside) = &mut self.inside {
+            let symbol = self.system.intermediate("sign");
+            inside.signs.push((symbol, drawn));
+            return self.graph().variable(symbol);
+        }
+        let symbol = self.system.intermediate("branch");
+        self.branches.push(Branch {
+            name,
+            symbol,
+            block: self.place,
+            drawn,
+            meaning,
+        });
+        self.graph().variable(symbol)
+    }
+
+    /// How far a closed form whose position has been found is from singular, or a Newton block, as fields.
+    pub(in crate::program) fn measure(&mut self, form: &dyn Form, found: &dyn Solved) {
+        let names = form.unknowns().into_iter();
+        let names: Vec<&str> = names.map(|it| self.system.unknown_name(it)).collect();
+        let name = format!("normalized_determinant_{}", names.join("_"));
+        let Some(value) = found.determinant() else {
+            let both = ["", "_condition"]
+                .map(|suffix| self.system.intermediate(&format!("{name}{suffix}")));
+            if let Some(Statement::Newton { measure, .. }) = self
+                .statements
+                .iter_mut()
+                .rev()
+                .find(|it| matches!(it, Statement::Newton { .. }))
+            {
+                *measure = Some(both);
+            }
+            self.measured.push(Measured::Block(both));
+            return;
+        };
+        let size = {
+            let graph = &mut self.system.mechanism.graph;
+            form.determinant(&self.system.vector_form, graph).size
+        };
+        let measure = match size {
+            Some(size) => {
+                // A length that moves is computed by itself; the others are part of a constant.
+                let size = self.value("size", size);
+                self.graph().divide(value, size)
+            }
+            None => value,
+        };
+        // What never moves is never singular.
+        if self.system.mechanism.graph.is_fixed(measure) {
+            return;
+        }
+        let target = self.system.intermediate(&name);
+        self.assign(target, measure);
+        self.measured.push(match size {
+            Some(_) => Measured::Sine(target),
+            None => Measured::Slope(target),
+        });
+    }
+}

@@ -1,0 +1,221 @@
+//! What forms of all kinds state their functions with.
+
+mod angles;
+mod checks;
+mod inside;
+mod rates;
+mod vectors;
+
+pub use angles::Direction;
+pub(super) use inside::Inside;
+
+use std::collections::{HashMap, HashSet};
+
+use super::block::{Branch, Lowering, Measured, PageName};
+use super::directional_derivatives::DirectionalDerivatives;
+use super::function::{Function, Level, Statement};
+use super::path::Paths;
+use crate::expr::{ExprId, Graph, Node, SymbolId};
+use crate::joint::geometry::Vector;
+use crate::system::System;
+use crate::words::{Known, Phrase, Piece, phrase};
+
+/// The statements of one block in the making.
+pub struct Builder<'a> {
+    /// The equations; their arena grows by what is computed on the way.
+    pub system: &'a mut System,
+    /// What has been found so far.
+    pub known: &'a mut Known,
+    pub(super) derivatives: &'a mut DirectionalDerivatives,
+    pub(super) statements: Vec<Statement>,
+    /// The number of the block, from 0.
+    pub(super) place: usize,
+    branches: &'a mut Vec<Branch>,
+    pub(super) paths: &'a mut Paths,
+    /// Arms that are defined already.
+    pub(super) defined: HashSet<SymbolId>,
+    measured: Vec<Measured>,
+    page_names: HashMap<SymbolId, PageName>,
+    written_out: HashSet<SymbolId>,
+    pub(super) writes_prose: bool,
+    /// How many links of the block change their length.
+    pub(super) stretched: usize,
+    /// What is noted of the closed forms inside a torn block, while they are stated.
+    pub(super) inside: Option<Inside>,
+}
+
+impl<'a> Builder<'a> {
+    pub(super) fn new(lowering: &'a mut Lowering<'_>, place: usize) -> Builder<'a> {
+        Builder {
+            system: lowering.system,
+            known: &mut lowering.known,
+            derivatives: &mut lowering.derivatives,
+            paths: &mut lowering.paths,
+            branches: &mut lowering.branches,
+            writes_prose: lowering.writes_prose,
+            statements: Vec::new(),
+            place,
+            defined: HashSet::new(),
+            measured: Vec::new(),
+            page_names: HashMap::new(),
+            written_out: HashSet::new(),
+            stretched: 0,
+            inside: None,
+        }
+    }
+
+    /// The function, its measures, and how a page writes its local values.
+    pub(super) fn finish(
+        self,
+    ) -> (
+        Function,
+        Vec<Measured>,
+        HashMap<SymbolId, PageName>,
+        HashSet<SymbolId>,
+    ) {
+        let function = Function {
+            statements: self.statements,
+            ..Function::default()
+        };
+        (function, self.measured, self.page_names, self.written_out)
+    }
+
+    /// The arena.
+    pub fn graph(&mut self) -> &mut Graph {
+        &mut self.system.mechanism.graph
+    }
+
+    /// Begins the statements of a level.
+    pub(super) fn section(&mut self, level: Level) {
+        self.statements.push(Statement::Section(level));
+    }
+
+    /// Says what is found, and from what.
+    pub fn heading(&mut self, words: impl Into<Phrase>) {
+        self.statements.push(Statement::Heading(words.into()));
+    }
+
+    /// Says something, where a person's words are wanted.
+    pub fn say(&mut self, words: impl FnOnce(&mut Builder<'a>) -> Phrase) {
+        if self.writes_prose {
+            let words = words(self);
+            if !words.is_empty() {
+                self.statements.push(Statement::Note(words));
+            }
+        }
+    }
+
+    /// Shows equations that nobody computes, each as left, right and remark, where a person's words are wanted.
+    pub fn show(&mut self, equations: impl FnOnce(&mut Builder<'a>) -> Vec<[Phrase; 3]>) {
+        if self.writes_prose {
+            let shown = equations(self).into_iter();
+            let shown = shown.map(|[left, right, remark]| Statement::Shown {
+                left,
+                right,
+                remark,
+            });
+            self.statements.extend(shown);
+        }
+    }
+
+    /// A named local value; what is a symbol or a constant already needs no name.
+    pub fn value(&mut self, name: &str, value: ExprId) -> ExprId {
+        self.value_with(name, value, "")
+    }
+
+    /// The same with what a person says beside it.
+    pub fn value_with(&mut self, name: &str, value: ExprId, remark: impl Into<Phrase>) -> ExprId {
+        let graph = &self.system.mechanism.graph;
+        if graph.is_constant(value) || matches!(graph.node(value), Node::Symbol(_)) {
+            return value;
+        }
+        let is_fixed = graph.is_fixed(value);
+        let target = self.system.intermediate(name);
+        if is_fixed {
+            let zero = self.system.mechanism.graph.zero();
+            self.system.vector_form.set_rate(target, zero);
+            self.derivatives.fix(target, value);
+        }
+        self.assign_with(target, value, remark);
+        self.graph().variable(target)
+    }
+
+    /// A named local value that a page writes out wherever it occurs.
+    pub fn factor(&mut self, name: &str, value: ExprId) -> ExprId {
+        let named = self.value(name, value);
+        if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(named)
+            && named != value
+        {
+            self.written_out.insert(symbol);
+        }
+        named
+    }
+
+    /// Both components of a vector as local values `name_x`, `name_y`. A page names a component, too, that needs no name.
+    pub fn vector(&mut self, name: &str, vector: Vector) -> Vector {
+        [("x", vector[0]), ("y", vector[1])].map(|(axis, value)| {
+            let component = format!("{name}_{axis}");
+            let named = self.value(&component, value);
+            if named == value {
+                let component = Piece::Local(component);
+                self.show(|_| vec![[component.into(), Piece::Formula(value).into(), "".into()]]);
+            }
+            named
+        })
+    }
+
+    /// target = value.
+    pub fn assign(&mut self, target: SymbolId, value: ExprId) {
+        self.assign_with(target, value, "");
+    }
+
+    /// target = value, with what a person says beside it.
+    pub fn assign_with(&mut self, target: SymbolId, value: ExprId, remark: impl Into<Phrase>) {
+        let remark = remark.into();
+        self.statements.push(Statement::Let {
+            target,
+            value,
+            remark,
+        });
+    }
+
+    /// What a page calls a symbol in this block.
+    pub fn call(&mut self, symbols: Vector, name: &str) {
+        for (axis, symbol) in symbols.into_iter().enumerate() {
+            if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(symbol) {
+                let name = PageName::Component(name.to_string(), axis);
+                self.page_names.insert(symbol, name);
+            }
+        }
+    }
+
+    /// Has a page write a local value as the cosine or the sine of an unknown.
+    pub(super) fn call_function(&mut self, value: ExprId, unknown: usize, is_cosine: bool) {
+        if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(value) {
+            let name = match is_cosine {
+                true => PageName::Cosine(unknown),
+                false => PageName::Sine(unknown),
+            };
+            self.page_names.insert(symbol, name);
+        }
+    }
+
+    /// Adds a statement.
+    pub(super) fn state(&mut self, statement: Statement) {
+        self.statements.push(statement);
+    }
+
+    /// The row that says `unknown = value`, in words: `revolute B(crank, coupler), x`.
+    pub(super) fn origin(&self, joints: &[usize], row: usize) -> Phrase {
+        let row = &self.system.vector_form.rows[row];
+        if !self.writes_prose || !joints.contains(&row.joint) {
+            return Phrase::default();
+        }
+        let label = &self.system.mechanism.joints[row.joint].label;
+        let component = match row.component {
+            "" => String::new(),
+            component => format!(", {component}"),
+        };
+        phrase![Piece::Name(label.clone()), component]
+    }
+}

@@ -1,0 +1,97 @@
+//! The steps of a sequence → what remains with given tears, its derivatives by them, and their inverse.
+
+use super::Torn;
+use super::sequence::Remaining;
+use super::stated::Stated;
+use crate::expr::ExprId;
+use crate::program::builder::Builder;
+use crate::program::function::Level;
+
+/// What remains with given tears.
+pub(super) struct Rest {
+    pub residual: ExprId,
+    /// By each tear.
+    pub slopes: Vec<ExprId>,
+}
+
+/// The residuals and their derivatives by the tears, once all steps are stated.
+pub(super) fn rests(
+    torn: &Torn,
+    steps: &mut [Stated],
+    places: &[usize],
+    builder: &mut Builder<'_>,
+) -> Vec<Rest> {
+    for step in steps.iter_mut() {
+        if let Stated::Closed(solved) = step {
+            solved.prepare(builder);
+        }
+    }
+    for &place in places {
+        for step in steps.iter_mut() {
+            step.rates(Level::Response(place), builder);
+        }
+    }
+    let mut rests = Vec::with_capacity(places.len());
+    for remaining in &torn.sequence.remaining {
+        let residual = match *remaining {
+            Remaining::Length { step, .. } => match steps[step].link() {
+                Some(link) => link.residual(builder),
+                None => builder.graph().zero(),
+            },
+            Remaining::Equation(at) => torn.whole.residuals[at],
+        };
+        let residual = builder.value("rest", residual);
+        let mut slopes = Vec::with_capacity(places.len());
+        for &place in places {
+            let slope = rest_rate(torn, steps, *remaining, Level::Response(place), builder);
+            slopes.push(builder.value("slope", slope));
+        }
+        rests.push(Rest { residual, slopes });
+    }
+    rests
+}
+
+/// The rate of what remains.
+pub(super) fn rest_rate(
+    torn: &Torn,
+    steps: &[Stated],
+    remaining: Remaining,
+    level: Level,
+    builder: &mut Builder<'_>,
+) -> ExprId {
+    match remaining {
+        Remaining::Equation(at) => builder.rate_at(torn.whole.residuals[at], level),
+        Remaining::Length { step, .. } => match steps[step].link() {
+            Some(link) => link.residual_rate(level, builder),
+            None => builder.graph().zero(),
+        },
+    }
+}
+
+/// The determinant of the derivatives, and their inverse row by row, by Cramer's rule.
+pub(super) fn inverse(rests: &[Rest], builder: &mut Builder<'_>) -> (ExprId, Vec<ExprId>) {
+    let one = builder.graph().one();
+    match rests {
+        [first, second] => {
+            let ([a, b], [c, d]) = (
+                [first.slopes[0], first.slopes[1]],
+                [second.slopes[0], second.slopes[1]],
+            );
+            let determinant = builder.cross([a, b], [c, d]);
+            let determinant = builder.value("determinant", determinant);
+            let ratio = builder.graph().divide(one, determinant);
+            let ratio = builder.value("inverse", ratio);
+            let minus = builder.negated([b, c]);
+            let entries = [d, minus[0], minus[1], a];
+            let entries = entries.map(|entry| builder.graph().multiply(entry, ratio));
+            let entries = entries.map(|entry| builder.value("inverse", entry));
+            (determinant, entries.to_vec())
+        }
+        _ => {
+            let determinant = rests.first().map_or(one, |rest| rest.slopes[0]);
+            let inverse = builder.graph().divide(one, determinant);
+            let inverse = builder.value("inverse", inverse);
+            (determinant, vec![inverse])
+        }
+    }
+}

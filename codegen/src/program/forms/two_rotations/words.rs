@@ -1,0 +1,229 @@
+//! The dyad of three revolute joints → what a person writes beside its statements: the triangle, its sides, and which of the two
+//! points is kept.
+//!
+//! Deliberately unknown here: what is computed.
+
+use super::TwoRotations;
+use crate::joint::geometry::Vector;
+use crate::program::builder::Builder;
+use crate::words::{Phrase, Piece, Triangle, phrase};
+
+/// What the two links and their sum are called.
+pub(super) struct TriangleNames {
+    pub links: [String; 2],
+    pub base: String,
+}
+
+impl TwoRotations {
+    /// Says what is known of the triangle and what its sides are called.
+    pub(super) fn open(
+        &self,
+        triangle: Option<&Triangle>,
+        links: [Vector; 2],
+        builder: &mut Builder<'_>,
+    ) -> TriangleNames {
+        let [first, second] = self.angles.map(Piece::Unknown);
+        let Some(triangle) = triangle else {
+            let source = " from a loop of two turning links";
+            builder.heading(phrase![first, " and ", second, source]);
+            return TriangleNames {
+                links: ["p", "q"].map(str::to_string),
+                base: "d".to_string(),
+            };
+        };
+        let [a, b] = [0, 1].map(|side| triangle.outer[side].0.name.clone());
+        let apex = triangle.apex.name.clone();
+        let mut lengths: Vec<Phrase> = Vec::new();
+        let mut driven: Vec<Phrase> = Vec::new();
+        for (side, name) in [format!("{a}{apex}"), format!("{b}{apex}")]
+            .into_iter()
+            .enumerate()
+        {
+            let Some((value, reason, is_driven)) = builder.known_length(links[side]) else {
+                continue;
+            };
+            let length = Piece::Length(name);
+            lengths.push(phrase![length.clone(), " is ", value, ", ", reason]);
+            if is_driven {
+                driven.push(length.into());
+            }
+        }
+        let condition = match driven.is_empty() {
+            true => Phrase::default(),
+            false => phrase![
+                " with ",
+                crate::words::enumerated(&driven),
+                " known from the driver"
+            ],
+        };
+        let [a_name, b_name, apex_name] = [&a, &b, &apex].map(|name| Piece::Name(name.clone()));
+        let source = phrase![
+            " from the triangle ",
+            a_name.clone(),
+            "-",
+            b_name.clone(),
+            "-",
+            apex_name.clone(),
+            condition
+        ];
+        builder.heading(phrase![first, " and ", second, source]);
+        builder.say(|builder| {
+            let [here, there] = [0, 1].map(|side| {
+                builder
+                    .known
+                    .whereabouts(&triangle.outer[side].1, builder.system)
+            });
+            let known = match here == there {
+                true => phrase![a_name, " and ", b_name, ", ", here, ", are known."],
+                false => phrase![
+                    a_name,
+                    ", ",
+                    here,
+                    ", and ",
+                    b_name,
+                    ", ",
+                    there,
+                    ", are known."
+                ],
+            };
+            let mut words = phrase![
+                known,
+                " Sought is ",
+                apex_name,
+                ", the third point of the triangle."
+            ];
+            for (place, length) in lengths.into_iter().enumerate() {
+                words.push(if place == 0 { " " } else { "; " });
+                words.push(length);
+            }
+            words.push(".");
+            words
+        });
+        TriangleNames {
+            links: [format!("{a}{apex}"), format!("{apex}{b}")],
+            base: format!("{a}{b}"),
+        }
+    }
+
+    /// The loop as vectors and by components.
+    pub(super) fn close(
+        &self,
+        names: &TriangleNames,
+        triangle: Option<&Triangle>,
+        links: [Vector; 2],
+        c: Vector,
+        builder: &mut Builder<'_>,
+    ) {
+        builder.say(|_| {
+            let loop_words = match triangle {
+                Some(it) => {
+                    let pins = [&it.outer[0].0, &it.apex, &it.outer[1].0];
+                    let [a, apex, b] = pins.map(|pin| Piece::Name(pin.name.clone()));
+                    phrase!["The loop ", a, "-", apex, "-", b]
+                }
+                None => "The loop".into(),
+            };
+            phrase![loop_words, " closes, as vectors and by components:"]
+        });
+        builder.show(|builder| {
+            let [first, second] = names.links.clone().map(Piece::Vector);
+            let turned = [0, 1].map(|side| Piece::Turned(self.angles[side], links[side]));
+            let [along, back] = turned;
+            let minus = builder.negated(c);
+            let mut equations = vec![
+                [
+                    phrase![first, " + ", second],
+                    Piece::Vector(names.base.clone()).into(),
+                    "".into(),
+                ],
+                [
+                    phrase![along, " + ", back],
+                    Piece::Sum(minus).into(),
+                    "".into(),
+                ],
+            ];
+            let [a, b] = [0, 1].map(|side| builder.turned_by(self.angles[side], links[side]));
+            for axis in [0, 1] {
+                let sum = builder.graph().add(a[axis], b[axis]);
+                equations.push([
+                    Piece::Formula(sum).into(),
+                    Piece::Formula(minus[axis]).into(),
+                    ["x", "y"][axis].into(),
+                ]);
+            }
+            equations
+        });
+    }
+
+    /// Says which of the two points is kept.
+    pub(super) fn say_mode(
+        &self,
+        triangle: Option<&Triangle>,
+        drawn: f64,
+        builder: &mut Builder<'_>,
+    ) {
+        builder.say(|_| {
+            // d × w_a is −h.
+            let side = if drawn >= 0.0 { "right" } else { "left" };
+            let kept = phrase![
+                ", and this assembly mode is kept: it is the sign of ",
+                Piece::Local("h".to_string()),
+                " below. By the law of cosines:"
+            ];
+            match triangle {
+                Some(it) => {
+                    let pins = [&it.outer[0].0, &it.apex, &it.outer[1].0];
+                    let [a, apex, b] = pins.map(|pin| Piece::Name(pin.name.clone()));
+                    phrase![
+                        "Two circles about ",
+                        a.clone(),
+                        " and ",
+                        b.clone(),
+                        " meet in two points. In the drawing ",
+                        apex,
+                        format!(" lies to the {side} of the line from "),
+                        a,
+                        " to ",
+                        b,
+                        kept
+                    ]
+                }
+                None => phrase![
+                    "The equations have two solutions. In the drawing the first link points to the ",
+                    side,
+                    " of the sum of both",
+                    kept
+                ],
+            }
+        });
+    }
+}
+
+/// The first link as a sum along the base and across it, as a page shows it.
+pub(super) fn first_link(names: &TriangleNames) -> [Phrase; 3] {
+    let (first, base) = (&names.links[0], &names.base);
+    let along = phrase![
+        "(",
+        Piece::Square(first.clone()),
+        " + ",
+        Piece::Local("k".to_string()),
+        ")",
+        Piece::Times
+    ];
+    let across = phrase![
+        Piece::Local("h".to_string()),
+        Piece::Times,
+        Piece::Across(base.clone())
+    ];
+    let square = Piece::Square(base.clone());
+    let sum = phrase![
+        "(",
+        along,
+        Piece::Vector(base.clone()),
+        Piece::Minus,
+        across,
+        ")/",
+        square
+    ];
+    [Piece::Vector(first.clone()).into(), sum, "".into()]
+}

@@ -1,0 +1,76 @@
+//! Blocks that are needed, beside all that there are → what is kept, what is left out, and with how many operations.
+
+use std::collections::HashSet;
+
+use super::needed::Needed;
+use super::share_blocks;
+use super::stated::Stated;
+use crate::expr::SymbolId;
+use crate::joint::Quantity;
+use crate::program::block::Block;
+use crate::program::function::Statement;
+use crate::program::passes::costs::by_level;
+use crate::program::passes::iterations::iterations;
+use crate::program::passes::liveness::prune;
+use crate::program::{Report, Work};
+use crate::system::System;
+
+/// The report; blocks of which nothing is needed are taken out on the way.
+pub(super) fn reported(stated: &Stated, needed: &mut Needed, system: &mut System) -> Report {
+    let Needed {
+        blocks,
+        asked,
+        path,
+    } = needed;
+    let mut report = Report::default();
+    report.all_operations.copy_from_slice(
+        &match stated.outputs {
+            None => by_level(blocks, system),
+            Some(_) => {
+                let mut all = stated.blocks.clone();
+                let coordinate = |symbol| system.is_coordinate(symbol) || asked.contains(&symbol);
+                prune(&mut all, &coordinate, &system.mechanism.graph);
+                share_blocks(&mut all, system);
+                by_level(&all, system)
+            }
+        }[..3],
+    );
+    let is_empty = |block: &Block| block.function.statements.is_empty();
+    report.left_out = blocks
+        .iter()
+        .filter(|block| is_empty(block) && !block.joints.is_empty())
+        .map(|block| block.name.clone())
+        .collect();
+    blocks.retain(|block| !is_empty(block));
+    report.kept = blocks.iter().map(|block| block.name.clone()).collect();
+    let levels = by_level(blocks, system);
+    report.operations.copy_from_slice(&levels[..3]);
+    report.iterations = iterations(blocks, system);
+    report.transmission = (!stated.transmissions.is_empty()).then_some(levels[3]);
+    report.forces = (!stated.forces.fields().is_empty()).then_some(levels[5]);
+    report.sensitivity = (!stated.sensitivities.is_empty()).then_some(levels[4]);
+    report.angles_left_out = angles_left_out(blocks, system);
+    report.work = Work::of(blocks, path.as_ref(), system);
+    report
+}
+
+/// The angles of closed forms that no statement finds.
+fn angles_left_out(blocks: &[Block], system: &System) -> Vec<String> {
+    let statements = blocks.iter().flat_map(|block| &block.function.statements);
+    let found: HashSet<SymbolId> = statements
+        .filter_map(|statement| match statement {
+            Statement::Angle { target, .. } => Some(*target),
+            _ => None,
+        })
+        .collect();
+    let forms = blocks.iter().flat_map(|block| &block.forms);
+    let closed = forms.filter(|form| form.modes().is_some());
+    closed
+        .flat_map(|form| form.unknowns())
+        .filter(|&unknown| {
+            let unknown = &system.vector_form.unknowns[unknown];
+            unknown.quantity == Quantity::Angle && !found.contains(&unknown.position)
+        })
+        .map(|unknown| system.unknown_name(unknown).to_string())
+        .collect()
+}

@@ -1,0 +1,173 @@
+//! Sums, products and powers → their bounds, from those of their operands.
+//!
+//! Deliberately unknown here: what bounds symbols.
+
+use super::arms::{Amplitude, arm, constant_size};
+use super::{Enclosure, Enclosures, still};
+use crate::expr::{ExprId, Factor, Node, Number, Rational, Term};
+use crate::system::System;
+
+/// The bounds of a product of more factors are found by halves.
+const LONGEST_FLAT: usize = 8;
+
+impl Enclosures {
+    /// Arms that turn with the same angle are one arm.
+    pub(super) fn of_sum(&mut self, terms: &[Term], system: &mut System) -> Enclosure {
+        let (mut radii, mut sags) = (Vec::new(), Vec::new());
+        let mut turned: Vec<(usize, Amplitude)> = Vec::new();
+        let mut bounds: Vec<Enclosure> = Vec::new();
+        for term in terms {
+            if let Node::Symbol(symbol) = *system.mechanism.graph.node(term.expr)
+                && let Some((angle, amplitude)) = arm(symbol, system)
+            {
+                let graph = &mut system.mechanism.graph;
+                let own = amplitude.map(|part| graph.scale(term.coefficient, part));
+                match turned.iter_mut().find(|(other, _)| *other == angle) {
+                    Some((_, sum)) => *sum = [0, 1].map(|part| graph.add(sum[part], own[part])),
+                    None => turned.push((angle, own)),
+                }
+                continue;
+            }
+            let own = self.of(term.expr, system);
+            let size = match term.coefficient.is_negative() {
+                true => term.coefficient.neg(),
+                false => term.coefficient,
+            };
+            let graph = &mut system.mechanism.graph;
+            bounds.push(Enclosure {
+                radius: graph.scale(size, own.radius),
+                sag: graph.scale(size, own.sag),
+            });
+        }
+        for (angle, amplitude) in turned {
+            bounds.push(self.of_turned(angle, amplitude, system));
+        }
+        for bound in bounds {
+            radii.push(bound.radius);
+            sags.push(bound.sag);
+        }
+        let graph = &mut system.mechanism.graph;
+        Enclosure {
+            radius: graph.sum(&radii),
+            sag: graph.sum(&sags),
+        }
+    }
+
+    /// The largest magnitude of a value over the span.
+    fn largest(&self, value: ExprId, bounds: Enclosure, system: &mut System) -> ExprId {
+        match constant_size(value, system) {
+            Some(size) => size,
+            None => {
+                let graph = &mut system.mechanism.graph;
+                let size = graph.magnitude(value);
+                graph.add(size, bounds.radius)
+            }
+        }
+    }
+
+    /// The bounds of a product, factor by factor; of a long one half by half, since the bounds of a part mention all its factors.
+    pub(super) fn of_product(&mut self, factors: &[Factor], system: &mut System) -> Enclosure {
+        self.of_factors(factors, system).1
+    }
+
+    /// The product of one factor or more, and its bounds.
+    fn of_factors(&mut self, factors: &[Factor], system: &mut System) -> (ExprId, Enclosure) {
+        if factors.len() > LONGEST_FLAT {
+            let (first, second) = factors.split_at(factors.len() / 2);
+            let [first, second] = [first, second].map(|half| self.of_factors(half, system));
+            let bounds = self.multiplied(first, second, system);
+            return (system.mechanism.graph.multiply(first.0, second.0), bounds);
+        }
+        let graph = &system.mechanism.graph;
+        let mut product = (graph.one(), still(graph));
+        for (place, factor) in factors.iter().enumerate() {
+            let value = system.mechanism.graph.power(factor.base, factor.exponent);
+            let own = (value, self.of_power(factor, system));
+            product = match place {
+                0 => own,
+                _ => {
+                    let bounds = self.multiplied(product, own, system);
+                    (system.mechanism.graph.multiply(product.0, value), bounds)
+                }
+            };
+        }
+        product
+    }
+
+    /// The bounds of a · b.
+    fn multiplied(
+        &mut self,
+        (a, of_a): (ExprId, Enclosure),
+        (b, of_b): (ExprId, Enclosure),
+        system: &mut System,
+    ) -> Enclosure {
+        let [largest_a, largest_b] =
+            [(a, of_a), (b, of_b)].map(|(value, of)| self.largest(value, of, system));
+        let size_b =
+            constant_size(b, system).unwrap_or_else(|| system.mechanism.graph.magnitude(b));
+        let graph = &mut system.mechanism.graph;
+        let moved = [
+            graph.multiply(largest_a, of_b.radius),
+            graph.multiply(size_b, of_a.radius),
+        ];
+        let bend = graph.variable(self.span.bend);
+        let curved = graph.product(&[bend, of_a.radius, of_b.radius]);
+        let bent = [
+            graph.multiply(largest_a, of_b.sag),
+            graph.multiply(largest_b, of_a.sag),
+            graph.multiply(of_a.sag, of_b.sag),
+            curved,
+            curved,
+        ];
+        Enclosure {
+            radius: graph.sum(&moved),
+            sag: graph.sum(&bent),
+        }
+    }
+
+    fn of_power(&mut self, factor: &Factor, system: &mut System) -> Enclosure {
+        let Factor { base, exponent } = *factor;
+        let inner = self.of(base, system);
+        if exponent == Rational::ONE || inner == still(&system.mechanism.graph) {
+            return match exponent == Rational::ONE {
+                true => inner,
+                false => still(&system.mechanism.graph),
+            };
+        }
+        // |x| over the span, from the side on which the derivative is largest.
+        let is_whole = exponent.denominator() == 1;
+        let graph = &mut system.mechanism.graph;
+        let size = if is_whole {
+            graph.magnitude(base)
+        } else {
+            base
+        };
+        let largest = graph.add(size, inner.radius);
+        let least = graph.subtract(size, inner.radius);
+        let mut slope = |order: i64, before: Rational| {
+            // n (n − 1) … |x|^(n − order)
+            let left = exponent
+                .checked_sub(Rational::integer(order))
+                .unwrap_or(exponent);
+            let coefficient = match order {
+                1 => exponent.absolute(),
+                _ => exponent
+                    .absolute()
+                    .checked_mul(before.absolute())
+                    .unwrap_or(before),
+            };
+            if coefficient.is_zero() {
+                return graph.zero();
+            }
+            let place = if left.is_negative() { least } else { largest };
+            let power = graph.power(place, left);
+            graph.scale(Number::rational(coefficient), power)
+        };
+        let before = exponent.checked_sub(Rational::ONE).unwrap_or(exponent);
+        let slopes = [slope(1, before), slope(2, before)];
+        if !is_whole || exponent.is_negative() {
+            self.required.push(least);
+        }
+        self.composed(inner, slopes, system)
+    }
+}

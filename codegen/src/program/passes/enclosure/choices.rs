@@ -1,0 +1,140 @@
+//! Choices, magnitudes and what is brought into one period → their bounds, where functions have kinks and jumps.
+
+use super::{Enclosure, Enclosures, still};
+use crate::expr::{ExprId, Node};
+use crate::system::System;
+
+impl Enclosures {
+    /// |x| is no farther away and has a kink.
+    pub(super) fn of_magnitude(&mut self, x: ExprId, system: &mut System) -> Enclosure {
+        let Enclosure { radius, sag } = self.of(x, system);
+        let graph = &mut system.mechanism.graph;
+        let size = graph.magnitude(x);
+        let kept = graph.subtract(size, radius);
+        Enclosure {
+            radius,
+            sag: graph.choose(kept, radius, sag),
+        }
+    }
+
+    /// Where it is certain which arm holds its bounds; elsewhere the arms join, and the value moves by no more than both do.
+    pub(super) fn of_choice(
+        &mut self,
+        expr: ExprId,
+        [condition, below, otherwise]: [ExprId; 3],
+        system: &mut System,
+    ) -> Enclosure {
+        if let Some(periodic) = self.of_periodic(expr, system) {
+            return periodic;
+        }
+        let deciding = self.of(condition, system).radius;
+        let arms = [below, otherwise].map(|arm| self.of(arm, system));
+        let graph = &mut system.mechanism.graph;
+        let size = graph.magnitude(condition);
+        let certain = graph.subtract(size, deciding);
+        let zero = graph.zero();
+        let both = graph.add(arms[0].radius, arms[1].radius);
+        let [surely_below, surely_otherwise] = [
+            graph.subtract(condition, deciding),
+            graph.add(condition, deciding),
+        ];
+        let mut bound = |[below, otherwise]: [ExprId; 2]| match [below == zero, otherwise == zero] {
+            // Where one arm does not move, the other one is enough wherever it may be taken.
+            [_, true] if both == below => graph.choose(surely_below, below, zero),
+            [true, _] if both == otherwise => graph.choose(surely_otherwise, zero, otherwise),
+            _ => {
+                let chosen = graph.choose(condition, below, otherwise);
+                graph.choose(certain, both, chosen)
+            }
+        };
+        let [radius, sag] = [arms.map(|arm| arm.radius), arms.map(|arm| arm.sag)].map(&mut bound);
+        Enclosure { radius, sag }
+    }
+
+    /// A choice by what is brought into one period joins there too: what moves beyond the end of a period goes on from the number of
+    /// periods before.
+    fn of_periodic(&mut self, expr: ExprId, system: &mut System) -> Option<Enclosure> {
+        let floors = floors(expr, system);
+        let &[floor] = &floors[..] else {
+            return None;
+        };
+        let Node::Floor(periods) = *system.mechanism.graph.node(floor) else {
+            return None;
+        };
+        let inner = self.of(periods, system);
+        // Within the frames one end of a period may lie, beyond them none.
+        let beyond = system.mechanism.graph.variable(self.span.beyond);
+        let radius = system.mechanism.graph.multiply(beyond, inner.radius);
+        self.require_between_integers(periods, radius, system);
+        let last = system.in_last_frame(periods);
+        let graph = &mut system.mechanism.graph;
+        let before = graph.floor(last);
+        let passed = graph.subtract(floor, before);
+        let passed = graph.magnitude(passed);
+        let one_and_a_half = graph.rational(3, 2);
+        let few = graph.subtract(one_and_a_half, passed);
+        self.required.push(few);
+        let number = system.intermediate("periods");
+        let graph = &mut system.mechanism.graph;
+        let held = graph.variable(number);
+        let fixed = graph.replace_parts(expr, &[(floor, held)]);
+        self.known.insert(number, still(graph));
+        let bounds = self.of(fixed, system);
+        let [now, then] = [floor, before].map(|value| {
+            [bounds.radius, bounds.sag].map(|bound| {
+                let graph = &mut system.mechanism.graph;
+                graph.substitute(bound, &[(number, value)])
+            })
+        });
+        let required: Vec<ExprId> = std::mem::take(&mut self.required);
+        let graph = &mut system.mechanism.graph;
+        self.required = required
+            .into_iter()
+            .flat_map(|expr| match graph.depends_on(expr, number) {
+                true => [floor, before]
+                    .map(|value| graph.substitute(expr, &[(number, value)]))
+                    .to_vec(),
+                false => vec![expr],
+            })
+            .collect();
+        let over = graph.multiply(passed, then[0]);
+        let bent = graph.multiply(passed, now[0]);
+        let parts = [now[1], bent, over];
+        Some(Enclosure {
+            radius: graph.add(now[0], over),
+            sag: graph.sum(&parts),
+        })
+    }
+
+    pub(super) fn require_between_integers(
+        &mut self,
+        x: ExprId,
+        radius: ExprId,
+        system: &mut System,
+    ) {
+        let graph = &mut system.mechanism.graph;
+        let floor = graph.floor(x);
+        let above = graph.subtract(x, floor);
+        let one = graph.one();
+        let below = graph.subtract(one, above);
+        self.required.push(graph.subtract(above, radius));
+        self.required.push(graph.subtract(below, radius));
+    }
+}
+
+/// The whole parts in an expression that move.
+fn floors(expr: ExprId, system: &System) -> Vec<ExprId> {
+    let graph = &system.mechanism.graph;
+    let mut found = Vec::new();
+    let (mut open, mut seen) = (vec![expr], std::collections::HashSet::new());
+    while let Some(expr) = open.pop() {
+        if graph.is_fixed(expr) || !seen.insert(expr) {
+            continue;
+        }
+        if let Node::Floor(_) = graph.node(expr) {
+            found.push(expr);
+        }
+        open.extend(graph.operands(expr));
+    }
+    found
+}

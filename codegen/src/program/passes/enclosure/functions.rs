@@ -1,0 +1,88 @@
+//! Functions of one value that is bounded → their bounds, from the size of their derivatives.
+
+use super::{Enclosure, Enclosures};
+use crate::expr::{ExprId, Number, Rational, SplineId};
+use crate::system::System;
+
+impl Enclosures {
+    pub(super) fn of_arctangent(&mut self, y: ExprId, x: ExprId, system: &mut System) -> Enclosure {
+        let [of_y, of_x] = [y, x].map(|part| self.of(part, system));
+        let graph = &mut system.mechanism.graph;
+        let squares = [y, x].map(|part| graph.multiply(part, part));
+        let square = graph.sum(&squares);
+        let distance = graph.sqrt(square);
+        let radius = graph.add(of_y.radius, of_x.radius);
+        let least = graph.subtract(distance, radius);
+        self.required.push(least);
+        // Where x is negative, y must keep its sign: there the angle jumps.
+        let left = graph.subtract(x, of_x.radius);
+        let size = graph.magnitude(y);
+        let kept = graph.subtract(size, of_y.radius);
+        let one = graph.one();
+        let jumps = graph.choose(left, kept, one);
+        self.required.push(jumps);
+        let slopes = [-1, -2].map(|power| graph.power(least, Rational::integer(power)));
+        let sag = graph.add(of_y.sag, of_x.sag);
+        self.composed(Enclosure { radius, sag }, slopes, system)
+    }
+
+    pub(super) fn of_spline(
+        &mut self,
+        spline: SplineId,
+        order: u8,
+        argument: ExprId,
+        system: &mut System,
+    ) -> Enclosure {
+        let inner = self.of(argument, system);
+        let steepest = system
+            .mechanism
+            .graph
+            .spline_of(spline)
+            .largest_derivatives();
+        let graph = &mut system.mechanism.graph;
+        let [first, second, third] = steepest.map(|value| graph.number(Number::float(value)));
+        match order {
+            0 => self.composed(inner, [first, second], system),
+            1 => self.composed(inner, [second, third], system),
+            // The second derivative has kinks, the third one jumps.
+            2 => {
+                let radius = graph.multiply(third, inner.radius);
+                Enclosure {
+                    radius,
+                    sag: radius,
+                }
+            }
+            _ => {
+                let radius = graph.add(third, third);
+                Enclosure {
+                    radius,
+                    sag: radius,
+                }
+            }
+        }
+    }
+
+    /// The bounds of f(x), whose first and second derivative are at most these over the span.
+    pub(super) fn composed(
+        &self,
+        inner: Enclosure,
+        [first, second]: [ExprId; 2],
+        system: &mut System,
+    ) -> Enclosure {
+        let graph = &mut system.mechanism.graph;
+        let bend = graph.variable(self.span.bend);
+        let moved = graph.multiply(first, inner.sag);
+        let curved = graph.product(&[second, bend, inner.radius, inner.radius]);
+        Enclosure {
+            radius: graph.multiply(first, inner.radius),
+            sag: graph.add(moved, curved),
+        }
+    }
+
+    /// The least value of what must be positive.
+    pub(super) fn least(&mut self, x: ExprId, inner: Enclosure, system: &mut System) -> ExprId {
+        let least = system.mechanism.graph.subtract(x, inner.radius);
+        self.required.push(least);
+        least
+    }
+}

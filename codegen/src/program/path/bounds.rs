@@ -1,0 +1,119 @@
+//! Unknowns and inputs → how far they go along the line, and what their bounds are called.
+
+use crate::expr::{ExprId, SymbolId};
+use crate::program::builder::Builder;
+use crate::program::function::Statement;
+use crate::program::passes::enclosure::Enclosure;
+use crate::system::SymbolRole;
+
+impl Builder<'_> {
+    /// How far an unknown goes along the line: what it has moved since the last frame, stretched.
+    pub(super) fn way(&mut self, unknown: usize) -> SymbolId {
+        let way = self.bound(unknown, "way");
+        let moved = match self.paths.directions.get(&unknown) {
+            // Where the angle itself is not kept, the way is less than half a turn.
+            Some(&[cosine, sine]) => {
+                let both = [cosine, sine].map(|symbol| [symbol, self.system.last(symbol)]);
+                let [[c, c_last], [s, s_last]] =
+                    both.map(|pair| pair.map(|symbol| self.graph().variable(symbol)));
+                let (along, across) = (
+                    self.combined_product([c, c_last], [s, s_last], false),
+                    self.combined_product([s, c_last], [c, s_last], true),
+                );
+                let moved = self.graph().atan2(across, along);
+                self.graph().magnitude(moved)
+            }
+            None => {
+                let symbol = self.system.vector_form.unknowns[unknown].position;
+                let moved = self.moved(symbol);
+                self.graph().magnitude(moved)
+            }
+        };
+        let stretch = self.paths.span.stretch;
+        let stretch = self.graph().variable(stretch);
+        let value = self.graph().multiply(stretch, moved);
+        self.assign(way, value);
+        way
+    }
+
+    /// a b + c d, or else their difference.
+    fn combined_product(
+        &mut self,
+        first: [ExprId; 2],
+        second: [ExprId; 2],
+        subtract: bool,
+    ) -> ExprId {
+        let [first, second] = [first, second].map(|factors| self.graph().product(&factors));
+        match subtract {
+            true => self.graph().subtract(first, second),
+            false => self.graph().add(first, second),
+        }
+    }
+
+    /// A value less what it was.
+    fn moved(&mut self, symbol: SymbolId) -> ExprId {
+        let last = self.system.last(symbol);
+        let [now, before] = [symbol, last].map(|it| self.graph().variable(it));
+        self.graph().subtract(now, before)
+    }
+
+    /// A symbol for a bound of an unknown.
+    pub(super) fn bound(&mut self, unknown: usize, what: &str) -> SymbolId {
+        let name = self.system.unknown_name(unknown);
+        let name = format!("{name}_{what}");
+        self.system.intermediate(&name)
+    }
+
+    pub(in crate::program) fn know(&mut self, unknown: usize, enclosure: Enclosure) {
+        let symbol = self.system.vector_form.unknowns[unknown].position;
+        self.paths.enclosures.know(symbol, enclosure);
+    }
+
+    /// States that nothing moves an unknown.
+    pub(in crate::program) fn know_still(&mut self, unknown: usize) {
+        let zero = self.graph().zero();
+        self.know(
+            unknown,
+            Enclosure {
+                radius: zero,
+                sag: zero,
+            },
+        );
+    }
+
+    pub(in crate::program) fn enclosure(&mut self, expr: ExprId) -> Enclosure {
+        self.meet_signals(expr);
+        self.paths.enclosures.of(expr, self.system)
+    }
+
+    /// States what the bounds of a block rely on.
+    pub(in crate::program) fn require(&mut self, block: usize) {
+        let mut required = std::mem::take(&mut self.paths.enclosures.required);
+        required.sort_unstable();
+        required.dedup();
+        self.path_geometry(&required);
+        for value in required {
+            self.state(Statement::Require { value, block });
+        }
+    }
+
+    /// States the bounds of the inputs that an expression mentions.
+    fn meet_signals(&mut self, expr: ExprId) {
+        for symbol in self.system.mechanism.graph.symbols(expr).to_vec() {
+            let SymbolRole::Input { input, level: 0 } = self.system.roles[symbol.index()] else {
+                continue;
+            };
+            if !self.paths.signals.insert(input) {
+                continue;
+            }
+            let name = self.system.mechanism.inputs[input].name.to_lowercase();
+            let found =
+                ["radius", "sag"].map(|what| self.system.intermediate(&format!("{name}_{what}")));
+            self.state(Statement::Signal { input, found });
+            let [radius, sag] = found.map(|it| self.graph().variable(it));
+            self.paths
+                .enclosures
+                .know(symbol, Enclosure { radius, sag });
+        }
+    }
+}

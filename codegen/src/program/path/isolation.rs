@@ -1,0 +1,139 @@
+//! Equations that are looked at together → the question whether they have one solution near the line.
+
+use std::collections::{BTreeMap, HashMap};
+
+use crate::expr::{ExprId, SymbolId};
+use crate::joint::Quantity;
+use crate::program::builder::Builder;
+use crate::program::function::{Function, Statement, Written};
+use crate::program::passes::enclosure::Enclosure;
+use crate::system::SymbolRole;
+
+/// Equations that are looked at together.
+#[derive(Default)]
+pub(super) struct Loops {
+    pub unknowns: Vec<usize>,
+    /// Where each unknown stands among them.
+    pub columns: HashMap<usize, usize>,
+    /// How far the unknowns go along the line.
+    pub ways: Vec<SymbolId>,
+    pub residuals: Vec<ExprId>,
+    /// The block of each equation, by its place in the plan.
+    pub blocks: Vec<usize>,
+}
+
+impl Builder<'_> {
+    /// Looks at these equations together with others.
+    pub(super) fn join(
+        &mut self,
+        unknowns: &[usize],
+        residuals: &[ExprId],
+        block: usize,
+        loops: &mut Loops,
+    ) {
+        for &unknown in unknowns {
+            let way = self.way(unknown);
+            // On the line the unknowns have no sag of their own.
+            let (radius, sag) = (self.graph().variable(way), self.graph().zero());
+            self.know(unknown, Enclosure { radius, sag });
+            loops.ways.push(way);
+            loops.columns.insert(unknown, loops.unknowns.len());
+            loops.unknowns.push(unknown);
+        }
+        loops.residuals.extend(residuals);
+        loops.blocks.extend(residuals.iter().map(|_| block));
+    }
+
+    /// Asks that equations have one solution near the line.
+    pub(super) fn isolate(&mut self, loops: Loops) {
+        let Loops {
+            unknowns,
+            columns,
+            ways,
+            residuals,
+            blocks,
+        } = loops;
+        if unknowns.is_empty() {
+            return;
+        }
+        let sags: Vec<SymbolId> = unknowns.iter().map(|&it| self.bound(it, "sag")).collect();
+        let bounds: Vec<ExprId> = residuals.iter().map(|&it| self.enclosure(it).sag).collect();
+        self.require(blocks[0]);
+        let mut jacobian = Vec::new();
+        for (row, &residual) in residuals.iter().enumerate() {
+            let rate = self.rate(residual);
+            let rates = self.system.mechanism.graph.symbols(rate).iter();
+            let own = rates.filter_map(|&symbol| match self.system.roles[symbol.index()] {
+                SymbolRole::Rate(unknown) => Some((*columns.get(&unknown)?, symbol)),
+                _ => None,
+            });
+            let own: BTreeMap<usize, SymbolId> = own.collect();
+            for (column, own) in own {
+                let entry = self.graph().derivative(rate, own);
+                if entry != self.graph().zero() {
+                    jacobian.push(([row, column], entry));
+                }
+            }
+        }
+        for ((&unknown, &way), &sag) in unknowns.iter().zip(&ways).zip(&sags) {
+            let [way, sag] = [way, sag].map(|it| self.graph().variable(it));
+            let radius = self.graph().add(way, sag);
+            self.know(unknown, Enclosure { radius, sag });
+        }
+        let zero = self.graph().zero();
+        let mut varied = Vec::new();
+        let mut variation = Vec::new();
+        for &(place, entry) in &jacobian {
+            let radius = self.enclosure(entry).radius;
+            if radius != zero {
+                varied.push(place);
+                variation.push(Written {
+                    expr: radius,
+                    bodies: Vec::new(),
+                });
+            }
+        }
+        let entries = jacobian.iter().map(|(_, entry)| *entry);
+        let variations = variation.iter().map(|it| it.expr);
+        let all: Vec<ExprId> = entries
+            .chain(variations)
+            .chain(bounds.iter().copied())
+            .collect();
+        let sizes = unknowns.iter().map(|&it| self.size(it)).collect();
+        self.path_geometry(&all);
+        self.state(Statement::Isolate {
+            blocks: blocks.clone(),
+            found: sags.clone(),
+            bounds,
+            sizes,
+            jacobian,
+            varied,
+            variation: Box::new(Function {
+                results: variation,
+                ..Function::default()
+            }),
+        });
+        for ((&unknown, way), sag) in unknowns.iter().zip(ways).zip(sags) {
+            self.paths.sags.insert(unknown, sag);
+            let [way, sag] = [way, sag].map(|it| self.graph().variable(it));
+            let reach = self.graph().add(way, sag);
+            let radius = self.bound(unknown, "radius");
+            self.assign(radius, reach);
+            let radius = self.graph().variable(radius);
+            self.know(unknown, Enclosure { radius, sag });
+        }
+        self.require(blocks[0]);
+    }
+
+    /// What rounding of an unknown is a part of: its value where it is a length.
+    fn size(&mut self, unknown: usize) -> ExprId {
+        let unknown = &self.system.vector_form.unknowns[unknown];
+        match unknown.quantity {
+            Quantity::Angle => self.graph().one(),
+            Quantity::Length | Quantity::Power(_) => {
+                let position = unknown.position;
+                self.graph().variable(position)
+            }
+        }
+    }
+}

@@ -1,0 +1,260 @@
+//! Two links between bounded pins → what shows that they are not in line, and how far they turn.
+//!
+//! The letters are those of the [room](super): d, ψ, m, σ.
+
+use super::TwoLinks;
+use crate::expr::ExprId;
+use crate::joint::geometry::Vector;
+use crate::program::builder::Builder;
+use crate::program::function::Statement;
+use crate::program::passes::enclosure::Enclosure;
+use crate::program::pin_motion::Known;
+
+/// How far a link may turn, in rad: two frames that are no farther from a third one are less than half a turn apart.
+const LARGEST_TURN: (i64, i64) = (3, 2);
+
+/// What is known of two links before it is asked whether they come in line.
+struct Pair {
+    /// What the angles are called, and both together.
+    names: [String; 2],
+    name: String,
+    /// a and b in this frame.
+    lengths: [ExprId; 2],
+    /// How the ends of the links move in their bodies.
+    stretched: [Enclosure; 2],
+    /// Where a length changes along a line that passes the pin, the link turns in its body by that, too.
+    is_oblique: [bool; 2],
+    /// Whether links that turn move the pins.
+    is_linked: bool,
+    /// m: how far all of it goes.
+    moved: ExprId,
+    /// σ: how far it is from a straight line.
+    strayed: ExprId,
+}
+
+/// How the lengths enter a pair's bounds: 1/a, 1/b and their sum, at the least lengths.
+struct Slopes {
+    each: [ExprId; 2],
+    both: ExprId,
+}
+
+/// How far the angle between two links goes.
+struct Turn {
+    /// At most |cos ψ|.
+    cosine: ExprId,
+    /// At most 1/|sin ψ|.
+    inverse: ExprId,
+    /// At most m/|sin ψ|, which the lengths divide.
+    turned: ExprId,
+}
+
+impl Pair {
+    /// Whether no link changes its length.
+    fn is_fixed(&self, zero: ExprId) -> bool {
+        self.stretched.iter().all(|it| it.radius == zero)
+    }
+}
+
+impl Builder<'_> {
+    /// Asks that two links are not in line, and bounds how far they turn.
+    pub(super) fn bound_links(&mut self, links: TwoLinks, block: usize, known: &mut Known) {
+        let pair = self.moving_pair(links, known);
+        self.require(block);
+        let slopes = self.slopes_of(&pair, block);
+        let turn = self.turn_of(&pair, &slopes, links.product, block);
+        let bent = self.straying_of(&pair, &slopes, &turn);
+        for side in [0, 1] {
+            let [sag, first] =
+                [bent, turn.turned].map(|it| self.graph().multiply(it, slopes.each[side]));
+            let way = self.way_of_angle(links.angles[side]);
+            let sag = match pair.is_oblique[side] {
+                true => self.graph().add(way, first),
+                false => sag,
+            };
+            let sag = self.bounded(&format!("{}_sag", pair.names[side]), sag);
+            // Where links move the pins, bounds of bounds grow by more than what they bound, and frames know better.
+            let radius = match pair.is_oblique[side] || !pair.is_linked {
+                true => first,
+                false => self.graph().add(way, sag),
+            };
+            let radius = self.bounded(&format!("{}_radius", pair.names[side]), radius);
+            self.know(links.angles[side], Enclosure { radius, sag });
+            known.linked.insert(links.angles[side]);
+        }
+    }
+
+    /// How far pins and the ends of links go, and how far they are from a straight line.
+    fn moving_pair(&mut self, links: TwoLinks, known: &mut Known) -> Pair {
+        let names = links
+            .angles
+            .map(|angle| self.system.unknown_name(angle).to_string());
+        let name = names.join("_");
+        let closure = links.closure.map(|part| self.undriven(part));
+        let links = links.links.map(|link| link.map(|part| self.in_short(part)));
+        let lengths = links.map(|link| self.length_of(link));
+        let rounding = {
+            let [x, y] = closure.map(|part| self.size_of(part, known));
+            let [a, b] = lengths.map(|length| self.size_of(length, known));
+            let size = self.graph().sum(&[x, y, a, b]);
+            let rounding = self.paths.span.rounding;
+            let rounding = self.graph().variable(rounding);
+            let rounding = self.graph().multiply(rounding, size);
+            self.bounded(&format!("{name}_rounding"), rounding)
+        };
+        let closure = closure.map(|part| self.in_short(part));
+        let mut parts = closure.iter().chain(links.iter().flatten());
+        let is_linked = parts.any(|&part| self.is_linked(part, known));
+        let pins = self.motion_of(closure, known);
+        let stretched = links.map(|link| self.components(link));
+        let zero = self.graph().zero();
+        let is_oblique =
+            [0, 1].map(|side| stretched[side].radius != zero && !links[side].contains(&zero));
+        let oblique = [0, 1].map(|side| match is_oblique[side] {
+            true => stretched[side].radius,
+            false => zero,
+        });
+        let moved = {
+            let [first, second] = stretched.map(|it| it.radius);
+            let parts = [pins.radius, first, second, oblique[0], oblique[1], rounding];
+            let moved = self.graph().sum(&parts);
+            self.bounded(&format!("{name}_moved"), moved)
+        };
+        let strayed = {
+            // Such a length is no linear function of what drives it: it strays by what it moves, here and along the line.
+            let twice = self.graph().integer(2);
+            let oblique = oblique.map(|part| self.graph().multiply(twice, part));
+            let [first, second] = stretched.map(|it| it.sag);
+            let parts = [pins.sag, first, second, oblique[0], oblique[1], rounding];
+            let strayed = self.graph().sum(&parts);
+            self.bounded(&format!("{name}_strayed"), strayed)
+        };
+        Pair {
+            names,
+            name,
+            lengths,
+            stretched,
+            is_oblique,
+            is_linked,
+            moved,
+            strayed,
+        }
+    }
+
+    /// Asks that no link vanishes, and says how steep angles can be in what moves.
+    fn slopes_of(&mut self, pair: &Pair, block: usize) -> Slopes {
+        let zero = self.graph().zero();
+        let shortest = [0, 1].map(|side| {
+            let (length, radius) = (pair.lengths[side], pair.stretched[side].radius);
+            if radius == zero {
+                return length;
+            }
+            let value = self.graph().subtract(length, radius);
+            let value = self.bounded(&format!("{}_length", pair.names[side]), value);
+            self.state(Statement::Require { value, block });
+            value
+        });
+        let one = self.graph().one();
+        let each = shortest.map(|length| self.graph().divide(one, length));
+        let each = [0, 1].map(|side| {
+            let name = format!("{}_slope", pair.names[side]);
+            self.bounded(&name, each[side])
+        });
+        let both = self.graph().add(each[0], each[1]);
+        let both = self.bounded(&format!("{}_slope", pair.name), both);
+        Slopes { each, both }
+    }
+
+    /// Asks that the links do not come in line; `product` is ab cos ψ in this frame.
+    fn turn_of(&mut self, pair: &Pair, slopes: &Slopes, product: ExprId, block: usize) -> Turn {
+        let name = &pair.name;
+        let bend = self.paths.span.bend;
+        let bend = self.graph().variable(bend);
+        let moved_square = self.graph().multiply(pair.moved, pair.moved);
+        let moved_square = self.bounded(&format!("{name}_moved_square"), moved_square);
+        let [zero, one] = [self.graph().zero(), self.graph().one()];
+        let cosine = {
+            let area = self.graph().multiply(pair.lengths[0], pair.lengths[1]);
+            let inverse = self.graph().divide(one, area);
+            let now = self.graph().magnitude(product);
+            let (scaled, further) = match pair.is_fixed(zero) {
+                true => {
+                    let way = self.way_of(product);
+                    let curved = self.graph().multiply(bend, moved_square);
+                    let scaled = self.graph().sum(&[now, way, curved]);
+                    let scaled = self.bounded(&format!("{name}_product"), scaled);
+                    (scaled, pair.strayed)
+                }
+                false => (now, pair.moved),
+            };
+            let scaled = self.graph().multiply(inverse, scaled);
+            let further = self.graph().multiply(slopes.both, further);
+            let largest = self.graph().add(scaled, further);
+            self.bounded(&format!("{name}_cosine"), largest)
+        };
+        let sine_square = {
+            let square = self.graph().multiply(cosine, cosine);
+            let rest = self.graph().subtract(one, square);
+            self.bounded(&format!("{name}_sine_square"), rest)
+        };
+        let value = {
+            // moved/(a |sin ψ|) is no more than this where moved (1/a + 1/b)/|sin ψ| is not.
+            let (above, below) = LARGEST_TURN;
+            let part = self.graph().rational(below, above);
+            let part = self.graph().multiply(part, slopes.both);
+            let least = self.graph().product(&[part, part, moved_square]);
+            self.graph().subtract(sine_square, least)
+        };
+        self.path_geometry(&[value]);
+        self.state(Statement::Require { value, block });
+        let inverse = {
+            let sine = self.graph().sqrt(sine_square);
+            let inverse = self.graph().divide(one, sine);
+            self.bounded(&format!("{name}_inverse"), inverse)
+        };
+        let turned = self.graph().multiply(pair.moved, inverse);
+        let turned = self.bounded(&format!("{name}_turned"), turned);
+        Turn {
+            cosine,
+            inverse,
+            turned,
+        }
+    }
+
+    /// How far the links stray while they turn, which the lengths divide.
+    fn straying_of(&mut self, pair: &Pair, slopes: &Slopes, turn: &Turn) -> ExprId {
+        let Turn {
+            cosine,
+            inverse,
+            turned,
+        } = *turn;
+        let zero = self.graph().zero();
+        let bend = self.paths.span.bend;
+        let bend = self.graph().variable(bend);
+        // What the square of a turn is multiplied by in the second derivative of an angle.
+        let own = match pair.is_fixed(zero) {
+            true => self.larger(slopes.each),
+            false => self.graph().add(slopes.both, slopes.both),
+        };
+        let other = self.graph().product(&[slopes.both, cosine, inverse]);
+        let both = self.graph().add(own, other);
+        let curved = self.graph().product(&[bend, turned, turned, both]);
+        let strayed = self.graph().multiply(inverse, pair.strayed);
+        let bent = self.graph().add(curved, strayed);
+        self.bounded(&format!("{}_bent", pair.name), bent)
+    }
+
+    /// The larger one of two constants that are not negative, or else their sum.
+    fn larger(&mut self, [first, second]: Vector) -> ExprId {
+        let graph = self.graph();
+        let value = |expr| {
+            graph
+                .constant_value(expr)
+                .filter(|_| graph.is_constant(expr))
+        };
+        match (value(first), value(second)) {
+            (Some(one), Some(other)) if one >= other => first,
+            (Some(_), Some(_)) => second,
+            _ => graph.add(first, second),
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Source → System: a description is parsed, resolved, and its equations are derived, each motion's by themselves.
+//!
+//! Deliberately unknown here: how they are solved.
+
+use crate::checks::of_motions;
+use crate::consequences;
+use crate::diagnostic::{Diagnostics, Source};
+use crate::emit::Language;
+use crate::finiteness;
+use crate::model;
+use crate::structure;
+use crate::syntax;
+use crate::system::System;
+
+/// A description whose equations have been derived.
+#[derive(Clone, Debug)]
+pub struct Read {
+    /// The equations of each motion in written order; those of the mechanism where it has no motions. Never empty.
+    pub motions: Vec<System>,
+    /// What should be looked at although it is no error.
+    pub warnings: Diagnostics,
+}
+
+impl Read {
+    /// The equations, where there is one motion only.
+    pub fn only(mut self) -> Option<System> {
+        match self.motions.len() {
+            1 => self.motions.pop(),
+            _ => None,
+        }
+    }
+
+    /// The equations of the motion of this name.
+    pub fn motion(&self, name: &str) -> Option<&System> {
+        let named = |system: &&System| {
+            let motion = system.mechanism.motion.as_ref();
+            motion.is_some_and(|motion| motion.name == name)
+        };
+        self.motions.iter().find(named)
+    }
+}
+
+/// Derives the equations of a description, whether or not they determine the motion.
+///
+/// # Errors
+/// Every error of the text and of its names, values and forms.
+pub fn read(source: &Source) -> Result<Read, Diagnostics> {
+    read_for(source, Language::default(), None)
+}
+
+/// The same with the sensitivities to these parameters in place of those that the description asks for. A name that no parameter has
+/// is passed over.
+///
+/// # Errors
+/// Those of [`read`].
+pub fn read_along(source: &Source, parameters: &[&str]) -> Result<Read, Diagnostics> {
+    read_for(source, Language::default(), Some(parameters))
+}
+
+/// The same with names as a language wants them, perhaps along parameters that somebody else asks for.
+pub(crate) fn read_for(
+    source: &Source,
+    language: Language,
+    along: Option<&[&str]>,
+) -> Result<Read, Diagnostics> {
+    let mut diagnostics = Diagnostics::new();
+    let Some(document) = syntax::parse(source, &mut diagnostics) else {
+        return Err(diagnostics);
+    };
+    let read = resolved(&document, source, language, along, diagnostics);
+    let said = |found: Diagnostics| found.respelled(&document.spellings);
+    match read {
+        Ok(Read { motions, warnings }) => Ok(Read {
+            motions,
+            warnings: said(warnings),
+        }),
+        Err(found) => Err(said(found)),
+    }
+}
+
+/// The equations of a document, and all that is found on the way after what was found before.
+fn resolved(
+    document: &syntax::Document,
+    source: &Source,
+    language: Language,
+    along: Option<&[&str]>,
+    mut diagnostics: Diagnostics,
+) -> Result<Read, Diagnostics> {
+    let mut resolving = Diagnostics::new();
+    let mechanisms = model::resolve(document, language.naming(), &mut resolving);
+    if diagnostics.has_errors() {
+        consequences::add_independent(resolving, document, source, &mut diagnostics);
+        return Err(diagnostics);
+    }
+    diagnostics.extend(resolving);
+    let Some(mut mechanisms) = mechanisms else {
+        return Err(diagnostics);
+    };
+    for mechanism in along.and(Some(&mut mechanisms)).into_iter().flatten() {
+        let own = |name: &&str| mechanism.parameters.iter().position(|it| it.name == *name);
+        let mut wanted: Vec<usize> = along.into_iter().flatten().filter_map(own).collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        mechanism.sensitivities = wanted;
+    }
+    let motions: Vec<System> = mechanisms.into_iter().map(structure::released).collect();
+    let found = of_motions(&motions, finiteness::of_system);
+    diagnostics.extend(found);
+    if diagnostics.has_errors() {
+        return Err(diagnostics);
+    }
+    Ok(Read {
+        motions,
+        warnings: diagnostics,
+    })
+}

@@ -1,0 +1,161 @@
+//! The joints of a mechanism → the rows of the vector form, and its unknowns.
+
+use std::collections::HashMap;
+
+use super::{VectorForm, VectorRow};
+use crate::expr::{Graph, SymbolId};
+use crate::joint::{Kind, Quantity, Resolved, Row};
+use crate::model::{Joint, Mechanism, Role};
+use crate::system::assemble::Watch;
+use crate::system::mark_names::MarkNames;
+use crate::system::orientation::Orientations;
+use crate::system::{Settled, Unknown};
+
+impl VectorForm {
+    /// The vector form of every joint, with the drawn values of the auxiliary unknowns; `dropped` says of each joint which of
+    /// the textbook's rows are not solved.
+    pub(in crate::system) fn new(
+        mechanism: &mut Mechanism,
+        coordinates: &[Unknown],
+        dropped: &[Vec<bool>],
+        watch: &mut Watch,
+    ) -> VectorForm {
+        let mut form = VectorForm {
+            unknowns: Settled::new(coordinates.to_vec()),
+            rows: Settled::new(Vec::new()),
+            arms: Settled::new(Vec::new()),
+            orientations: Settled::new(Orientations::new(mechanism.bodies.len(), &mechanism.graph)),
+            points: Settled::new(Vec::new()),
+            naming: mechanism.naming,
+            angles: mechanism
+                .bodies
+                .iter()
+                .map(|body| body.coordinates[2].map(|it| it.place))
+                .collect(),
+            rates: HashMap::new(),
+            arm_places: HashMap::new(),
+            auxiliary_places: HashMap::new(),
+            taken_names: coordinates
+                .iter()
+                .map(|coordinate| coordinate.name.clone())
+                .collect(),
+            name_numbers: HashMap::new(),
+            arms_of: HashMap::new(),
+            arm_of: HashMap::new(),
+            unknown_of: HashMap::new(),
+            mark_names: MarkNames::new(&mechanism.bodies, &mechanism.points),
+        };
+        let moved = !mechanism.transmissions.is_empty() || mechanism.forces.need_multipliers();
+        form.rates.extend(mechanism.explicit_rates());
+        let Mechanism {
+            graph,
+            joints,
+            bodies,
+            points,
+            parameters,
+            ..
+        } = mechanism;
+        let fixed = parameters.iter().map(|own| (own.symbol, graph.zero()));
+        form.rates.extend(fixed);
+        // Which angles are tied must be known before the first arm is made.
+        let angles = bodies.iter().enumerate().filter_map(|(body, own)| {
+            let [_, _, angle] = own.coordinates;
+            Some((angle?.symbol, body))
+        });
+        let angles: HashMap<SymbolId, usize> = angles.collect();
+        for (joint, dropped) in joints.iter().zip(dropped) {
+            // A driver that holds an angle ties it, unless its value is to be moved.
+            if moved && joint.role == Role::Driver {
+                continue;
+            }
+            for row in kept_rows(joint.kind, &joint.operands, dropped, graph) {
+                if row.quantity == Quantity::Angle {
+                    form.orientations.write().tie(&row, &angles, graph);
+                }
+            }
+        }
+        form.orientations.write().settle(graph);
+        for (index, (joint, dropped)) in joints.iter().zip(dropped).enumerate() {
+            if !dropped.contains(&true) {
+                form.add_auxiliaries(joint, bodies, graph);
+            }
+            let operands = form.with_arms(&joint.operands, bodies, graph);
+            let rows = kept_rows(joint.kind, &operands, dropped, graph);
+            form.rows.write().extend(rows.iter().map(|row| VectorRow {
+                joint: index,
+                residual: row.residual,
+                quantity: row.quantity,
+                component: row.component,
+            }));
+            if watch.is_beyond(graph, joint.span) {
+                break;
+            }
+        }
+        for point in points.iter() {
+            let mark = form.mark_with_arm(&point.mark, bodies, graph);
+            let position = mark.position(graph);
+            form.points.write().push(position);
+        }
+        for unknown in &form.unknowns {
+            let (rate, acceleration) = (
+                graph.variable(unknown.rate),
+                graph.variable(unknown.acceleration),
+            );
+            form.rates.insert(unknown.position, rate);
+            form.rates.insert(unknown.rate, acceleration);
+        }
+        let unknowns = form.unknowns.iter().enumerate();
+        form.unknown_of = unknowns.map(|(place, own)| (own.position, place)).collect();
+        form
+    }
+
+    /// Adds a symbol that does not depend on time to the value of a driver, a joint of the mechanism.
+    pub(in crate::system) fn shift_driver(
+        &mut self,
+        joint: usize,
+        shift: SymbolId,
+        mechanism: &mut Mechanism,
+    ) {
+        let Mechanism {
+            graph,
+            joints,
+            bodies,
+            ..
+        } = mechanism;
+        let Joint { kind, operands, .. } = &joints[joint];
+        let Some(value) = operands.value else {
+            return;
+        };
+        self.rates.insert(shift, graph.zero());
+        let delta = graph.variable(shift);
+        let shifted = Resolved {
+            value: Some(graph.add(value, delta)),
+            ..self.with_arms(operands, bodies, graph)
+        };
+        let own = self
+            .rows
+            .write()
+            .iter_mut()
+            .filter(|row| row.joint == joint);
+        for (row, shifted) in own.zip(kind.vector_rows(&shifted, graph)) {
+            row.residual = shifted.residual;
+        }
+    }
+}
+
+/// The rows of the vector form of a joint. Where one of the textbook's rows is not solved, the textbook's others: they need no
+/// auxiliary unknown, whose equations would not be as many.
+fn kept_rows(
+    kind: &dyn Kind,
+    operands: &Resolved,
+    dropped: &[bool],
+    graph: &mut Graph,
+) -> Vec<Row> {
+    if !dropped.contains(&true) {
+        return kind.vector_rows(operands, graph);
+    }
+    let rows = kind.rows(operands, graph).into_iter().zip(dropped);
+    rows.filter(|(_, dropped)| !**dropped)
+        .map(|(row, _)| row)
+        .collect()
+}

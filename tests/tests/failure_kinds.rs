@@ -1,0 +1,74 @@
+//! What a new kind of failure takes: its words and its number in three files, and whoever raises it.
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use linkwright_tests::files;
+
+/// Where every kind is listed: with what it is and its words, in Rust, and with its number and its words, in C.
+const LISTS: [&str; 3] = [
+    "codegen/src/emit/c/runtime/shared.c",
+    "codegen/src/emit/c/runtime/shared.h",
+    "runtime/src/failure.rs",
+];
+
+/// Kinds that nobody tells from others, and where they are raised, in Rust and in C.
+const RAISED: [(&str, &[&str]); 3] = [
+    (
+        "Cycling",
+        &[
+            "codegen/src/emit/c/runtime/newton.c",
+            "runtime/src/progress.rs",
+        ],
+    ),
+    (
+        "Diverged",
+        &[
+            "codegen/src/emit/c/runtime/newton.c",
+            "runtime/src/progress.rs",
+        ],
+    ),
+    (
+        "Stalled",
+        &[
+            "codegen/src/emit/c/runtime/assembly.c",
+            "codegen/src/emit/c/runtime/newton.c",
+            "runtime/src/damped.rs",
+            "runtime/src/progress.rs",
+        ],
+    ),
+];
+
+/// The files of the product that name a kind, by their paths in the repository.
+fn naming(kind: &str) -> BTreeSet<String> {
+    let in_c = format!("LINKWRIGHT_{}", kind.to_uppercase());
+    let in_rust = [format!("FailureKind::{kind}"), format!("Self::{kind}")];
+    let root = files::repository();
+    let folders = ["codegen", "runtime", "mechanisms"].map(|it| root.join(it));
+    let of = |extension: &str| {
+        let skip = ["tests", "target", "node_modules"];
+        let folders = folders.iter();
+        let found = folders.flat_map(|it| files::below(it, extension, &skip));
+        found.collect::<Vec<_>>()
+    };
+    ["rs", "c", "h"]
+        .into_iter()
+        .flat_map(of)
+        .filter(|path| {
+            let text = fs::read_to_string(path).expect("a source file");
+            text.contains(&in_c) || in_rust.iter().any(|it| text.contains(it.as_str()))
+        })
+        .map(|path| {
+            let path = path.strip_prefix(&root).expect("a path in the repository");
+            path.display().to_string()
+        })
+        .collect()
+}
+
+#[test]
+fn a_kind_of_failure_is_listed_in_three_files_and_named_where_it_is_raised() {
+    for (kind, raised) in RAISED {
+        let expected = LISTS.iter().chain(raised).map(|it| it.to_string());
+        assert_eq!(naming(kind), expected.collect(), "{kind}");
+    }
+}
