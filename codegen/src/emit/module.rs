@@ -15,12 +15,10 @@ pub(super) mod scope;
 pub(super) mod tables;
 pub(super) mod tubes;
 
-use std::collections::HashSet;
-
 use super::Notation;
 use super::derivation::{self, BlockWords, PlainWords, Script, SingularPose};
 use super::scalar::Scalar;
-use crate::expr::SymbolId;
+use crate::expr::{IdSet, SymbolId};
 use crate::program::passes::names::LocalNames;
 use crate::program::{LARGEST_TEXTBOOK, Program};
 use crate::structure::SolvedPlan;
@@ -53,7 +51,7 @@ pub(super) struct Module<'a> {
     fields: LocalNames,
     comments: PlainWords,
     /// The sags that tubes are filled with.
-    tubes: HashSet<SymbolId>,
+    tubes: IdSet<SymbolId>,
 }
 
 /// A coordinate, its rate or its acceleration in a structure of coordinates.

@@ -1,19 +1,26 @@
-//! A fast hash: *the fields of a node* → *64 bits*.
+//! A fast hash: *the fields of a node, or an id* → *64 bits*.
 //!
 //! The same on every run and machine. It is used for look-up only; no order ever depends on it. The standard library's
 //! hash resists crafted collisions, which a description's author has no use for, at several times the cost. The step is
 //! that of the Firefox hash (rotate, exclusive or, multiply).
 
+use std::collections::{HashMap, HashSet};
 use std::hash::{BuildHasherDefault, Hasher};
 
 /// The state.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct ExprHasher {
+pub struct ExprHasher {
     state: u64,
 }
 
 /// What a map with this hash is built with.
-pub(super) type BuildExprHasher = BuildHasherDefault<ExprHasher>;
+pub type BuildExprHasher = BuildHasherDefault<ExprHasher>;
+
+/// A map by the ids of a graph; only looked up.
+pub type IdMap<K, V> = HashMap<K, V, BuildExprHasher>;
+
+/// A set of ids of a graph.
+pub type IdSet<K> = HashSet<K, BuildExprHasher>;
 
 impl ExprHasher {
     fn mix(&mut self, word: u64) {

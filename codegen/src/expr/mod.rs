@@ -48,6 +48,7 @@ pub use choice::Comparison;
 pub use circles::Circle;
 pub use code::{Code, Register};
 pub use graph::Graph;
+pub use hashing::{IdMap, IdSet};
 pub use node::{ExprId, Factor, Node, SymbolId, Term};
 pub use number::Number;
 pub use rational::Rational;

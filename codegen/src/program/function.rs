@@ -1,9 +1,7 @@
 //! Straight-line code: what every function of a mechanism is made of.
 
-use std::collections::HashMap;
-
 use super::tearing::TornFields;
-use crate::expr::{ExprId, SplineId, SymbolId};
+use crate::expr::{ExprId, IdMap, SplineId, SymbolId};
 use crate::words::Phrase;
 
 /// Statements, each of which defines something before its first use, and results.
@@ -14,7 +12,7 @@ pub struct Function {
     /// What it returns; nothing where it assigns to a frame.
     pub results: Vec<Written>,
     /// Expressions that a statement has computed, and what they are called from then on; only looked up.
-    pub(super) named: HashMap<ExprId, SymbolId>,
+    pub(super) named: IdMap<ExprId, SymbolId>,
 }
 
 /// A result, and the bodies in whose order its terms are written.

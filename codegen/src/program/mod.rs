@@ -47,10 +47,9 @@ pub use tearing::{Tearing, TornFields};
 pub use textbook::{LARGEST_TEXTBOOK, Textbook};
 pub use transmissions::Transmission;
 
-use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use crate::expr::SymbolId;
+use crate::expr::{IdMap, IdSet, SymbolId};
 use forms::Form;
 
 /// What is emitted for a mechanism.
@@ -90,8 +89,8 @@ pub struct Program {
     /// What shows that frames lie on their path; `None` where nobody asks.
     pub path: Option<Path>,
     // The fields and branches by symbol; only looked up.
-    field_set: HashSet<SymbolId>,
-    branch_places: HashMap<SymbolId, usize>,
+    field_set: IdSet<SymbolId>,
+    branch_places: IdMap<SymbolId, usize>,
 }
 
 impl Program {

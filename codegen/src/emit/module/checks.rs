@@ -1,9 +1,7 @@
 //! The values of a frame → those that are looked at last: whether they are finite.
 
-use std::collections::HashSet;
-
 use super::Module;
-use crate::expr::SymbolId;
+use crate::expr::{IdSet, SymbolId};
 use crate::program::{Block, Function, Statement};
 
 /// The numbers of a frame that nothing else depends on. What is not finite before them would show in them: nothing that is
@@ -15,7 +13,7 @@ pub(in crate::emit) fn checked(module: &Module<'_>) -> Vec<SymbolId> {
         .iter()
         .flat_map(Block::functions)
         .flat_map(Function::values);
-    let read: HashSet<SymbolId> = values
+    let read: IdSet<SymbolId> = values
         .flat_map(|expr| graph.symbols(expr))
         .copied()
         .collect();

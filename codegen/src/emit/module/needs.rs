@@ -1,10 +1,8 @@
 //! A block → what its function must be given, and whether it can fail.
 
-use std::collections::{HashMap, HashSet};
-
 use super::Module;
 use super::scope::{Place, Scope};
-use crate::expr::SymbolId;
+use crate::expr::{IdMap, IdSet, SymbolId};
 use crate::program::{Block, Statement};
 
 /// What a block's function needs to be given.
@@ -46,17 +44,17 @@ impl Needs {
 }
 
 /// The blocks that have one mode only, by its symbol: beyond a pose at which its two modes meet such a block has the other.
-pub(in crate::emit) fn exchanged_by(module: &Module<'_>) -> HashMap<SymbolId, usize> {
+pub(in crate::emit) fn exchanged_by(module: &Module<'_>) -> IdMap<SymbolId, usize> {
     let graph = &module.system.mechanism.graph;
     let blocks = module.program.blocks.iter().enumerate();
     let closed = blocks.filter(|(_, block)| block.newton.is_none());
     // A mode belongs to the first block that reads it.
-    let mut met: HashSet<SymbolId> = HashSet::new();
-    let mut found = HashMap::new();
+    let mut met: IdSet<SymbolId> = IdSet::default();
+    let mut found = IdMap::default();
     for (number, block) in closed {
         let read = block.function.values().flat_map(|it| graph.symbols(it));
         let read = read.filter(|&&symbol| module.program.branch_of(symbol).is_some());
-        let read: HashSet<SymbolId> = read.copied().collect();
+        let read: IdSet<SymbolId> = read.copied().collect();
         let own = read.iter().filter(|&&symbol| met.insert(symbol)).count();
         if own == 1 && read.len() == 1 {
             found.extend(read.into_iter().map(|symbol| (symbol, number)));

@@ -1,11 +1,10 @@
 //! A function → what its values are called, and where it finds what it does not compute.
 
 use std::cell::OnceCell;
-use std::collections::HashSet;
 use std::rc::Rc;
 
 use super::{Component, Module};
-use crate::expr::{ExprId, SymbolId};
+use crate::expr::{ExprId, IdSet, SymbolId};
 use crate::model::field_name;
 use crate::program::passes::names::LocalNames;
 use crate::program::{Function, Statement};
@@ -61,7 +60,7 @@ pub(in crate::emit) struct Scope<'a> {
     tears: Vec<SymbolId>,
     locals: Rc<LocalNames>,
     /// The symbols in the values of its statements and results, once somebody asks for them.
-    read: OnceCell<HashSet<SymbolId>>,
+    read: OnceCell<IdSet<SymbolId>>,
     /// The sines and cosines that nobody reads, once that is known.
     unnamed: OnceCell<Vec<SymbolId>>,
 }

@@ -1,9 +1,7 @@
 //! What Newton-Raphson finds → the tubes in which it must be found again.
 
-use std::collections::HashSet;
-
 use super::Module;
-use crate::expr::SymbolId;
+use crate::expr::{IdSet, SymbolId};
 use crate::program::{Path, Program};
 use crate::system::System;
 
@@ -30,7 +28,7 @@ pub(in crate::emit) fn tube_count(module: &Module<'_>) -> usize {
 }
 
 /// The sags of tubes.
-pub(super) fn sags_of_tubes(program: &Program, system: &System) -> HashSet<SymbolId> {
+pub(super) fn sags_of_tubes(program: &Program, system: &System) -> IdSet<SymbolId> {
     let path = program.path.iter();
     path.flat_map(|path| iterated(program, system, path))
         .filter_map(|(_, sag)| sag)

@@ -7,12 +7,11 @@ mod newton;
 pub(super) use lowering::Lowering;
 pub use newton::NewtonBlock;
 
-use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::forms::{Form, Transposed};
 use super::function::{Function, Statement};
-use crate::expr::SymbolId;
+use crate::expr::{IdMap, IdSet, SymbolId};
 
 /// The function of one block.
 #[derive(Clone, Debug)]
@@ -36,9 +35,9 @@ pub struct Block {
     /// The Jacobians of its parts, where somebody asks for multipliers.
     pub(super) transposed: Vec<Option<Transposed>>,
     /// Local values that a page calls otherwise than the code; only looked up.
-    pub page_names: HashMap<SymbolId, PageName>,
+    pub page_names: IdMap<SymbolId, PageName>,
     /// Local values that a page writes out wherever they occur; only looked up.
-    pub written_out: HashSet<SymbolId>,
+    pub written_out: IdSet<SymbolId>,
 }
 
 /// What a page calls a local value.
@@ -111,8 +110,8 @@ impl Block {
             newton: None,
             measured: Vec::new(),
             transposed: Vec::new(),
-            page_names: HashMap::new(),
-            written_out: HashSet::new(),
+            page_names: IdMap::default(),
+            written_out: IdSet::default(),
         }
     }
 

@@ -1,9 +1,9 @@
 //! Closed forms inside a torn block → what is noted of them while they are stated apart from the block's own statements.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 
 use super::{Builder, Direction};
-use crate::expr::SymbolId;
+use crate::expr::{IdSet, SymbolId};
 use crate::program::function::Statement;
 
 /// What closed forms inside a torn block find.
@@ -18,7 +18,7 @@ pub(in crate::program) struct Inside {
 /// What a builder had stated before a torn block.
 pub(in crate::program) struct Before {
     statements: Vec<Statement>,
-    defined: HashSet<SymbolId>,
+    defined: IdSet<SymbolId>,
     writes_prose: bool,
 }
 

@@ -9,13 +9,11 @@ mod vectors;
 pub use angles::Direction;
 pub(super) use inside::Inside;
 
-use std::collections::{HashMap, HashSet};
-
 use super::block::{Branch, Lowering, Measured, PageName};
 use super::directional_derivatives::DirectionalDerivatives;
 use super::function::{Function, Level, Statement};
 use super::path::Paths;
-use crate::expr::{ExprId, Graph, Node, SymbolId};
+use crate::expr::{ExprId, Graph, IdMap, IdSet, Node, SymbolId};
 use crate::joint::geometry::Vector;
 use crate::system::System;
 use crate::words::{Known, Phrase, Piece, phrase};
@@ -33,10 +31,10 @@ pub struct Builder<'a> {
     branches: &'a mut Vec<Branch>,
     pub(super) paths: &'a mut Paths,
     /// Arms that are defined already.
-    pub(super) defined: HashSet<SymbolId>,
+    pub(super) defined: IdSet<SymbolId>,
     measured: Vec<Measured>,
-    page_names: HashMap<SymbolId, PageName>,
-    written_out: HashSet<SymbolId>,
+    page_names: IdMap<SymbolId, PageName>,
+    written_out: IdSet<SymbolId>,
     pub(super) writes_prose: bool,
     /// How many links of the block change their length.
     pub(super) stretched: usize,
@@ -55,10 +53,10 @@ impl<'a> Builder<'a> {
             writes_prose: lowering.writes_prose,
             statements: Vec::new(),
             place,
-            defined: HashSet::new(),
+            defined: IdSet::default(),
             measured: Vec::new(),
-            page_names: HashMap::new(),
-            written_out: HashSet::new(),
+            page_names: IdMap::default(),
+            written_out: IdSet::default(),
             stretched: 0,
             inside: None,
         }
@@ -70,8 +68,8 @@ impl<'a> Builder<'a> {
     ) -> (
         Function,
         Vec<Measured>,
-        HashMap<SymbolId, PageName>,
-        HashSet<SymbolId>,
+        IdMap<SymbolId, PageName>,
+        IdSet<SymbolId>,
     ) {
         let function = Function {
             statements: self.statements,

@@ -4,7 +4,6 @@ mod needed;
 mod reported;
 mod stated;
 
-use std::collections::HashSet;
 use std::sync::Arc;
 
 use super::block::{Block, Branch, Lowering};
@@ -19,7 +18,7 @@ use super::path::Path;
 use super::requirements::requirements;
 use super::textbook::Textbook;
 use super::{Constants, Program};
-use crate::expr::{ExprId, SymbolId};
+use crate::expr::{ExprId, IdSet, SymbolId};
 use crate::structure::SolvedPlan;
 use crate::system::System;
 use needed::Needed;
@@ -28,7 +27,7 @@ use stated::Stated;
 
 /// All functions of a mechanism. The system's arena grows by what is computed on the way.
 pub fn lower(system: &mut System, plan: &SolvedPlan) -> Program {
-    lower_keeping(system, plan, &HashSet::new())
+    lower_keeping(system, plan, &IdSet::default())
 }
 
 /// The same, and frames hold every unknown of the vector form with its rate and acceleration.
@@ -39,7 +38,7 @@ pub fn lower_with_unknowns(system: &mut System, plan: &SolvedPlan) -> Program {
     lower_keeping(system, plan, &kept)
 }
 
-fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId>) -> Program {
+fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &IdSet<SymbolId>) -> Program {
     let mut lowering = Lowering::new(system, false);
     let stated = Stated::of(&mut lowering, plan, kept);
     let mut needed = stated.needed(&mut lowering, plan);
@@ -94,7 +93,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &HashSet<SymbolId
 
 /// The assembly modes that the blocks read.
 fn read_branches(mut branches: Vec<Branch>, blocks: &[Block], system: &System) -> Vec<Branch> {
-    let read: HashSet<SymbolId> = blocks
+    let read: IdSet<SymbolId> = blocks
         .iter()
         .flat_map(Block::functions)
         .flat_map(Function::values)
@@ -127,7 +126,7 @@ pub fn unpruned(system: &mut System, plan: &SolvedPlan) -> (Vec<Block>, Vec<Bran
     propagate(&mut blocks, &mut system.mechanism.graph);
     if let (Some(forces), Some(block)) = (forces, blocks.last_mut()) {
         // Loads that nobody asks for are no step of the derivation.
-        let fields: HashSet<SymbolId> = forces.fields().into_iter().collect();
+        let fields: IdSet<SymbolId> = forces.fields().into_iter().collect();
         let own = std::slice::from_mut(block);
         prune(
             own,

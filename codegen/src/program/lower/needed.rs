@@ -1,8 +1,6 @@
 //! Blocks that are needed → what shows that they have kept to their path, which needs more of them.
 
-use std::collections::HashSet;
-
-use crate::expr::{ExprId, SymbolId};
+use crate::expr::{ExprId, IdSet, SymbolId};
 use crate::program::block::{Block, Lowering};
 use crate::program::function::{Function, Statement};
 use crate::program::passes::liveness::prune_path;
@@ -15,7 +13,7 @@ use crate::system::{SymbolRole, System};
 pub(super) struct Needed {
     pub blocks: Vec<Block>,
     /// The fields that are asked for, also by the path.
-    pub asked: HashSet<SymbolId>,
+    pub asked: IdSet<SymbolId>,
     pub path: Option<Path>,
 }
 
@@ -37,9 +35,9 @@ pub(super) fn path_of(blocks: &[Block], lowering: &mut Lowering<'_>, plan: &Solv
 }
 
 /// What a path reads of what the blocks find, now and in the last frame; `whole` blocks have nothing left out.
-pub(super) fn read_by_path(path: &Path, unpruned: &[Block], system: &System) -> HashSet<SymbolId> {
+pub(super) fn read_by_path(path: &Path, unpruned: &[Block], system: &System) -> IdSet<SymbolId> {
     let graph = &system.mechanism.graph;
-    let found: HashSet<SymbolId> = unpruned
+    let found: IdSet<SymbolId> = unpruned
         .iter()
         .flat_map(|it| it.function.targets())
         .collect();
@@ -70,7 +68,7 @@ pub(super) fn share_path(path: &mut Function, system: &mut System) {
 fn halve(function: &mut Function, system: &mut System) {
     let graph = &mut system.mechanism.graph;
     // A value is read by its symbol, or as the expression that the symbol stands for.
-    let mut read: HashSet<ExprId> = HashSet::new();
+    let mut read: IdSet<ExprId> = IdSet::default();
     let mut open: Vec<ExprId> = function.all_values().collect();
     while let Some(expr) = open.pop() {
         if read.insert(expr) {

@@ -1,11 +1,9 @@
 //! Blocks that are needed, beside all that there are → what is kept, what is left out, and with how many operations.
 
-use std::collections::HashSet;
-
 use super::needed::Needed;
 use super::share_blocks;
 use super::stated::Stated;
-use crate::expr::SymbolId;
+use crate::expr::{IdSet, SymbolId};
 use crate::joint::Quantity;
 use crate::program::block::Block;
 use crate::program::function::Statement;
@@ -23,18 +21,19 @@ pub(super) fn reported(stated: &Stated, needed: &mut Needed, system: &mut System
         path,
     } = needed;
     let mut report = Report::default();
-    report.all_operations.copy_from_slice(
-        &match stated.outputs {
-            None => by_level(blocks, system),
-            Some(_) => {
-                let mut all = stated.blocks.clone();
-                let coordinate = |symbol| system.is_coordinate(symbol) || asked.contains(&symbol);
-                prune(&mut all, &coordinate, &system.mechanism.graph);
-                share_blocks(&mut all, system);
-                by_level(&all, system)
-            }
-        }[..3],
-    );
+    let levels = by_level(blocks, system);
+    report.operations.copy_from_slice(&levels[..3]);
+    report.all_operations = match stated.outputs {
+        None => report.operations,
+        Some(_) => {
+            let mut all = stated.blocks.clone();
+            let coordinate = |symbol| system.is_coordinate(symbol) || asked.contains(&symbol);
+            prune(&mut all, &coordinate, &system.mechanism.graph);
+            share_blocks(&mut all, system);
+            let [position, velocity, acceleration, ..] = by_level(&all, system);
+            [position, velocity, acceleration]
+        }
+    };
     let is_empty = |block: &Block| block.function.statements.is_empty();
     report.left_out = blocks
         .iter()
@@ -43,21 +42,19 @@ pub(super) fn reported(stated: &Stated, needed: &mut Needed, system: &mut System
         .collect();
     blocks.retain(|block| !is_empty(block));
     report.kept = blocks.iter().map(|block| block.name.clone()).collect();
-    let levels = by_level(blocks, system);
-    report.operations.copy_from_slice(&levels[..3]);
     report.iterations = iterations(blocks, system);
     report.transmission = (!stated.transmissions.is_empty()).then_some(levels[3]);
     report.forces = (!stated.forces.fields().is_empty()).then_some(levels[5]);
     report.sensitivity = (!stated.sensitivities.is_empty()).then_some(levels[4]);
     report.angles_left_out = angles_left_out(blocks, system);
-    report.work = Work::of(blocks, path.as_ref(), system);
+    report.work = Work::of(blocks, &levels, path.as_ref(), system);
     report
 }
 
 /// The angles of closed forms that no statement finds.
 fn angles_left_out(blocks: &[Block], system: &System) -> Vec<String> {
     let statements = blocks.iter().flat_map(|block| &block.function.statements);
-    let found: HashSet<SymbolId> = statements
+    let found: IdSet<SymbolId> = statements
         .filter_map(|statement| match statement {
             Statement::Angle { target, .. } => Some(*target),
             _ => None,

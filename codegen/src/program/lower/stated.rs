@@ -1,10 +1,9 @@
 //! A plan → the functions of all its blocks and of what is asked for besides, with nothing left out, and the fields that are asked for.
 
-use std::collections::HashSet;
 use std::sync::Arc;
 
 use super::needed::{Needed, path_of, read_by_path, share_path};
-use crate::expr::SymbolId;
+use crate::expr::{IdSet, SymbolId};
 use crate::program::block::{Block, Lowering, Measured};
 use crate::program::forces::{Forces, forces};
 use crate::program::forms::Form;
@@ -26,11 +25,11 @@ pub(super) struct Stated {
     pub sensitivities: Vec<Sensitivity>,
     pub forces: Forces,
     /// The fields that are asked for, beside the coordinates where there are no outputs.
-    asked: HashSet<SymbolId>,
+    asked: IdSet<SymbolId>,
 }
 
 impl Stated {
-    pub fn of(lowering: &mut Lowering<'_>, plan: &SolvedPlan, kept: &HashSet<SymbolId>) -> Stated {
+    pub fn of(lowering: &mut Lowering<'_>, plan: &SolvedPlan, kept: &IdSet<SymbolId>) -> Stated {
         let mut blocks: Vec<Block> = plan
             .blocks
             .iter()
@@ -102,7 +101,7 @@ impl Stated {
     }
 
     /// The blocks without what nothing asks for.
-    fn pruned(&self, asked: &HashSet<SymbolId>, system: &System) -> Vec<Block> {
+    fn pruned(&self, asked: &IdSet<SymbolId>, system: &System) -> Vec<Block> {
         let is_asked = |symbol: SymbolId| {
             asked.contains(&symbol) || self.outputs.is_none() && system.is_coordinate(symbol)
         };

@@ -1,8 +1,6 @@
 //! Which values several blocks need.
 
-use std::collections::{HashMap, HashSet};
-
-use crate::expr::SymbolId;
+use crate::expr::{IdMap, IdSet, SymbolId};
 use crate::program::block::Block;
 use crate::program::function::{Function, Statement};
 use crate::system::System;
@@ -11,13 +9,13 @@ use crate::system::System;
 /// are not among them: they have their own place.
 pub(in crate::program) fn fields(
     blocks: &[Block],
-    outputs: &HashSet<SymbolId>,
+    outputs: &IdSet<SymbolId>,
     whole: bool,
     system: &System,
 ) -> Vec<SymbolId> {
-    let mut home: HashMap<SymbolId, usize> = HashMap::new();
+    let mut home: IdMap<SymbolId, usize> = IdMap::default();
     let mut order: Vec<SymbolId> = Vec::new();
-    let mut shared: HashSet<SymbolId> = HashSet::new();
+    let mut shared: IdSet<SymbolId> = IdSet::default();
     for (index, block) in blocks.iter().enumerate() {
         for statement in &block.function.statements {
             for symbol in statement.targets() {

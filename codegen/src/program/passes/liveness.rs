@@ -3,9 +3,7 @@
 //! From the last statement of the last function to the first of the first: what defines a value that nothing after it reads is left
 //! out, and so are words about nothing.
 
-use std::collections::HashSet;
-
-use crate::expr::{Graph, SymbolId};
+use crate::expr::{Graph, IdSet, SymbolId};
 use crate::program::block::{Block, NewtonBlock};
 use crate::program::function::{Function, Statement};
 use crate::program::path::Path;
@@ -16,7 +14,7 @@ pub(in crate::program) fn prune(
     kept: &dyn Fn(SymbolId) -> bool,
     graph: &Graph,
 ) {
-    let mut live = HashSet::new();
+    let mut live = IdSet::default();
     for block in blocks.iter_mut().rev() {
         let statements = std::mem::take(&mut block.function.statements);
         let newton = block.newton.as_ref();
@@ -32,7 +30,7 @@ pub(in crate::program) fn prune(
 pub(in crate::program) fn prune_path(path: &mut Path, graph: &Graph) {
     for function in path.whole_functions_mut() {
         let statements = std::mem::take(&mut function.statements);
-        function.statements = needed(statements, None, &mut HashSet::new(), &|_| false, graph);
+        function.statements = needed(statements, None, &mut IdSet::default(), &|_| false, graph);
     }
 }
 
@@ -53,7 +51,7 @@ pub(in crate::program) fn for_results(function: Function, graph: &Graph) -> Func
 fn needed(
     statements: Vec<Statement>,
     newton: Option<&NewtonBlock>,
-    live: &mut HashSet<SymbolId>,
+    live: &mut IdSet<SymbolId>,
     kept: &dyn Fn(SymbolId) -> bool,
     graph: &Graph,
 ) -> Vec<Statement> {

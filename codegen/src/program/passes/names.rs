@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::expr::SymbolId;
+use crate::expr::{IdMap, SymbolId};
 use crate::program::function::Function;
 use crate::system::System;
 
@@ -10,7 +10,7 @@ use crate::system::System;
 #[derive(Clone, Debug, Default)]
 pub struct LocalNames {
     // Only looked up.
-    names: HashMap<SymbolId, String>,
+    names: IdMap<SymbolId, String>,
 }
 
 impl LocalNames {
@@ -34,7 +34,7 @@ impl LocalNames {
         spell: impl Fn(&str) -> String,
     ) -> LocalNames {
         let mut taken: HashSet<String> = reserved.iter().map(|name| name.to_string()).collect();
-        let mut names = HashMap::new();
+        let mut names = IdMap::default();
         // Below its number every name of a base is taken.
         let mut numbers: HashMap<String, usize> = HashMap::new();
         for symbol in symbols {

@@ -5,11 +5,11 @@
 //! already. But where the path of a curve or a law of an unknown stands in the equations, or where a value would be a page by itself,
 //! everything in them is shared: code grows with the graph of its expressions, and not with the tree that it stands for.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use super::costs::{is_function, written_operands};
 use super::usage::{Orders, Usage};
-use crate::expr::{ExprId, Graph, Node, Number, SplineId, SymbolId};
+use crate::expr::{ExprId, Graph, IdMap, IdSet, Node, Number, SplineId, SymbolId};
 use crate::program::function::{Function, Statement};
 use crate::system::{SymbolRole, System};
 
@@ -47,8 +47,8 @@ pub(in crate::program) fn share_all(function: &mut Function, system: &mut System
 fn name(function: &mut Function, roots: &[ExprId], system: &mut System) {
     let graph = &system.mechanism.graph;
     let usage = Usage::of(roots, graph, function);
-    let whole: HashSet<ExprId> = roots.iter().copied().collect();
-    let mut deserving: HashSet<ExprId> = HashSet::new();
+    let whole: IdSet<ExprId> = roots.iter().copied().collect();
+    let mut deserving: IdSet<ExprId> = IdSet::default();
     for &expr in &usage.ordered {
         let has_name = |part| deserving.contains(&part) || function.name_of(part).is_some();
         let is_nested = matches!(graph.node(expr), Node::Sum(_))
@@ -67,7 +67,7 @@ fn name(function: &mut Function, roots: &[ExprId], system: &mut System) {
         usage,
         deserving,
         numbers: HashMap::new(),
-        seen: HashSet::new(),
+        seen: IdSet::default(),
         statements: Vec::with_capacity(function.statements.len()),
         named: std::mem::take(&mut function.named),
     };
@@ -87,12 +87,12 @@ fn name(function: &mut Function, roots: &[ExprId], system: &mut System) {
 /// A function in the making.
 struct Sharing {
     usage: Usage,
-    deserving: HashSet<ExprId>,
+    deserving: IdSet<ExprId>,
     /// The last number given to each name.
     numbers: HashMap<String, usize>,
-    seen: HashSet<ExprId>,
+    seen: IdSet<ExprId>,
     statements: Vec<Statement>,
-    named: HashMap<ExprId, SymbolId>,
+    named: IdMap<ExprId, SymbolId>,
 }
 
 impl Sharing {
@@ -260,7 +260,7 @@ fn functions_of_time(expressions: &[ExprId], system: &System) -> Vec<ExprId> {
         })
     };
     let mut found = Vec::new();
-    let mut seen = HashSet::new();
+    let mut seen = IdSet::default();
     let mut stack: Vec<ExprId> = expressions.iter().rev().copied().collect();
     while let Some(expr) = stack.pop() {
         if graph.is_constant(expr) || !seen.insert(expr) {
@@ -277,7 +277,7 @@ fn functions_of_time(expressions: &[ExprId], system: &System) -> Vec<ExprId> {
 
 /// Whether some function in these expressions has no name yet.
 fn calls_functions(expressions: &[ExprId], function: &Function, graph: &Graph) -> bool {
-    let mut seen: HashSet<ExprId> = HashSet::new();
+    let mut seen: IdSet<ExprId> = IdSet::default();
     let mut stack = expressions.to_vec();
     while let Some(expr) = stack.pop() {
         if graph.is_constant(expr) || function.name_of(expr).is_some() || !seen.insert(expr) {

@@ -2,10 +2,8 @@
 //!
 //! Afterwards it is known which expressions deserve a name in straight-line code. Deliberately unknown here: the names.
 
-use std::collections::HashMap;
-
 use super::costs::{is_function, written_operands};
-use crate::expr::{ExprId, Graph, Node, SplineId};
+use crate::expr::{ExprId, Graph, IdMap, Node, SplineId};
 use crate::program::function::Function;
 
 /// The sine and the cosine node of an angle, as far as both occur.
@@ -18,13 +16,13 @@ pub(super) type Orders = [Option<ExprId>; 4];
 pub(super) struct Usage {
     /// Every expression that is not constant, operands first.
     pub ordered: Vec<ExprId>,
-    uses: HashMap<ExprId, usize>,
+    uses: IdMap<ExprId, usize>,
     /// How often a choice is an arm of another one.
-    as_arm: HashMap<ExprId, usize>,
+    as_arm: IdMap<ExprId, usize>,
     /// By angle.
-    pub sine_cosine: HashMap<ExprId, Pair>,
+    pub sine_cosine: IdMap<ExprId, Pair>,
     /// By table and argument.
-    pub splines: HashMap<(SplineId, ExprId), Orders>,
+    pub splines: IdMap<(SplineId, ExprId), Orders>,
 }
 
 impl Usage {
@@ -32,10 +30,10 @@ impl Usage {
     pub fn of(roots: &[ExprId], graph: &Graph, known: &Function) -> Usage {
         let mut usage = Usage {
             ordered: Vec::new(),
-            uses: HashMap::new(),
-            as_arm: HashMap::new(),
-            sine_cosine: HashMap::new(),
-            splines: HashMap::new(),
+            uses: IdMap::default(),
+            as_arm: IdMap::default(),
+            sine_cosine: IdMap::default(),
+            splines: IdMap::default(),
         };
         for root in roots {
             usage.visit(*root, 1, graph, known);

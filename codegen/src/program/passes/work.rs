@@ -7,7 +7,7 @@
 
 use crate::program::block::{Block, NewtonBlock};
 use crate::program::function::{Function, Statement};
-use crate::program::passes::costs::{Operations, by_level, of_function};
+use crate::program::passes::costs::{Operations, of_function};
 use crate::program::passes::elimination::{elimination, substitution};
 use crate::program::passes::iterations::{BEYOND_STEPS, EVALUATIONS, STEPS};
 use crate::program::path::Path;
@@ -49,11 +49,16 @@ pub struct Work {
 }
 
 impl Work {
-    /// Of the blocks that are kept, and of their path.
-    pub(in crate::program) fn of(blocks: &[Block], path: Option<&Path>, system: &System) -> Self {
+    /// Of the blocks that are kept, whose levels take so many operations, and of their path.
+    pub(in crate::program) fn of(
+        blocks: &[Block],
+        levels: &[Operations],
+        path: Option<&Path>,
+        system: &System,
+    ) -> Self {
         let mut attempt = Operations::default();
-        for level in by_level(blocks, system) {
-            attempt += level;
+        for level in levels {
+            attempt += *level;
         }
         let iterated: Vec<&NewtonBlock> =
             blocks.iter().filter_map(|it| it.newton.as_ref()).collect();
