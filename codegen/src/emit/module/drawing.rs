@@ -53,9 +53,10 @@ pub(in crate::emit) fn frame_keeps_parameters(module: &Module<'_>) -> bool {
         .points
         .iter()
         .chain(&module.program.pressures);
-    functions.any(|function| {
-        Scope::new(module, function, Place::Coordinates)
-            .reads()
-            .parameters
-    })
+    let has_parameters = !module.system.mechanism.parameters.is_empty();
+    has_parameters
+        && functions.any(|function| {
+            let scope = Scope::new(module, function, Place::Coordinates);
+            scope.reads().parameters
+        })
 }

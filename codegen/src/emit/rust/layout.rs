@@ -8,7 +8,7 @@ use quote::quote;
 
 use super::code;
 use super::lines::{broken, wrapped};
-use crate::emit::lines::filled;
+use crate::emit::lines::{WIDTH, filled};
 
 /// What a text that is laid out already is until then.
 const VERBATIM: &str = "const VERBATIM_IN_GENERATED_CODE: &str = ";
@@ -126,17 +126,26 @@ impl Text {
 
     /// Adds a line as it is.
     fn line(&mut self, line: &str) {
-        let content = line.trim_start();
+        self.end_item_before(line.trim_start());
+        self.all.extend([line, "\n"]);
+    }
+
+    /// Sets an item apart that this line begins.
+    fn end_item_before(&mut self, content: &str) {
         if self.is_after_item && begins_item(content) {
             self.all.push('\n');
         }
         self.is_after_item = ends_item(content);
-        self.all.push_str(line);
-        self.all.push('\n');
     }
 
     /// Adds a line that is indented by so much, in several lines where it is too long.
     fn code(&mut self, line: &str, depth: usize) {
+        if depth + line.len() <= WIDTH {
+            self.end_item_before(line.trim_start());
+            self.all.extend(std::iter::repeat_n(' ', depth));
+            self.all.extend([line, "\n"]);
+            return;
+        }
         let content = line.trim_start();
         let depth = depth + line.len() - content.len();
         for line in wrapped(content, depth) {

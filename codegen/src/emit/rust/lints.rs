@@ -58,7 +58,7 @@ pub(super) fn approximate(tokens: &TokenStream) -> TokenStream {
     only(is_approximate, quote!(#[allow(clippy::approx_constant)]))
 }
 
-/// What is needed by code of which a body's name may have capitals: what [`both`] says.
+/// The attributes of code: what [`both`] says.
 pub(super) fn of_code(code: &Code) -> Vec<&'static str> {
     let is = |is_word: fn(&str) -> bool, is_tree: fn(&TokenTree) -> bool| {
         code.pieces().iter().any(|piece| match piece {
@@ -66,15 +66,14 @@ pub(super) fn of_code(code: &Code) -> Vec<&'static str> {
             Piece::Syntax(tokens) => any(tokens, &mut |tree| is_tree(tree)),
         })
     };
-    let attributes = [
-        (
-            is(is_path_in_capitals, is_in_capitals),
-            "#[allow(non_snake_case)]",
-        ),
-        (is(is_close, is_known), "#[allow(clippy::approx_constant)]"),
-    ];
-    let needed = attributes.into_iter().filter(|(is_needed, _)| *is_needed);
-    needed.map(|(_, text)| text).collect()
+    let mut needed = Vec::new();
+    if is(is_path_in_capitals, is_in_capitals) {
+        needed.push("#[allow(non_snake_case)]");
+    }
+    if is(is_close, is_known) {
+        needed.push("#[allow(clippy::approx_constant)]");
+    }
+    needed
 }
 
 /// Whether a literal is close to a constant, or one in lines of code.
@@ -119,18 +118,28 @@ fn is_in_capitals(tree: &TokenTree) -> bool {
 }
 
 fn is_path_in_capitals(path: &str) -> bool {
-    path.split('.').any(has_capitals)
+    path.bytes().any(|byte| byte.is_ascii_uppercase()) && path.split('.').any(has_capitals)
 }
 
 /// Whether some number or path in these lines is suspect; comments are neither.
 fn any_word(lines: &[String], is_suspect: fn(&str) -> bool) -> bool {
-    let is_between = |byte: &u8| !(byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.'));
-    let code = lines
+    let is_of_word = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'.';
+    let mut code = lines
         .iter()
         .filter(|line| !line.trim_start().starts_with("//"));
-    code.flat_map(|line| line.as_bytes().split(is_between))
-        .filter_map(|word| str::from_utf8(word).ok())
-        .any(is_suspect)
+    code.any(|line| {
+        let mut start = None;
+        let ends = line.bytes().chain([b' ']).enumerate();
+        let mut words = ends.filter_map(|(place, byte)| match (is_of_word(byte), start) {
+            (true, None) => {
+                start = Some(place);
+                None
+            }
+            (false, Some(_)) => start.take().map(|start| &line[start..place]),
+            _ => None,
+        });
+        words.any(is_suspect)
+    })
 }
 
 fn any(tokens: &TokenStream, suspect: &mut dyn FnMut(&TokenTree) -> bool) -> bool {
