@@ -1,14 +1,14 @@
 //! The frame: one solved instant, and what it offers.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
-use super::docs::docs;
+use super::code::Code;
 use super::forces::forces;
 use super::layout::Verbatim;
 use super::lints;
 use super::module::{derives, only};
-use super::names::identifier;
+use super::names::{identifier, identifier_text};
 use super::normalized_determinant::smallest_determinant;
 use super::points;
 use super::sensitivity::{sensitivities, structures};
@@ -21,10 +21,13 @@ use crate::program::Output;
 /// `struct Frame`, with methods for everything that it offers.
 pub(super) fn frame(module: &Module<'_>) -> TokenStream {
     let methods = match &module.program.outputs {
-        Some(outputs) => outputs
-            .iter()
-            .map(|output| method(output, module))
-            .collect(),
+        Some(outputs) => {
+            let mut code = Code::default();
+            for output in outputs {
+                method(output, module, &mut code);
+            }
+            code.to_token_stream()
+        }
         None => points::methods(module),
     };
     let offered = [
@@ -109,57 +112,33 @@ fn drawn(module: &Module<'_>) -> Vec<String> {
 }
 
 /// The functions of one output.
-fn method(output: &Output, module: &Module<'_>) -> TokenStream {
-    let own = |symbol: SymbolId| {
-        let name = module.field_name(symbol);
-        quote!(self.#name)
-    };
-    let pair = |fields: &[SymbolId; 2]| {
-        let [x, y] = fields.map(own);
-        quote!([#x, #y])
-    };
-    let prefix = match output {
-        Output::Point { name, .. } => format!("point_{name}"),
-        Output::Coordinate { name, .. } => name.clone(),
-    };
-    let functions = documentation::of_output(output).into_iter();
-    let functions = functions.map(|(suffix, text)| {
-        let function = identifier(&format!("{prefix}{suffix}"));
-        (function, docs([text]))
-    });
-    match output {
-        Output::Point { fields, .. } => match fields.as_slice() {
+fn method(output: &Output, module: &Module<'_>, code: &mut Code) {
+    let own = |symbol: SymbolId| format!("self.{}", module.field_name(symbol));
+    let pair = |fields: &[SymbolId; 2]| format!("[{}, {}]", own(fields[0]), own(fields[1]));
+    let (prefix, kind, values) = match output {
+        Output::Point { name, fields } => match fields.as_slice() {
             [position, velocity, acceleration] => {
                 let [position, velocity, acceleration] =
                     [position, velocity, acceleration].map(pair);
-                let methods = functions.map(|(function, text)| quote! {
-                    #text
-                    pub fn #function(&self) -> PointMotion {
-                        PointMotion { position: #position, velocity: #velocity, acceleration: #acceleration }
-                    }
-                });
-                methods.collect()
+                let motion = points::motion(&position, &velocity, &acceleration);
+                (format!("point_{name}"), "PointMotion", vec![motion])
             }
             fields => {
-                let methods = fields
-                    .iter()
-                    .zip(functions)
-                    .map(|(field, (function, text))| {
-                        let value = pair(field);
-                        quote!(#text pub fn #function(&self) -> [Scalar; 2] { #value })
-                    });
-                methods.collect()
+                let values = fields.iter().map(pair).collect();
+                (format!("point_{name}"), "[Scalar; 2]", values)
             }
         },
-        Output::Coordinate { fields, .. } => {
-            let methods = fields
-                .iter()
-                .zip(functions)
-                .map(|(&field, (function, text))| {
-                    let value = own(field);
-                    quote!(#text pub fn #function(&self) -> Scalar { #value })
-                });
-            methods.collect()
+        Output::Coordinate { name, fields, .. } => {
+            let values = fields.iter().map(|&field| own(field)).collect();
+            (name.clone(), "Scalar", values)
         }
+    };
+    let functions = documentation::of_output(output).into_iter().zip(values);
+    for ((suffix, text), value) in functions {
+        let name = identifier_text(&format!("{prefix}{suffix}"));
+        let head = format!("pub fn {name}(&self) -> {kind}");
+        let mut statements = Code::default();
+        statements.lines(&value);
+        code.function([text], [], &head, statements);
     }
 }

@@ -26,8 +26,10 @@ pub(super) fn methods(module: &Module<'_>) -> TokenStream {
         let [x, y, vx, vy, ax, ay] = results.as_slice() else {
             unreachable!("a point has two components of position, velocity and acceleration each")
         };
-        statements.push(&format!(
-            "PointMotion {{\n    position: [{x}, {y}],\n    velocity: [{vx}, {vy}],\n    acceleration: [{ax}, {ay}],\n}}"
+        statements.push(&motion(
+            &format!("[{x}, {y}]"),
+            &format!("[{vx}, {vy}]"),
+            &format!("[{ax}, {ay}]"),
         ));
         let head = format!("pub fn {name}(&self) -> PointMotion");
         let text = documentation::of_point(index, system);
@@ -38,6 +40,13 @@ pub(super) fn methods(module: &Module<'_>) -> TokenStream {
         pressure_angle(module, pressure, function, &mut code);
     }
     code.to_token_stream()
+}
+
+/// The motion of a point of this position, velocity and acceleration, in lines.
+pub(super) fn motion(position: &str, velocity: &str, acceleration: &str) -> String {
+    format!(
+        "PointMotion {{\n    position: {position},\n    velocity: {velocity},\n    acceleration: {acceleration},\n}}"
+    )
 }
 
 /// The points by name, for code that is written for any mechanism.
