@@ -151,6 +151,10 @@ fn body(mechanism: &Mechanism, mark: &Mark) -> Phrase {
 fn named(mechanism: &Mechanism, body: usize) -> Phrase {
     match body {
         0 => "the ground".into(),
-        _ => phrase!["body ", Piece::Name(mechanism.bodies[body].name.clone())],
+        _ => {
+            let own = &mechanism.bodies[body];
+            let kind = if own.is_angle() { "angle " } else { "body " };
+            phrase![kind, Piece::Name(own.name.clone())]
+        }
     }
 }

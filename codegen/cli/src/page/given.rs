@@ -18,8 +18,21 @@ pub fn docs(lines: &[String]) -> String {
         .collect()
 }
 
-/// The bodies with what is said of them.
+/// What moves: the heading, and one of what moves.
+pub fn moving(system: &System) -> (&'static str, &'static str) {
+    let bodies = &system.mechanism.bodies[1..];
+    let has_angles = bodies.iter().any(|it| it.is_angle());
+    let has_bodies = bodies.iter().any(|it| !it.is_angle());
+    match (has_bodies, has_angles) {
+        (true, true) => ("Bodies and angles", "Body or angle"),
+        (false, true) => ("Angles", "Angle"),
+        (_, false) => ("Bodies", "Body"),
+    }
+}
+
+/// The bodies and angles with what is said of them.
 pub fn bodies(system: &System) -> String {
+    let (_, one) = moving(system);
     let bodies = system.mechanism.bodies.iter().enumerate().skip(1);
     let rows: String = bodies
         .map(|(place, body)| {
@@ -35,7 +48,7 @@ pub fn bodies(system: &System) -> String {
     match rows.is_empty() {
         true => String::new(),
         false => format!(
-            "<div class=\"wide\"><table><thead><tr><th>Body</th><th>Points</th><th></th></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
+            "<div class=\"wide\"><table><thead><tr><th>{one}</th><th>Points</th><th></th></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
         ),
     }
 }

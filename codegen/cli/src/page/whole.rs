@@ -89,7 +89,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
             "<section aria-labelledby=\"{id}\"><h2 id=\"{id}\">{heading}</h2>\n{text}</section>\n"
         )
     };
-    body += &section("bodies", "Bodies", &given::bodies(system));
+    body += &section("bodies", given::moving(system).0, &given::bodies(system));
     body += &given::values(system);
     body += &section(
         "constraints",
