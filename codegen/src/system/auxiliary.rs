@@ -4,7 +4,7 @@
 //! kind of joint asks for which of them.
 
 use super::orientation::as_symbol;
-use super::{Described, Unknown, VectorForm};
+use super::{Described, SymbolRole, Unknown, VectorForm};
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Mark, length, offset_along};
 use crate::joint::{Auxiliary, AuxiliaryUnknown, Resolved};
@@ -51,7 +51,8 @@ impl VectorForm {
             let [rate, acceleration] =
                 ["'", "''"].map(|dots| graph.symbol(&format!("{name}{dots}")));
             let estimate = in_drawing(auxiliary.kind, &joint.operands, bodies, graph);
-            self.auxiliary_places.insert(position, self.unknowns.len());
+            let role = SymbolRole::Position(self.unknowns.len());
+            self.roles.insert(position, role);
             self.unknowns.write().push(Unknown {
                 name,
                 position,
@@ -70,8 +71,8 @@ impl VectorForm {
         auxiliary: &AuxiliaryUnknown,
         graph: &mut Graph,
     ) -> AuxiliaryUnknown {
-        let place = as_symbol(auxiliary.value, graph)
-            .and_then(|symbol| self.auxiliary_places.get(&symbol).copied());
+        let place =
+            as_symbol(auxiliary.value, graph).and_then(|symbol| self.place_of_unknown(symbol));
         match (auxiliary.kind, place) {
             (Auxiliary::LinkAngle, Some(place)) => {
                 let ends = self.unknowns[place].name.replacen("psi", "link", 1);

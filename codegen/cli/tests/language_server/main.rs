@@ -1,10 +1,14 @@
 //! The language server from the outside: an editor that speaks with the real command.
 
 mod client;
+mod completion;
 mod diagnostics;
 mod editing;
 mod grammar;
+mod layout;
 mod lifecycle;
 mod names;
+mod renaming;
+mod repeated;
 mod robustness;
 mod speed;

@@ -12,7 +12,7 @@ impl TextbookEquations {
         &self.output_names
     }
 
-    /// The pressure angle of every contact at `frame`, in rad and in the order of [`System::pressures`]; none where the follower
+    /// The pressure angle of every contact at `frame`, in rad and in the order of [`System::pressures`](linkwright_codegen::System::pressures); none where the follower
     /// rests.
     pub fn pressure_angles(&self, frame: &Frame<f64, Dyn>) -> Vec<Option<f64>> {
         let scratch = &mut *self.scratch.borrow_mut();
@@ -28,7 +28,7 @@ impl TextbookEquations {
             .collect()
     }
 
-    /// The motion of every declared point at `frame`, in the order of [`System::outputs`].
+    /// The motion of every declared point at `frame`, in the order of [`System::outputs`](linkwright_codegen::System::outputs).
     pub fn points(&self, frame: &Frame<f64, Dyn>) -> Vec<PointMotion<f64>> {
         let scratch = &mut *self.scratch.borrow_mut();
         self.fill(&mut scratch.symbols, &self.positions, frame.q.as_slice());
@@ -65,7 +65,7 @@ impl TextbookEquations {
         );
     }
 
-    /// The residuals of the redundant equations, in the order of [`System::monitored`].
+    /// The residuals of the redundant equations, in the order of [`System::monitored`](linkwright_codegen::System::monitored).
     pub fn monitored(&self, q: &DVector<f64>, t: f64) -> DVector<f64> {
         let mut residuals = DVector::zeros(self.monitored_count);
         self.evaluate(&self.monitored, q, None, t, &mut residuals);

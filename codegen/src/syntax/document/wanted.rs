@@ -8,7 +8,7 @@ use crate::syntax::formula::{Name, Reference};
 pub struct Output {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// Up to which level, if not all: one of [`LEVELS`](super::LEVELS).
+    /// Up to which level, if not all: one of [`LEVELS`](crate::syntax::LEVELS).
     pub level: Option<Name>,
     /// What is wanted; at least one.
     pub items: Vec<OutputItem>,

@@ -5,6 +5,7 @@ use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::Resolved;
 use crate::joint::geometry::{BodyFrame, Mark, Vector, turned};
 use crate::model::Body;
+use crate::system::SymbolRole;
 
 /// A local vector turned with a body or a link: a = R(φ) s.
 #[derive(Clone, Debug)]
@@ -57,7 +58,8 @@ impl VectorForm {
         let place = self.arms.len();
         self.arm_places.insert((angle, local), place);
         self.arms_of.entry(angle).or_default().push(place);
-        self.arm_of.extend(symbols.map(|symbol| (symbol, place)));
+        let roles = symbols.map(|symbol| (symbol, SymbolRole::Arm(place)));
+        self.roles.extend(roles);
         self.arms.write().push(Arm {
             angle,
             local,
@@ -163,7 +165,10 @@ impl VectorForm {
 
     /// The place of the arm among all that a symbol is a component of.
     pub fn place_of_symbol(&self, symbol: SymbolId) -> Option<usize> {
-        self.arm_of.get(&symbol).copied()
+        match self.roles.get(&symbol) {
+            Some(&SymbolRole::Arm(place)) => Some(place),
+            _ => None,
+        }
     }
 
     /// The arms that turn with the angle `unknown`.

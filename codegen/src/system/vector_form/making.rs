@@ -9,7 +9,7 @@ use crate::model::{Joint, Mechanism, Role};
 use crate::system::assemble::Watch;
 use crate::system::mark_names::MarkNames;
 use crate::system::orientation::Orientations;
-use crate::system::{Settled, Unknown};
+use crate::system::{Settled, SymbolRole, Unknown};
 
 impl VectorForm {
     /// The vector form of every joint, with the drawn values of the auxiliary unknowns; `dropped` says of each joint which of
@@ -34,15 +34,17 @@ impl VectorForm {
                 .collect(),
             rates: HashMap::new(),
             arm_places: HashMap::new(),
-            auxiliary_places: HashMap::new(),
             taken_names: coordinates
                 .iter()
                 .map(|coordinate| coordinate.name.clone())
                 .collect(),
             name_numbers: HashMap::new(),
             arms_of: HashMap::new(),
-            arm_of: HashMap::new(),
-            unknown_of: HashMap::new(),
+            roles: coordinates
+                .iter()
+                .enumerate()
+                .map(|(place, own)| (own.position, SymbolRole::Position(place)))
+                .collect(),
             mark_names: MarkNames::new(&mechanism.bodies, &mechanism.points),
         };
         let moved = !mechanism.transmissions.is_empty() || mechanism.forces.need_multipliers();
@@ -104,8 +106,6 @@ impl VectorForm {
             form.rates.insert(unknown.position, rate);
             form.rates.insert(unknown.rate, acceleration);
         }
-        let unknowns = form.unknowns.iter().enumerate();
-        form.unknown_of = unknowns.map(|(place, own)| (own.position, place)).collect();
         form
     }
 

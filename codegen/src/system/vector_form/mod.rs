@@ -39,18 +39,14 @@ pub struct VectorForm {
     pub(super) rates: HashMap<SymbolId, ExprId>,
     // Looked up, never iterated.
     arm_places: HashMap<(usize, Vector), usize>,
-    // The unknowns beyond the coordinates, by symbol; only looked up.
-    pub(super) auxiliary_places: HashMap<SymbolId, usize>,
     // The names of unknowns and arms; only looked up.
     pub(super) taken_names: HashSet<String>,
     // Of a name the number up to which all are taken; only looked up.
     name_numbers: HashMap<String, usize>,
     // Which arms each angle turns.
     arms_of: HashMap<usize, Vec<usize>>,
-    // Which arm a symbol belongs to; only looked up.
-    arm_of: HashMap<SymbolId, usize>,
-    // Which unknown a symbol is; only looked up.
-    unknown_of: HashMap<SymbolId, usize>,
+    // Which unknown a symbol is, or which arm it belongs to; only looked up.
+    pub(super) roles: HashMap<SymbolId, SymbolRole>,
     pub(super) mark_names: MarkNames,
 }
 
@@ -89,7 +85,10 @@ impl VectorForm {
 
     /// The unknown that a symbol is.
     pub fn place_of_unknown(&self, symbol: SymbolId) -> Option<usize> {
-        self.unknown_of.get(&symbol).copied()
+        match self.roles.get(&symbol) {
+            Some(&SymbolRole::Position(place)) => Some(place),
+            _ => None,
+        }
     }
 
     /// The unknowns that an expression mentions, themselves or through the arms that they turn: ascending.

@@ -1,12 +1,12 @@
 //! Points, rollers and flat faces on curves: closed forms, derivatives against differences, generated code against the
 //! interpreter, and what is said about curves that nothing can follow.
 
+mod derivatives;
+mod said;
+
 use linkwright::Equations;
-use linkwright::nalgebra::{SMatrix, SVector};
-use linkwright_codegen::diagnostic::{Code, Source};
+use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::textbook::TextbookEquations;
-use linkwright_tests::files;
-use linkwright_tests::random::Random;
 
 macro_rules! modules {
     ($($name:ident),+) => {$(
@@ -190,165 +190,6 @@ fn rocking_levers_touch_their_cam_and_do_not_cut_it() {
     }
 }
 
-/// Φ_q, Φ_t and γ against differences of Φ at random places, which need not satisfy Φ.
-macro_rules! derivatives {
-    ($test:ident, $module:ident) => {
-        #[test]
-        fn $test() {
-            const N: usize = $module::Coordinates::COUNT;
-            let phi = |q: &SVector<f64, N>, t: f64| {
-                $module::phi(&$module::Coordinates::from_array(q.data.0[0]), t)
-            };
-            let mut random = Random::new(7);
-            for _ in 0..200 {
-                let mut draw = || SVector::<f64, N>::from_fn(|_, _| random.between(-1.0, 1.0));
-                let (q, qd) = (draw(), draw());
-                let t = random.between(0.0, 2.0);
-                let [named, rates] =
-                    [q, qd].map(|values| $module::Coordinates::from_array(values.data.0[0]));
-                let h = 1.0 / 1024.0;
-                // Fourth-order differences: what is left is h⁴/30 of the fifth derivative, and rounding over h.
-                let first = |values: [SVector<f64, N>; 4]| {
-                    (values[0] - values[3] + (values[2] - values[1]) * 8.0) / (12.0 * h)
-                };
-                let mut jacobian = SMatrix::<f64, N, N>::zeros();
-                for column in 0..N {
-                    let values = [-2.0, -1.0, 1.0, 2.0].map(|step| {
-                        let mut moved = q;
-                        moved[column] += step * h;
-                        phi(&moved, t)
-                    });
-                    jacobian.set_column(column, &first(values));
-                }
-                let error = ($module::phi_q(&named, t) - jacobian).abs().max();
-                assert!(error < 1e-9, "Φ_q: {error:e}");
-                let values = [-2.0, -1.0, 1.0, 2.0].map(|step| phi(&q, t + step * h));
-                let error = ($module::phi_t(&named, t) - first(values)).abs().max();
-                assert!(error < 1e-9, "Φ_t: {error:e}");
-                // −γ is the second derivative of Φ along (q + q̇ s, t + s).
-                let h = 1.0 / 256.0;
-                let along = |step: f64| phi(&(q + qd * (step * h)), t + step * h);
-                let second = (along(-1.0) + along(1.0)) * 16.0 - along(-2.0) - along(2.0);
-                let second = (second - along(0.0) * 30.0) / (12.0 * h * h);
-                let error = ($module::gamma(&named, &rates, t) + second).abs().max();
-                assert!(error < 1e-7, "γ: {error:e}");
-            }
-        }
-    };
-}
-
-derivatives!(derivatives_of_flat_agree_with_differences, cam_flat);
-derivatives!(derivatives_of_roller_agree_with_differences, cam_roller);
-derivatives!(
-    derivatives_of_point_on_curve_agree_with_differences,
-    cam_polar
-);
-derivatives!(derivatives_on_the_ground_agree_with_differences, trammel);
-derivatives!(
-    derivatives_with_all_bodies_turning_agree_with_differences,
-    rocking_cams
-);
-
-/// Generated code and interpreter find the same motion.
-#[test]
-fn generated_code_agrees_with_the_interpreter() {
-    let path = files::package("descriptions/rocking_cams.mech");
-    let text = std::fs::read_to_string(path).expect("the description");
-    let read =
-        linkwright_codegen::read(&Source::new("rocking_cams.mech", text)).expect("no errors");
-    let equations = TextbookEquations::new(&read.motions[0]);
-    let mut generated = rocking_cams::RockingCams::assemble(0.0).expect("the drawing assembles");
-    let start = equations.estimate().clone();
-    let settings = linkwright::Settings::default();
-    let mut interpreted =
-        linkwright::assemble(&equations, &start, 0.0, &settings).expect("the drawing assembles");
-    for step in 1..=300 {
-        let t = f64::from(step) / 50.0;
-        interpreted =
-            linkwright::advance(&equations, &interpreted, t, &settings).expect("a turn of the cam");
-        let frame = generated.advance(t).expect("a turn of the cam");
-        let pairs = [
-            (frame.q, &interpreted.q),
-            (frame.qd, &interpreted.qd),
-            (frame.qdd, &interpreted.qdd),
-        ];
-        for (one, other) in pairs {
-            for (one, other) in one.to_array().iter().zip(other.iter()) {
-                assert!((one - other).abs() < 1e-11, "{t}: {one} and {other}");
-            }
-        }
-    }
-}
-
-/// The warnings of a description of a cam and a follower.
-fn warnings(curve: &str, follower: &str) -> Vec<(Code, String)> {
-    let text = format!(
-        "mechanism cam {{
-            point O = (0, 0), P = (0, 58mm);
-            body cam at O {{ O }}
-            body follower at P {{ P, A: (-20mm, 0), B: (20mm, 0) }}
-            {curve}
-            revolute O(ground, cam);
-            translational (ground, follower) along O -> P;
-            {follower}
-            drive phi(cam) = t;
-        }}"
-    );
-    let source = Source::new("cam.mech", text);
-    let read = linkwright_codegen::read(&source)
-        .unwrap_or_else(|found| panic!("{}", found.render(&source)));
-    let found = read.warnings.iter();
-    found
-        .map(|warning| (warning.code, warning.message.clone()))
-        .collect()
-}
-
-#[test]
-fn curves_that_nothing_can_follow_are_warned_of() {
-    let kidney = "curve rim(a) on cam = polar 40mm + 10mm*cos(2*a + pi);";
-    // r = 40 − 10 cos 2a is hollow at a = 0, where r = 30, r'' = 40 and κ = (r − r'')/r² = −1/90 per mm.
-    let found = warnings(kidney, "flat (follower, rim) along A -> B;");
-    assert!(
-        found
-            .iter()
-            .any(|(code, message)| *code == Code::DegenerateGeometry
-                && message
-                    .starts_with("a flat face does not reach into a hollow of the curve at ")),
-        "{found:?}"
-    );
-    // A roller of 8 mm fits into that, and one of 95 mm does not.
-    assert_eq!(warnings(kidney, "roller (follower.P, rim) = 8mm;"), []);
-    let found = warnings(kidney, "roller (follower.P, rim) = 95mm;");
-    assert!(
-        found
-            .iter()
-            .any(|(_, message)| message.starts_with("the roller does not fit into the curve at ")),
-        "{found:?}"
-    );
-    // A deltoid has three cusps.
-    let found = warnings(
-        "curve rim(s) on cam = (40mm*cos(s) + 20mm*cos(2*s), 40mm*sin(s) - 20mm*sin(2*s));",
-        "point_on_curve (follower.P, rim);",
-    );
-    assert!(
-        found
-            .iter()
-            .any(|(_, message)| message.starts_with("the curve `rim` stops at s = ")),
-        "{found:?}"
-    );
-    let found = warnings(
-        "curve rim(a) on cam = polar 20mm;",
-        "point_on_curve (follower.P, rim);",
-    );
-    assert!(
-        found
-            .iter()
-            .any(|(_, message)| message
-                == "in the drawing this is 0.038 m away from touching its curve"),
-        "{found:?}"
-    );
-}
-
 /// The side of the roller is that of the drawing: inside a ring its center is 8 mm nearer to the middle than the ring is.
 #[test]
 fn a_roller_runs_inside_where_it_is_drawn_inside() {
@@ -510,41 +351,5 @@ fn a_cam_designed_from_a_law_moves_its_follower_by_it() {
             }
             None => assert!(law[1].abs() < 1e-8, "{t}: {law:?}"),
         }
-    }
-}
-
-/// The contact parameter is a coordinate like the others in every print, and its sine and cosine are computed once.
-#[test]
-fn contacts_are_printed_and_written_as_a_person_would() {
-    use linkwright_codegen::stages::emit::{Notation, latex, text};
-    let path = files::package("descriptions/cam_polar.mech");
-    let text = std::fs::read_to_string(path).expect("the description");
-    let source = Source::new("cam_polar.mech", text);
-    let system = &linkwright_codegen::read(&source)
-        .expect("no errors")
-        .motions[0];
-    let unicode = text::inspect(system, Notation::Unicode);
-    for line in [
-        "q = (x_cam, y_cam, φ_cam, x_follower, y_follower, φ_follower, s_tip)",
-        "7 coordinates, 6 equations of joints, 1 equation of drivers, 1 degree of freedom",
-        "x_follower − x_cam − cos(φ_cam)·cos(s_tip)·(0.01·cos s_tip + 0.04) + sin(φ_cam)·sin(s_tip)·(0.01·cos s_tip + 0.04)",
-    ] {
-        assert!(unicode.contains(line), "{line} in {unicode}");
-    }
-    let typeset = latex::inspect(&[(system, Vec::new())]);
-    assert!(typeset.contains("\\cos s_{\\mathrm{tip}}"), "{typeset}");
-    let code = linkwright_codegen::generate(&source)
-        .expect("no errors")
-        .code;
-    let solved = code
-        .split("struct LoopTranslationalGroundFollowerTip")
-        .nth(1);
-    let solved = solved.and_then(|solved| solved.split("fn keeps_to_path").next());
-    let solved = solved.expect("the block of the contact");
-    // Once in each of the four functions of Newton-Raphson, and once in the block itself.
-    let pairs = solved.matches("let (sin_s_tip, cos_s_tip) = math::sin_cos(");
-    assert_eq!(pairs.count(), 5, "{solved}");
-    for function in ["math::sin(", "math::cos("] {
-        assert!(!solved.contains(function), "{function} in {solved}");
     }
 }
