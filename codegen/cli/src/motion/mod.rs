@@ -119,6 +119,8 @@ pub struct Followed<V: View> {
     pub error: Option<String>,
     /// What its integration has taken, where forces move it.
     pub simulated: Option<Simulated>,
+    /// Whether another coordinate is free than the description says, so that derivatives along what it frees are not known.
+    is_changed: bool,
     /// The last wanted instant.
     last: Option<Instant>,
     shell: Option<Shell<V>>,
@@ -190,6 +192,7 @@ impl<V: View> Followed<V> {
             smallest_measure: None,
             warnings: Vec::new(),
             simulated: None,
+            is_changed: false,
             last: None,
             measured,
             error,
@@ -325,10 +328,10 @@ impl<V: View> Followed<V> {
             }
             if !sinks.is_empty() {
                 let asked = !self.derivative_names.is_empty();
-                let derivatives = if asked {
-                    self.view.derivatives(instant)
-                } else {
-                    Some(Vec::new())
+                let derivatives = match (asked, self.is_changed) {
+                    (false, _) => Some(Vec::new()),
+                    (true, true) => None,
+                    (true, false) => self.view.derivatives(instant),
                 };
                 let shown = Shown {
                     instant,
