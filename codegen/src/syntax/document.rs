@@ -78,7 +78,7 @@ pub enum Statement {
     Torque(Torque),
     /// `reaction P;`
     Reaction(Reaction),
-    /// `monitor;`, `unguarded;`, `effort;`, `reactions;`, `energy;`
+    /// `monitor;`, `unguarded;`, `effort;`, `reactions;`, `least_norm;`, `energy;`
     Wish(Wish),
     /// `motion NAME { statements }`
     Motion(Motion),
@@ -443,6 +443,8 @@ pub enum WishKind {
     Effort,
     /// `reactions`: every frame says what every joint carries.
     Reactions,
+    /// `least_norm`: where joints repeat one another, they carry what is smallest.
+    LeastNorm,
     /// `energy`: every frame says how much work is stored.
     Energy,
 }

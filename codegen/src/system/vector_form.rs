@@ -29,6 +29,8 @@ pub struct VectorForm {
     /// r + arm of each declared point, in the mechanism's order.
     pub points: Vec<Vector>,
     naming: &'static Naming,
+    /// Which of the textbook's rows of each joint are monitored and not solved.
+    pub(super) dropped: Vec<Vec<bool>>,
     // The angle of each body; none for the ground.
     angles: Vec<Option<usize>>,
     /// d/dt of each symbol that moves.
@@ -92,6 +94,7 @@ impl VectorForm {
             orientations: Orientations::new(mechanism.bodies.len(), &mechanism.graph),
             points: Vec::new(),
             naming: mechanism.naming,
+            dropped: dropped.to_vec(),
             angles: mechanism
                 .bodies
                 .iter()
@@ -422,7 +425,7 @@ impl VectorForm {
 
 /// The rows of the vector form of a joint. Where one of the textbook's rows is not solved, the textbook's others: they need no
 /// auxiliary unknown, whose equations would not be as many.
-fn kept_rows(
+pub(super) fn kept_rows(
     kind: &dyn Kind,
     operands: &Resolved,
     dropped: &[bool],
