@@ -16,6 +16,7 @@ use crate::program::forms::Transposed;
 use crate::program::function::Statement;
 use crate::structure::SolvedPlan;
 use crate::system::Component;
+use crate::words::Piece;
 
 /// What the joints of a mechanism share.
 pub(super) struct Shared {
@@ -51,10 +52,34 @@ pub(super) fn shared(
         builder.say(|builder| {
             let own = &builder.system.monitored[row];
             let label = &builder.system.mechanism.joints[own.joint].label;
-            format!("A unit of what repeats others in {label} is balanced by these:").into()
+            let number = row + 1;
+            format!("Rigid bodies leave open what {label} carries. A unit of it, share {number}, is balanced by these:").into()
         });
-        let carried = sweep(plan, transposed, &load, builder);
-        let rows = free_bodies::multipliers(plan, &load, &carried, builder);
+        let prefix = format!("unit_{}_", row + 1);
+        let load = load.into_iter().enumerate();
+        let load = load.map(|(unknown, value)| {
+            let name = builder.system.unknown_name(unknown).to_string();
+            builder.value(&format!("{prefix}load_{name}"), value)
+        });
+        let load: Vec<ExprId> = load.collect();
+        let carried = sweep(plan, transposed, &load, &prefix, builder);
+        let found = free_bodies::multipliers(plan, &load, &carried, &prefix, builder);
+        let found = found.into_iter();
+        let rows = found.enumerate().map(|(place, value)| {
+            let name = free_bodies::named(&format!("{prefix}carried"), place, builder);
+            let named = builder.value(&name, value);
+            if value != zero && builder.graph().is_constant(value) {
+                builder.show(|_| {
+                    vec![[
+                        Piece::Local(name).into(),
+                        Piece::Formula(value).into(),
+                        "".into(),
+                    ]]
+                });
+            }
+            named
+        });
+        let rows = rows.collect();
         let mut monitored = vec![zero; count];
         monitored[row] = one;
         units.push((carried, Multipliers { rows, monitored }));
@@ -74,8 +99,7 @@ pub(super) fn shared(
             terms.push(builder.graph().multiply(share, unit.rows[place]));
         }
         let sum = builder.graph().sum(&terms);
-        let slug = &builder.system.mechanism.joints[builder.system.vector_form.rows[place].joint];
-        let name = format!("shared_{}", slug.slug);
+        let name = free_bodies::named("shared", place, builder);
         *multiplier = builder.value(&name, sum);
     }
     shared.monitored.clone_from(&shares);
@@ -96,12 +120,6 @@ fn unit_loads(builder: &mut Builder<'_>) -> Vec<Vec<ExprId>> {
             for (unknown, value) in columns {
                 loads[row][unknown] = builder.graph().negate(value);
             }
-        }
-    }
-    for load in &mut loads {
-        for (unknown, value) in load.iter_mut().enumerate() {
-            let name = builder.system.unknown_name(unknown).to_string();
-            *value = builder.value(&format!("unit_{name}"), *value);
         }
     }
     loads
@@ -125,7 +143,8 @@ fn shares(
         let own = weighed(joint, alone, "alone", builder);
         let of_units: Vec<Vec<ExprId>> = units
             .iter()
-            .map(|(_, unit)| weighed(joint, unit, "unit", builder))
+            .enumerate()
+            .map(|(row, (_, unit))| weighed(joint, unit, &format!("unit_{}", row + 1), builder))
             .collect();
         for (row, one) in of_units.iter().enumerate() {
             for (component, &value) in one.iter().enumerate() {
@@ -145,7 +164,7 @@ fn shares(
     for row in 0..count {
         for column in 0..=row {
             let sum = builder.graph().sum(&products[row][column]);
-            let sum = builder.value("product", sum);
+            let sum = builder.value(&format!("product_{}_{}", row + 1, column + 1), sum);
             matrix[row * count + column] = sum;
             matrix[column * count + row] = sum;
         }
@@ -156,11 +175,29 @@ fn shares(
         .collect();
     if let (&[product], &[against]) = (&matrix[..], &against[..]) {
         let share = builder.graph().divide(against, product);
-        return vec![builder.value("share", share)];
+        return vec![builder.value("share_1", share)];
     }
-    let targets: Vec<SymbolId> = (0..count)
-        .map(|_| builder.system.intermediate("share"))
+    let targets: Vec<SymbolId> = (1..=count)
+        .map(|number| builder.system.intermediate(&format!("share_{number}")))
         .collect();
+    builder.show(|builder| {
+        let equations = (0..count).map(|row| {
+            let terms = targets.iter().zip(&matrix[row * count..]);
+            let terms: Vec<ExprId> = terms
+                .map(|(&target, &factor)| {
+                    let share = builder.graph().variable(target);
+                    builder.graph().multiply(factor, share)
+                })
+                .collect();
+            let sum = builder.graph().sum(&terms);
+            [
+                Piece::Formula(sum).into(),
+                Piece::Formula(against[row]).into(),
+                "".into(),
+            ]
+        });
+        equations.collect()
+    });
     builder.state(Statement::Multipliers {
         targets: targets.iter().copied().map(Some).collect(),
         jacobian: matrix,
@@ -202,7 +239,7 @@ fn weighed(
         if matches!(graph.node(value), Node::Number(_)) {
             return value;
         }
-        builder.value(&format!("{name}_{slug}"), value)
+        builder.value(&format!("{name}_{slug}_{}", component.suffix()), value)
     });
     weighed.collect()
 }

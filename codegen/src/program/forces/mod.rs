@@ -107,10 +107,10 @@ pub(super) fn forces(
             "What acts on every body beside joints and drivers, less what moves its mass, moments about the origin of its frame:".into()
         });
         let named = named_loads(&loads.loads, &mut builder);
-        let carried = virtual_work::sweep(plan, transposed, &named, &mut builder);
+        let carried = virtual_work::sweep(plan, transposed, &named, "", &mut builder);
         let is_shared = wanted.least_norm && !builder.system.monitored.is_empty();
         let shared = is_shared.then(|| {
-            let alone = free_bodies::multipliers(plan, &named, &carried, &mut builder);
+            let alone = alone(plan, &named, &carried, &mut builder);
             least_norm::shared(plan, transposed, alone, &mut builder)
         });
         if wanted.efforts {
@@ -123,7 +123,7 @@ pub(super) fn forces(
             let multipliers = match shared {
                 Some(shared) => shared.multipliers,
                 None => Multipliers {
-                    rows: free_bodies::multipliers(plan, &named, &carried, &mut builder),
+                    rows: alone(plan, &named, &carried, &mut builder),
                     monitored: Vec::new(),
                 },
             };
@@ -195,6 +195,19 @@ fn named_loads(loads: &[ExprId], builder: &mut Builder<'_>) -> Vec<ExprId> {
         builder.value(&format!("load_{name}"), load)
     });
     named.collect()
+}
+
+/// What every row of the vector form carries.
+fn alone(
+    plan: &SolvedPlan,
+    loads: &[ExprId],
+    carried: &virtual_work::Carried,
+    builder: &mut Builder<'_>,
+) -> Vec<ExprId> {
+    builder.say(|_| {
+        "One body after the other is cut free: its forces along x and y and its moments add up to nothing, which gives what its other joints carry:".into()
+    });
+    free_bodies::multipliers(plan, loads, carried, "", builder)
 }
 
 /// What every driver exerts: the opposite of the work that everything else does along its value.
