@@ -27,6 +27,7 @@ pub mod printed;
 pub mod random;
 pub mod reference;
 pub mod sample;
+pub mod simulated;
 pub mod single;
 pub mod solver;
 pub mod stability;

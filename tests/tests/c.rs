@@ -13,7 +13,7 @@ use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
-const SMALL: [&str; 28] = [
+const SMALL: [&str; 30] = [
     "asked",
     "both_ways",
     "cam_law",
@@ -35,6 +35,8 @@ const SMALL: [&str; 28] = [
     "sensed_gears",
     "sensed_outputs",
     "sensed_platform",
+    "shared_cranks",
+    "shared_rails",
     "sleeve_given",
     "sliders_given",
     "table_of_file",

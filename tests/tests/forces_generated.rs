@@ -17,6 +17,12 @@ mod forced_platform {
 mod forced_slider {
     linkwright::include_mechanism!(forced_slider);
 }
+mod shared_cranks {
+    linkwright::include_mechanism!(shared_cranks);
+}
+mod shared_rails {
+    linkwright::include_mechanism!(shared_rails);
+}
 mod weighed_given {
     linkwright::include_mechanism!(weighed_given);
 }
@@ -303,4 +309,52 @@ fn what_is_refused_of_forces_in_a_description_is_refused_at_run_time() {
         .set_parameters(&without)
         .expect("nothing to accelerate");
     generated.advance(0.1).expect("as drawn");
+}
+
+#[test]
+fn joints_that_share_have_the_forces_of_the_interpreter() {
+    let mut cranks = interpreted("shared_cranks");
+    let mut rails = interpreted("shared_rails");
+    let mut four = shared_cranks::SharedCranks::assemble(0.0).expect("as drawn");
+    let mut two = shared_rails::SharedRails::assemble(0.0).expect("as drawn");
+    for step in 1..100 {
+        let t = 0.02 * f64::from(step);
+        assert!(cranks.advance(t) && rails.advance(t));
+        let frame = four.advance(t).expect("a path");
+        let [[ax, ay], [cx, cy]] = [frame.reaction_a(), frame.reaction_c()];
+        let [[dx, dy], [kx, ky]] = [frame.reaction_d(), frame.reaction_k()];
+        let [[mx, my], [nx, ny]] = [frame.reaction_m(), frame.reaction_n()];
+        let [[bx, by], [lx, ly]] = [frame.reaction_b(), frame.reaction_l()];
+        let found = [
+            ("effort_crank", frame.effort_crank()),
+            ("power_crank", frame.power_crank()),
+            ("reaction_a_x", ax),
+            ("reaction_a_y", ay),
+            ("reaction_b_x", bx),
+            ("reaction_b_y", by),
+            ("reaction_c_x", cx),
+            ("reaction_c_y", cy),
+            ("reaction_d_x", dx),
+            ("reaction_d_y", dy),
+            ("reaction_k_x", kx),
+            ("reaction_k_y", ky),
+            ("reaction_l_x", lx),
+            ("reaction_l_y", ly),
+            ("reaction_m_x", mx),
+            ("reaction_m_y", my),
+            ("reaction_n_x", nx),
+            ("reaction_n_y", ny),
+        ];
+        compare(&cranks, &found, LIMIT, t);
+        let frame = two.advance(t).expect("a path");
+        let found = [
+            ("effort_lift", frame.effort_lift()),
+            ("power_lift", frame.power_lift()),
+            ("reaction_front_normal", frame.reaction_front_normal()),
+            ("reaction_front_moment", frame.reaction_front_moment()),
+            ("reaction_back_normal", frame.reaction_back_normal()),
+            ("reaction_back_moment", frame.reaction_back_moment()),
+        ];
+        compare(&rails, &found, LIMIT, t);
+    }
 }

@@ -1,79 +1,15 @@
 //! What forces move, against closed solutions in elliptic functions, against 28 digits of Andrews' mechanism, and against energy.
 
 use linkwright::Signal;
-use linkwright_codegen::stages::system::System;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::simulation::{Options, Simulation, Stop, Tolerances};
+use linkwright_solver::simulation::{Options, Simulation, Stop};
 use linkwright_solver::view::View;
 use linkwright_tests::description;
-use linkwright_tests::forces::systems;
+use linkwright_tests::simulated::{
+    coordinate, elliptic, energy, interpreted, n_four_bar, options, simulation,
+};
 
 mod free_linkage {
     linkwright::include_mechanism!(free_linkage);
-}
-
-/// The options of a test: a relative tolerance, with an absolute one far below what is asked.
-fn options(relative: f64) -> Options {
-    Options {
-        tolerances: Tolerances {
-            relative,
-            absolute: relative * 1e-3,
-        },
-        goes_through: false,
-    }
-}
-
-fn interpreted(text: &str) -> Interpreted {
-    let system: &System = &systems("simulated", text)[0];
-    Interpreted::new(system).expect("an order")
-}
-
-fn simulation(text: &str, end: f64, options: Options) -> Simulation {
-    let view = interpreted(text);
-    Simulation::new(&view, None, end, options).expect("it starts as drawn")
-}
-
-/// A coordinate and its rate.
-fn coordinate(simulation: &Simulation, name: &str) -> [f64; 2] {
-    let coordinates = &simulation.view().system().coordinates;
-    let place = coordinates.iter().position(|it| it.name == name);
-    let place = place.unwrap_or_else(|| panic!("no {name}"));
-    let frame = simulation.frame();
-    [frame.q()[place], frame.qd()[place]]
-}
-
-/// A force that is asked for.
-fn force(simulation: &Simulation, name: &str) -> f64 {
-    let view = simulation.view();
-    let names = linkwright_solver::forces::names(view.system());
-    let place = names.iter().position(|(own, _)| own == name);
-    let values = view.forces(simulation.frame()).expect("known");
-    values[place.unwrap_or_else(|| panic!("no {name}"))]
-}
-
-fn energy(simulation: &Simulation) -> f64 {
-    ["kinetic_energy", "potential_energy"]
-        .iter()
-        .map(|name| force(simulation, name))
-        .sum()
-}
-
-/// sn, cn and dn of u with the parameter m, by the arithmetic-geometric mean (Abramowitz and Stegun 16.4).
-fn elliptic(u: f64, m: f64) -> [f64; 3] {
-    let (mut a, mut b, mut ratios) = (1.0_f64, (1.0 - m).sqrt(), Vec::new());
-    let mut factor = 1.0;
-    while ratios.last().is_none_or(|ratio: &f64| *ratio > 1e-17) && ratios.len() < 12 {
-        let c = 0.5 * (a - b);
-        (a, b) = (0.5 * (a + b), (a * b).sqrt());
-        ratios.push(c / a);
-        factor *= 2.0;
-    }
-    let mut angle = factor * a * u;
-    for ratio in ratios.iter().rev() {
-        angle = 0.5 * (angle + (ratio * angle.sin()).asin());
-    }
-    let (sn, cn) = angle.sin_cos();
-    [sn, cn, (1.0 - m * sn * sn).sqrt()]
 }
 
 const PENDULUM: &str = "mechanism pendulum {
@@ -212,35 +148,8 @@ fn a_double_pendulum_has_the_accelerations_of_the_textbook() {
     }
 }
 
-/// The windowed four-bar with two windows: bars of 1 m and 1 kg that start upright at 1 m/s.
-fn n_four_bar() -> String {
-    let bar = "inertia 1kg*1m^2/12";
-    format!(
-        "mechanism n_four_bar {{
-            point A0 = (0, 0), A1 = (1, 0), A2 = (2, 0), B0 = (0, 1), B1 = (1, 1), B2 = (2, 1);
-            body link0 at A0 facing A0 -> B0 {{ A0, B0, S: (0.5, 0) }}
-            body link1 at A1 facing A1 -> B1 {{ A1, B1, S: (0.5, 0) }}
-            body link2 at A2 facing A2 -> B2 {{ A2, B2, S: (0.5, 0) }}
-            body bar0 at B0 {{ B0, B1, S: (0.5, 0) }}
-            body bar1 at B1 {{ B1, B2, S: (0.5, 0) }}
-            revolute A0(ground, link0);
-            revolute A1(ground, link1);
-            revolute A2(ground, link2);
-            revolute B0(link0, bar0);
-            revolute B1(bar0, link1);
-            revolute B1(link1, bar1);
-            revolute B2(bar1, link2);
-            free turn: phi(link0) = pi/2 rate -1;
-            mass link0 = 1kg at S {bar};
-            mass link1 = 1kg at S {bar};
-            mass link2 = 1kg at S {bar};
-            mass bar0 = 1kg at S {bar};
-            mass bar1 = 1kg at S {bar};
-            gravity = (0, -9.81);
-            energy;
-        }}"
-    )
-}
+/// What is free of it: it starts upright at 1 m/s.
+const FREE_TURN: &str = "free turn: phi(link0) = pi/2 rate -1;";
 
 /// On the parallelogram θ = 2 am(t/2 | −4 W g/I) with I = (N + 1)/3 + N and W = (N + 1)/2 + N, to 20 digits: B0 at t = 1, 4 and 10 s.
 const N_FOUR_BAR: [(f64, [f64; 2]); 3] = [
@@ -255,7 +164,7 @@ fn an_n_four_bar_goes_straight_through_its_flat_poses() {
         goes_through: true,
         ..options(1e-12)
     };
-    let mut bars = simulation(&n_four_bar(), 10.0, through);
+    let mut bars = simulation(&n_four_bar(0.0, FREE_TURN), 10.0, through);
     let first = energy(&bars);
     for (t, expected) in N_FOUR_BAR {
         bars.advance(t).expect("no end");
@@ -278,7 +187,7 @@ fn an_n_four_bar_goes_straight_through_its_flat_poses() {
 /// Without being told to, it ends in the first flat pose, and says why: all its links are in line there.
 #[test]
 fn an_n_four_bar_ends_where_several_loops_are_singular() {
-    let mut bars = simulation(&n_four_bar(), 10.0, options(1e-11));
+    let mut bars = simulation(&n_four_bar(0.0, FREE_TURN), 10.0, options(1e-11));
     let stop = bars.advance(10.0).expect_err("a flat pose");
     assert!(matches!(stop, Stop::Unsolvable(_)), "{stop:?}");
     let [angle, _] = coordinate(&bars, "phi_link0");

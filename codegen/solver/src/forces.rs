@@ -5,6 +5,7 @@
 
 use linkwright::multipliers;
 use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::program::Program;
 use linkwright_codegen::stages::system::{Carried, Component, System};
 use nalgebra::{DMatrix, DVector};
@@ -61,10 +62,14 @@ pub(crate) struct DenseForces {
     values: Reader,
     /// The row and the column of each entry.
     entries: Vec<(usize, usize)>,
-    /// The column and the row of each term.
+    /// The column and the row of each term; rows that are monitored follow the others.
     terms: Vec<(usize, usize)>,
     columns: usize,
     rows: usize,
+    /// How many rows are monitored, where they carry what makes all of it smallest.
+    shared: usize,
+    /// The last columns, which are those that are to be smallest: what each is multiplied by.
+    weights: Vec<f64>,
 }
 
 /// What a column is made of.
@@ -79,14 +84,35 @@ impl DenseForces {
     pub(crate) fn new(system: &System, layout: &Layout) -> Option<DenseForces> {
         let loads = system.forces.clone()?;
         let mut system = system.clone();
-        let columns = columns(&mut system);
+        let mut columns = columns(&mut system);
         if columns.is_empty() {
             return None;
+        }
+        let asked = columns.len();
+        let shared = match system.mechanism.forces.least_norm {
+            true => system.monitored.len(),
+            false => 0,
+        };
+        let mut weights = Vec::new();
+        if shared > 0 {
+            let joints = system.mechanism.joints.iter().enumerate();
+            let joints = joints.filter(|(_, joint)| joint.role == Role::Constraint);
+            let joints: Vec<usize> = joints.map(|(joint, _)| joint).collect();
+            for joint in joints {
+                weights.extend(weights_of(joint, &mut system));
+                columns.extend(carried(joint, &mut system));
+            }
         }
         let (mut entries, mut roots) = (Vec::new(), Vec::new());
         for (row, own) in system.rows.iter().enumerate() {
             for entry in &own.jacobian {
                 entries.push((row, entry.coordinate));
+                roots.push(entry.value);
+            }
+        }
+        for (place, row) in system.monitored.iter().take(shared).enumerate() {
+            for entry in &row.jacobian {
+                entries.push((system.rows.len() + place, entry.coordinate));
                 roots.push(entry.value);
             }
         }
@@ -112,8 +138,10 @@ impl DenseForces {
             values: Reader::new(graph, layout, &roots),
             entries,
             terms,
-            columns: columns.len(),
+            columns: asked,
             rows: system.coordinates.len(),
+            shared,
+            weights,
         })
     }
 
@@ -123,15 +151,38 @@ impl DenseForces {
         let (entries, rest) = values.split_at(self.entries.len());
         let (loads, rest) = rest.split_at(self.rows);
         let (factors, own) = rest.split_at(self.terms.len());
-        let mut jacobian = DMatrix::zeros(self.rows, self.rows);
+        let mut all = DMatrix::zeros(self.rows + self.shared, self.rows);
         for (place, value) in self.entries.iter().zip(entries) {
-            jacobian[*place] = *value;
+            all[*place] = *value;
         }
+        let jacobian = all.rows(0, self.rows).into_owned();
         let mut found = DVector::from_column_slice(loads);
         multipliers::solve(&jacobian, &mut found).ok()?;
+        found.resize_vertically_mut(self.rows + self.shared, 0.0);
+        if self.shared > 0 {
+            // What each monitored row makes the others carry, and the components of all.
+            let mut units = DMatrix::zeros(self.rows + self.shared, self.shared);
+            for place in 0..self.shared {
+                let mut unit = -all.row(self.rows + place).transpose();
+                multipliers::solve(&jacobian, &mut unit).ok()?;
+                units.view_mut((0, place), (self.rows, 1)).copy_from(&unit);
+                units[(self.rows + place, place)] = 1.0;
+            }
+            let mut weighed = DMatrix::zeros(self.weights.len(), found.len());
+            for ((column, row), factor) in self.terms.iter().zip(factors) {
+                if let Some(place) = column.checked_sub(self.columns) {
+                    weighed[(place, *row)] += self.weights[place] * factor;
+                }
+            }
+            let of_units = &weighed * &units;
+            let mut shares = -of_units.tr_mul(&(&weighed * &found));
+            multipliers::solve(&of_units.tr_mul(&of_units), &mut shares).ok()?;
+            found += units * shares;
+        }
         let mut columns = own.to_vec();
         columns.truncate(self.columns);
-        for ((column, row), factor) in self.terms.iter().zip(factors) {
+        let terms = self.terms.iter().zip(factors);
+        for ((column, row), factor) in terms.filter(|((column, _), _)| *column < self.columns) {
             columns[*column] += factor * found[*row];
         }
         Some(columns)
@@ -170,57 +221,7 @@ fn columns(system: &mut System) -> Vec<Column> {
         }
     }
     for joint in wanted.reactions {
-        let passing = system.passing(joint);
-        let direction = passing.carried.direction();
-        let coordinates = system.mechanism.bodies[passing.body.0].coordinates;
-        let graph = &mut system.mechanism.graph;
-        let own = system.rows.iter().enumerate();
-        let own: Vec<_> = own.filter(|(_, row)| row.joint == joint).collect();
-        // What one unit of each multiplier exerts: forces, and a moment about the place of the joint.
-        let mut wrenches = Vec::new();
-        for (row, stated) in own {
-            let mut wrench = [0, 1, 2].map(|axis| {
-                let wanted = coordinates[axis].map(|it| it.place);
-                let mut entries = stated.jacobian.iter();
-                let entry = entries.find(|it| Some(it.coordinate) == wanted);
-                let value = entry.map_or(graph.zero(), |it| it.value);
-                match passing.is_opposite {
-                    true => value,
-                    false => graph.negate(value),
-                }
-            });
-            let parts = [(0, 1, false), (1, 0, true)];
-            for (arm, force, adds) in parts {
-                let moment = graph.multiply(passing.arm[arm], wrench[force]);
-                wrench[2] = match adds {
-                    true => graph.add(wrench[2], moment),
-                    false => graph.subtract(wrench[2], moment),
-                };
-            }
-            wrenches.push((row, wrench));
-        }
-        for component in passing.carried.components() {
-            let terms = wrenches.iter().map(|&(row, [x, y, moment])| {
-                let factor = match (component, direction) {
-                    (Component::X, _) => x,
-                    (Component::Y, _) => y,
-                    (Component::Moment, _) => moment,
-                    (Component::Multiplier, _) | (_, None) => match passing.carried {
-                        Carried::Rod(per_multiplier) => per_multiplier,
-                        _ => graph.one(),
-                    },
-                    (_, Some([along_x, along_y])) => {
-                        let parts = [graph.multiply(x, along_x), graph.multiply(y, along_y)];
-                        graph.sum(&parts)
-                    }
-                };
-                (row, factor)
-            });
-            columns.push(Column {
-                terms: terms.collect(),
-                value: None,
-            });
-        }
+        columns.extend(carried(joint, system));
     }
     if let (true, Some(forces)) = (wanted.energy, &system.forces) {
         let values = [forces.kinetic, forces.potential, forces.added];
@@ -230,4 +231,76 @@ fn columns(system: &mut System) -> Vec<Column> {
         }));
     }
     columns
+}
+
+/// The columns of what a joint carries, those of rows that are monitored among them.
+fn carried(joint: usize, system: &mut System) -> Vec<Column> {
+    let passing = system.passing(joint);
+    let direction = passing.carried.direction();
+    let coordinates = system.mechanism.bodies[passing.body.0].coordinates;
+    let graph = &mut system.mechanism.graph;
+    let own = system.rows.iter().chain(&system.monitored).enumerate();
+    let own: Vec<_> = own.filter(|(_, row)| row.joint == joint).collect();
+    // What one unit of each multiplier exerts: forces, and a moment about the place of the joint.
+    let mut wrenches = Vec::new();
+    for (row, stated) in own {
+        let mut wrench = [0, 1, 2].map(|axis| {
+            let wanted = coordinates[axis].map(|it| it.place);
+            let mut entries = stated.jacobian.iter();
+            let entry = entries.find(|it| Some(it.coordinate) == wanted);
+            let value = entry.map_or(graph.zero(), |it| it.value);
+            match passing.is_opposite {
+                true => value,
+                false => graph.negate(value),
+            }
+        });
+        let parts = [(0, 1, false), (1, 0, true)];
+        for (arm, force, adds) in parts {
+            let moment = graph.multiply(passing.arm[arm], wrench[force]);
+            wrench[2] = match adds {
+                true => graph.add(wrench[2], moment),
+                false => graph.subtract(wrench[2], moment),
+            };
+        }
+        wrenches.push((row, wrench));
+    }
+    let components = passing.carried.components().iter();
+    let columns = components.map(|component| {
+        let terms = wrenches.iter().map(|&(row, [x, y, moment])| {
+            let factor = match (component, direction) {
+                (Component::X, _) => x,
+                (Component::Y, _) => y,
+                (Component::Moment, _) => moment,
+                (Component::Multiplier, _) | (_, None) => match passing.carried {
+                    Carried::Rod(per_multiplier) => per_multiplier,
+                    _ => graph.one(),
+                },
+                (_, Some([along_x, along_y])) => {
+                    let parts = [graph.multiply(x, along_x), graph.multiply(y, along_y)];
+                    graph.sum(&parts)
+                }
+            };
+            (row, factor)
+        });
+        Column {
+            terms: terms.collect(),
+            value: None,
+        }
+    });
+    columns.collect()
+}
+
+/// What the components of what a joint carries are multiplied by to be forces: moments are divided by the characteristic length.
+fn weights_of(joint: usize, system: &mut System) -> Vec<f64> {
+    let length = system.mechanism.characteristic_length;
+    let mut rows = system.rows.iter().chain(&system.monitored);
+    let measured = rows.find(|row| row.joint == joint);
+    let power = measured.map_or(1, |row| row.quantity.power_of_length());
+    let components = system.passing(joint).carried.components().iter();
+    let weights = components.map(|component| match component {
+        Component::Moment => 1.0 / length,
+        Component::Multiplier => length.powi(power - 1),
+        _ => 1.0,
+    });
+    weights.collect()
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use linkwright::Frame;
+use linkwright::{Frame, Signal};
 use linkwright_codegen::stages::expr::SymbolId;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DVector, Dyn};
@@ -64,6 +64,13 @@ impl Layout {
     /// The places of parameters and inputs.
     pub(crate) fn given(&self) -> Range<usize> {
         1..1 + self.parameters + self.inputs
+    }
+
+    /// The inputs that an instant was solved with.
+    pub(crate) fn inputs(&self, instant: &Instant) -> InputSignals {
+        let given = &instant.values()[self.given()];
+        let signals = given[self.parameters..].chunks_exact(3);
+        InputSignals(signals.map(|it| Signal::new(it[0], it[1], it[2])).collect())
     }
 
     /// The places of what is solved for: q, q̇, q̈ and all that follows.

@@ -22,6 +22,7 @@ mod enclosed;
 mod every_pose;
 pub mod first_step;
 pub mod forces;
+mod in_pose;
 pub mod instant;
 pub mod interpreted;
 pub mod interval;

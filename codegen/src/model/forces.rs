@@ -22,6 +22,8 @@ pub struct Forces {
     pub efforts: bool,
     /// The joints whose reactions are asked for: indices into the joints, ascending, each once.
     pub reactions: Vec<usize>,
+    /// Whether a `least_norm` statement says what redundant joints carry: of all that balances what acts, what is smallest.
+    pub least_norm: bool,
     /// Whether rates and accelerations count as zero: what holds the mechanism where it is.
     pub at_rest: bool,
     /// Whether an `energy` statement asks for the work that is stored.

@@ -28,6 +28,7 @@ impl Resolver<'_> {
         forces.energy = self.wishes(WishKind::Energy, statements);
         let every = self.wishes(WishKind::Reactions, statements);
         forces.reactions = self.reactions(statements, every);
+        forces.least_norm = self.wishes(WishKind::LeastNorm, statements);
         let asked = asking(statements);
         if let Some((word, span)) = asked.first() {
             let word = *word;
@@ -64,7 +65,12 @@ impl Resolver<'_> {
             self.require_drivers_of_quantities(*span);
         }
         if let Some((_, span)) = asked.iter().find(|(word, _)| word.starts_with("reaction")) {
-            self.refuse_redundant(*span);
+            if !forces.least_norm {
+                self.refuse_redundant(*span);
+            }
+        }
+        if let Some(span) = least_norm(statements) {
+            self.require_redundant(span, &asked);
         }
         forces
     }
@@ -173,9 +179,35 @@ impl Resolver<'_> {
                 )
                 .label("has no unique answer")
                 .also(place, "repeats what others say")
-                .help("remove the redundant joint, or ask for `effort;`, which does not depend on it"),
+                .help("remove the redundant joint, ask for `effort;`, which does not depend on it, or write `least_norm;` for the smallest of all answers"),
             );
         }
+    }
+
+    /// What is smallest is a choice only where joints repeat one another and somebody asks what they carry.
+    fn require_redundant(&mut self, span: Span, asked: &[(&'static str, Span)]) {
+        if self.diagnostics.has_errors() {
+            return;
+        }
+        let mut joints = self.linkage.joints.iter();
+        let is_choice = joints.any(|(joint, _)| joint.redundant.is_some());
+        let is_asked = asked.iter().any(|(word, _)| word.starts_with("reaction"));
+        let (message, help) = match (is_choice, is_asked) {
+            (true, true) => return,
+            (false, _) => (
+                "no joint repeats others, so what each carries has one answer",
+                "remove `least_norm`",
+            ),
+            (true, false) => (
+                "nobody asks what joints carry",
+                "ask for it, `reactions;`, or remove `least_norm`",
+            ),
+        };
+        self.diagnostics.push(
+            Diagnostic::error(Code::WrongForm, span, message)
+                .label("leaves nothing to choose")
+                .help(help),
+        );
     }
 }
 
@@ -187,9 +219,17 @@ fn asking(statements: &[&Statement]) -> Vec<(&'static str, Span)> {
             WishKind::Effort => Some(("effort", it.span)),
             WishKind::Reactions => Some(("reactions", it.span)),
             WishKind::Energy => Some(("energy", it.span)),
-            WishKind::Monitor | WishKind::Unguarded => None,
+            WishKind::Monitor | WishKind::Unguarded | WishKind::LeastNorm => None,
         },
         _ => None,
     });
     asked.collect()
+}
+
+/// Where the smallest reactions are asked for.
+fn least_norm(statements: &[&Statement]) -> Option<Span> {
+    statements.iter().find_map(|statement| match statement {
+        Statement::Wish(it) if it.kind == WishKind::LeastNorm => Some(it.span),
+        _ => None,
+    })
 }

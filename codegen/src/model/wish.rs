@@ -20,6 +20,7 @@ impl Resolver<'_> {
             WishKind::Unguarded => "the mechanism is unguarded already",
             WishKind::Effort => "efforts are asked for already",
             WishKind::Reactions => "all reactions are asked for already",
+            WishKind::LeastNorm => "reactions of the least norm are asked for already",
             WishKind::Energy => "energies are asked for already",
         };
         for &span in others {

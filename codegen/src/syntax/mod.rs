@@ -62,7 +62,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 30] = [
+pub const KEYWORDS: [&str; 31] = [
     "const",
     "param",
     "input",
@@ -89,6 +89,7 @@ pub const KEYWORDS: [&str; 30] = [
     "effort",
     "reaction",
     "reactions",
+    "least_norm",
     "energy",
     "motion",
     "repeat",

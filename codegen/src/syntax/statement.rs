@@ -65,6 +65,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "effort" => wish(tokens, docs, WishKind::Effort, first.span),
         "reaction" => forces::reaction(tokens, docs, first.span),
         "reactions" => wish(tokens, docs, WishKind::Reactions, first.span),
+        "least_norm" => wish(tokens, docs, WishKind::LeastNorm, first.span),
         "energy" => wish(tokens, docs, WishKind::Energy, first.span),
         "motion" => motion(tokens, docs, first.span),
         _ => joint(tokens, docs, None, first),

@@ -54,6 +54,8 @@ pub struct Weight {
 pub struct Passing {
     /// Of each of its rows of the vector form the derivatives in unknowns, every body turning by itself.
     pub rows: Vec<(usize, BTreeMap<usize, ExprId>)>,
+    /// The same of its rows that are monitored, by their places among those.
+    pub monitored: Vec<(usize, BTreeMap<usize, ExprId>)>,
     /// The body on which the joint's force is taken: the second one, or the first where the second is the ground.
     pub body: BodyId,
     /// Whether the second body is the ground, so that the reaction is opposite to what acts on `body`.
@@ -236,9 +238,18 @@ impl System {
             mechanism,
             vector_form: form,
             roles,
+            monitored,
             ..
         } = self;
         let rows = form.own_columns(joint, mechanism);
+        let places = monitored.iter().enumerate();
+        let places = places.filter(|(_, row)| row.joint == joint);
+        let places: Vec<usize> = places.map(|(place, _)| place).collect();
+        let monitored = match places.is_empty() {
+            true => Vec::new(),
+            false => form.monitored_columns(joint, mechanism),
+        };
+        let monitored = places.into_iter().zip(monitored).collect();
         let own = &mechanism.joints[joint];
         let operands = form.with_arms(&own.operands, &mechanism.bodies, &mut mechanism.graph);
         let graph = &mut mechanism.graph;
@@ -309,6 +320,7 @@ impl System {
             .resize(graph.symbol_count(), SymbolRole::Intermediate);
         Passing {
             rows,
+            monitored,
             body,
             is_opposite,
             arm,

@@ -11,6 +11,7 @@ mod auxiliary;
 mod carried;
 mod direction;
 mod drawn;
+mod exchange;
 mod forces;
 mod length;
 mod mark_names;

@@ -6,7 +6,8 @@
 use std::collections::BTreeMap;
 
 use super::VectorForm;
-use crate::expr::{ExprId, SymbolId};
+use super::vector_form::making::kept_rows;
+use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{Vector, perpendicular};
 use crate::joint::{Auxiliary, AuxiliaryUnknown, Axis, Curve, Resolved};
 use crate::model::Mechanism;
@@ -20,32 +21,72 @@ enum Turning {
     Link(usize),
 }
 
+/// The derivatives of a row in unknowns.
+pub(super) type Columns = BTreeMap<usize, ExprId>;
+
 impl VectorForm {
     /// The rows of a joint by their places among all, and their derivatives in unknowns that are not identically zero.
     pub(super) fn own_columns(
         &mut self,
         joint: usize,
         mechanism: &mut Mechanism,
-    ) -> Vec<(usize, BTreeMap<usize, ExprId>)> {
+    ) -> Vec<(usize, Columns)> {
+        let own = self.rows.iter().enumerate();
+        let own = own.filter(|(_, row)| row.joint == joint);
+        let (places, residuals): (Vec<usize>, Vec<ExprId>) =
+            own.map(|(place, row)| (place, row.residual)).unzip();
+        let dropped = self.dropped[joint].clone();
+        let kind = mechanism.joints[joint].kind;
+        let state = |operands: &Resolved, graph: &mut Graph| {
+            let rows = kept_rows(kind, operands, &dropped, graph);
+            rows.into_iter().map(|row| row.residual).collect()
+        };
+        let columns = self.columns(joint, residuals, state, mechanism);
+        places.into_iter().zip(columns).collect()
+    }
+
+    /// The same of the rows of a joint that are monitored.
+    pub(super) fn monitored_columns(
+        &mut self,
+        joint: usize,
+        mechanism: &mut Mechanism,
+    ) -> Vec<Columns> {
+        let dropped = self.dropped[joint].clone();
+        let kind = mechanism.joints[joint].kind;
+        let state = |operands: &Resolved, graph: &mut Graph| -> Vec<ExprId> {
+            let rows = kind.rows(operands, graph).into_iter().zip(&dropped);
+            rows.filter(|(_, is_dropped)| **is_dropped)
+                .map(|(row, _)| row.residual)
+                .collect()
+        };
         let Mechanism {
             graph,
             joints,
             bodies,
             ..
         } = mechanism;
-        let own = &joints[joint];
-        let places = self.rows.iter().enumerate();
-        let places: Vec<usize> = places
-            .filter(|(_, row)| row.joint == joint)
-            .map(|(place, _)| place)
-            .collect();
-        let operands = self.with_arms(&own.operands, bodies, graph);
-        let mut rows: Vec<(usize, BTreeMap<usize, ExprId>)> = places
-            .iter()
-            .map(|&place| (place, BTreeMap::new()))
-            .collect();
-        for (place, columns) in &mut rows {
-            let residual = self.rows[*place].residual;
+        let operands = self.with_arms(&joints[joint].operands, bodies, graph);
+        let residuals = state(&operands, graph);
+        self.columns(joint, residuals, state, mechanism)
+    }
+
+    /// The derivatives of rows that operands state.
+    fn columns(
+        &mut self,
+        joint: usize,
+        residuals: Vec<ExprId>,
+        state: impl Fn(&Resolved, &mut Graph) -> Vec<ExprId>,
+        mechanism: &mut Mechanism,
+    ) -> Vec<Columns> {
+        let Mechanism {
+            graph,
+            joints,
+            bodies,
+            ..
+        } = mechanism;
+        let operands = self.with_arms(&joints[joint].operands, bodies, graph);
+        let mut rows = vec![Columns::new(); residuals.len()];
+        for (columns, residual) in rows.iter_mut().zip(residuals) {
             for symbol in graph.symbols(residual).to_vec() {
                 if let Some(unknown) = self.place_of_unknown(symbol) {
                     columns.insert(unknown, graph.derivative(residual, symbol));
@@ -68,23 +109,18 @@ impl VectorForm {
         turning.sort_unstable_by_key(|(_, unknown)| *unknown);
         turning.dedup_by_key(|(_, unknown)| *unknown);
         let step = graph.symbol("turned by itself");
-        // A row of the textbook in place of one that is monitored has no other form.
-        let count = own.kind.vector_rows(&operands, graph).len();
-        if count != places.len() {
-            return rows;
-        }
         let zero = graph.zero();
         for (turning, unknown) in turning {
             let turned = turned(&operands, turning, step, graph);
-            let stated = own.kind.vector_rows(&turned, graph);
-            for ((_, columns), stated) in rows.iter_mut().zip(stated) {
-                let slope = graph.derivative(stated.residual, step);
+            let stated = state(&turned, graph);
+            for (columns, stated) in rows.iter_mut().zip(stated) {
+                let slope = graph.derivative(stated, step);
                 let slope = graph.substitute(slope, &[(step, zero)]);
                 let direct = columns.get(&unknown).copied().unwrap_or(zero);
                 columns.insert(unknown, graph.add(direct, slope));
             }
         }
-        for (_, columns) in &mut rows {
+        for columns in &mut rows {
             columns.retain(|_, value| *value != zero);
         }
         rows
@@ -92,12 +128,7 @@ impl VectorForm {
 }
 
 /// The operands with the vectors of one body, or of one link, turned on by a small angle.
-fn turned(
-    operands: &Resolved,
-    turning: Turning,
-    step: SymbolId,
-    graph: &mut crate::expr::Graph,
-) -> Resolved {
+fn turned(operands: &Resolved, turning: Turning, step: SymbolId, graph: &mut Graph) -> Resolved {
     let mut further = |vector: Vector| -> Vector {
         let step = graph.variable(step);
         let across = perpendicular(vector, graph);

@@ -97,6 +97,7 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
                 | Statement::Force(_)
                 | Statement::Torque(_)
                 | Statement::Reaction(_)
+                | Statement::Wish(_)
         )
     };
     statements.iter().filter(is_last).for_each(&mut write);

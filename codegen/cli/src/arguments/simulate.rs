@@ -32,6 +32,10 @@ pub struct Simulate {
     /// Go straight on through poses in which several loops are singular at once, where the motion otherwise ends
     #[arg(long)]
     pub through_singular: bool,
+    /// Let another coordinate of a body take the place of a free one that is about to stand still while the mechanism moves, as that of a
+    /// piston at its dead center, where the motion otherwise ends
+    #[arg(long)]
+    pub change_coordinates: bool,
     /// Another value of a parameter, the motion of an input as an expression of t, or of a free coordinate the start: `swing=0.3 + 1.5*t`
     /// begins at 0.3 with the rate 1.5; may be repeated
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]

@@ -51,6 +51,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
             absolute: arguments.atol,
         },
         goes_through: arguments.through_singular,
+        changes: arguments.change_coordinates,
     };
     let motion = Followed::new(view, wanted, 0.0, chosen.clone());
     report(

@@ -143,10 +143,10 @@ impl<V: View> Followed<V> {
             }
             if !sinks.is_empty() {
                 let asked = !self.derivative_names.is_empty();
-                let derivatives = if asked {
-                    self.view.derivatives(instant)
-                } else {
-                    Some(Vec::new())
+                let derivatives = match (asked, self.is_changed) {
+                    (false, _) => Some(Vec::new()),
+                    (true, true) => None,
+                    (true, false) => self.view.derivatives(instant),
                 };
                 let shown = Shown {
                     instant,

@@ -58,6 +58,8 @@ pub struct Followed<V: View> {
     pub error: Option<String>,
     /// What its integration has taken, where forces move it.
     pub simulated: Option<Simulated>,
+    /// Whether another coordinate is free than the description says, so that derivatives along what it frees are not known.
+    pub(super) is_changed: bool,
     /// The last wanted instant.
     pub(super) last: Option<Instant>,
     pub(super) shell: Option<Shell<V>>,
@@ -129,6 +131,7 @@ impl<V: View> Followed<V> {
             smallest_measure: None,
             warnings: Vec::new(),
             simulated: None,
+            is_changed: false,
             last: None,
             measured,
             error,

@@ -126,3 +126,61 @@ fn what_is_driven_throughout_is_refused() {
             .exits_with(2);
     }
 }
+
+/// The same with the piston's length free, which stands still at both dead centers.
+const ENGINE: &str = "mechanism engine {
+    point A = (0, 0), B = (0.1, 0.1), C = (0.4, 0);
+    body crank at A facing A -> B { A, B }
+    body rod at B facing B -> C { B, C }
+    body piston at C { C }
+    revolute A(ground, crank);
+    revolute B(crank, rod);
+    revolute C(rod, piston);
+    absolute_y(piston) = 0;
+    absolute_angle(piston) = 0;
+    free stroke: x(piston) = 0.4 rate 1;
+    mass crank = 2kg at B;
+    mass piston = 0.5kg;
+}
+";
+
+#[test]
+fn coordinates_are_changed_where_that_is_asked_for() {
+    let folder = Folder::new("simulate_changes", ENGINE);
+    let ended = folder.run("simulate a.mech --to 2 --no-files");
+    let said = ended.exits_with(1).stderr;
+    assert!(
+        said.contains("help: `--change-coordinates` goes on there in another coordinate"),
+        "{said}"
+    );
+    let ran = folder.run("simulate a.mech --to 2 --change-coordinates --no-files");
+    let ran = ran.exits_with(0);
+    assert!(
+        ran.stdout.contains("changes of coordinate"),
+        "{}",
+        ran.stdout
+    );
+    for part in [
+        "warning: at t = ",
+        "the free coordinate changes from x(piston) to phi(crank), since x(piston) is about to stand still",
+        "the normalized determinant of phi_crank and phi_rod has fallen to 0.",
+    ] {
+        assert!(ran.stderr.contains(part), "{}", ran.stderr);
+    }
+    let ran = folder.run("simulate a.mech --to 2 --change-coordinates --json");
+    let found = json(&ran.exits_with(0).stdout);
+    let changes = found["simulation"]["changes"].as_array().expect("changes");
+    assert_eq!(changes.len(), 1);
+    assert_eq!(changes[0]["from"], "x(piston)");
+    assert_eq!(changes[0]["to"], "phi(crank)");
+    let drift = found["simulation"]["energy_drift"].as_f64().expect("known");
+    let kinetic = found["simulation"]["kinetic_energy"]
+        .as_f64()
+        .expect("known");
+    assert!(drift.abs() <= 1e-8 * kinetic, "{drift} {kinetic}");
+    // Every row is one of the description: the piston keeps to its line.
+    for frame in found["frames"].as_array().expect("frames") {
+        let y = frame["q"][7].as_f64().expect("y of the piston");
+        assert!(y.abs() <= 1e-12, "{y}");
+    }
+}

@@ -26,7 +26,7 @@ use crate::instant::Instant;
 use crate::measures::measured;
 use crate::path::InterpretedPath;
 use crate::reader::Reader;
-use crate::supplied::Modes;
+use crate::supplied::{InputSignals, Modes, Pose};
 use crate::view::View;
 use compiled::Compiled;
 
@@ -117,15 +117,17 @@ impl Interpreted {
     /// Before the first block, with the drawing as the last instant, nominal parameters, and the inputs that their laws give.
     pub(crate) fn before_assembly(&self, t: f64) -> State {
         let parameters = self.nominal_parameters();
-        let last = self.estimate(&self.drawn_pose(&parameters), &parameters, t);
+        let drawn = self.drawn_pose(&parameters);
+        self.before(&drawn, t, &self.input_laws().at(t))
+    }
+
+    /// Before the first block, with a pose as the last instant, and nominal parameters.
+    pub(crate) fn before(&self, pose: &Pose, t: f64, inputs: &InputSignals) -> State {
+        let parameters = self.nominal_parameters();
+        let last = self.estimate(pose, &parameters, t);
         let mut registers = self.compiled.code.registers().to_vec();
-        self.compiled.fill(
-            &mut registers,
-            &last,
-            t,
-            &parameters,
-            &self.input_laws().at(t),
-        );
+        let compiled = &self.compiled;
+        compiled.fill(&mut registers, &last, t, &parameters, inputs);
         State { t, registers }
     }
 

@@ -65,7 +65,7 @@ pub(super) fn straight_on(
         let Ok(tried) = other.frame_at(t, inputs) else {
             continue;
         };
-        let unknowns = found_in(view, block);
+        let unknowns = view.found_in(block);
         let missed = |frame: &Instant| distance(view, [last, frame], time, &unknowns);
         let is_nearer = match &found {
             Ok(stays) => missed(&tried) < missed(stays),
@@ -76,21 +76,6 @@ pub(super) fn straight_on(
         }
     }
     found.map(|frame| (frame, modes))
-}
-
-/// The coordinates that a block finds.
-fn found_in(view: &Interpreted, number: usize) -> Vec<usize> {
-    let block = view.program().blocks.get(number).and_then(|it| it.place);
-    let Some(block) = block.and_then(|place| view.plan().blocks.get(place)) else {
-        return Vec::new();
-    };
-    let torn = block
-        .parts
-        .iter()
-        .flat_map(|part| part.unknowns.iter().copied());
-    let following = block.definitions.iter().map(|it| it.unknown);
-    let count = view.system().coordinates.len();
-    torn.chain(following).filter(|it| *it < count).collect()
 }
 
 /// How far coordinates and rates are from those that the first frame leads to in a time, over that time.

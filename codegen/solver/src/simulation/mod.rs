@@ -6,14 +6,18 @@
 //! integrated beside, without a say in the length of steps. Deliberately unknown here: files and how anything is printed.
 
 mod beyond;
+mod change;
+mod freedom;
 mod reduced;
 mod right_side;
 mod stop;
 
 pub use crate::dormand_prince::Tolerances;
+pub use change::{Change, Hindrance};
 pub use reduced::ReducedMotion;
 pub use stop::Stop;
 
+use change::{Changed, Changing, hindrance};
 use linkwright::{Blocks, Shell, Signal};
 use right_side::RightSide;
 
@@ -27,6 +31,9 @@ use crate::view::View;
 /// How much shorter a step is tried again that leads to where nothing can be solved.
 const RETREAT: f64 = 0.25;
 
+/// The same where it leads to where a free coordinate is too unsteady.
+const HALF: f64 = 0.5;
+
 /// How a motion is integrated.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
@@ -34,6 +41,8 @@ pub struct Options {
     pub tolerances: Tolerances,
     /// Whether it goes straight on through poses in which several blocks are singular at once.
     pub goes_through: bool,
+    /// Whether another coordinate takes the place of a free one that is about to stand still while the mechanism moves.
+    pub changes: bool,
 }
 
 /// What a motion has taken.
@@ -54,8 +63,11 @@ pub struct Simulation {
     options: Options,
     /// When the motion ends (s): no step goes beyond.
     end: f64,
+    /// Where integration has begun, or gone on in another coordinate (s).
+    origin: f64,
     state: Vec<f64>,
     slope: Vec<f64>,
+    changing: Option<Changing>,
     /// The length of the next step (s).
     length: f64,
     /// The step that the mechanism is on.
@@ -108,8 +120,10 @@ impl Simulation {
             right_side,
             options,
             end,
+            origin: 0.0,
             state,
             slope,
+            changing: options.changes.then(|| Changing::new(view)),
             length: end,
             step: None,
             steps: 0,
@@ -148,11 +162,12 @@ impl Simulation {
     /// The motion ends before; the mechanism is then at its last frame.
     pub fn advance(&mut self, t: f64) -> Result<&Instant, Stop> {
         loop {
-            let end = self.step.as_ref().map_or(0.0, |step| step.to);
-            if t <= end || self.step.is_none() && t <= 0.0 {
+            let end = self.step.as_ref().map_or(self.origin, |step| step.to);
+            if t <= end {
                 break;
             }
             self.follow(end)?;
+            self.change(end);
             self.take_step(end)?;
         }
         self.follow(t)?;
@@ -214,6 +229,37 @@ impl Simulation {
         }
     }
 
+    /// Lets another coordinate take the place of one that is about to stand still, at a time at which the mechanism is.
+    fn change(&mut self, t: f64) {
+        let state = match &self.step {
+            Some(step) => step.end(),
+            None => &self.state,
+        };
+        let changing = self.changing.as_mut();
+        let changed = changing.and_then(|it| it.see(&self.right_side, state));
+        if let Some(changed) = changed {
+            let Changed {
+                right_side,
+                state,
+                slope,
+                ..
+            } = changed;
+            (self.right_side, self.state, self.slope) = (right_side, state, slope);
+            (self.origin, self.step) = (t, None);
+        }
+    }
+
+    /// Whether a step ends where what is free is too unsteady to be exchanged.
+    fn is_too_far(&mut self, step: &Step) -> bool {
+        let Some(changing) = &self.changing else {
+            return false;
+        };
+        self.right_side.evaluations += 1;
+        let inputs = self.right_side.inputs(step.to, step.end(), &[]);
+        let frame = self.right_side.frame(step.to, 0.0, &inputs);
+        frame.is_ok_and(|(end, _)| changing.is_too_far(self.view(), &end))
+    }
+
     /// Takes a step from a time at which the mechanism is.
     fn take_step(&mut self, from: f64) -> Result<(), Stop> {
         if let Some(step) = &self.step {
@@ -249,7 +295,9 @@ impl Simulation {
                 Ok(step) => {
                     let is_taken = step.error <= 1.0;
                     self.length = step.next_length(held || !is_taken);
-                    if is_taken {
+                    if is_taken && self.is_too_far(&step) {
+                        self.length = HALF * (to - from);
+                    } else if is_taken {
                         self.steps += 1;
                         self.step = Some(step);
                         return Ok(());
@@ -299,8 +347,18 @@ impl Simulation {
         let place = self.right_side.judged();
         match &mut self.step {
             Some(step) => Ok(step.at(&mut self.right_side, t)?[place]),
-            None => Ok(0.0),
+            None => Ok(self.state[place]),
         }
+    }
+
+    /// What keeps the motion from going on in what is free, where it has ended.
+    pub fn hindrance(&self) -> Option<Hindrance> {
+        hindrance(self.view(), self.frame())
+    }
+
+    /// The changes of free coordinates so far.
+    pub fn changes(&self) -> &[Change] {
+        self.changing.as_ref().map_or(&[], |it| &it.changes)
     }
 
     /// The times between which singular poses were passed.

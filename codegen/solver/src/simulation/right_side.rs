@@ -54,6 +54,14 @@ impl RightSide {
         }
     }
 
+    /// The same of a mechanism in which other coordinates are free.
+    pub fn with(&self, shell: Shell<Interpreted>, motion: ReducedMotion) -> RightSide {
+        RightSide {
+            evaluations: self.evaluations,
+            ..RightSide::new(shell, motion, self.goes_through)
+        }
+    }
+
     /// All inputs at a time; those of the free coordinates as a state has them.
     pub fn inputs(&self, t: f64, state: &[f64], accelerations: &[f64]) -> InputSignals {
         let count = self.motion.inputs.len();
@@ -67,7 +75,7 @@ impl RightSide {
 
     /// The frame at a time to which the last clear frame leads straight on, and its modes; `ahead` is how much farther on its way the mechanism
     /// is than its time says. Whether a path leads there is looked at once the step is taken: where it does not, this frame was never seen.
-    fn frame(
+    pub fn frame(
         &self,
         t: f64,
         ahead: f64,

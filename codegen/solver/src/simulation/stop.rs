@@ -9,7 +9,7 @@ use crate::number::time;
 use crate::view::View;
 
 /// The measure below which a part of the last frame is about to be singular.
-const SINGULAR: f64 = 1e-3;
+pub(super) const SINGULAR: f64 = 1e-3;
 
 /// Why a motion ends before its time, or does not begin.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,13 +99,21 @@ fn sizes(view: &Interpreted, frame: &Instant) -> Vec<(String, f64)> {
     sizes.collect()
 }
 
+/// The part of a frame that is closest to singular, and its measure.
+pub(super) fn closest(view: &Interpreted, frame: &Instant) -> Option<(String, f64)> {
+    smallest(&sizes(view, frame)).cloned()
+}
+
+fn smallest(sizes: &[(String, f64)]) -> Option<&(String, f64)> {
+    let mut sizes = sizes.iter();
+    let first = sizes.next()?;
+    Some(sizes.fold(first, |least, it| if it.1 < least.1 { it } else { least }))
+}
+
 /// How close to singular the closest part of a frame is.
 fn closeness(view: &Interpreted, frame: Option<&Instant>) -> String {
     let sizes = frame.map_or(Vec::new(), |frame| sizes(view, frame));
-    let closest = sizes
-        .iter()
-        .min_by(|(_, one), (_, other)| one.total_cmp(other));
-    let Some((part, size)) = closest else {
+    let Some((part, size)) = smallest(&sizes) else {
         return String::new();
     };
     let several = match are_several(&sizes) {

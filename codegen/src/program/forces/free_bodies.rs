@@ -19,11 +19,12 @@ struct Balance {
     sum: Vec<ExprId>,
 }
 
-/// The multiplier of every row of the vector form.
+/// The multiplier of every row of the vector form, with names that begin with `prefix`.
 pub(super) fn multipliers(
     plan: &SolvedPlan,
     loads: &[ExprId],
     carried: &Carried,
+    prefix: &str,
     builder: &mut Builder<'_>,
 ) -> Vec<ExprId> {
     let zero = builder.graph().zero();
@@ -42,9 +43,6 @@ pub(super) fn multipliers(
         }
     }
     let order = order(plan, balances.len());
-    builder.say(|_| {
-        "One body after the other is cut free: its forces along x and y and its moments add up to nothing, which gives what its other joints carry:".into()
-    });
     let mut expressed: Vec<(usize, Balance)> = Vec::new();
     let mut open: BTreeSet<usize> = order.iter().copied().collect();
     while found.iter().any(Option::is_none) && !open.is_empty() {
@@ -59,7 +57,7 @@ pub(super) fn multipliers(
             };
             let sum = builder.graph().sum(&balances[column].sum);
             let value = builder.graph().divide(sum, factor);
-            let value = builder.value(&name(row, builder), value);
+            let value = builder.value(&name(prefix, row, builder), value);
             found[row] = Some(value);
             settle(row, value, &mut balances, builder);
             continue;
@@ -107,7 +105,7 @@ pub(super) fn multipliers(
         }
         let (sum, one) = (builder.graph().sum(&terms), builder.graph().one());
         let value = builder.graph().divide(sum, own.unwrap_or(one));
-        let value = builder.value(&name(row, builder), value);
+        let value = builder.value(&name(prefix, row, builder), value);
         found[row] = Some(value);
     }
     found.into_iter().map(|it| it.unwrap_or(zero)).collect()
@@ -198,11 +196,16 @@ fn only(balance: &Balance) -> Option<(usize, ExprId)> {
 }
 
 /// What a multiplier is called: `carried_p_x`.
-fn name(row: usize, builder: &Builder<'_>) -> String {
+fn name(prefix: &str, row: usize, builder: &Builder<'_>) -> String {
+    named(&format!("{prefix}carried"), row, builder)
+}
+
+/// What something of a row is called: `unit_p_x`.
+pub(super) fn named(what: &str, row: usize, builder: &Builder<'_>) -> String {
     let row = &builder.system.vector_form.rows[row];
     let slug = &builder.system.mechanism.joints[row.joint].slug;
     match row.component {
-        "" => format!("carried_{slug}"),
-        component => format!("carried_{slug}_{component}"),
+        "" => format!("{what}_{slug}"),
+        component => format!("{what}_{slug}_{component}"),
     }
 }

@@ -5,12 +5,16 @@
 //! form, transposed). What no statement asks for is pruned like everything else. Deliberately unknown here: what acts on bodies.
 
 mod free_bodies;
+mod least_norm;
 mod reaction;
 mod reduced;
 mod virtual_work;
 
 pub use reaction::Reaction;
 pub use reduced::{FreeCoordinate, Reduced};
+
+use least_norm::Shared;
+use reaction::Multipliers;
 
 use super::block::{Block, Lowering};
 use super::builder::Builder;
@@ -103,15 +107,26 @@ pub(super) fn forces(
             "What acts on every body beside joints and drivers, less what moves its mass, moments about the origin of its frame:".into()
         });
         let named = named_loads(&loads.loads, &mut builder);
-        let carried = virtual_work::sweep(plan, transposed, &named, &mut builder);
+        let carried = virtual_work::sweep(plan, transposed, &named, "", &mut builder);
+        let is_shared = wanted.least_norm && !builder.system.monitored.is_empty();
+        let shared = is_shared.then(|| {
+            let alone = alone(plan, &named, &carried, &mut builder);
+            least_norm::shared(plan, transposed, alone, &mut builder)
+        });
         if wanted.efforts {
-            found.efforts = efforts(&carried, &mut builder);
+            found.efforts = efforts(&carried, shared.as_ref(), &mut builder);
         }
         if !wanted.free.is_empty() {
             found.reduced = Some(reduced::reduced(&carried, &loads.weights, &mut builder));
         }
         if !wanted.reactions.is_empty() {
-            let multipliers = free_bodies::multipliers(plan, &named, &carried, &mut builder);
+            let multipliers = match shared {
+                Some(shared) => shared.multipliers,
+                None => Multipliers {
+                    rows: alone(plan, &named, &carried, &mut builder),
+                    monitored: Vec::new(),
+                },
+            };
             let joints = wanted.reactions.iter();
             let reactions =
                 joints.map(|&joint| reaction::reaction(joint, &multipliers, &mut builder));
@@ -182,8 +197,25 @@ fn named_loads(loads: &[ExprId], builder: &mut Builder<'_>) -> Vec<ExprId> {
     named.collect()
 }
 
+/// What every row of the vector form carries.
+fn alone(
+    plan: &SolvedPlan,
+    loads: &[ExprId],
+    carried: &virtual_work::Carried,
+    builder: &mut Builder<'_>,
+) -> Vec<ExprId> {
+    builder.say(|_| {
+        "One body after the other is cut free: its forces along x and y and its moments add up to nothing, which gives what its other joints carry:".into()
+    });
+    free_bodies::multipliers(plan, loads, carried, "", builder)
+}
+
 /// What every driver exerts: the opposite of the work that everything else does along its value.
-fn efforts(carried: &virtual_work::Carried, builder: &mut Builder<'_>) -> Vec<Effort> {
+fn efforts(
+    carried: &virtual_work::Carried,
+    shared: Option<&Shared>,
+    builder: &mut Builder<'_>,
+) -> Vec<Effort> {
     let driven: Vec<(usize, usize, Quantity)> = builder.system.driven().collect();
     let mut efforts = Vec::with_capacity(driven.len());
     builder.say(|_| {
@@ -193,7 +225,11 @@ fn efforts(carried: &virtual_work::Carried, builder: &mut Builder<'_>) -> Vec<Ef
         let symbol = builder.system.directions[direction].symbol;
         let own = &builder.system.mechanism.joints[joint];
         let (name, value) = (own.slug.clone(), own.operands.value);
-        let work = carried.along(symbol, builder);
+        let mut work = carried.along(symbol, builder);
+        if let Some(shared) = shared {
+            let own = shared.along(symbol, builder);
+            work = builder.graph().add(work, own);
+        }
         let [effort, power] =
             ["effort", "power"].map(|what| builder.system.intermediate(&format!("{what}_{name}")));
         let value = value.unwrap_or(builder.graph().zero());

@@ -24,15 +24,53 @@ impl Reaction {
     }
 }
 
+/// What the rows of joints carry, each by its multiplier.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Multipliers {
+    /// Of the rows of the vector form.
+    pub rows: Vec<ExprId>,
+    /// Of the rows that are monitored: zero, unless somebody says how joints share what they carry.
+    pub monitored: Vec<ExprId>,
+}
+
 /// What a joint passes to its second body, with the multipliers of all rows.
 pub(super) fn reaction(
     joint: usize,
-    multipliers: &[ExprId],
+    multipliers: &Multipliers,
     builder: &mut Builder<'_>,
 ) -> Reaction {
-    let passing = builder.system.passing(joint);
     let name = builder.system.mechanism.joints[joint].slug.clone();
+    let components = components(joint, multipliers, builder).into_iter();
+    let components = components.map(|(component, value)| {
+        let what = format!("reaction_{name}_{}", component.suffix());
+        let target = builder.system.intermediate(&what);
+        builder.assign(target, value);
+        (component, target)
+    });
+    let components = components.collect();
+    Reaction {
+        joint,
+        name,
+        components,
+    }
+}
+
+/// The components of what a joint passes to its second body.
+pub(super) fn components(
+    joint: usize,
+    multipliers: &Multipliers,
+    builder: &mut Builder<'_>,
+) -> Vec<(Component, ExprId)> {
+    let passing = builder.system.passing(joint);
     let zero = builder.graph().zero();
+    let own = passing.rows.iter();
+    let own = own.map(|(row, columns)| (multipliers.rows[*row], columns));
+    let monitored = passing.monitored.iter();
+    let monitored = monitored.filter_map(|(row, columns)| {
+        let multiplier = multipliers.monitored.get(*row)?;
+        Some((*multiplier, columns))
+    });
+    let rows: Vec<_> = own.chain(monitored).collect();
     // −λ ∂Φ/∂q is what the joint exerts on a body, and the opposite what it passes on through it.
     let mut wrench = [zero; 3];
     if passing.body.0 != 0 {
@@ -42,9 +80,9 @@ pub(super) fn reaction(
                 continue;
             };
             let graph = builder.graph();
-            let terms = passing.rows.iter().filter_map(|(row, columns)| {
+            let terms = rows.iter().filter_map(|(multiplier, columns)| {
                 let factor = *columns.get(&unknown)?;
-                Some(graph.multiply(factor, multipliers[*row]))
+                Some(graph.multiply(factor, *multiplier))
             });
             let terms: Vec<ExprId> = terms.collect();
             let sum = graph.sum(&terms);
@@ -59,7 +97,7 @@ pub(super) fn reaction(
     let about_origin = moment(passing.arm, force, graph);
     let about_place = graph.subtract(wrench[2], about_origin);
     let zero = graph.zero();
-    let own = passing.rows.first().map(|(row, _)| multipliers[*row]);
+    let own = rows.first().map(|(multiplier, _)| *multiplier);
     let along = match passing.carried {
         Carried::Rod(per_multiplier) => own.map(|own| graph.multiply(per_multiplier, own)),
         carried => {
@@ -68,7 +106,7 @@ pub(super) fn reaction(
         }
     };
     let components = passing.carried.components().iter();
-    let components: Vec<(Component, SymbolId)> = components
+    components
         .map(|&component| {
             let value = match component {
                 Component::X => force[0],
@@ -79,15 +117,7 @@ pub(super) fn reaction(
                     along.unwrap_or(zero)
                 }
             };
-            let what = format!("reaction_{name}_{}", component.suffix());
-            let target = builder.system.intermediate(&what);
-            builder.assign(target, value);
-            (component, target)
+            (component, value)
         })
-        .collect();
-    Reaction {
-        joint,
-        name,
-        components,
-    }
+        .collect()
 }

@@ -40,13 +40,16 @@ struct Sweep<'b, 'a> {
     /// By arm: forces along x and y.
     on_arms: Vec<[Vec<ExprId>; 2]>,
     carried: Carried,
+    /// What names begin with.
+    prefix: &'b str,
 }
 
-/// Passes all loads on, from the last unknown to the drivers.
+/// Passes all loads on, from the last unknown to the drivers, with names that begin with `prefix`.
 pub(super) fn sweep(
     plan: &SolvedPlan,
     transposed: &[Vec<Option<Transposed>>],
     loads: &[ExprId],
+    prefix: &str,
     builder: &mut Builder<'_>,
 ) -> Carried {
     let form = &builder.system.vector_form;
@@ -59,6 +62,7 @@ pub(super) fn sweep(
         builder,
         pending,
         carried: Carried::default(),
+        prefix,
     };
     for (block, transposed) in plan.blocks.iter().zip(transposed).rev() {
         for definition in block.definitions.iter().rev() {
@@ -91,7 +95,7 @@ impl Sweep<'_, '_> {
             }
             let graph = self.builder.graph();
             let force = forces.map(|terms| graph.sum(&terms));
-            let [x, y] = ["x", "y"].map(|axis| format!("force_{name}_{axis}"));
+            let [x, y] = ["x", "y"].map(|axis| format!("{}force_{name}_{axis}", self.prefix));
             let force = [
                 self.builder.value(&x, force[0]),
                 self.builder.value(&y, force[1]),
@@ -102,7 +106,8 @@ impl Sweep<'_, '_> {
         }
         let load = self.builder.graph().sum(&terms);
         let name = self.builder.system.unknown_name(unknown).to_string();
-        self.builder.value(&format!("work_{name}"), load)
+        let name = format!("{}work_{name}", self.prefix);
+        self.builder.value(&name, load)
     }
 
     /// Passes a multiple of an expression's derivatives on to what it mentions, but for some unknowns.
@@ -152,8 +157,8 @@ impl Sweep<'_, '_> {
             let row = &self.builder.system.vector_form.rows[equation.row];
             let slug = &self.builder.system.mechanism.joints[row.joint].slug;
             let name = match row.component {
-                "" => format!("carried_{slug}"),
-                component => format!("carried_{slug}_{component}"),
+                "" => format!("{}carried_{slug}", self.prefix),
+                component => format!("{}carried_{slug}_{component}", self.prefix),
             };
             let multiplier = self.builder.value(&name, multiplier);
             self.carried.multipliers.insert(equation.row, multiplier);

@@ -88,7 +88,7 @@ pub enum Statement {
     Torque(Torque),
     /// `reaction P;`
     Reaction(Reaction),
-    /// `monitor;`, `unguarded;`, `effort;`, `reactions;`, `energy;`
+    /// `monitor;`, `unguarded;`, `effort;`, `reactions;`, `least_norm;`, `energy;`
     Wish(Wish),
     /// `motion NAME { statements }`
     Motion(Motion),

@@ -60,6 +60,8 @@ pub enum WishKind {
     Effort,
     /// `reactions`: every frame says what every joint carries.
     Reactions,
+    /// `least_norm`: where joints repeat one another, they carry what is smallest.
+    LeastNorm,
     /// `energy`: every frame says how much work is stored.
     Energy,
 }

@@ -27,6 +27,7 @@ impl VectorForm {
             orientations: Settled::new(Orientations::new(mechanism.bodies.len(), &mechanism.graph)),
             points: Settled::new(Vec::new()),
             naming: mechanism.naming,
+            dropped: dropped.to_vec(),
             angles: mechanism
                 .bodies
                 .iter()
@@ -145,7 +146,7 @@ impl VectorForm {
 
 /// The rows of the vector form of a joint. Where one of the textbook's rows is not solved, the textbook's others: they need no
 /// auxiliary unknown, whose equations would not be as many.
-fn kept_rows(
+pub(in crate::system) fn kept_rows(
     kind: &dyn Kind,
     operands: &Resolved,
     dropped: &[bool],

@@ -5,7 +5,7 @@
 //! would eliminate it by inspection. Time derivatives follow from the rule that an arm turns with its body: d(R s)/dt = φ̇ Ω R s.
 
 mod arms;
-mod making;
+pub(super) mod making;
 
 pub use arms::Arm;
 
@@ -33,6 +33,8 @@ pub struct VectorForm {
     /// r + arm of each declared point, in the mechanism's order.
     pub points: Settled<Vec<Vector>>,
     naming: &'static Naming,
+    /// Which of the textbook's rows of each joint are monitored and not solved.
+    pub(super) dropped: Vec<Vec<bool>>,
     // The angle of each body; none for the ground.
     angles: Vec<Option<usize>>,
     /// d/dt of each symbol that moves.

@@ -182,6 +182,10 @@ fn integration<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Res
     );
     line(output, "steps", &steps)?;
     line(output, "evaluations", &effort.evaluations.to_string())?;
+    if !found.changes.is_empty() {
+        let changes = found.changes.len().to_string();
+        line(output, "changes of coordinate", &changes)?;
+    }
     let drift = match found.drift {
         Some((drift, t)) => format!(
             "{} J at t = {} s, beside a kinetic energy of up to {} J",

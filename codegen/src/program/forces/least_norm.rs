@@ -1,0 +1,245 @@
+//! What joints carry where nothing monitored carries anything → the same with what is smallest of all that balances what acts.
+//!
+//! Where rows repeat others, every multiple of what they could carry against these balances nothing, and may be added: for each of them a
+//! unit is passed on as a load is, which gives what the others carry against it. Of all sums the one is taken whose components have the
+//! least sum of squares, over all joints, forces as they are and moments over the characteristic length (Björck 1996, Numerical Methods
+//! for Least Squares Problems, section 1.1): as many linear equations as there are monitored rows, with a matrix that is positive.
+
+use super::characteristic;
+use super::free_bodies;
+use super::reaction::{Multipliers, components};
+use super::virtual_work::{Carried, sweep};
+use crate::expr::{ExprId, Node, SymbolId};
+use crate::model::Role;
+use crate::program::builder::Builder;
+use crate::program::forms::Transposed;
+use crate::program::function::Statement;
+use crate::structure::SolvedPlan;
+use crate::system::Component;
+use crate::words::Piece;
+
+/// What the joints of a mechanism share.
+pub(super) struct Shared {
+    /// Of all rows.
+    pub multipliers: Multipliers,
+    /// What a unit of each monitored row makes the others carry, and how much of it there is.
+    units: Vec<(Carried, ExprId)>,
+}
+
+impl Shared {
+    /// The work of what is shared along the value of a driver.
+    pub fn along(&self, shift: SymbolId, builder: &mut Builder<'_>) -> ExprId {
+        let terms = self.units.iter().map(|(unit, share)| {
+            let work = unit.along(shift, builder);
+            builder.graph().multiply(*share, work)
+        });
+        let terms: Vec<ExprId> = terms.collect();
+        builder.graph().sum(&terms)
+    }
+}
+
+/// What all rows carry with the least norm, from what the rows of the vector form carry alone.
+pub(super) fn shared(
+    plan: &SolvedPlan,
+    transposed: &[Vec<Option<Transposed>>],
+    alone: Vec<ExprId>,
+    builder: &mut Builder<'_>,
+) -> Shared {
+    let (zero, one) = (builder.graph().zero(), builder.graph().one());
+    let count = builder.system.monitored.len();
+    let mut units: Vec<(Carried, Multipliers)> = Vec::with_capacity(count);
+    for (row, load) in unit_loads(builder).into_iter().enumerate() {
+        builder.say(|builder| {
+            let own = &builder.system.monitored[row];
+            let label = &builder.system.mechanism.joints[own.joint].label;
+            let number = row + 1;
+            format!("Rigid bodies leave open what {label} carries. A unit of it, share {number}, is balanced by these:").into()
+        });
+        let prefix = format!("unit_{}_", row + 1);
+        let load = load.into_iter().enumerate();
+        let load = load.map(|(unknown, value)| {
+            let name = builder.system.unknown_name(unknown).to_string();
+            builder.value(&format!("{prefix}load_{name}"), value)
+        });
+        let load: Vec<ExprId> = load.collect();
+        let carried = sweep(plan, transposed, &load, &prefix, builder);
+        let found = free_bodies::multipliers(plan, &load, &carried, &prefix, builder);
+        let found = found.into_iter();
+        let rows = found.enumerate().map(|(place, value)| {
+            let name = free_bodies::named(&format!("{prefix}carried"), place, builder);
+            let named = builder.value(&name, value);
+            if value != zero && builder.graph().is_constant(value) {
+                builder.show(|_| {
+                    vec![[
+                        Piece::Local(name).into(),
+                        Piece::Formula(value).into(),
+                        "".into(),
+                    ]]
+                });
+            }
+            named
+        });
+        let rows = rows.collect();
+        let mut monitored = vec![zero; count];
+        monitored[row] = one;
+        units.push((carried, Multipliers { rows, monitored }));
+    }
+    let alone = Multipliers {
+        rows: alone,
+        monitored: vec![zero; count],
+    };
+    builder.say(|_| {
+        "Any multiple of these may be added; the squares of all forces, and of all moments over the characteristic length, have the least sum where:".into()
+    });
+    let shares = shares(&alone, &units, builder);
+    let mut shared = alone;
+    for (place, multiplier) in shared.rows.iter_mut().enumerate() {
+        let mut terms = vec![*multiplier];
+        for ((_, unit), &share) in units.iter().zip(&shares) {
+            terms.push(builder.graph().multiply(share, unit.rows[place]));
+        }
+        let sum = builder.graph().sum(&terms);
+        let name = free_bodies::named("shared", place, builder);
+        *multiplier = builder.value(&name, sum);
+    }
+    shared.monitored.clone_from(&shares);
+    let units = units.into_iter().map(|(carried, _)| carried);
+    Shared {
+        multipliers: shared,
+        units: units.zip(shares).collect(),
+    }
+}
+
+/// What a unit of the multiplier of each monitored row exerts on every unknown.
+fn unit_loads(builder: &mut Builder<'_>) -> Vec<Vec<ExprId>> {
+    let zero = builder.graph().zero();
+    let unknowns = builder.system.vector_form.unknowns.len();
+    let mut loads = vec![vec![zero; unknowns]; builder.system.monitored.len()];
+    for joint in 0..builder.system.mechanism.joints.len() {
+        for (row, columns) in builder.system.passing(joint).monitored {
+            for (unknown, value) in columns {
+                loads[row][unknown] = builder.graph().negate(value);
+            }
+        }
+    }
+    loads
+}
+
+/// How much of each unit there is in what is smallest.
+fn shares(
+    alone: &Multipliers,
+    units: &[(Carried, Multipliers)],
+    builder: &mut Builder<'_>,
+) -> Vec<ExprId> {
+    let zero = builder.graph().zero();
+    let count = units.len();
+    // The terms of the normal equations.
+    let mut products = vec![vec![Vec::new(); count]; count];
+    let mut against = vec![Vec::new(); count];
+    for joint in 0..builder.system.mechanism.joints.len() {
+        if builder.system.mechanism.joints[joint].role != Role::Constraint {
+            continue;
+        }
+        let own = weighed(joint, alone, "alone", builder);
+        let of_units: Vec<Vec<ExprId>> = units
+            .iter()
+            .enumerate()
+            .map(|(row, (_, unit))| weighed(joint, unit, &format!("unit_{}", row + 1), builder))
+            .collect();
+        for (row, one) in of_units.iter().enumerate() {
+            for (component, &value) in one.iter().enumerate() {
+                if value == zero {
+                    continue;
+                }
+                let product = builder.graph().multiply(value, own[component]);
+                against[row].push(builder.graph().negate(product));
+                for (column, other) in of_units.iter().enumerate().take(row + 1) {
+                    let product = builder.graph().multiply(value, other[component]);
+                    products[row][column].push(product);
+                }
+            }
+        }
+    }
+    let mut matrix = vec![zero; count * count];
+    for row in 0..count {
+        for column in 0..=row {
+            let sum = builder.graph().sum(&products[row][column]);
+            let sum = builder.value(&format!("product_{}_{}", row + 1, column + 1), sum);
+            matrix[row * count + column] = sum;
+            matrix[column * count + row] = sum;
+        }
+    }
+    let against: Vec<ExprId> = against
+        .iter()
+        .map(|terms| builder.graph().sum(terms))
+        .collect();
+    if let (&[product], &[against]) = (&matrix[..], &against[..]) {
+        let share = builder.graph().divide(against, product);
+        return vec![builder.value("share_1", share)];
+    }
+    let targets: Vec<SymbolId> = (1..=count)
+        .map(|number| builder.system.intermediate(&format!("share_{number}")))
+        .collect();
+    builder.show(|builder| {
+        let equations = (0..count).map(|row| {
+            let terms = targets.iter().zip(&matrix[row * count..]);
+            let terms: Vec<ExprId> = terms
+                .map(|(&target, &factor)| {
+                    let share = builder.graph().variable(target);
+                    builder.graph().multiply(factor, share)
+                })
+                .collect();
+            let sum = builder.graph().sum(&terms);
+            [
+                Piece::Formula(sum).into(),
+                Piece::Formula(against[row]).into(),
+                "".into(),
+            ]
+        });
+        equations.collect()
+    });
+    builder.state(Statement::Multipliers {
+        targets: targets.iter().copied().map(Some).collect(),
+        jacobian: matrix,
+        forces: against,
+    });
+    let graph = builder.graph();
+    targets.into_iter().map(|it| graph.variable(it)).collect()
+}
+
+/// The components of what a joint carries, in N.
+fn weighed(
+    joint: usize,
+    multipliers: &Multipliers,
+    name: &str,
+    builder: &mut Builder<'_>,
+) -> Vec<ExprId> {
+    let length = characteristic(builder.system);
+    let slug = builder.system.mechanism.joints[joint].slug.clone();
+    let system = &builder.system;
+    let mut rows = system.rows.iter().chain(&system.monitored);
+    let measured = rows.find(|row| row.joint == joint);
+    // The multiplier of an equation is the work per unit of its residual.
+    let power = measured.map_or(1, |row| row.quantity.power_of_length());
+    let found = components(joint, multipliers, builder).into_iter();
+    let weighed = found.map(|(component, value)| {
+        let lengths = match component {
+            Component::Moment => -1,
+            Component::Multiplier => power - 1,
+            _ => 0,
+        };
+        let graph = builder.graph();
+        let mut value = value;
+        for _ in 0..lengths.max(0) {
+            value = graph.multiply(value, length);
+        }
+        for _ in 0..(-lengths).max(0) {
+            value = graph.divide(value, length);
+        }
+        if matches!(graph.node(value), Node::Number(_)) {
+            return value;
+        }
+        builder.value(&format!("{name}_{slug}_{}", component.suffix()), value)
+    });
+    weighed.collect()
+}
