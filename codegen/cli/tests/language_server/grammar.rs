@@ -3,7 +3,7 @@
 //! With `GRAMMAR_UPDATE=1` the lists are written; how they are matched is written by hand, and tested beside the grammar.
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS};
 use linkwright_codegen::stages::model::{ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
@@ -75,16 +75,23 @@ fn the_words_of_the_grammar_are_those_of_the_language() {
     }
 }
 
+/// The files in a folder and in all folders in it.
+fn texts(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).expect("a folder");
+    let paths = entries.map(|it| it.expect("it can be read").path());
+    let of = |path: PathBuf| match path.is_dir() {
+        true => texts(&path),
+        false => std::fs::read_to_string(&path).into_iter().collect(),
+    };
+    paths.flat_map(of).collect()
+}
+
 /// What the parser asks for by a word is in the list of these words.
 #[test]
 fn every_word_of_a_clause_is_listed() {
     let folder = repository().join("codegen/src/syntax");
     let mut words = BTreeSet::new();
-    for entry in std::fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("it can be read").path();
-        let Ok(text) = std::fs::read_to_string(&path) else {
-            continue;
-        };
+    for text in texts(&folder) {
         let asked = text.split("keyword(\"").skip(1);
         words.extend(asked.filter_map(|it| Some(it.split_once('"')?.0.to_string())));
     }

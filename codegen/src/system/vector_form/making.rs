@@ -48,8 +48,9 @@ impl VectorForm {
                 .collect(),
             mark_names: MarkNames::new(&mechanism.bodies, &mechanism.points),
         };
-        let moved = !mechanism.transmissions.is_empty() || mechanism.forces.need_multipliers();
         form.rates.extend(mechanism.explicit_rates());
+        // Which angles are tied must be known before the first arm is made.
+        form.tie_angles(mechanism, dropped);
         let Mechanism {
             graph,
             joints,
@@ -60,24 +61,6 @@ impl VectorForm {
         } = mechanism;
         let fixed = parameters.iter().map(|own| (own.symbol, graph.zero()));
         form.rates.extend(fixed);
-        // Which angles are tied must be known before the first arm is made.
-        let angles = bodies.iter().enumerate().filter_map(|(body, own)| {
-            let [_, _, angle] = own.coordinates;
-            Some((angle?.symbol, body))
-        });
-        let angles: HashMap<SymbolId, usize> = angles.collect();
-        for (joint, dropped) in joints.iter().zip(dropped) {
-            // A driver that holds an angle ties it, unless its value is to be moved.
-            if moved && joint.role == Role::Driver {
-                continue;
-            }
-            for row in kept_rows(joint.kind, &joint.operands, dropped, graph) {
-                if row.quantity == Quantity::Angle {
-                    form.orientations.write().tie(&row, &angles, graph);
-                }
-            }
-        }
-        form.orientations.write().settle(graph);
         for (index, (joint, dropped)) in joints.iter().zip(dropped).enumerate() {
             if !dropped.contains(&true) {
                 form.add_auxiliaries(joint, bodies, graph);
@@ -99,15 +82,48 @@ impl VectorForm {
             let position = mark.position(graph);
             form.points.write().push(position);
         }
-        for unknown in &form.unknowns {
+        form.note_rates(graph);
+        form
+    }
+
+    /// Ties the angles of bodies that the joints hold at a constant difference.
+    fn tie_angles(&mut self, mechanism: &mut Mechanism, dropped: &[Vec<bool>]) {
+        let moved = !mechanism.transmissions.is_empty() || mechanism.forces.need_multipliers();
+        let Mechanism {
+            graph,
+            joints,
+            bodies,
+            ..
+        } = mechanism;
+        let angles = bodies.iter().enumerate().filter_map(|(body, own)| {
+            let [_, _, angle] = own.coordinates;
+            Some((angle?.symbol, body))
+        });
+        let angles: HashMap<SymbolId, usize> = angles.collect();
+        for (joint, dropped) in joints.iter().zip(dropped) {
+            // A driver that holds an angle ties it, unless its value is to be moved.
+            if moved && joint.role == Role::Driver {
+                continue;
+            }
+            for row in kept_rows(joint.kind, &joint.operands, dropped, graph) {
+                if row.quantity == Quantity::Angle {
+                    self.orientations.write().tie(&row, &angles, graph);
+                }
+            }
+        }
+        self.orientations.write().settle(graph);
+    }
+
+    /// States the rates of the unknowns, and the rates of these.
+    fn note_rates(&mut self, graph: &mut Graph) {
+        for unknown in &self.unknowns {
             let (rate, acceleration) = (
                 graph.variable(unknown.rate),
                 graph.variable(unknown.acceleration),
             );
-            form.rates.insert(unknown.position, rate);
-            form.rates.insert(unknown.rate, acceleration);
+            self.rates.insert(unknown.position, rate);
+            self.rates.insert(unknown.rate, acceleration);
         }
-        form
     }
 
     /// Adds a symbol that does not depend on time to the value of a driver, a joint of the mechanism.
