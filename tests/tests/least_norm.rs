@@ -126,7 +126,7 @@ fn alike() -> Case {
 
 /// A carriage on two rails, both of which hold its angle.
 fn rails() -> Case {
-    let weights = vec![weight(1)];
+    let weights = [weight(1)];
     let text = format!(
         "mechanism rails {{
             point P = (0, 0), Q = (0.4, 0.2), R = (0.1, 0.5), S = (0.7, 0.8);
