@@ -16,6 +16,8 @@ enum Passes {
     Slide([usize; 2], [f64; 2], &'static str),
     /// A force along the line between two points, with which they are pulled together.
     Rod([&'static str; 2], [usize; 2]),
+    /// The multiplier of an equation between angles: what turns the second body back, and the first on.
+    Angles([usize; 2]),
     /// A torque.
     Torque(usize),
     /// A force along a direction through a point, of a driver.
@@ -103,9 +105,28 @@ fn cranks(count: usize) -> Case {
     }
 }
 
+/// Two cranks on a coupler, and an equation that repeats that they turn alike.
+fn alike() -> Case {
+    let Case {
+        text,
+        weights,
+        mut passes,
+        ..
+    } = cranks(2);
+    let equation = "redundant equation even: phi(2) = phi(1);\n";
+    let driver = text.find("drive").expect("a driver");
+    passes.insert(passes.len() - 1, Passes::Angles([1, 2]));
+    Case {
+        name: "alike",
+        text: format!("{}{equation}{}", &text[..driver], &text[driver..]),
+        weights,
+        passes,
+    }
+}
+
 /// A carriage on two rails, both of which hold its angle.
 fn rails() -> Case {
-    let weights = vec![weight(1)];
+    let weights = [weight(1)];
     let text = format!(
         "mechanism rails {{
             point P = (0, 0), Q = (0.4, 0.2), R = (0.1, 0.5), S = (0.7, 0.8);
@@ -225,6 +246,10 @@ fn balance(followed: &Followed, case: &Case, length: f64) -> (DMatrix<f64>, Vec<
                 exert(*bodies, to, gap.map(|it| it / size), 0.0);
                 weights.push(Some(1.0));
             }
+            Passes::Angles([first, second]) => {
+                exert([*second, *first], [0.0; 2], [0.0; 2], 1.0);
+                weights.push(Some(1.0 / length));
+            }
             Passes::Torque(body) => {
                 exert([0, *body], [0.0; 2], [0.0; 2], 1.0);
                 weights.push(None);
@@ -271,7 +296,7 @@ fn least(balance: &DMatrix<f64>, weights: &[Option<f64>], load: &DVector<f64>) -
 
 #[test]
 fn redundant_joints_carry_the_smallest_forces_that_balance_every_body() {
-    for case in [cranks(3), cranks(4), rails(), rods()] {
+    for case in [cranks(3), cranks(4), alike(), rails(), rods()] {
         let system = &systems(case.name, &case.text)[0];
         assert!(!system.monitored.is_empty());
         let length = system.mechanism.characteristic_length;

@@ -64,10 +64,11 @@ impl Resolver<'_> {
         if let Some((_, span)) = asked.iter().find(|(word, _)| *word == "effort") {
             self.require_drivers_of_quantities(*span);
         }
-        if let Some((_, span)) = asked.iter().find(|(word, _)| word.starts_with("reaction")) {
-            if !forces.least_norm {
-                self.refuse_redundant(*span);
-            }
+        let reaction = asked.iter().find(|(word, _)| word.starts_with("reaction"));
+        if let Some((_, span)) = reaction
+            && !forces.least_norm
+        {
+            self.refuse_redundant(*span);
         }
         if let Some(span) = least_norm(statements) {
             self.require_redundant(span, &asked);
