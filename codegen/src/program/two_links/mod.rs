@@ -7,7 +7,7 @@
 //! angle, and the remainder of linear interpolation. The bounds of the angles are those of arms in the next block. The guide
 //! (`theory.md`) has the argument.
 //!
-//! A mechanism that has other blocks, or very many, is not looked at so. Deliberately unknown here: how a part is solved.
+//! A mechanism that has other blocks is not looked at so. Deliberately unknown here: how a part is solved.
 
 mod pair;
 
@@ -18,10 +18,6 @@ use super::pin_motion::Known;
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 use crate::structure::{Part, SolvedBlock};
-
-/// So many pairs are bounded at most: along a chain bounds grow from pair to pair until they show nothing, and a compiler takes more
-/// than proportionally long for the function that holds all of them.
-const MOST_PAIRS: usize = 16;
 
 /// R(φ_a) p + R(φ_b) q + c = 0, as a closed form has noted it.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +42,7 @@ impl Builder<'_> {
     }
 
     /// What shows that all of these blocks, with their places in the plan, keep to their path because no two links come in line;
-    /// `None` where one of them is something else, or where they are too many.
+    /// `None` where one of them is something else.
     pub(super) fn two_links<'b>(
         mut self,
         blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
@@ -57,9 +53,6 @@ impl Builder<'_> {
         for (place, block) in blocks {
             for part in &block.parts {
                 pairs += usize::from(self.bound_part(part, place, &mut known)?);
-                if pairs > MOST_PAIRS {
-                    return None;
-                }
             }
             for definition in &block.definitions {
                 self.note_size(definition, &mut known);
