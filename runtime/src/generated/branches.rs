@@ -21,12 +21,13 @@ macro_rules! branches {
             pub const DRAWN: Self = Self { $($field: $drawn,)* };
 
             /// Those beyond a pose at which the two modes of a block meet.
-            #[allow(clippy::needless_update)]
-            fn exchanged(self, block: u16) -> Option<Self> {
-                match block {
-                    $($($number => Some(Self { $field: $crate::Mode::other(self.$field)?, ..self }),)?)*
-                    _ => None,
-                }
+            #[allow(unused_mut)]
+            fn exchanged(mut self, block: u16) -> Option<Self> {
+                let is_one = match block {
+                    $($($number => { self.$field = $crate::Mode::other(self.$field)?; true })?)*
+                    _ => false,
+                };
+                is_one.then_some(self)
             }
         }
     };
