@@ -77,25 +77,27 @@ fn another_start_can_be_set() {
     assert_eq!(found["frames"][0]["qd"][2].as_f64(), Some(-2.0));
 }
 
+/// An engine whose piston's place is free, which stands still at both dead centers.
+const ENGINE: &str = "mechanism engine {
+    point A = (0, 0), B = (0.1, 0.1), C = (0.4, 0);
+    body crank at A facing A -> B { A, B }
+    body rod at B facing B -> C { B, C }
+    body piston at C { C }
+    revolute A(ground, crank);
+    revolute B(crank, rod);
+    revolute C(rod, piston);
+    absolute_y(piston) = 0;
+    absolute_angle(piston) = 0;
+    free stroke: x(piston) = 0.4 rate 1;
+    mass crank = 2kg at B;
+    mass piston = 0.5kg;
+}
+";
+
 /// A piston that is pushed to where its rod and crank are in line: the motion ends there, with what could be found before.
 #[test]
 fn a_motion_that_ends_says_where_and_why() {
-    let text = "mechanism engine {
-        point A = (0, 0), B = (0.1, 0.1), C = (0.4, 0);
-        body crank at A facing A -> B { A, B }
-        body rod at B facing B -> C { B, C }
-        body piston at C { C }
-        revolute A(ground, crank);
-        revolute B(crank, rod);
-        revolute C(rod, piston);
-        absolute_y(piston) = 0;
-        absolute_angle(piston) = 0;
-        free stroke: x(piston) = 0.4 rate 1;
-        mass crank = 2kg at B;
-        mass piston = 0.5kg;
-    }
-    ";
-    let folder = Folder::new("simulate_ends", text);
+    let folder = Folder::new("simulate_ends", ENGINE);
     let ran = folder.run("simulate a.mech --to 2 --no-files");
     let ran = ran.exits_with(1);
     for part in [
@@ -126,23 +128,6 @@ fn what_is_driven_throughout_is_refused() {
             .exits_with(2);
     }
 }
-
-/// The same with the piston's length free, which stands still at both dead centers.
-const ENGINE: &str = "mechanism engine {
-    point A = (0, 0), B = (0.1, 0.1), C = (0.4, 0);
-    body crank at A facing A -> B { A, B }
-    body rod at B facing B -> C { B, C }
-    body piston at C { C }
-    revolute A(ground, crank);
-    revolute B(crank, rod);
-    revolute C(rod, piston);
-    absolute_y(piston) = 0;
-    absolute_angle(piston) = 0;
-    free stroke: x(piston) = 0.4 rate 1;
-    mass crank = 2kg at B;
-    mass piston = 0.5kg;
-}
-";
 
 #[test]
 fn coordinates_are_changed_where_that_is_asked_for() {

@@ -2,22 +2,29 @@
 
 use serde_json::{Value, json};
 
-use crate::client::UNSAVED;
+use crate::client::{Client, UNSAVED};
 use crate::editing::{CRANK, opened};
 use crate::renaming::edited;
+
+/// What an editor shows as the outline of a document.
+pub fn outline(client: &mut Client) -> Value {
+    let params = json!({ "textDocument": { "uri": UNSAVED } });
+    client
+        .ask("textDocument/documentSymbol", params)
+        .expect("an answer")
+}
+
+/// The names in a part of an outline.
+pub fn names(list: &Value) -> Vec<String> {
+    let list = list.as_array().expect("a list").iter();
+    list.map(|it| it["name"].as_str().expect("a name").to_string())
+        .collect()
+}
 
 #[test]
 fn the_outline_lists_the_statements() {
     let mut client = opened(CRANK);
-    let params = json!({ "textDocument": { "uri": UNSAVED } });
-    let answer = client
-        .ask("textDocument/documentSymbol", params)
-        .expect("an answer");
-    let names = |list: &Value| -> Vec<String> {
-        let list = list.as_array().expect("a list").iter();
-        list.map(|it| it["name"].as_str().expect("a name").to_string())
-            .collect()
-    };
+    let answer = outline(&mut client);
     assert_eq!(names(&answer), ["mechanism crank"]);
     let statements = &answer[0]["children"];
     assert_eq!(

@@ -1,10 +1,9 @@
 //! Parts and repetitions: each has one name, one entry in the outline, and is completed and renamed as one.
 
-use serde_json::{Value, json};
-
 use crate::client::UNSAVED;
 use crate::completion::offered;
 use crate::editing::{hover, opened, place, places};
+use crate::layout::{names, outline};
 use crate::renaming::renamed;
 
 /// Repeated statements, and a mechanism as a part of another.
@@ -134,15 +133,7 @@ fn parts_and_repetitions_are_completed() {
 #[test]
 fn the_outline_lists_mechanisms_and_what_is_repeated_once() {
     let mut client = opened(WALKER);
-    let params = json!({ "textDocument": { "uri": UNSAVED } });
-    let answer = client
-        .ask("textDocument/documentSymbol", params)
-        .expect("an answer");
-    let names = |list: &Value| -> Vec<String> {
-        let list = list.as_array().expect("a list").iter();
-        list.map(|it| it["name"].as_str().expect("a name").to_string())
-            .collect()
-    };
+    let answer = outline(&mut client);
     assert_eq!(names(&answer), ["mechanism leg", "mechanism walker"]);
     assert_eq!(
         names(&answer[0]["children"]),

@@ -105,9 +105,9 @@ pub(super) fn closest(view: &Interpreted, frame: &Instant) -> Option<(String, f6
 }
 
 fn smallest(sizes: &[(String, f64)]) -> Option<&(String, f64)> {
-    let mut sizes = sizes.iter();
-    let first = sizes.next()?;
-    Some(sizes.fold(first, |least, it| if it.1 < least.1 { it } else { least }))
+    sizes
+        .iter()
+        .min_by(|(_, one), (_, other)| one.total_cmp(other))
 }
 
 /// How close to singular the closest part of a frame is.

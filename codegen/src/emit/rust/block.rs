@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 
-use super::code::Code;
+use super::code::{Code, taken_apart};
 use super::docs::doc_lines;
 use super::layout::Verbatim;
 use super::lints;
@@ -61,16 +61,14 @@ fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
     let iterated = |statement: &Statement| newton::statement(statement, index, block, &scope);
     let statements = scope.statements(index, &iterated);
     let reads = scope.reads();
-    let taken = [
-        (needs.time, "t, "),
-        (reads.parameters, "parameters, "),
-        (reads.inputs, "inputs, "),
+    let read = [
+        (needs.time, "t"),
+        (reads.parameters, "parameters"),
+        (reads.inputs, "inputs"),
     ];
-    let taken = taken.into_iter().filter(|(is_read, _)| *is_read);
-    let taken: String = taken.map(|(_, name)| name).collect();
     let mut inside = Code::default();
-    if !taken.is_empty() {
-        inside.lines(&format!("let &Conditions {{ {taken}.. }} = conditions;"));
+    if let Some(taken) = taken_apart("&Conditions", "conditions", &read) {
+        inside.lines(&taken);
     }
     inside.append(statements);
     if module.is_large() {

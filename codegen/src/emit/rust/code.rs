@@ -136,6 +136,13 @@ pub(super) fn comment(text: &str) -> TokenStream {
     code.to_token_stream()
 }
 
+/// The statement that takes a value apart into these fields, as far as they are read; nothing where none is.
+pub(super) fn taken_apart(kind: &str, value: &str, fields: &[(bool, &str)]) -> Option<String> {
+    let read = fields.iter().filter(|(is_read, _)| *is_read);
+    let names: String = read.map(|(_, name)| format!("{name}, ")).collect();
+    (!names.is_empty()).then(|| format!("let {kind} {{ {names}.. }} = {value};"))
+}
+
 /// Code as tokens.
 pub(super) fn tokens(code: &str) -> TokenStream {
     // It is made of names and numbers, so this is a matter of our own code alone.

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
-use super::code::Code;
+use super::code::{Code, taken_apart};
 use super::lints;
 use super::literal::count;
 use crate::emit::module::scope::{Place, Scope};
@@ -52,42 +52,39 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
     let signals = own.any(|it| matches!(it, Statement::Signal { .. }));
     let (inputs, before) = (reads.inputs || signals, reads.before || signals);
     let fills = shown.tubes.as_ref().is_some_and(|it| !it.is_empty());
-    let conditions = taken(&[
+    let conditions = [
         (reads.time, "t"),
         (reads.parameters, "parameters"),
         (inputs, "inputs"),
-    ]);
-    let both = taken(&[
+    ];
+    let conditions = taken_apart("&Conditions", "conditions", &conditions);
+    let both = [
         (reads.frame || fills, "at"),
         (reads.last || fills, "last"),
         (before, "before"),
-        (!conditions.is_empty(), "conditions"),
-    ]);
+        (conditions.is_some(), "conditions"),
+    ];
+    let both = taken_apart("&Pair", "pair", &both);
+    let has_pair = both.is_some();
+    let has_tubes = shown.tubes.is_some();
     let mut statements = Code::default();
-    if !both.is_empty() {
-        statements.lines(&format!("let &Pair {{ {both}.. }} = pair;"));
-    }
-    if !conditions.is_empty() {
-        statements.lines(&format!(
-            "let &Conditions {{ {conditions}.. }} = conditions;"
-        ));
-    }
+    both.iter()
+        .chain(&conditions)
+        .for_each(|taken| statements.lines(taken));
     statements.append(found);
-    if let Some(tubes) = &shown.tubes {
-        statements.append(tubes.clone());
-    }
+    statements.append(shown.tubes.unwrap_or_default());
     statements.lines("Ok(())");
     let argument = |name: &str, is_read: bool| match is_read {
         true => name.to_string(),
         false => format!("_{name}"),
     };
     let (pair, span) = (
-        argument("pair", !both.is_empty()),
+        argument("pair", has_pair),
         argument("span", reads.span || signals),
     );
-    let tubes = match shown.tubes {
-        Some(_) => format!(", {}: &mut Tubes", argument("tubes", fills)),
-        None => String::new(),
+    let tubes = match has_tubes {
+        true => format!(", {}: &mut Tubes", argument("tubes", fills)),
+        false => String::new(),
     };
     let head = format!(
         "fn {}({pair}: &Pair<'_>, {span}: &Span{tubes}) -> Result<(), u16>",
@@ -95,12 +92,6 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
     );
     let allow = lints::of_code(&statements);
     code.function(shown.docs, allow, &head, statements);
-}
-
-/// These names as far as they are read, each with its comma.
-fn taken(names: &[(bool, &str)]) -> String {
-    let read = names.iter().filter(|(is_read, _)| *is_read);
-    read.map(|(_, name)| format!("{name}, ")).collect()
 }
 
 /// Whether what Newton-Raphson finds is in its tubes, and what fills them.

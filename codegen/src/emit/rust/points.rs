@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
-use super::code::Code;
+use super::code::{Code, taken_apart};
 use super::literal::count;
 use super::names::{identifier, identifier_text};
 use crate::emit::module::scope::{Place, Scope};
@@ -98,16 +98,14 @@ fn computed(module: &Module<'_>, function: &Function) -> (Code, Vec<String>) {
         scope.reads(),
     );
     let read = [
-        (reads.position, "q, "),
-        (reads.rate, "qd, "),
-        (reads.acceleration, "qdd, "),
-        (reads.parameters, "parameters, "),
+        (reads.position, "q"),
+        (reads.rate, "qd"),
+        (reads.acceleration, "qdd"),
+        (reads.parameters, "parameters"),
     ];
-    let read = read.into_iter().filter(|(is_read, _)| *is_read);
-    let read: String = read.map(|(_, name)| name).collect();
     let mut code = Code::default();
-    if !read.is_empty() {
-        code.lines(&format!("let Self {{ {read}.. }} = self;"));
+    if let Some(taken) = taken_apart("Self", "self", &read) {
+        code.lines(&taken);
     }
     code.append(statements);
     (code, results)
