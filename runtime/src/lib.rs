@@ -88,6 +88,7 @@ pub mod explained;
 pub mod failure;
 mod generated;
 pub mod guard;
+mod inverse;
 pub mod kinematics;
 pub mod least_squares;
 pub mod linear;

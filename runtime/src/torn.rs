@@ -30,7 +30,8 @@ use crate::watch::LARGEST_CONTRACTION;
 pub const EVALUATIONS: usize = 6;
 
 /// The multiple of ε below which the residual of a tear is rounding of its terms where no step makes it smaller. What is more has been
-/// amplified on the way through the closed forms, and all equations together leave less.
+/// amplified on the way through the closed forms, and all equations together leave less. Of more unknowns than that each adds an ε,
+/// as what the closed forms round they hand on along a chain.
 pub const AMPLIFIED: f64 = 16.0;
 
 /// The largest derivative of an unknown by a tear, in their scales, with which rates are as accurate as those of the whole system.
@@ -184,11 +185,11 @@ where
         last.q[place] + h * (last.qd[place] + half)
     });
     let (scales, terms) = (equations.scales(t), equations.terms());
-    let rounding = |multiple: f64| T::from_f64(multiple) * T::EPSILON;
     let enough = match settings.polish {
-        true => rounding(ROUNDING),
+        true => T::from_f64(ROUNDING) * T::EPSILON,
         false => settings.tolerance,
     };
+    let amplified = T::from_f64(AMPLIFIED) * handed_on(equations);
     let mut before: Option<T> = None;
     for _ in 0..EVALUATIONS {
         let at = equations.evaluate(&tears, &memory.signs, t)?;
@@ -222,7 +223,7 @@ where
         );
         let contracts =
             before.is_none_or(|before| length <= T::from_f64(LARGEST_CONTRACTION) * before);
-        if level <= enough || !contracts && noise <= rounding(AMPLIFIED) {
+        if level <= enough || !contracts && noise <= amplified {
             return completed(equations, last, &tears, memory, &at.carried, (t, settings));
         }
         if !contracts {
@@ -234,6 +235,16 @@ where
         }
     }
     None
+}
+
+/// The rounding of one equation when as many unknowns are found one after another: ε, and more where they are many.
+#[inline]
+fn handed_on<T: Real, D: Dim, E: Equations<T, D>>(equations: &E) -> T
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let unknowns = equations.dimension().value() as f64;
+    T::EPSILON * T::from_f64((unknowns / AMPLIFIED).max(1.0))
 }
 
 /// The largest of some magnitudes, or one that is not finite.
@@ -294,7 +305,7 @@ where
     // That all equations hold as well as all together would leave them does not rely on how the unknowns were found. Written so that NaN
     // is refused.
     let left = match settings.polish {
-        true => T::from_f64(ROUNDING) * T::EPSILON * largest_of(&equations.terms()),
+        true => T::from_f64(ROUNDING) * handed_on(equations) * largest_of(&equations.terms()),
         false => settings.tolerance,
     };
     let mut rows = residual.as_slice().iter().enumerate();

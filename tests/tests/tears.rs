@@ -214,6 +214,39 @@ fn chains_that_are_driven_at_their_end_are_as_accurate_as_all_equations_at_once(
     }
 }
 
+/// Half bars of a cell are alike, so all bars of a family are parallel, and what the last cell is driven by gives both angles. Without
+/// steps for all equations at once there is no way but that by the tears.
+#[test]
+fn long_chains_do_without_all_equations_at_once() {
+    for cells in [60, 120] {
+        let solved = Interpreted::new(&written(&pantograph(cells, 1.0))).expect("a plan");
+        let laws = solved.input_laws();
+        let settings = Settings {
+            iterations: 0,
+            ..Settings::default()
+        };
+        let mut shell = assembled_from(solved, &[], 0.0, settings).expect("as drawn");
+        let mut worst = 0.0_f64;
+        for step in 1..=30 {
+            let t = 0.01 * f64::from(step);
+            let found = shell.advance(t, &laws.at(t)).expect("a regular pose");
+            let found = found.frame();
+            // All of x(M) is a half of one bar and the rest of pairs of both families; v(B) lies half a bar beyond.
+            let along = 0.5_f64.cos() + 0.002 * (2.0 * t).sin();
+            let pairs = (cells - 1) as f64;
+            let whole =
+                (1.0 + pairs) * 0.5_f64.cos() + 0.04 * t.sin() + pairs * (0.5_f64.cos() - along);
+            let known = [(whole / (1.0 + pairs)).acos(), -along.acos()];
+            let bodies = found.q.as_slice().chunks_exact(3).enumerate();
+            worst = bodies.fold(worst, |worst, (body, place)| {
+                worst.max((place[2] - known[body % 2]).abs())
+            });
+        }
+        println!("{cells} cells: {worst:e}");
+        assert!(worst < 2e-13, "{cells} cells: {worst:e}");
+    }
+}
+
 /// Reports say how often the runtime evaluates at most.
 #[test]
 fn reports_count_as_the_runtime_does() {

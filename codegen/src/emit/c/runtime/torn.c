@@ -7,7 +7,7 @@
 #define EVALUATIONS$F 6U
 
 /* The multiple of the rounding unit of its terms below which the residual of a tear is rounding where no step makes it
-   smaller. */
+   smaller. Of more unknowns than that each adds a unit, as what the closed forms round they hand on along a chain. */
 static const $real AMPLIFIED$f = 16.0$f;
 
 /* The largest derivative of an unknown by a tear, in their scales, with which rates are as accurate as those of all
@@ -19,6 +19,13 @@ static $real largest_of$f($real largest, $real value)
 {
     const $real magnitude = fabs$f(value);
     return ((largest < magnitude) || !linkwright$f_is_finite(magnitude)) ? magnitude : largest;
+}
+
+/* The rounding of one equation when as many unknowns are found one after another. */
+static $real handed_on$f(const linkwright$f_equations *equations)
+{
+    const $real units = ($real)equations->order / AMPLIFIED$f;
+    return $FLT_EPSILON * ((units > 1.0$f) ? units : 1.0$f);
 }
 
 /* All unknowns with their rates at tears at which the residuals vanish; false where they are not as good as all
@@ -41,7 +48,7 @@ static bool torn_completed$f(const linkwright$f_tearing *tearing, const $real te
         for (size_t k = 0U; k < tearing->count; k += 1U) {
             largest = largest_of$f(largest, tearing->terms[k]);
         }
-        left = (ROUNDING$f * $FLT_EPSILON) * largest;
+        left = (ROUNDING$f * handed_on$f(equations)) * largest;
     }
     tearing->complete(equations->context, tears, &memory[1], carried, conditions->t, tearing->completed);
     for (size_t k = 0U; k < n; k += 1U) {
@@ -73,6 +80,7 @@ static bool torn_advanced$f(const linkwright$f_tearing *tearing, const linkwrigh
     const $real h = conditions->t - last->t;
     const $real rounding = ROUNDING$f * $FLT_EPSILON;
     const $real enough = conditions->settings->polish ? rounding : conditions->settings->tolerance;
+    const $real amplified = AMPLIFIED$f * handed_on$f(equations);
     $real tears[LINKWRIGHT_MOST_TEARS];
     $real before = 0.0$f;
     for (size_t k = 0U; k < count; k += 1U) {
@@ -105,7 +113,7 @@ static bool torn_advanced$f(const linkwright$f_tearing *tearing, const linkwrigh
             length = largest_of$f(length, fabs$f(sum) / equations->column_scales[tearing->tears[row]]);
         }
         const bool contracts = (evaluation == 0U) || (length <= (LARGEST_CONTRACTION$f * before));
-        if ((level <= enough) || (!contracts && (noise <= (AMPLIFIED$f * $FLT_EPSILON)))) {
+        if ((level <= enough) || (!contracts && (noise <= amplified))) {
             return torn_completed$f(tearing, tears, last, memory, found, conditions);
         }
         if (!contracts) {
