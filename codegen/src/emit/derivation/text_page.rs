@@ -6,6 +6,9 @@ use crate::emit::text::table::{aligned, in_lines, shown_width};
 /// Words are broken into lines of at most so many columns; formulas are not.
 const WIDTH: usize = 100;
 
+/// A cell of the table of blocks is broken after a comma where it is wider.
+const WIDEST_CELL: usize = 80;
+
 /// The whole page.
 pub(super) fn page(document: &Document) -> String {
     let mut text = format!(
@@ -15,7 +18,7 @@ pub(super) fn page(document: &Document) -> String {
         outline(&document.outline)
     );
     for section in &document.sections {
-        text.push_str(&format!("\n{}\n", section.heading));
+        text.push_str(&format!("\n{}\n", broken(&section.heading).join("\n")));
         for item in &section.items {
             text.push('\n');
             match item {
@@ -30,16 +33,38 @@ pub(super) fn page(document: &Document) -> String {
 /// The table alone.
 pub(super) fn outline(lines: &[OutlineLine]) -> String {
     let heading = ["block", "unknowns", "method", "joints"].map(String::from);
-    let cells = lines.iter().map(|line| {
-        vec![
-            line.block.clone(),
-            line.unknowns.clone(),
-            line.method.clone(),
-            line.joints.clone(),
-        ]
+    let cells = lines.iter().flat_map(|line| {
+        let cells = [&line.block, &line.unknowns, &line.method, &line.joints]
+            .map(|it| folded(it, WIDEST_CELL));
+        let height = cells.iter().map(Vec::len).max().unwrap_or(0);
+        (0..height).map(move |row| {
+            cells
+                .each_ref()
+                .map(|lines| lines.get(row).cloned().unwrap_or_default())
+                .to_vec()
+        })
     });
     let table: Vec<Vec<String>> = std::iter::once(heading.to_vec()).chain(cells).collect();
     aligned(&table)
+}
+
+/// A list in lines that are no wider than this where its entries permit it.
+fn folded(list: &str, width: usize) -> Vec<String> {
+    let mut depth = 0_i32;
+    let entries = list.split_inclusive(|character| {
+        depth += i32::from(character == '(') - i32::from(character == ')');
+        depth == 0 && character == ','
+    });
+    let mut lines = vec![String::new()];
+    for entry in entries {
+        match lines.last_mut() {
+            Some(line) if line.is_empty() || shown_width(line) + shown_width(entry) <= width => {
+                line.push_str(entry);
+            }
+            _ => lines.push(entry.trim_start().to_string()),
+        }
+    }
+    lines
 }
 
 fn displayed(equations: &[DisplayedEquation]) -> String {
@@ -62,6 +87,12 @@ fn displayed(equations: &[DisplayedEquation]) -> String {
 
 /// Words in lines that begin after two spaces.
 fn wrapped(words: &str) -> String {
+    let lines = broken(words).into_iter();
+    let lines: Vec<String> = lines.map(|line| format!("  {line}\n")).collect();
+    lines.concat()
+}
+
+fn broken(words: &str) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in words.split(' ') {
         if let Some(line) = lines.last_mut() {
@@ -75,6 +106,29 @@ fn wrapped(words: &str) -> String {
             }
         }
     }
-    let lines: Vec<String> = lines.iter().map(|line| format!("  {line}\n")).collect();
-    lines.concat()
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lists_are_broken_after_commas() {
+        let names: Vec<String> = (0..40).map(|number| format!("phi_{number}")).collect();
+        let line = OutlineLine {
+            block: "1".to_string(),
+            unknowns: names.join(", "),
+            method: "Newton of size 2 for 40 unknowns".to_string(),
+            joints: "A, B".to_string(),
+        };
+        let text = outline(&[line]);
+        assert!(text.lines().all(|line| shown_width(line) <= 135), "{text}");
+        let words = text
+            .split_whitespace()
+            .map(|word| word.trim_end_matches(','));
+        let found: Vec<&str> = words.filter(|word| word.starts_with("phi_")).collect();
+        assert_eq!(found, names);
+        assert_eq!(text.matches("Newton").count(), 1, "{text}");
+    }
 }
