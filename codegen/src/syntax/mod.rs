@@ -27,6 +27,7 @@ mod motion;
 mod output;
 mod part;
 mod placed;
+mod reader;
 mod recovery;
 mod reference;
 mod renamed;
@@ -55,7 +56,8 @@ use proc_macro2::Delimiter;
 use syn::buffer::TokenBuffer;
 
 use self::part::Part;
-use self::tokens::{Reader, Tokens};
+use self::reader::Reader;
+use self::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 
 /// The deepest nesting that is read: brackets, signs, powers and calls inside one another.
