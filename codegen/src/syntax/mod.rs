@@ -36,6 +36,7 @@ mod repeat;
 mod scan;
 mod scope;
 mod statement;
+mod statement_shapes;
 mod table;
 #[cfg(test)]
 mod tests;
