@@ -15,6 +15,7 @@ mod curve;
 mod declarations;
 mod declared;
 mod dimension;
+mod elements;
 mod equation;
 mod expression;
 mod forces;
@@ -47,6 +48,7 @@ mod synonyms;
 mod table;
 mod transmission;
 mod wanted_forces;
+mod weights;
 mod wish;
 
 pub(crate) use bounds::beyond_bounds;
