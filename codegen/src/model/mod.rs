@@ -28,6 +28,7 @@ mod lines;
 mod linkage;
 mod live_direction;
 mod live_distance;
+mod live_name;
 mod loads;
 mod marks;
 mod motions;
