@@ -50,18 +50,9 @@ impl<'a> Writer<'a> {
 
     /// Writes a statement.
     pub fn statement(&mut self, statement: &Statement) {
-        let mut value = |expr: &ExprId| self.recorder.value(*expr);
         match statement {
-            Statement::Section(_)
-            | Statement::Heading(_)
-            | Statement::Note(_)
-            | Statement::Shown { .. } => {}
-            Statement::Let {
-                target,
-                value: expr,
-                ..
-            } => {
-                let register = value(expr);
+            Statement::Let { target, value, .. } => {
+                let register = self.recorder.value(*value);
                 self.recorder.bind(*target, register);
             }
             Statement::SineCosine {
@@ -85,21 +76,34 @@ impl<'a> Writer<'a> {
                     }
                 }
             }
+            _ => {
+                if let Some(operation) = self.operation_of(statement) {
+                    self.operation(operation);
+                }
+            }
+        }
+    }
+
+    /// What a statement does beside instructions; `None` where that is nothing. The values that it needs are recorded.
+    fn operation_of(&mut self, statement: &Statement) -> Option<Operation> {
+        Some(match statement {
+            Statement::Section(_)
+            | Statement::Heading(_)
+            | Statement::Note(_)
+            | Statement::Shown { .. }
+            | Statement::Let { .. }
+            | Statement::SineCosine { .. }
+            | Statement::Lookup { .. } => return None,
             Statement::Angle {
                 target,
                 sine,
                 cosine,
-            } => {
-                let [sine, cosine] = [sine, cosine].map(value);
-                let last = self.last(*target);
-                let target = self.found(*target);
-                self.operation(Operation::Angle {
-                    target,
-                    sine,
-                    cosine,
-                    last,
-                });
-            }
+            } => Operation::Angle {
+                sine: self.recorder.value(*sine),
+                cosine: self.recorder.value(*cosine),
+                last: self.last(*target),
+                target: self.found(*target),
+            },
             Statement::Reach {
                 excess,
                 scale,
@@ -107,64 +111,45 @@ impl<'a> Writer<'a> {
                 longest,
                 shortest,
             } => {
-                let [excess, scale] = [excess, scale].map(value);
+                let [excess, scale] = [excess, scale].map(|it| self.recorder.value(*it));
                 let (bounds, bridged) = self.aside(|writer| {
                     [distance, longest, shortest].map(|it| writer.recorder.value(*it))
                 });
-                self.operation(Operation::Reach {
+                Operation::Reach {
                     excess,
                     scale,
                     bounds,
                     bridged,
-                });
+                }
             }
-            Statement::Nonzero {
-                value: divisor,
-                scale,
-            } => {
-                let [value, scale] = [divisor, scale].map(value);
-                self.operation(Operation::Nonzero { value, scale });
-            }
-            Statement::Newton { .. } => self.operation(Operation::Newton),
-            Statement::Factorize => self.operation(Operation::Factorize),
+            Statement::Nonzero { value, scale } => Operation::Nonzero {
+                value: self.recorder.value(*value),
+                scale: self.recorder.value(*scale),
+            },
+            Statement::Newton { .. } => Operation::Newton,
+            Statement::Factorize => Operation::Factorize,
             Statement::Solve {
                 targets,
                 right_hand_side,
-            } => {
-                let right_hand_side = right_hand_side.iter().map(value).collect();
-                let targets = targets.iter().map(|it| it.map(|symbol| self.found(symbol)));
-                let targets = targets.collect();
-                self.operation(Operation::Solve {
-                    targets,
-                    right_hand_side,
-                });
-            }
+            } => Operation::Solve {
+                right_hand_side: self.values(right_hand_side),
+                targets: self.targets(targets),
+            },
             Statement::Multipliers {
                 targets,
                 jacobian,
                 forces,
-            } => {
-                let jacobian = jacobian.iter().map(&mut value).collect();
-                let forces = forces.iter().map(&mut value).collect();
-                let targets = targets.iter().map(|it| it.map(|symbol| self.found(symbol)));
-                let targets = targets.collect();
-                self.operation(Operation::Multipliers {
-                    targets,
-                    jacobian,
-                    forces,
-                });
-            }
-            Statement::Signal { input, found } => {
-                let found = found.map(|symbol| self.found(symbol));
-                let input = *input;
-                self.operation(Operation::Signal { input, found });
-            }
-            Statement::Require {
-                value: required,
-                block,
-            } => {
-                let required = value(required);
-                self.operation(Operation::Require(required, *block));
+            } => Operation::Multipliers {
+                jacobian: self.values(jacobian),
+                forces: self.values(forces),
+                targets: self.targets(targets),
+            },
+            Statement::Signal { input, found } => Operation::Signal {
+                input: *input,
+                found: found.map(|symbol| self.found(symbol)),
+            },
+            Statement::Require { value, block } => {
+                Operation::Require(self.recorder.value(*value), *block)
             }
             Statement::Isolate {
                 blocks,
@@ -175,15 +160,15 @@ impl<'a> Writer<'a> {
                 varied,
                 variation,
             } => {
-                let bounds = bounds.iter().map(&mut value).collect();
-                let sizes = sizes.iter().map(&mut value).collect();
+                let bounds = self.values(bounds);
+                let sizes = self.values(sizes);
                 let entries = jacobian.iter();
                 let jacobian = entries
-                    .map(|(place, entry)| (*place, value(entry)))
+                    .map(|(place, entry)| (*place, self.recorder.value(*entry)))
                     .collect();
                 let found = found.iter().map(|&symbol| self.found(symbol)).collect();
                 let (variation, variations) = self.function(variation);
-                self.operation(Operation::Isolate(Isolation {
+                Operation::Isolate(Isolation {
                     blocks: blocks.clone(),
                     bounds,
                     sizes,
@@ -191,9 +176,20 @@ impl<'a> Writer<'a> {
                     found,
                     variation,
                     varied: varied.iter().copied().zip(variations).collect(),
-                }));
+                })
             }
-        }
+        })
+    }
+
+    fn values(&mut self, exprs: &[ExprId]) -> Vec<Register> {
+        exprs.iter().map(|it| self.recorder.value(*it)).collect()
+    }
+
+    fn targets(&mut self, symbols: &[Option<SymbolId>]) -> Vec<Option<Register>> {
+        let symbols = symbols.iter();
+        symbols
+            .map(|it| it.map(|symbol| self.found(symbol)))
+            .collect()
     }
 
     /// Writes a function, whose results nothing else may rely on: what it does, and where its results are.
