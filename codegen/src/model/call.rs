@@ -35,29 +35,7 @@ impl Resolver<'_> {
             return self.look_up(function, arguments, span);
         }
         if !FUNCTIONS.contains(&name) {
-            let tables = self
-                .declared
-                .table_names
-                .iter()
-                .map(|(table, _)| table.text.as_str());
-            let words = FUNCTIONS.iter().chain(LAWS).copied().chain(tables);
-            let help = match meant(name, synonyms::FUNCTIONS, words, false) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!(
-                    "the functions are {}, and the laws of motion {}",
-                    listed(FUNCTIONS),
-                    listed(LAWS)
-                ),
-            };
-            self.diagnostics.push(
-                Diagnostic::error(
-                    Code::UnknownFunction,
-                    function.span,
-                    format!("unknown function `{name}`"),
-                )
-                .label("not a function of this language")
-                .help(help),
-            );
+            self.report_unknown_function(function);
             return None;
         }
         let wanted = if matches!(name, "atan2" | "distance") {
@@ -66,21 +44,7 @@ impl Resolver<'_> {
             1
         };
         if arguments.len() != wanted {
-            let given = arguments.len();
-            let noun = if wanted == 1 { "argument" } else { "arguments" };
-            self.diagnostics.push(
-                Diagnostic::error(
-                    Code::WrongArgumentCount,
-                    span,
-                    format!("`{name}` takes {wanted} {noun}, not {given}"),
-                )
-                .label(format!("{given} given"))
-                .help(match name {
-                    "atan2" => "`atan2(y, x)` is the angle of the vector (x, y)".to_string(),
-                    "distance" => "`distance(A, B)` measures two points in the drawing".to_string(),
-                    _ => format!("write `{name}(…)` with one expression"),
-                }),
-            );
+            self.report_count(name, wanted, arguments.len(), span);
             return None;
         }
         if name == "distance" {
@@ -114,8 +78,60 @@ impl Resolver<'_> {
             }
             _ => {}
         }
+        self.elementary(name, values[0], &arguments[0])
+    }
+
+    /// Says which functions there are.
+    fn report_unknown_function(&mut self, function: &Name) {
+        let name = function.text.as_str();
+        let tables = self
+            .declared
+            .table_names
+            .iter()
+            .map(|(table, _)| table.text.as_str());
+        let words = FUNCTIONS.iter().chain(LAWS).copied().chain(tables);
+        let help = match meant(name, synonyms::FUNCTIONS, words, false) {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None => format!(
+                "the functions are {}, and the laws of motion {}",
+                listed(FUNCTIONS),
+                listed(LAWS)
+            ),
+        };
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::UnknownFunction,
+                function.span,
+                format!("unknown function `{name}`"),
+            )
+            .label("not a function of this language")
+            .help(help),
+        );
+    }
+
+    /// Says what a function takes.
+    fn report_count(&mut self, name: &str, wanted: usize, given: usize, span: Span) {
+        let noun = if wanted == 1 { "argument" } else { "arguments" };
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::WrongArgumentCount,
+                span,
+                format!("`{name}` takes {wanted} {noun}, not {given}"),
+            )
+            .label(format!("{given} given"))
+            .help(match name {
+                "atan2" => "`atan2(y, x)` is the angle of the vector (x, y)".to_string(),
+                "distance" => "`distance(A, B)` measures two points in the drawing".to_string(),
+                _ => format!("write `{name}(…)` with one expression"),
+            }),
+        );
+    }
+
+    /// The value of a function of an angle or a number.
+    fn elementary(&mut self, name: &str, of: Value, written: &Expression) -> Option<Value> {
+        let (x, dimension) = of;
         if !dimension.fits(Dimension::Angle) {
-            self.report_argument(&format!("`{name}` cannot take"), &arguments[0], dimension);
+            self.report_argument(&format!("`{name}` cannot take"), written, dimension);
             return None;
         }
         if let ("sin" | "cos", Some([cosine, sine])) = (name, self.live_direction(x)) {

@@ -4,8 +4,9 @@ use proc_macro2::Delimiter;
 
 use super::document::{Body, Member, Orientation, Origin};
 use super::expression::{after_expression, coordinates, expression};
+use super::reader::Outcome;
 use super::reference::{body_name, direction, identifier, reference, separator};
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 /// A body, after the word `body`, up to and with its braces or semicolon.

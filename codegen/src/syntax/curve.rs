@@ -4,9 +4,10 @@ use proc_macro2::Delimiter;
 
 use super::document::{Curve, Shape, Statement};
 use super::expression::{coordinates, expression};
+use super::reader::Outcome;
 use super::reference::{body_name, identifier};
 use super::statement::{equals, semicolon};
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
 /// How a curve is written, for help lines.

@@ -7,9 +7,10 @@ use proc_macro2::Delimiter;
 use super::document::{Drive, DrivenForm, Free, Statement};
 use super::expression::expression;
 use super::formula::{Name, Reference};
+use super::reader::Outcome;
 use super::reference::{driven_coordinate, identifier, operands};
 use super::statement::{equals, semicolon};
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
 /// What is driven, or free.

@@ -3,9 +3,10 @@
 use super::document::{Equation, Statement};
 use super::expression::expression;
 use super::formula::Name;
+use super::reader::Outcome;
 use super::reference::identifier;
 use super::statement::{equals, semicolon};
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
 /// The statement after its first word.

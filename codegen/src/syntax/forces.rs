@@ -8,9 +8,10 @@ use proc_macro2::Delimiter;
 use super::document::Statement;
 use super::expression::{coordinates, expression};
 use super::formula::{Expression, Name, Pair, Reference};
+use super::reader::Outcome;
 use super::reference::{body_name, identifier, operands, reference};
 use super::statement::{equals, semicolon, semicolon_after_operands};
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
 /// `mass BODY = MASS [at PLACE] [inertia MOMENT];`

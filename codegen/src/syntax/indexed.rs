@@ -5,9 +5,10 @@ use proc_macro2::Delimiter;
 
 use super::expression::{after_expression, expression};
 use super::formula::{Expression, ExpressionKind, Name, Operation, Sign};
+use super::reader::{Outcome, Reader};
 use super::reference::identifier;
 use super::scope::inside;
-use super::tokens::{Outcome, Reader, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 /// What a whole number is made of, for help lines.

@@ -1,7 +1,7 @@
 //! *A number as written → digits and unit.* `30deg` is 30 and `deg`, `2e3mm` is 2e3 and `mm`, `1e5` has no unit.
 
 use super::formula::{ExpressionKind, Name};
-use super::tokens::Outcome;
+use super::reader::Outcome;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 /// Splits a number. The digits that come out are read by `f64` and as an exact decimal alike.

@@ -27,6 +27,7 @@ mod motion;
 mod output;
 mod part;
 mod placed;
+mod reader;
 mod recovery;
 mod reference;
 mod renamed;
@@ -35,6 +36,7 @@ mod repeat;
 mod scan;
 mod scope;
 mod statement;
+mod statement_shapes;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -55,7 +57,8 @@ use proc_macro2::Delimiter;
 use syn::buffer::TokenBuffer;
 
 use self::part::Part;
-use self::tokens::{Reader, Tokens};
+use self::reader::Reader;
+use self::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 
 /// The deepest nesting that is read: brackets, signs, powers and calls inside one another.

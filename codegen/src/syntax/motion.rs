@@ -6,9 +6,10 @@ use proc_macro2::Delimiter;
 
 use super::document::{Motion, Statement};
 use super::formula::Name;
+use super::reader::Outcome;
 use super::recovery;
 use super::reference::identifier;
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 /// What to do where the braces are missing.

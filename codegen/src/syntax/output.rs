@@ -3,9 +3,10 @@
 use proc_macro2::Delimiter;
 
 use super::document::{Output, OutputItem, Sensitivity, Statement, Transmission, Wish, WishKind};
+use super::reader::Outcome;
 use super::reference::{identifier, operands, reference};
 use super::statement::{semicolon, semicolon_after_operands};
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
 /// The words that limit the level, in their order.

@@ -13,12 +13,13 @@ use super::expression::{after_expression, coordinates, expression};
 use super::formula::{Expression, Name};
 use super::indexed::{indexed, value};
 use super::placed::Place;
+use super::reader::Outcome;
 use super::recovery;
 use super::reference::{check_word, identifier};
 use super::renamed::Renaming;
 use super::repeat::{check_work, write_out};
 use super::statement::{equals, semicolon};
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 
 /// How a part is written, for help lines.

@@ -5,7 +5,7 @@
 use super::document::{Curve, Orientation, Origin, Statement};
 use super::forces::Force;
 use super::formula::{Expression, ExpressionKind, Name, Operation, Pair, Reference, Sign};
-use super::tokens::Outcome;
+use super::reader::Outcome;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 /// Where a part is; as it is written, where nothing is said.

@@ -4,7 +4,8 @@ use proc_macro2::Delimiter;
 
 use super::formula::{Direction, Name, Reference};
 use super::indexed::qualified;
-use super::tokens::{Outcome, Tokens};
+use super::reader::Outcome;
+use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 /// What to do where a name is wanted and something else stands.

@@ -12,8 +12,8 @@ use super::document::{
 };
 use super::forces::{Center, Element};
 use super::formula::{Component, Direction, Expression, ExpressionKind, Name, Pair, Reference};
+use super::reader::{Outcome, Reader};
 use super::scope::inside;
-use super::tokens::{Outcome, Reader};
 use super::{AXES, BUILT_IN};
 use crate::diagnostic::Span;
 

@@ -8,9 +8,10 @@ use proc_macro2::Delimiter;
 use super::document::Statement;
 use super::formula::Name;
 use super::indexed::whole_number;
+use super::reader::Outcome;
 use super::recovery;
 use super::scope::MOST;
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use super::{BUILT_IN, KEYWORDS};
 use crate::diagnostic::{Code, Diagnostic, Span};
 

@@ -17,9 +17,10 @@ use super::formula::Name;
 use super::indexed;
 use super::motion::motion;
 use super::output::{output, sensitivity, transmission, wish};
+use super::reader::Outcome;
 use super::reference::{body_name, direction, identifier, operands, separator};
 use super::table::table;
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 
 /// One statement with what ends it, but for those that are [written out](super::repeat).

@@ -6,9 +6,10 @@ use proc_macro2::Delimiter;
 use super::document::{Ends, Statement, Table, TablePoints};
 use super::expression::{after_expression, coordinates, expression};
 use super::formula::Name;
+use super::reader::Outcome;
 use super::reference::{identifier, separator};
 use super::statement::{equals, semicolon_after_operands};
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
 /// How a table is written, for help lines.

@@ -3,6 +3,7 @@
 //! The words follow from the sign that a drawing has for the joint, so that every kind has its own.
 
 use super::phrase::{Phrase, Piece, phrase};
+use crate::expr::ExprId;
 use crate::joint::geometry::Mark;
 use crate::joint::{Feature, Follower, Mesh};
 use crate::model::{Mechanism, Role};
@@ -80,23 +81,8 @@ pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
             phrase!["the angle between ", body, " and ", other, is, value]
         }
         Feature::Wheels(mesh, ratio) => {
-            let how = match mesh {
-                Mesh::External => " mesh as external gears",
-                Mesh::Internal => " mesh, one inside the other",
-                Mesh::Belt => " are turned by one belt",
-                Mesh::CrossedBelt => " are turned by one crossed belt",
-            };
             let carrier = marks.get(2).map(|mark| self::body(mechanism, mark));
-            let seen = carrier.map_or(Phrase::default(), |it| phrase![", seen from ", it]);
-            phrase![
-                body,
-                " and ",
-                other,
-                how,
-                " with the ratio of radii ",
-                Piece::Formula(ratio),
-                seen
-            ]
+            wheels([body, other], carrier, mesh, ratio)
         }
         Feature::Pinion(radius) => phrase![
             "a wheel of radius ",
@@ -111,20 +97,50 @@ pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
             let of = curve.map_or(Phrase::default(), |it| {
                 phrase![" of ", named(mechanism, it)]
             });
-            match follower {
-                Follower::Point => phrase![a, " stays on the curve", of],
-                Follower::Roller(radius) => phrase![
-                    "a roller of radius ",
-                    Piece::Formula(radius),
-                    " about ",
-                    a,
-                    " stays on the curve",
-                    of
-                ],
-                Follower::Face => phrase!["a face of ", body, " touches the curve", of],
-            }
+            touch(follower, [a, body], of)
         }
         Feature::Written => phrase!["the equation ", written(), " holds"],
+    }
+}
+
+/// How two wheels turn each other.
+fn wheels(
+    [body, other]: [Phrase; 2],
+    carrier: Option<Phrase>,
+    mesh: Mesh,
+    ratio: ExprId,
+) -> Phrase {
+    let how = match mesh {
+        Mesh::External => " mesh as external gears",
+        Mesh::Internal => " mesh, one inside the other",
+        Mesh::Belt => " are turned by one belt",
+        Mesh::CrossedBelt => " are turned by one crossed belt",
+    };
+    let seen = carrier.map_or(Phrase::default(), |it| phrase![", seen from ", it]);
+    phrase![
+        body,
+        " and ",
+        other,
+        how,
+        " with the ratio of radii ",
+        Piece::Formula(ratio),
+        seen
+    ]
+}
+
+/// How a point or a body touches a curve of a body.
+fn touch(follower: Follower, [a, body]: [Phrase; 2], of: Phrase) -> Phrase {
+    match follower {
+        Follower::Point => phrase![a, " stays on the curve", of],
+        Follower::Roller(radius) => phrase![
+            "a roller of radius ",
+            Piece::Formula(radius),
+            " about ",
+            a,
+            " stays on the curve",
+            of
+        ],
+        Follower::Face => phrase!["a face of ", body, " touches the curve", of],
     }
 }
 

@@ -10,10 +10,9 @@ use super::description::{
 use super::rewritten::rewritten;
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Calibrate;
-use crate::data::Data;
+use crate::data::{Data, sizes};
 use crate::output::{Beginning, Signature};
 use crate::report::calibration::{self, Report};
-use crate::report::comparison;
 
 /// A description is nobody's to replace.
 const SIGNATURE: Signature = Signature {
@@ -34,8 +33,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     set_all(&mut system, &arguments.setting.set)?;
     let mut data = Data::read(&arguments.table, &system).map_err(Problem)?;
     keep_fitted(&mut data)?;
-    let deviations =
-        comparison::sizes("--deviation", &arguments.deviation, &data).map_err(Problem)?;
+    let deviations = sizes("--deviation", &arguments.deviation, &data).map_err(Problem)?;
     if let Some(place) = deviations.iter().position(|it| *it == Some(0.0)) {
         let name = &data.measured[place].name;
         return Err(Problem(format!(

@@ -10,12 +10,12 @@ use linkwright_solver::schedule::Schedule;
 use super::description::{chosen, determined, interpreted, outputs_besides, set_all, source};
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Compare;
-use crate::data::Data;
+use crate::data::{Data, sizes};
 use crate::motion::{Followed, Shown, Sink, Wanted};
 use crate::output::Output;
 use crate::progress::Progress;
 use crate::report::comparison::{self, Column, Report};
-use crate::report::{comparison_plot, picture};
+use crate::report::{comparison_json, comparison_plot, picture};
 
 /// Compares and reports it.
 ///
@@ -27,8 +27,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     set_all(&mut system, &arguments.setting.set)?;
     let data = Data::read(&arguments.table, &system).map_err(Problem)?;
-    let tolerances =
-        comparison::sizes("--tolerance", &arguments.tolerance, &data).map_err(Problem)?;
+    let tolerances = sizes("--tolerance", &arguments.tolerance, &data).map_err(Problem)?;
     let start = arguments.from.unwrap_or(data.times[0]);
     let schedule = Schedule::instants(start, &data.times, arguments.step)
         .map_err(|text| Problem(format!("error: {text}")))?;
@@ -97,7 +96,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
         data: &data,
     };
     print(|output| match arguments.json {
-        true => comparison::write_json(&report, output),
+        true => comparison_json::write(&report, output),
         false => comparison::write(&report, output),
     })?;
     if !arguments.json {

@@ -5,6 +5,7 @@
 
 mod mapping;
 mod scale;
+mod sizes;
 
 use std::path::Path;
 
@@ -19,6 +20,7 @@ use linkwright_solver::observable::Named;
 use crate::arguments::{Mark, Separator, Table};
 pub use mapping::How;
 pub use scale::{Origin, Scale};
+pub use sizes::sizes;
 
 /// A table of measured values.
 #[derive(Clone, Debug)]
@@ -195,6 +197,6 @@ fn times(
 }
 
 /// The unit of a text, for tolerances.
-pub fn unit_of(text: &str) -> Option<Unit> {
+fn unit_of(text: &str) -> Option<Unit> {
     Unit::parse(text)
 }

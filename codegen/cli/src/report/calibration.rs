@@ -18,7 +18,8 @@ use linkwright_codegen::stages::system::System;
 use linkwright_solver::number::{counted, fixed, scientific};
 use serde::Serialize;
 
-use super::comparison::{aligned, taken_for, write_data, write_notes};
+use super::aligned::aligned;
+use super::measured_data::{taken_for, write_data, write_notes};
 use crate::data::{Data, Measured};
 
 /// Decimals of what is printed in scientific notation.

@@ -2,17 +2,20 @@
 //!
 //! One file per output. None of them evaluates more than the motion of points, and none knows where its output goes.
 
+pub mod aligned;
 pub mod assembly_table;
 pub mod calibration;
 pub mod check_json;
 pub mod check_text;
 pub mod comma_separated;
 pub mod comparison;
+pub mod comparison_json;
 pub mod comparison_plot;
 pub mod drawing;
 pub mod first_step;
 pub mod forces;
 pub mod json;
+pub mod measured_data;
 pub mod motion_table;
 pub mod paths;
 pub mod picture;

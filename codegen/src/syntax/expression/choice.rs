@@ -7,7 +7,8 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::syntax::DEEPEST;
 use crate::syntax::brackets::too_deep;
 use crate::syntax::formula::{Choice, Comparison, Expression, ExpressionKind};
-use crate::syntax::tokens::{Outcome, Tokens};
+use crate::syntax::reader::Outcome;
+use crate::syntax::tokens::Tokens;
 
 /// How a choice is written.
 const CHOICE: &str =

@@ -5,7 +5,8 @@ use proc_macro2::Delimiter;
 use super::{after_expression, expression, sum};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::syntax::formula::{Expression, ExpressionKind, Pair};
-use crate::syntax::tokens::{Outcome, Tokens};
+use crate::syntax::reader::Outcome;
+use crate::syntax::tokens::Tokens;
 
 /// An argument of a call: a formula, or two or three of them in parentheses.
 pub(super) fn argument(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {

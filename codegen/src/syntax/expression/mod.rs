@@ -12,8 +12,9 @@ use proc_macro2::Delimiter;
 
 use super::brackets::too_deep;
 use super::formula::{Component, Expression, ExpressionKind, Name, Operation, Reference, Sign};
+use super::reader::Outcome;
 use super::reference::reference_or_component;
-use super::tokens::{Outcome, Tokens};
+use super::tokens::Tokens;
 use super::{DEEPEST, indexed, literal};
 use crate::diagnostic::{Code, Diagnostic};
 use choice::choice;

@@ -4,14 +4,13 @@
 //! again, with another right-hand side. An unknown responds with what was found for it, an arm turns with its angle, δ itself
 //! grows by one, and time stands still. What does not respond at all is known to be zero, so that nothing is computed for it.
 
+mod responses;
+
 use std::collections::{HashMap, HashSet};
 
-use super::block::NewtonBlock;
-use super::builder::Builder;
-use super::function::{Level, Statement};
-use crate::expr::{ExprId, Node, SymbolId};
+use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::Vector;
-use crate::system::{Cause, Direction, SymbolRole, System};
+use crate::system::{Direction, SymbolRole, System};
 
 /// How everything found so far responds to each direction.
 #[derive(Clone, Debug)]
@@ -236,174 +235,5 @@ impl DirectionalDerivatives {
             .unwrap_or(base);
         self.taken.insert(name.clone());
         name
-    }
-}
-
-impl Builder<'_> {
-    /// The derivative of an expression along a direction.
-    pub(super) fn along(&mut self, expr: ExprId, direction: usize) -> ExprId {
-        self.derivatives.along(expr, direction, self.system)
-    }
-
-    /// States the response of an unknown. A constant needs no name, and what it multiplies may vanish.
-    pub(super) fn respond(&mut self, unknown: usize, direction: usize, value: ExprId) {
-        let value = if self.system.mechanism.graph.is_constant(value) {
-            value
-        } else {
-            let target = self.response_symbol(unknown, direction);
-            self.assign(target, value);
-            self.graph().variable(target)
-        };
-        self.derivatives.directions[direction].values[unknown] = Some(value);
-    }
-
-    /// States the rate of such a response; that of a constant is zero whatever `value` looks like.
-    pub(super) fn respond_rate(&mut self, unknown: usize, direction: usize, value: ExprId) {
-        let graph = &self.system.mechanism.graph;
-        if self.response(unknown, direction).is_none() || value == graph.zero() {
-            return;
-        }
-        let target = self.response_rate_symbol(unknown, direction);
-        self.assign(target, value);
-        self.found_rate(unknown, direction, target);
-    }
-
-    /// The symbol of a response that is no constant.
-    fn response(&self, unknown: usize, direction: usize) -> Option<SymbolId> {
-        let value = self.derivatives.directions[direction].values[unknown]?;
-        match *self.system.mechanism.graph.node(value) {
-            Node::Symbol(symbol) => Some(symbol),
-            _ => None,
-        }
-    }
-
-    fn found_rate(&mut self, unknown: usize, direction: usize, target: SymbolId) {
-        let rate = self.graph().variable(target);
-        if let Some(symbol) = self.response(unknown, direction) {
-            self.system.vector_form.set_rate(symbol, rate);
-        }
-        self.derivatives.directions[direction].rates[unknown] = Some(rate);
-    }
-
-    fn response_symbol(&mut self, unknown: usize, direction: usize) -> SymbolId {
-        let name = self.system.unknown_name(unknown).to_string();
-        let name = self.derivatives.name(&name, direction);
-        let symbol = self.system.intermediate(&name);
-        self.derivatives.found.insert(symbol);
-        // What has not been found is held.
-        let zero = self.graph().zero();
-        self.system.vector_form.set_rate(symbol, zero);
-        symbol
-    }
-
-    fn response_rate_symbol(&mut self, unknown: usize, direction: usize) -> SymbolId {
-        let name = format!("{}_rate", self.system.unknown_name(unknown));
-        let name = self.derivatives.name(&name, direction);
-        let symbol = self.system.intermediate(&name);
-        self.derivatives.found.insert(symbol);
-        symbol
-    }
-
-    /// States that the symbols of a turned vector respond as R(φ) p does.
-    pub(super) fn turn_response(&mut self, angle: usize, w: [ExprId; 2]) {
-        if self.derivatives.directions.is_empty() {
-            return;
-        }
-        let back = self.graph().negate(w[1]);
-        for (component, across) in w.into_iter().zip([back, w[0]]) {
-            if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(component) {
-                self.derivatives
-                    .turned
-                    .insert(symbol, Turned { angle, across });
-            }
-        }
-    }
-
-    /// The responses of the tears, or their rates: one solve with the Jacobian that Newton-Raphson ended with, factorized at the first of them.
-    pub(super) fn newton_response(
-        &mut self,
-        unknowns: &[usize],
-        residuals: &[ExprId],
-        level: Level,
-    ) {
-        let (direction, is_rate) = match level {
-            Level::Response(direction) => (direction, false),
-            Level::ResponseRate(direction) => (direction, true),
-            _ => return,
-        };
-        let zero = self.graph().zero();
-        let mut right_hand_side = Vec::with_capacity(residuals.len());
-        for &residual in residuals {
-            let slope = self.rate_at(residual, level);
-            right_hand_side.push(self.graph().negate(slope));
-        }
-        if right_hand_side.iter().all(|&value| value == zero) {
-            for &unknown in unknowns {
-                self.find(unknown, level, zero);
-            }
-            return;
-        }
-        let mut targets = Vec::with_capacity(unknowns.len());
-        for &unknown in unknowns {
-            if is_rate {
-                let target = self.response_rate_symbol(unknown, direction);
-                targets.push(Some(target));
-                self.found_rate(unknown, direction, target);
-            } else {
-                let target = self.response_symbol(unknown, direction);
-                targets.push(Some(target));
-                let value = self.graph().variable(target);
-                self.derivatives.directions[direction].values[unknown] = Some(value);
-            }
-        }
-        if !self.statements.contains(&Statement::Factorize) {
-            self.state(Statement::Factorize);
-        }
-        self.state(Statement::Solve {
-            targets,
-            right_hand_side,
-        });
-    }
-
-    /// The statements, and the equations of Newton-Raphson, at δ = 0.
-    pub(super) fn without_shifts(&mut self, newton: Option<&mut NewtonBlock>) {
-        let shifts = self.derivatives.shifts();
-        if shifts.is_empty() {
-            return;
-        }
-        let mut statements = std::mem::take(&mut self.statements);
-        let mut at_zero = |expr: ExprId| self.without(expr, &shifts);
-        for statement in &mut statements {
-            statement.change_values(&mut at_zero);
-        }
-        let functions = newton.into_iter().flat_map(NewtonBlock::functions_mut);
-        for function in functions {
-            function.change_values(&mut at_zero);
-        }
-        self.statements = statements;
-    }
-
-    /// The levels of a block after its pose, in their order.
-    pub(super) fn levels(&self) -> Vec<Level> {
-        // Efforts shift drivers, but ask for no response; the reduced mass asks for that to what is free.
-        let mechanism = &self.system.mechanism;
-        let transmits = !mechanism.transmissions.is_empty();
-        let is_free = |place: usize| match self.system.directions.get(place).map(|it| it.cause) {
-            Some(Cause::Driver { joint, .. }) => {
-                mechanism.forces.free.iter().any(|it| it.joint == joint)
-            }
-            _ => false,
-        };
-        let directions = self.derivatives.directions.iter().enumerate();
-        let directions =
-            directions.filter(|&(place, along)| along.is_parameter || transmits || is_free(place));
-        let derivatives = directions.flat_map(|(place, along)| {
-            let rate = along.is_parameter.then_some(Level::ResponseRate(place));
-            [Some(Level::Response(place)), rate].into_iter().flatten()
-        });
-        [Level::Velocity, Level::Acceleration]
-            .into_iter()
-            .chain(derivatives)
-            .collect()
     }
 }

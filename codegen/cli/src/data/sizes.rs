@@ -1,0 +1,67 @@
+//! *What an option such as `--tolerance` says* → *a size for each measured column*, in SI units.
+
+use super::{Data, unit_of};
+
+/// The size of each measured column that the option gives one.
+///
+/// # Errors
+/// One cannot be read, or belongs to no column.
+pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f64>>, String> {
+    let mut sizes = vec![None; data.measured.len()];
+    let mut own = vec![false; data.measured.len()];
+    for text in asked {
+        let (name, value) = match text.rsplit_once('=') {
+            Some((name, value)) => (Some(name.trim()), value.trim()),
+            None => (None, text.trim()),
+        };
+        // The longest beginning that is a number, so that `1e-3mm` and `2 deg` are read.
+        let cut = (1..=value.len())
+            .rev()
+            .filter(|&it| value.is_char_boundary(it))
+            .find_map(|it| Some((value[..it].trim().parse::<f64>().ok()?, value[it..].trim())));
+        let (number, unit) = match cut {
+            Some((number, "")) => (number, None),
+            Some((number, unit)) => match unit_of(unit) {
+                Some(unit) => (number, Some(unit)),
+                None => {
+                    return Err(format!("error: `{unit}` in `{option} {text}` is no unit"));
+                }
+            },
+            None => {
+                return Err(format!(
+                    "error: `{option} {text}` is no number\n  = help: write `1e-6`, `0.5mm` or `COLUMN=0.5mm`"
+                ));
+            }
+        };
+        if !(number.is_finite() && number >= 0.0) {
+            return Err(format!("error: `{option} {text}` is not a size"));
+        }
+        let mut is_used = false;
+        for (place, measured) in data.measured.iter().enumerate() {
+            let is_meant = match name {
+                Some(name) => name == measured.name,
+                None => !own[place] && unit.is_none_or(|it| it.powers == measured.quantity.powers),
+            };
+            if !is_meant {
+                continue;
+            }
+            if unit.is_some_and(|it| !it.measures(measured.quantity.powers)) {
+                return Err(format!(
+                    "error: the unit in `{option} {text}` does not measure `{}`",
+                    measured.quantity.name
+                ));
+            }
+            is_used = true;
+            own[place] |= name.is_some();
+            sizes[place] = Some(unit.map_or(number, |it| it.si(number)));
+        }
+        if !is_used {
+            let names: Vec<&str> = data.measured.iter().map(|it| it.name.as_str()).collect();
+            return Err(format!(
+                "error: `{option} {text}` is about none of the compared columns\n  = help: they are: {}",
+                names.join(", ")
+            ));
+        }
+    }
+    Ok(sizes)
+}

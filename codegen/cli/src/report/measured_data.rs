@@ -1,0 +1,68 @@
+//! *A table of measured values* → *the lines that say how it was read, and as what*.
+
+use std::io::{self, Write};
+
+use linkwright_solver::number::{counted, time};
+
+use crate::data::{Data, How, Measured, Origin};
+
+/// How a table of data was read, and what its columns are: the first lines of what is printed.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write_data(title: &str, data: &Data, output: &mut dyn Write) -> io::Result<()> {
+    let (first, last) = (data.times.first(), data.times.last());
+    let [first, last] = [first, last].map(|it| time(it.copied().unwrap_or(f64::NAN)));
+    writeln!(
+        output,
+        "{title} and {}: {} from t = {first} s to {last} s",
+        data.name,
+        counted(data.times.len(), "row")
+    )?;
+    writeln!(output, "read as {}", data.columns.reading())?;
+    let (column, scale) = &data.time;
+    let assumed = match scale.origin {
+        Origin::Assumed => ", as no unit is given",
+        _ => "",
+    };
+    writeln!(
+        output,
+        "times are `{}` in {}{assumed}",
+        data.columns.columns[*column].name, scale.text
+    )?;
+    Ok(())
+}
+
+/// What a column was taken for, and how; and its unit.
+pub fn taken_for(measured: &Measured) -> [String; 2] {
+    let quantity = &measured.quantity.name;
+    let taken = match &measured.how {
+        How::Named | How::Chosen => quantity.clone(),
+        How::Guessed(_) => format!("{quantity} (guessed)"),
+    };
+    let unit = match measured.scale.origin {
+        Origin::Assumed if !measured.scale.text.is_empty() => {
+            format!("{} (assumed)", measured.scale.text)
+        }
+        _ => measured.scale.text.clone(),
+    };
+    [taken, unit]
+}
+
+/// What is to be said of guesses, and of columns that are left out.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write_notes(data: &Data, output: &mut dyn Write) -> io::Result<()> {
+    for measured in &data.measured {
+        if let How::Guessed(doubt) = &measured.how
+            && !doubt.is_empty()
+        {
+            writeln!(output, "guessed for `{}`: {doubt}", measured.name)?;
+        }
+    }
+    for (name, why) in &data.left_out {
+        writeln!(output, "left out: `{name}`, {why}")?;
+    }
+    Ok(())
+}
