@@ -18,7 +18,10 @@ pub(super) fn page(document: &Document) -> String {
         outline(&document.outline)
     );
     for section in &document.sections {
-        text.push_str(&format!("\n{}\n", broken(&section.heading).join("\n")));
+        text.push_str(&format!(
+            "\n{}\n",
+            filled(section.heading.split(' '), WIDTH).join("\n")
+        ));
         for item in &section.items {
             text.push('\n');
             match item {
@@ -34,8 +37,7 @@ pub(super) fn page(document: &Document) -> String {
 pub(super) fn outline(lines: &[OutlineLine]) -> String {
     let heading = ["block", "unknowns", "method", "joints"].map(String::from);
     let cells = lines.iter().flat_map(|line| {
-        let cells = [&line.block, &line.unknowns, &line.method, &line.joints]
-            .map(|it| folded(it, WIDEST_CELL));
+        let cells = [&line.block, &line.unknowns, &line.method, &line.joints].map(|it| folded(it));
         let height = cells.iter().map(Vec::len).max().unwrap_or(0);
         (0..height).map(move |row| {
             cells
@@ -48,23 +50,14 @@ pub(super) fn outline(lines: &[OutlineLine]) -> String {
     aligned(&table)
 }
 
-/// A list in lines that are no wider than this where its entries permit it.
-fn folded(list: &str, width: usize) -> Vec<String> {
+/// A list in lines that are no wider than a cell where its entries permit it.
+fn folded(list: &str) -> Vec<String> {
     let mut depth = 0_i32;
     let entries = list.split_inclusive(|character| {
         depth += i32::from(character == '(') - i32::from(character == ')');
         depth == 0 && character == ','
     });
-    let mut lines = vec![String::new()];
-    for entry in entries {
-        match lines.last_mut() {
-            Some(line) if line.is_empty() || shown_width(line) + shown_width(entry) <= width => {
-                line.push_str(entry);
-            }
-            _ => lines.push(entry.trim_start().to_string()),
-        }
-    }
-    lines
+    filled(entries.map(str::trim_start), WIDEST_CELL)
 }
 
 fn displayed(equations: &[DisplayedEquation]) -> String {
@@ -87,23 +80,21 @@ fn displayed(equations: &[DisplayedEquation]) -> String {
 
 /// Words in lines that begin after two spaces.
 fn wrapped(words: &str) -> String {
-    let lines = broken(words).into_iter();
+    let lines = filled(words.split(' '), WIDTH).into_iter();
     let lines: Vec<String> = lines.map(|line| format!("  {line}\n")).collect();
     lines.concat()
 }
 
-fn broken(words: &str) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in words.split(' ') {
-        if let Some(line) = lines.last_mut() {
-            if line.is_empty() || shown_width(line) + shown_width(word) < WIDTH {
-                if !line.is_empty() {
-                    line.push(' ');
-                }
-                line.push_str(word);
-            } else {
-                lines.push(word.to_string());
+/// Pieces with a blank between them, in lines that are no wider than this where each of them permits it.
+fn filled<'a>(pieces: impl Iterator<Item = &'a str>, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for piece in pieces {
+        match lines.last_mut() {
+            Some(line) if shown_width(line) + 1 + shown_width(piece) <= width => {
+                line.push(' ');
+                line.push_str(piece);
             }
+            _ => lines.push(piece.to_string()),
         }
     }
     lines
