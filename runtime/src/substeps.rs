@@ -98,7 +98,10 @@ pub fn in_steps<T: Real>(
                 }
                 (refused, latest) = (Some(failure), Some(failure.block));
                 if missing(&failure).is_some()
-                    || matches!(failure.kind, FailureKind::Singular { .. })
+                    || matches!(
+                        failure.kind,
+                        FailureKind::Singular { .. } | FailureKind::NotFinite
+                    )
                 {
                     beyond = Some(failure);
                 }
@@ -116,12 +119,15 @@ pub fn in_steps<T: Real>(
             break;
         }
     }
-    // Where the steps of a block have become as short, and it has no pose farther on, that is why.
+    // Where the steps of a block have become as short, and it has no pose farther on, or none has shortly beyond, that is why.
     let refused = refused.map(|failure| match beyond {
         Some(beyond)
             if failure.kind == FailureKind::StepTooLarge
-                && beyond.block == failure.block
-                && step.abs() <= refined =>
+                && step.abs() <= refined
+                && match beyond.kind {
+                    FailureKind::NotFinite => (beyond.time - reached).abs() <= refined,
+                    _ => beyond.block == failure.block,
+                } =>
         {
             Failure {
                 time: failure.time,

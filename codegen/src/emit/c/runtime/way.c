@@ -208,7 +208,7 @@ static linkwright_status in_steps$f(Way$f *way, $real to)
             is_refused = true;
             latest = failure.block;
             has_latest = true;
-            if (is_end$f(&failure)) {
+            if (is_end$f(&failure) || (failure.status == LINKWRIGHT_NOT_FINITE)) {
                 beyond = failure;
                 has_beyond = true;
             }
@@ -224,9 +224,12 @@ static linkwright_status in_steps$f(Way$f *way, $real to)
         /* Nothing stands in the way but the budget, which some block has used up. */
         return noted$f(&way->failure, LINKWRIGHT_STEP_TOO_LARGE, 0.0$f, 0U, reached, has_latest ? latest : 0U);
     }
-    /* Where the steps of a block have become as short, and it has no pose farther on, that is why. */
-    if (has_beyond && (refused.status == LINKWRIGHT_STEP_TOO_LARGE) && (beyond.block == refused.block)
-        && (fabs$f(step) <= refined)) {
+    /* Where the steps of a block have become as short, and it has no pose farther on, or none has shortly beyond, that is
+       why. */
+    const bool has_end = has_beyond
+        && ((beyond.status == LINKWRIGHT_NOT_FINITE) ? (fabs$f(beyond.time - reached) <= refined)
+                                                     : (beyond.block == refused.block));
+    if (has_end && (refused.status == LINKWRIGHT_STEP_TOO_LARGE) && (fabs$f(step) <= refined)) {
         const $real time = refused.time;
         refused = beyond;
         refused.time = time;
