@@ -1,4 +1,4 @@
-//! A matrix → how large the entries of its inverse are, or the row in which every pivot vanishes.
+//! A matrix → its inverse, or the row in which every pivot vanishes.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
@@ -6,25 +6,22 @@ use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
 use crate::math::Real;
 use crate::vector::zero_vector;
 
-/// The magnitudes of the entries of the inverse, by elimination in place with the largest pivot of each row.
+/// Puts the inverse in the place of a matrix, by elimination with the largest pivot of each row.
 ///
 /// # Errors
 /// The row in which every pivot vanishes.
-pub(crate) fn inverse_sizes<T: Real, D: Dim>(
-    matrix: &OMatrix<T, D, D>,
-) -> Result<OMatrix<T, D, D>, usize>
+pub(crate) fn invert<T: Real, D: Dim>(matrix: &mut OMatrix<T, D, D>) -> Result<(), usize>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     let dimension = matrix.shape_generic().0;
     let order = dimension.value();
-    let mut sizes = matrix.clone();
     let mut swapped: OVector<usize, D> =
         OVector::from_fn_generic(dimension, Const::<1>, |row, _| row);
     for row in 0..order {
         // Not every compiler sees that they are there.
         let size = |column: usize| {
-            let entry = sizes.as_slice().get(column * order + row);
+            let entry = matrix.as_slice().get(column * order + row);
             entry.map_or(T::ZERO, |entry| entry.abs())
         };
         let (mut pivot, mut largest) = (row, size(row));
@@ -41,7 +38,7 @@ where
         }
         if pivot != row {
             // Column by column: not every compiler sees that they are there, and would keep a panic.
-            let mut columns = sizes.as_mut_slice().chunks_exact_mut(order).skip(row);
+            let mut columns = matrix.as_mut_slice().chunks_exact_mut(order).skip(row);
             let first = columns.next();
             let second = columns.nth(pivot.wrapping_sub(row).wrapping_sub(1));
             for (first, second) in first.into_iter().zip(second) {
@@ -53,14 +50,14 @@ where
                 *swapped = pivot;
             }
         }
-        eliminate(&mut sizes, row);
+        eliminate(matrix, row);
     }
     // Columns that were exchanged are rows of the inverse.
     for (row, &pivot) in swapped.as_slice().iter().enumerate().rev() {
         if pivot == row {
             continue;
         }
-        for column in sizes.as_mut_slice().chunks_exact_mut(order) {
+        for column in matrix.as_mut_slice().chunks_exact_mut(order) {
             let entries = (column.get(row).copied(), column.get(pivot).copied());
             if let (Some(first), Some(second)) = entries {
                 for (place, entry) in [(row, second), (pivot, first)] {
@@ -71,10 +68,7 @@ where
             }
         }
     }
-    for entry in sizes.as_mut_slice() {
-        *entry = entry.abs();
-    }
-    Ok(sizes)
+    Ok(())
 }
 
 /// Makes a row that of the identity, by its column, and puts the row of the inverse in its place.

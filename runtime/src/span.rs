@@ -1,17 +1,9 @@
-//! Two frames and the bounds of what moves between them → whether the second one lies on the path of the first.
+//! Two frames → a [`Span`] of time that holds both, and how far signals and what is found go in it.
 //!
-//! Over a [`Span`] of time that holds both frames every value is bounded by its distance from a straight line through them; the
-//! generator knows the bounds of equations and Jacobians that follow. [`isolate`] then shows that the equations have one solution near
-//! the line at every time of the span: what is found anywhere in it is what the first frame leads to. The module does not know
-//! equations.
+//! Every value is bounded by its distance from a straight line through both frames. The module does not know equations.
 
-use nalgebra::allocator::Allocator;
-use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector, SMatrix, SVector};
-
-use crate::inverse::inverse_sizes;
 use crate::math::Real;
 use crate::signal::Signal;
-use crate::vector::{add, zero_matrix, zero_vector};
 
 /// A span of time about two frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,157 +135,10 @@ impl<T: Real> Tube<T> {
 const ROUNDING: f64 = 65536.0;
 
 /// The multiple of ε by which a solved equation may be off zero: a few roundings of angles of some turns.
-const LEFT_BY_ROUNDING: f64 = 64.0;
+pub(crate) const LEFT_BY_ROUNDING: f64 = 64.0;
 
 /// The multiple of ε by which the difference of two values may be off, as a part of their size.
 const OF_DIFFERENCES: f64 = 32.0;
-
-/// The multiple of the least sags that is tried first.
-const FIRST: f64 = 2.0;
-
-/// By how much sags are widened that the operator does not map into themselves (ε-inflation; Rump, Acta Numerica 2010, section 10.5),
-/// and how often.
-const INFLATION: f64 = 1.25;
-const WIDENED: u8 = 8;
-
-/// The round from which on sags must come nearer to being mapped into themselves.
-const SETTLED: u8 = 2;
-
-/// [`isolate_all`] for a number of unknowns that generated code knows. `blocks` (N) says to which block an equation belongs.
-///
-/// # Errors
-/// The block that is farthest from it, where it cannot be shown.
-pub fn isolate<T: Real, const N: usize>(
-    blocks: [u16; N],
-    bounds: [T; N],
-    sizes: [T; N],
-    jacobian: &SMatrix<T, N, N>,
-    variation: impl Fn(&[T; N], &mut SMatrix<T, N, N>),
-) -> Result<[T; N], u16> {
-    let (bounds, sizes) = (SVector::from(bounds), SVector::from(sizes));
-    let found = isolate_all(&bounds, &sizes, jacobian, |sags, entries| {
-        let [sags] = &sags.data.0;
-        variation(sags, entries);
-    });
-    match found {
-        Ok(sags) => Ok(sags.data.0[0]),
-        Err(row) => Err(blocks.get(row).copied().unwrap_or(0)),
-    }
-}
-
-/// How far n unknowns may be from a straight line through two frames, where their equations have one solution about the line at
-/// every time of the span.
-///
-/// `bounds` (n) says how far each equation may be from zero on the line, `sizes` (n) how large the unknowns are, which rounding is a
-/// part of, `jacobian` (n × n) is that of the second frame, and `variation` how far its entries may change where the unknowns are no farther from the line than its first argument (n): it writes
-/// those that do over a matrix (n × n) of zeros.
-/// With C the inverse of the Jacobian, the operator of Newton with C maps the sags R into themselves where
-/// |C| bounds + |C| variation(R) R ≤ R (Krawczyk).
-///
-/// # Errors
-/// The row that is farthest from it, where it cannot be shown.
-pub fn isolate_all<T: Real, D: Dim>(
-    bounds: &OVector<T, D>,
-    sizes: &OVector<T, D>,
-    jacobian: &OMatrix<T, D, D>,
-    mut variation: impl FnMut(&OVector<T, D>, &mut OMatrix<T, D, D>),
-) -> Result<OVector<T, D>, usize>
-where
-    DefaultAllocator: Allocator<D> + Allocator<D, D>,
-{
-    let inverse = inverse_sizes(jacobian)?;
-    let dimension = bounds.shape_generic().0;
-    let mut entries = zero_matrix(dimension);
-    // Both frames satisfy their equations but for rounding, so that is how far they may be from zero on the line at least.
-    let sizes = sizes.map(|size| size.abs());
-    variation(&sizes, &mut entries);
-    let mut off = roundings(jacobian, &entries, &sizes);
-    add(&mut off, bounds);
-    let least = times(&inverse, &off);
-    // Where a map least + k R + a R² of one sag takes any R into itself, the largest that it does so with is 2 least or more.
-    let mut sags = scaled(&least, FIRST);
-    let (mut farthest, mut before) = (0, T::ZERO);
-    for round in 0..WIDENED {
-        variation(&sags, &mut entries);
-        let spread = times(&entries, &sags);
-        let mut needed = times(&inverse, &spread);
-        add(&mut needed, &least);
-        let mut largest = T::ONE;
-        let mut is_inside = true;
-        let both = needed.as_slice().iter().zip(sags.as_slice());
-        for (row, (needed, sag)) in both.enumerate() {
-            // Written so that NaN is refused, and bounds that have become infinite.
-            is_inside &= needed <= sag && sag.is_finite();
-            let is_nearer = *needed <= largest * *sag;
-            if !is_nearer {
-                (farthest, largest) = (row, *needed / *sag);
-            }
-        }
-        if is_inside {
-            // What the operator maps them to holds the solution as well.
-            return Ok(needed);
-        }
-        // The first two rounds show what each unknown does to the others; sags that need more and more after that have no end.
-        let is_nearing = largest < before;
-        if round >= SETTLED && !is_nearing {
-            break;
-        }
-        before = largest;
-        sags = scaled(&needed, INFLATION);
-    }
-    Err(farthest)
-}
-
-/// How far rounding may leave each equation from zero: by the largest part that an unknown has in it, where it is or, as links in
-/// line multiply their angles by almost nothing along the line, where `variation` takes it.
-fn roundings<T: Real, D: Dim>(
-    jacobian: &OMatrix<T, D, D>,
-    variation: &OMatrix<T, D, D>,
-    sizes: &OVector<T, D>,
-) -> OVector<T, D>
-where
-    DefaultAllocator: Allocator<D> + Allocator<D, D>,
-{
-    let dimension = jacobian.shape_generic().0;
-    let mut roundings = zero_vector(dimension);
-    let columns = jacobian.as_slice().chunks_exact(dimension.value());
-    let changes = variation.as_slice().chunks_exact(dimension.value());
-    for ((column, change), size) in columns.zip(changes).zip(sizes.as_slice()) {
-        let rounding = T::from_f64(LEFT_BY_ROUNDING) * T::EPSILON * *size;
-        let entries = column.iter().zip(change);
-        for (largest, (entry, change)) in roundings.as_mut_slice().iter_mut().zip(entries) {
-            let part = rounding * (entry.abs() + change.abs());
-            *largest = if part > *largest { part } else { *largest };
-        }
-    }
-    roundings
-}
-
-fn scaled<T: Real, D: Dim>(vector: &OVector<T, D>, factor: f64) -> OVector<T, D>
-where
-    DefaultAllocator: Allocator<D>,
-{
-    let mut scaled = vector.clone();
-    for entry in scaled.as_mut_slice() {
-        *entry *= T::from_f64(factor);
-    }
-    scaled
-}
-
-fn times<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>, vector: &OVector<T, D>) -> OVector<T, D>
-where
-    DefaultAllocator: Allocator<D> + Allocator<D, D>,
-{
-    let dimension = vector.shape_generic().0;
-    let mut product = zero_vector(dimension);
-    let columns = matrix.as_slice().chunks_exact(dimension.value());
-    for (column, factor) in columns.zip(vector.as_slice()) {
-        for (sum, entry) in product.as_mut_slice().iter_mut().zip(column) {
-            *sum += *entry * *factor;
-        }
-    }
-    product
-}
 
 /// Blames a block where a value is negative, or NaN.
 ///

@@ -32,7 +32,7 @@ fn bounds_are_those_of_the_runtime() {
         ("way.rs", "CROSSINGS", work::CROSSINGS),
         ("crossing.rs", "REFINEMENTS", work::REFINEMENTS),
         ("crossing.rs", "DOUBLINGS", work::DOUBLINGS),
-        ("span.rs", "WIDENED", work::WIDENED),
+        ("isolation.rs", "WIDENED", work::WIDENED),
     ];
     for (file, name, value) in same {
         assert_eq!(constant(file, name), value as f64, "{name}");

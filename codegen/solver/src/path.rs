@@ -2,8 +2,9 @@
 //!
 //! The statements are those of generated code; see [`linkwright::guard`].
 
-use linkwright::span::{isolate_all, required};
-use linkwright::{Pair, Span, Tube};
+use linkwright::isolation::isolate_all;
+use linkwright::span::required;
+use linkwright::{Chord, Pair, Span, Tube};
 use linkwright_codegen::stages::expr::{Code, Recorder, Register, SymbolId};
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::{SymbolRole, System};
@@ -43,8 +44,12 @@ pub(crate) struct Isolation {
     /// The block of each equation, by its place in the plan.
     pub blocks: Vec<usize>,
     pub bounds: Vec<Register>,
+    pub curvatures: Vec<Register>,
+    pub ways: Vec<Register>,
     pub sizes: Vec<Register>,
     pub jacobian: Vec<([usize; 2], Register)>,
+    pub turns: Vec<bool>,
+    pub turning: Vec<([usize; 2], Register)>,
     /// One sag an unknown.
     pub found: Vec<Register>,
     pub variation: Vec<Operation>,
@@ -237,7 +242,7 @@ impl Shown {
                     required(registers[value.index()], numbers[*block])?;
                 }
                 Operation::Isolate(isolation) => {
-                    let found = isolation.find(&self.code, registers);
+                    let found = isolation.find(span.bend, &self.code, registers);
                     found.map_err(|block| numbers[block])?;
                 }
                 _ => run(operation, &self.code, registers, 0.0, 0)
@@ -251,7 +256,7 @@ impl Shown {
 impl Isolation {
     /// # Errors
     /// The block of the plan of which it cannot be shown.
-    fn find(&self, code: &Code, registers: &mut [f64]) -> Result<(), usize> {
+    fn find(&self, bend: f64, code: &Code, registers: &mut [f64]) -> Result<(), usize> {
         let order = self.found.len();
         let fill =
             |matrix: &mut DMatrix<f64>, entries: &[([usize; 2], Register)], registers: &[f64]| {
@@ -262,10 +267,22 @@ impl Isolation {
         let vector = |places: &[Register]| {
             DVector::from_iterator(order, places.iter().map(|it| registers[it.index()]))
         };
-        let (bounds, magnitudes) = (vector(&self.bounds), vector(&self.sizes));
-        let mut jacobian = DMatrix::zeros(order, order);
-        fill(&mut jacobian, &self.jacobian, registers);
-        let sags = isolate_all(&bounds, &magnitudes, &jacobian, |sags, variation| {
+        let matrix = |entries, registers: &[f64]| {
+            let mut matrix = DMatrix::zeros(order, order);
+            fill(&mut matrix, entries, registers);
+            matrix
+        };
+        let chord = Chord {
+            bend,
+            bounds: vector(&self.bounds),
+            curvatures: vector(&self.curvatures),
+            ways: vector(&self.ways),
+            sizes: vector(&self.sizes),
+            jacobian: &mut matrix(&self.jacobian, registers),
+            turns: DVector::from_column_slice(&self.turns),
+            turning: &mut matrix(&self.turning, registers),
+        };
+        let sags = isolate_all(chord, |sags, variation| {
             for (register, sag) in self.found.iter().zip(sags.iter()) {
                 registers[register.index()] = *sag;
             }

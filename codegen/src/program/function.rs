@@ -144,13 +144,21 @@ pub enum Statement {
         blocks: Vec<usize>,
         /// One sag an unknown.
         found: Vec<SymbolId>,
-        /// How far each equation is from zero on the line.
+        /// How far each equation is from zero on the line, beside what follows from its curvature and from columns that turn.
         bounds: Vec<ExprId>,
+        /// The second derivative of each equation over the span, where that is known with its sign.
+        curvatures: Vec<ExprId>,
+        /// How far each unknown goes along the line.
+        ways: Vec<ExprId>,
         /// How large each unknown is: 1 for angles, and lengths as they are.
         sizes: Vec<ExprId>,
         /// The entries of the Jacobian in this frame that are not zero, with their rows and columns.
         jacobian: Vec<([usize; 2], ExprId)>,
-        /// The rows and columns of its entries that change.
+        /// Which of its columns turn with their angle.
+        turns: Vec<bool>,
+        /// The derivatives of their entries.
+        turning: Vec<([usize; 2], ExprId)>,
+        /// The rows and columns of the other entries that change.
         varied: Vec<[usize; 2]>,
         /// How far these may change, as a function of the sags.
         variation: Box<Function>,
@@ -209,13 +217,16 @@ impl Statement {
             Statement::Require { value, .. } => vec![*value],
             Statement::Isolate {
                 bounds,
+                curvatures,
+                ways,
                 sizes,
                 jacobian,
+                turning,
                 ..
             } => {
-                let entries = jacobian.iter().map(|(_, entry)| *entry);
-                let bounds = bounds.iter().chain(sizes).copied();
-                bounds.chain(entries).collect()
+                let entries = jacobian.iter().chain(turning).map(|(_, entry)| *entry);
+                let vectors = [bounds, curvatures, ways, sizes].into_iter().flatten();
+                vectors.copied().chain(entries).collect()
             }
             Statement::Signal { .. }
             | Statement::Section(_)
@@ -251,12 +262,17 @@ impl Statement {
             Statement::Require { value, .. } => vec![value],
             Statement::Isolate {
                 bounds,
+                curvatures,
+                ways,
                 sizes,
                 jacobian,
+                turning,
                 ..
             } => {
-                let entries = jacobian.iter_mut().map(|(_, entry)| entry);
-                bounds.iter_mut().chain(sizes).chain(entries).collect()
+                let entries = jacobian.iter_mut().chain(turning);
+                let entries = entries.map(|(_, entry)| entry);
+                let vectors = [bounds, curvatures, ways, sizes].into_iter().flatten();
+                vectors.chain(entries).collect()
             }
             Statement::Signal { .. }
             | Statement::Section(_)

@@ -22,7 +22,8 @@ macro_rules! precision {
             pub use crate::math::angle_near;
             pub use crate::multipliers::multipliers;
             pub use crate::scale::largest_length;
-            pub use crate::span::{isolate, required};
+            pub use crate::isolation::{Chord, isolate};
+            pub use crate::span::required;
             pub use crate::{
                 BlockEquations, BlockName, Blocks, Branch, Mechanism, Shell, Start, block, kinematics, math, newton,
                 nalgebra::Const, torn, torn::Torn,

@@ -155,24 +155,34 @@ impl<'a> Writer<'a> {
                 blocks,
                 found,
                 bounds,
+                curvatures,
+                ways,
                 sizes,
                 jacobian,
+                turns,
+                turning,
                 varied,
                 variation,
             } => {
-                let bounds = self.values(bounds);
-                let sizes = self.values(sizes);
-                let entries = jacobian.iter();
-                let jacobian = entries
-                    .map(|(place, entry)| (*place, self.recorder.value(*entry)))
-                    .collect();
+                let [bounds, curvatures, ways, sizes] =
+                    [bounds, curvatures, ways, sizes].map(|it| self.values(it));
+                let [jacobian, turning] = [jacobian, turning].map(|entries| {
+                    let entries = entries.iter();
+                    entries
+                        .map(|(place, entry)| (*place, self.recorder.value(*entry)))
+                        .collect()
+                });
                 let found = found.iter().map(|&symbol| self.found(symbol)).collect();
                 let (variation, variations) = self.function(variation);
                 Operation::Isolate(Isolation {
                     blocks: blocks.clone(),
                     bounds,
+                    curvatures,
+                    ways,
                     sizes,
                     jacobian,
+                    turns: turns.clone(),
+                    turning,
                     found,
                     variation,
                     varied: varied.iter().copied().zip(variations).collect(),

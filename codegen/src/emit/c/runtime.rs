@@ -6,7 +6,7 @@
 use crate::emit::scalar::Scalar;
 
 /// The parts that both scalars share, in the order in which they build on each other.
-const PARTS: [&str; 12] = [
+const PARTS: [&str; 13] = [
     include_str!("runtime/angle.c"),
     include_str!("runtime/closed_form.c"),
     include_str!("runtime/linear.c"),
@@ -15,6 +15,7 @@ const PARTS: [&str; 12] = [
     include_str!("runtime/assembly.c"),
     include_str!("runtime/torn.c"),
     include_str!("runtime/span.c"),
+    include_str!("runtime/isolation.c"),
     include_str!("runtime/guard.c"),
     include_str!("runtime/way.c"),
     include_str!("runtime/crossing.c"),

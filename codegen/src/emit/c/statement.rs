@@ -162,20 +162,33 @@ impl Printer<'_> {
                 blocks,
                 found,
                 bounds,
+                curvatures,
+                ways,
                 sizes,
                 jacobian,
+                turns,
+                turning,
                 varied,
                 variation,
             } => {
+                let vector = |values: &[ExprId]| values.iter().map(write).collect();
+                let matrix = |entries: &[([usize; 2], ExprId)]| {
+                    let entries = entries.iter();
+                    entries
+                        .map(|(place, entry)| (*place, write(entry)))
+                        .collect()
+                };
                 let isolated = Isolated {
                     blocks,
                     found,
-                    bounds: bounds.iter().map(write).collect(),
-                    sizes: sizes.iter().map(write).collect(),
-                    jacobian: jacobian
-                        .iter()
-                        .map(|(place, entry)| (*place, write(entry)))
-                        .collect(),
+                    vectors: [
+                        ("bounds", vector(bounds)),
+                        ("curvatures", vector(curvatures)),
+                        ("ways", vector(ways)),
+                        ("sizes", vector(sizes)),
+                    ],
+                    turns,
+                    matrices: [("jacobian", matrix(jacobian)), ("turning", matrix(turning))],
                     varied,
                     variation,
                 };
@@ -256,9 +269,9 @@ impl Printer<'_> {
         let Isolated {
             blocks,
             found,
-            bounds,
-            sizes,
-            jacobian,
+            vectors,
+            turns,
+            matrices,
             varied,
             variation,
         } = isolated;
@@ -288,13 +301,19 @@ impl Printer<'_> {
             "const uint16_t blocks[{order}] = {{{}}};",
             numbers.join(", ")
         ));
+        for (name, values) in vectors {
+            text.line(format!(
+                "{real} {name}[{order}] = {{{}}};",
+                values.join(", ")
+            ));
+        }
+        let turns: Vec<String> = turns.iter().map(bool::to_string).collect();
         text.line(format!(
-            "const {real} bounds[{order}] = {{{}}};",
-            bounds.join(", ")
+            "const bool turns[{order}] = {{{}}};",
+            turns.join(", ")
         ));
-        text.line(format!("{real} sizes[{order}] = {{{}}};", sizes.join(", ")));
         let zero = self.number(0.0);
-        for matrix in ["jacobian", "variation"] {
+        for matrix in ["jacobian", "turning", "variation"] {
             text.line(format!(
                 "{real} {matrix}[{order}][{order}] = {{{{{zero}}}}};"
             ));
@@ -302,12 +321,17 @@ impl Printer<'_> {
         text.line(format!(
             "{real} reals[LINKWRIGHT_ISOLATION_REALS({order})];"
         ));
+        let chord =
+            "{span->bend, bounds, curvatures, ways, sizes, &jacobian[0][0], turns, &turning[0][0]}";
+        text.line(format!("const {} chord = {chord};", self.runtime("chord")));
         text.line(format!("{} isolation;", self.runtime("isolation")));
-        for ([row, column], entry) in jacobian {
-            text.line(format!("jacobian[{row}][{column}] = {entry};"));
+        for (matrix, entries) in matrices {
+            for ([row, column], entry) in entries {
+                text.line(format!("{matrix}[{row}][{column}] = {entry};"));
+            }
         }
         text.line(format!(
-            "{}(&isolation, {order}U, blocks, bounds, sizes, &jacobian[0][0], &variation[0][0], reals);",
+            "{}(&isolation, {order}U, blocks, &chord, &variation[0][0], reals);",
             self.runtime("isolate")
         ));
         text.open(format!(
@@ -350,13 +374,16 @@ struct Sag {
     is_wanted: bool,
 }
 
+/// An entry of a matrix, with its row and its column.
+type Entry = ([usize; 2], String);
+
 /// Unknowns that are to be shown to keep to their path, with the expressions written.
 struct Isolated<'a> {
     blocks: &'a [usize],
     found: &'a [SymbolId],
-    bounds: Vec<String>,
-    sizes: Vec<String>,
-    jacobian: Vec<([usize; 2], String)>,
+    vectors: [(&'static str, Vec<String>); 4],
+    turns: &'a [bool],
+    matrices: [(&'static str, Vec<Entry>); 2],
     varied: &'a [[usize; 2]],
     variation: &'a Function,
 }

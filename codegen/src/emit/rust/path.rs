@@ -50,6 +50,8 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
     let reads = scope.reads();
     let mut own = function.statements.iter();
     let signals = own.any(|it| matches!(it, Statement::Signal { .. }));
+    let mut own = function.statements.iter();
+    let isolates = own.any(|it| matches!(it, Statement::Isolate { .. }));
     let (inputs, before) = (reads.inputs || signals, reads.before || signals);
     let fills = shown.tubes.as_ref().is_some_and(|it| !it.is_empty());
     let conditions = [
@@ -80,7 +82,7 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
     };
     let (pair, span) = (
         argument("pair", has_pair),
-        argument("span", reads.span || signals),
+        argument("span", reads.span || signals || isolates),
     );
     let tubes = match has_tubes {
         true => format!(", {}: &mut Tubes", argument("tubes", fills)),

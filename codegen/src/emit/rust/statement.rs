@@ -170,23 +170,42 @@ impl Scope<'_> {
                 blocks,
                 found,
                 bounds,
+                curvatures,
+                ways,
                 sizes,
                 jacobian,
+                turns,
+                turning,
                 varied,
                 variation,
             } => {
-                let blocks = blocks.iter().map(|&place| self.block_number(place));
-                let bounds = bounds.iter().map(write);
-                let (order, one) = (count(sizes.len()), self.module.system.mechanism.graph.one());
-                let sizes = match sizes.iter().all(|size| *size == one) {
-                    true => quote!([1.0; #order]),
-                    false => {
-                        let sizes = sizes.iter().map(write);
-                        quote!([#(#sizes),*])
-                    }
+                let numbers = blocks.iter().map(|&place| self.block_number(place));
+                let numbers = quote!([#(#numbers),*]);
+                let written = |values: &[ExprId]| {
+                    let values = uniform(values.iter().map(write).collect());
+                    quote!(Vector::from(#values))
                 };
-                let bounds = quote!([#(#blocks),*], [#(#bounds),*], #sizes);
-                self.isolation(found, bounds, jacobian, (varied, variation), code);
+                let [bounds, curvatures, ways, sizes] =
+                    [bounds, curvatures, ways, sizes].map(|it| written(it));
+                let turns = uniform(turns.iter().map(|it| quote!(#it)).collect());
+                for (matrix, entries) in [("jacobian", jacobian), ("turning", turning)] {
+                    self.matrix(matrix, entries, code);
+                }
+                let turning = match turning[..] {
+                    [] => quote!(&mut Matrix::zeros()),
+                    _ => quote!(&mut turning),
+                };
+                let chord = quote!(Chord {
+                    bend: span.bend,
+                    bounds: #bounds,
+                    curvatures: #curvatures,
+                    ways: #ways,
+                    sizes: #sizes,
+                    jacobian: &mut jacobian,
+                    turns: #turns.into(),
+                    turning: #turning,
+                });
+                self.isolation(found, quote!(#numbers, #chord), (varied, variation), code);
             }
             Statement::Multipliers {
                 targets,
@@ -226,20 +245,25 @@ impl Scope<'_> {
         }
     }
 
+    /// A matrix of zeros but for these entries, where there are any.
+    fn matrix(&self, name: &str, entries: &[([usize; 2], ExprId)], code: &mut Code) {
+        if !entries.is_empty() {
+            code.push(&format!("let mut {name} = Matrix::zeros();"));
+        }
+        for (place, entry) in entries {
+            let value = self.written(&self.arithmetic(*entry, &[]));
+            code.push(&filled(name, *place, &value));
+        }
+    }
+
     /// Finds the sags of unknowns about the line that they should run along.
     fn isolation(
         &self,
         found: &[SymbolId],
-        bounds: TokenStream,
-        jacobian: &[([usize; 2], ExprId)],
+        given: TokenStream,
         (varied, variation): (&[[usize; 2]], &Function),
         code: &mut Code,
     ) {
-        code.push("let mut jacobian = Matrix::zeros();");
-        for (place, entry) in jacobian {
-            let value = self.written(&self.arithmetic(*entry, &[]));
-            code.push(&filled("jacobian", *place, &value));
-        }
         let graph = &self.module.system.mechanism.graph;
         let read: HashSet<SymbolId> = variation
             .values()
@@ -251,8 +275,8 @@ impl Scope<'_> {
             false => quote!(_),
         });
         let call = match varied {
-            // What is linear does not vary.
-            [] => quote!(isolate(#bounds, &jacobian, |_, _| {})?),
+            // What is linear does not vary, and what turns is known.
+            [] => quote!(isolate(#given, |_, _| {})?),
             _ => {
                 let inner = self.inner(variation);
                 let statements = inner.plain_statements();
@@ -261,7 +285,7 @@ impl Scope<'_> {
                     results.push(&filled("variation", *place, &value));
                 }
                 quote! {
-                    isolate(#bounds, &jacobian, |sags, variation| {
+                    isolate(#given, |sags, variation| {
                         let &[#(#arguments),*] = sags;
                         #statements
                         #results
@@ -304,4 +328,16 @@ impl Scope<'_> {
 /// An entry of a matrix gets its value.
 fn filled(matrix: &str, [row, column]: [usize; 2], value: &str) -> String {
     format!("{matrix}[({row}, {column})] = {value};")
+}
+
+/// An array of these entries, which are written once where all are the same.
+fn uniform(entries: Vec<TokenStream>) -> TokenStream {
+    let texts: HashSet<String> = entries.iter().map(TokenStream::to_string).collect();
+    match (&entries[..], texts.len()) {
+        ([first, _, ..], 1) => {
+            let order = count(entries.len());
+            quote!([#first; #order])
+        }
+        _ => quote!([#(#entries),*]),
+    }
 }

@@ -133,15 +133,23 @@ fn of_window(function: &Function, system: &System) -> Operations {
     let mut all = of_function(function, system);
     for statement in &function.statements {
         if let Statement::Isolate {
-            found, variation, ..
+            found,
+            turning,
+            variation,
+            ..
         } = statement
         {
             let order = found.len();
-            // An inverse takes three times the elimination, and each round two products.
+            // An inverse takes three times the elimination, and each round three products.
             all += elimination(order).times(3);
-            all += products(order, 3);
+            all += products(order, 4);
+            all += Operations {
+                additions: order * turning.len(),
+                multiplications: order * turning.len(),
+                ..Operations::default()
+            };
             let mut round = of_function(variation, system);
-            round += products(order, 2);
+            round += products(order, 3);
             all += round.times(WIDENED);
         }
     }

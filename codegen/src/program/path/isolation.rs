@@ -1,13 +1,13 @@
 //! Equations that are looked at together → the question whether they have one solution near the line.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
+use super::columns::Columns;
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
 use crate::program::builder::Builder;
 use crate::program::function::{Function, Statement, Written};
 use crate::program::passes::enclosure::Enclosure;
-use crate::system::SymbolRole;
 
 /// Equations that are looked at together.
 #[derive(Default)]
@@ -57,24 +57,22 @@ impl Builder<'_> {
             return;
         }
         let sags: Vec<SymbolId> = unknowns.iter().map(|&it| self.bound(it, "sag")).collect();
-        let bounds: Vec<ExprId> = residuals.iter().map(|&it| self.enclosure(it).sag).collect();
-        self.require(blocks[0]);
-        let mut jacobian = Vec::new();
-        for (row, &residual) in residuals.iter().enumerate() {
-            let rate = self.rate(residual);
-            let rates = self.system.mechanism.graph.symbols(rate).iter();
-            let own = rates.filter_map(|&symbol| match self.system.roles[symbol.index()] {
-                SymbolRole::Rate(unknown) => Some((*columns.get(&unknown)?, symbol)),
-                _ => None,
-            });
-            let own: BTreeMap<usize, SymbolId> = own.collect();
-            for (column, own) in own {
-                let entry = self.graph().derivative(rate, own);
-                if entry != self.graph().zero() {
-                    jacobian.push(([row, column], entry));
-                }
-            }
+        let Columns {
+            jacobian,
+            turns,
+            turning,
+        } = self.columns(&residuals, &columns);
+        // What arms do that turn with such a column is known without bounds.
+        for (&unknown, _) in unknowns.iter().zip(&turns).filter(|(_, turns)| **turns) {
+            self.know_still(unknown);
         }
+        let (mut bounds, mut curvatures) = (Vec::new(), Vec::new());
+        for &residual in &residuals {
+            let on_line = self.on_line(residual);
+            bounds.push(on_line.bound);
+            curvatures.push(on_line.curvature);
+        }
+        self.require(blocks[0]);
         for ((&unknown, &way), &sag) in unknowns.iter().zip(&ways).zip(&sags) {
             let [way, sag] = [way, sag].map(|it| self.graph().variable(it));
             let radius = self.graph().add(way, sag);
@@ -83,7 +81,7 @@ impl Builder<'_> {
         let zero = self.graph().zero();
         let mut varied = Vec::new();
         let mut variation = Vec::new();
-        for &(place, entry) in &jacobian {
+        for &(place, entry) in jacobian.iter().filter(|([_, column], _)| !turns[*column]) {
             let radius = self.enclosure(entry).radius;
             if radius != zero {
                 varied.push(place);
@@ -93,20 +91,23 @@ impl Builder<'_> {
                 });
             }
         }
-        let entries = jacobian.iter().map(|(_, entry)| *entry);
+        let entries = jacobian.iter().chain(&turning).map(|(_, entry)| *entry);
         let variations = variation.iter().map(|it| it.expr);
-        let all: Vec<ExprId> = entries
-            .chain(variations)
-            .chain(bounds.iter().copied())
-            .collect();
+        let on_line = bounds.iter().chain(&curvatures).copied();
+        let all: Vec<ExprId> = entries.chain(variations).chain(on_line).collect();
         let sizes = unknowns.iter().map(|&it| self.size(it)).collect();
         self.path_geometry(&all);
+        let distances = ways.iter().map(|&it| self.graph().variable(it)).collect();
         self.state(Statement::Isolate {
             blocks: blocks.clone(),
             found: sags.clone(),
             bounds,
+            curvatures,
+            ways: distances,
             sizes,
             jacobian,
+            turns,
+            turning,
             varied,
             variation: Box::new(Function {
                 results: variation,

@@ -8,8 +8,10 @@
 //! solution. Deliberately unknown here: how a part is solved.
 
 mod bounds;
+mod columns;
 mod definitions;
 mod isolation;
+mod line;
 
 use std::collections::{HashMap, HashSet};
 

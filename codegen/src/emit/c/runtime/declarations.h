@@ -248,6 +248,25 @@ typedef struct linkwright$f_factorization {
     $real pivot_ratio;
 } linkwright$f_factorization;
 
+/* Equations along a straight line through two frames. Matrices are stored row by row. */
+typedef struct linkwright$f_chord {
+    /* The remainder of linear interpolation over the span, for a second derivative of 1 and a way of 1. */
+    $real bend;
+    /* How far each equation may be from zero on the line, but for what follows. */
+    const $real *bounds;
+    /* What each equation's second derivative over the span is, where it is known with its sign, without the arms that
+       turn. */
+    const $real *curvatures;
+    /* How far each unknown goes along the line, and how large it is, which rounding is a part of. */
+    const $real *ways;
+    $real *sizes;
+    /* The Jacobian of the second frame. */
+    const $real *jacobian;
+    /* Whether a column turns with its angle, and the derivatives of those that do: zeros in the others. */
+    const bool *turns;
+    $real *turning;
+} linkwright$f_chord;
+
 /* What is shown of unknowns near a straight line. */
 typedef struct linkwright$f_isolation {
     uint16_t order;
@@ -259,9 +278,8 @@ typedef struct linkwright$f_isolation {
     uint16_t block;
     const $real *found;
     /* The size of the inverse, what is left of the line at least, and what is being worked with. */
-    const $real *jacobian;
+    const linkwright$f_chord *chord;
     const $real *variation;
-    const $real *bounds;
     $real *inverse;
     $real *least;
     $real *needed;
@@ -315,13 +333,12 @@ void linkwright$f_span_signal(const linkwright$f_span *span, const linkwright$f_
 /* The tube about a value, and whether another value is in it so many steps after the second frame. */
 linkwright$f_tube linkwright$f_tube_of($real now, $real before, $real sag);
 bool linkwright$f_tube_holds(const linkwright$f_tube *tube, $real value, $real steps);
-/* Begins to show that unknowns keep to a straight line through both frames. The Jacobian is that of the second
-   frame, the bounds say how far each equation may be from zero on the line, the sizes how large the unknowns are.
-   The variation, zero at first, is how far the entries of the Jacobian may change: as long as
-   linkwright$f_isolation_asks says so, it is wanted for the sags of the isolation. Matrices are stored row by row;
-   reals is room for LINKWRIGHT_ISOLATION_REALS(order) numbers. */
+/* Begins to show that unknowns keep to a straight line through both frames. The variation, zero at first, is how far
+   the entries of the Jacobian may change, but for the columns that turn: as long as linkwright$f_isolation_asks says
+   so, it is wanted for the sags of the isolation. The sizes and what turns are changed; reals is room for
+   LINKWRIGHT_ISOLATION_REALS(order) numbers. */
 void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
-    const $real bounds[], $real sizes[], const $real jacobian[], $real variation[], $real reals[]);
+    const linkwright$f_chord *chord, const $real variation[], $real reals[]);
 bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation);
 
 /* Solves the equations of a block from the last frame, or near an estimate; notes a failure. */

@@ -1,0 +1,279 @@
+/* Equations along a straight line through two frames: whether they have one solution near it all the while. */
+
+/* The multiple of the least sags that is tried first. */
+static const $real FIRST$f = 2.0$f;
+
+/* By how much sags are widened that the operator does not map into themselves, and how often. */
+static const $real INFLATION$f = 1.25$f;
+#define WIDENED$F 8U
+
+/* The round from which on sags must come nearer to being mapped into themselves. */
+#define SETTLED$F 2U
+
+/* Makes a row that of the identity, by its column, and puts the row of the inverse in its place. Room for n numbers.
+   */
+static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
+{
+    const $real reciprocal = 1.0$f / matrix[(row * n) + row];
+    matrix[(row * n) + row] = 1.0$f;
+    for (size_t k = 0U; k < n; k += 1U) {
+        matrix[(k * n) + row] *= reciprocal;
+        own[k] = matrix[(k * n) + row];
+    }
+    for (size_t column = 0U; column < n; column += 1U) {
+        const $real factor = matrix[(row * n) + column];
+        /* A block reads nothing of those after it. */
+        if ((column != row) && (factor != 0.0$f)) {
+            matrix[(row * n) + column] = 0.0$f;
+            for (size_t k = 0U; k < n; k += 1U) {
+                matrix[(k * n) + column] -= factor * own[k];
+            }
+        }
+    }
+}
+
+/* The inverse of a matrix (n × n), by elimination in place with the largest pivot of each row. Room for 2 n numbers.
+   False, and the row, where every pivot vanishes. */
+static bool invert$f(const $real matrix[], size_t n, $real inverse[], uint16_t *failed, $real reals[])
+{
+    $real *const own = reals;
+    /* Which columns were exchanged, as numbers that are exact. */
+    $real *const exchanged = &reals[n];
+    (void)memcpy(inverse, matrix, (n * n) * sizeof($real));
+    for (uint16_t row = 0U; row < n; row++) {
+        size_t pivot = row;
+        $real largest = fabs$f(inverse[(row * n) + row]);
+        for (size_t column = (size_t)row + 1U; column < n; column += 1U) {
+            const $real other = fabs$f(inverse[(row * n) + column]);
+            if (other > largest) {
+                pivot = column;
+                largest = other;
+            }
+        }
+        /* Written so that NaN is refused. */
+        if (!(largest > 0.0$f)) {
+            *failed = row;
+            return false;
+        }
+        exchanged[row] = ($real)pivot;
+        for (size_t k = 0U; k < n; k += 1U) {
+            exchange$f(&inverse[k * n], 1U, row, pivot);
+        }
+        eliminate$f(inverse, n, row, own);
+    }
+    /* Columns that were exchanged are rows of the inverse. */
+    for (size_t k = n; k > 0U; k -= 1U) {
+        const size_t row = k - 1U;
+        const size_t pivot = (size_t)exchanged[row];
+        for (size_t column = 0U; column < n; column += 1U) {
+            exchange$f(&inverse[column], n, row, pivot);
+        }
+    }
+    return true;
+}
+
+/* A matrix (n × n) times a vector. */
+static void times$f(const $real matrix[], const $real vector[], size_t n, $real product[])
+{
+    for (size_t row = 0U; row < n; row += 1U) {
+        $real sum = 0.0$f;
+        for (size_t column = 0U; column < n; column += 1U) {
+            sum += matrix[(row * n) + column] * vector[column];
+        }
+        product[row] = sum;
+    }
+}
+
+/* The magnitude of every number. */
+static void magnitudes$f($real values[], size_t count)
+{
+    for (size_t k = 0U; k < count; k += 1U) {
+        values[k] = fabs$f(values[k]);
+    }
+}
+
+/* With C the inverse of the Jacobian, the operator of Newton with C maps the sags R into themselves where what it leaves
+   of the line and |I - C J| R are together no more than R; then the equations have one solution near the line
+   (Krawczyk). Arms turn with their angle, so that a column J of the Jacobian becomes J cos d + J' sin d where C J is
+   known, and what arms of one angle do through many equations is added up with its signs. */
+void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
+    const linkwright$f_chord *chord, const $real variation[], $real reals[])
+{
+    const size_t n = order;
+    uint16_t failed = 0U;
+    isolation->order = order;
+    isolation->blocks = blocks;
+    isolation->chord = chord;
+    isolation->variation = variation;
+    isolation->inverse = reals;
+    isolation->least = &reals[n * n];
+    isolation->needed = &isolation->least[n];
+    isolation->rest = &isolation->needed[n];
+    isolation->sags = chord->sizes;
+    isolation->found = isolation->needed;
+    isolation->rounds = 0U;
+    isolation->largest = 0.0$f;
+    isolation->is_nearing = false;
+    isolation->farthest = 0U;
+    isolation->is_shown = invert$f(chord->jacobian, n, isolation->inverse, &failed, isolation->least);
+    isolation->block = blocks[failed];
+    magnitudes$f(isolation->sags, n);
+}
+
+/* How far each equation may be from zero on the line: what the bounds say, and what rounding may leave. */
+static void off_line$f(const linkwright$f_isolation *isolation, $real off[])
+{
+    const linkwright$f_chord *const chord = isolation->chord;
+    const size_t n = isolation->order;
+    for (size_t row = 0U; row < n; row += 1U) {
+        off[row] = 0.0$f;
+        for (size_t column = 0U; column < n; column += 1U) {
+            const size_t k = (row * n) + column;
+            const $real rounding = (LEFT_BY_ROUNDING$f * $FLT_EPSILON) * isolation->sags[column];
+            const $real size = fabs$f(chord->jacobian[k]) + fabs$f(chord->turning[k]);
+            off[row] = larger$f(rounding * (size + fabs$f(isolation->variation[k])), off[row]);
+        }
+        off[row] += chord->bounds[row];
+    }
+}
+
+/* Puts the product with the inverse in the place of what turns, column by column. */
+static void turn_inverse$f(const linkwright$f_isolation *isolation, $real product[])
+{
+    const linkwright$f_chord *const chord = isolation->chord;
+    const size_t n = isolation->order;
+    for (size_t column = 0U; column < n; column += 1U) {
+        for (size_t k = 0U; k < n; k += 1U) {
+            product[k] = 0.0$f;
+        }
+        for (size_t row = 0U; row < n; row += 1U) {
+            const $real factor = chord->turning[(row * n) + column];
+            /* An equation has few unknowns. */
+            if (factor != 0.0$f) {
+                for (size_t k = 0U; k < n; k += 1U) {
+                    product[k] += isolation->inverse[(k * n) + row] * factor;
+                }
+            }
+        }
+        if (chord->turns[column]) {
+            for (size_t k = 0U; k < n; k += 1U) {
+                chord->turning[(k * n) + column] = product[k];
+            }
+        }
+    }
+}
+
+/* What is left of the line at least: arms on it are A cos d + J sin d, and the second derivative of A is J'. Both frames
+   satisfy their equations but for rounding. */
+static void begin_isolation$f(linkwright$f_isolation *isolation)
+{
+    const linkwright$f_chord *const chord = isolation->chord;
+    const size_t n = isolation->order;
+    $real *const least = isolation->least;
+    $real *const needed = isolation->needed;
+    $real *const off = isolation->rest;
+    off_line$f(isolation, off);
+    turn_inverse$f(isolation, least);
+    times$f(isolation->inverse, chord->curvatures, n, least);
+    magnitudes$f(isolation->inverse, n * n);
+    times$f(isolation->inverse, off, n, needed);
+    for (size_t row = 0U; row < n; row += 1U) {
+        const $real way = chord->ways[row];
+        $real second = 0.0$f;
+        /* What is left beside second derivatives: half of d to the fourth of the cosine's, and the cube of d of the
+           sine's. */
+        $real fourth = 0.0$f;
+        const $real third = chord->turns[row] ? (way * (way * way)) : 0.0$f;
+        for (size_t column = 0U; column < n; column += 1U) {
+            if (chord->turns[column]) {
+                $real *const turned = &chord->turning[(row * n) + column];
+                const $real square = chord->ways[column] * chord->ways[column];
+                second += *turned * square;
+                *turned = fabs$f(*turned);
+                fourth += *turned * ((0.5$f * square) * square);
+            }
+        }
+        least[row] = (chord->bend * ((fabs$f(second + least[row]) + fourth) + third)) + needed[row];
+        /* Where a map least + k R + a R² of one sag takes any R into itself, the largest that it does so with is
+           2 least or more. */
+        isolation->sags[row] = least[row] * FIRST$f;
+    }
+}
+
+/* What sags become where the operator takes them: |sin d| is at most d, and 1 - cos d at most d² / 2. */
+static void spread$f(const linkwright$f_isolation *isolation)
+{
+    const linkwright$f_chord *const chord = isolation->chord;
+    const size_t n = isolation->order;
+    $real *const spread = isolation->rest;
+    bool varies = false;
+    /* Every column either turns or varies. */
+    for (size_t column = 0U; column < n; column += 1U) {
+        varies = varies || !chord->turns[column];
+        isolation->needed[column] = 0.0$f;
+    }
+    if (varies) {
+        times$f(isolation->variation, isolation->sags, n, spread);
+        times$f(isolation->inverse, spread, n, isolation->needed);
+    }
+    for (size_t row = 0U; row < n; row += 1U) {
+        $real turned = 0.0$f;
+        for (size_t column = 0U; column < n; column += 1U) {
+            if (chord->turns[column]) {
+                const $real delta = chord->ways[column] + isolation->sags[column];
+                turned += chord->turning[(row * n) + column] * (delta * isolation->sags[column]);
+            }
+        }
+        const $real own = chord->ways[row] + isolation->sags[row];
+        const $real beside = chord->turns[row] ? (((0.5$f * own) * own) * isolation->sags[row]) : 0.0$f;
+        isolation->needed[row] = ((isolation->needed[row] + beside) + turned) + isolation->least[row];
+    }
+}
+
+/* Whether the operator maps the sags into themselves. */
+static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
+{
+    const size_t n = isolation->order;
+    $real largest = 1.0$f;
+    bool is_inside = true;
+    spread$f(isolation);
+    for (uint16_t row = 0U; row < n; row++) {
+        const $real needed = isolation->needed[row];
+        const $real sag = isolation->sags[row];
+        /* Written so that NaN is refused, and bounds that have become infinite. */
+        is_inside = is_inside && (needed <= sag) && linkwright$f_is_finite(sag);
+        if (!(needed <= (largest * sag))) {
+            isolation->farthest = row;
+            largest = needed / sag;
+        }
+    }
+    isolation->is_nearing = largest < isolation->largest;
+    isolation->largest = largest;
+    return is_inside;
+}
+
+bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation)
+{
+    bool asks = false;
+    const uint16_t round = isolation->rounds;
+    isolation->rounds++;
+    if (!isolation->is_shown) {
+        /* There is no inverse. */
+    } else if (round == 0U) {
+        asks = true;
+    } else if (round == 1U) {
+        begin_isolation$f(isolation);
+        asks = true;
+    } else if (is_mapped_inside$f(isolation)) {
+        /* What the operator maps them to holds the solution as well. */
+    } else if ((round <= WIDENED$F) && ((round < (SETTLED$F + 2U)) || isolation->is_nearing)) {
+        for (size_t k = 0U; k < isolation->order; k += 1U) {
+            isolation->sags[k] = isolation->needed[k] * INFLATION$f;
+        }
+        asks = true;
+    } else {
+        isolation->is_shown = false;
+        isolation->block = isolation->blocks[isolation->farthest];
+    }
+    return asks;
+}

@@ -1,0 +1,412 @@
+//! Equations along a straight line through two frames → whether they have one solution near it all the while.
+//!
+//! Then what is found at any time of the [`Span`](crate::Span) is what the first frame leads to. The generator knows how far the
+//! equations are from zero along the line, and how their Jacobian changes near it. With C the inverse of the Jacobian, the operator of
+//! Newton with C maps the sags R into themselves where what it leaves of the line and |I − C J| R are together no more than R (Krawczyk
+//! 1969). The module does not know equations.
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector, SMatrix};
+
+use crate::factored_inverse::invert_by_factors;
+use crate::inverse::invert;
+use crate::math::Real;
+use crate::span::LEFT_BY_ROUNDING;
+use crate::vector::{add, zero_matrix, zero_vector};
+
+/// The multiple of the least sags that is tried first.
+const FIRST: f64 = 2.0;
+
+/// By how much sags are widened that the operator does not map into themselves (ε-inflation; Rump, Acta Numerica 2010, section 10.5),
+/// and how often.
+const INFLATION: f64 = 1.25;
+const WIDENED: u8 = 8;
+
+/// The round from which on sags must come nearer to being mapped into themselves.
+const SETTLED: u8 = 2;
+
+/// The number of unknowns from which on an inverse is found by factors: chains of so many links have few entries.
+const FACTORED: usize = 16;
+
+/// n equations in n unknowns along a straight line through two frames: vectors (n), matrices (n × n) and what is true or false (n).
+///
+/// An angle that only turns arms, in all equations, has a column of the Jacobian that turns with it: J(φ + δ) = J cos δ + J′ sin δ.
+/// So C J cos δ is known, and what arms of one angle do to one unknown through many equations is added up with its signs, as it
+/// cancels along a chain of links.
+pub struct Chord<'a, T: Real, D: Dim>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    /// The remainder of linear interpolation over the span, for a second derivative of 1 and a way of 1.
+    pub bend: T,
+    /// How far each equation may be from zero on the line, but for what follows.
+    pub bounds: OVector<T, D>,
+    /// What each equation's second derivative over the span is, where it is known with its sign, without the arms that turn.
+    pub curvatures: OVector<T, D>,
+    /// How far each unknown goes along the line.
+    pub ways: OVector<T, D>,
+    /// How large the unknowns are, which rounding is a part of.
+    pub sizes: OVector<T, D>,
+    /// The Jacobian of the second frame. Its inverse takes its place.
+    pub jacobian: &'a mut OMatrix<T, D, D>,
+    /// Whether a column turns with its angle.
+    pub turns: OVector<bool, D>,
+    /// The derivatives of the columns that do, and zeros in the others. Their products with the inverse take their place.
+    pub turning: &'a mut OMatrix<T, D, D>,
+}
+
+/// [`isolate_all`] for a number of unknowns that generated code knows. `blocks` (N) says to which block an equation belongs.
+///
+/// # Errors
+/// The block that is farthest from it, where it cannot be shown.
+pub fn isolate<T: Real, const N: usize>(
+    blocks: [u16; N],
+    chord: Chord<'_, T, Const<N>>,
+    variation: impl Fn(&[T; N], &mut SMatrix<T, N, N>),
+) -> Result<[T; N], u16> {
+    let found = isolate_all(chord, |sags, entries| {
+        let [sags] = &sags.data.0;
+        variation(sags, entries);
+    });
+    match found {
+        Ok(sags) => Ok(sags.data.0[0]),
+        Err(row) => Err(blocks.get(row).copied().unwrap_or(0)),
+    }
+}
+
+/// How far n unknowns may be from a straight line through two frames, where their equations have one solution about the line at
+/// every time of the span.
+///
+/// `variation` says how far the entries of the Jacobian may change, but for the columns that turn, where the unknowns are no farther
+/// from the line than its first argument (n): it writes those that do over a matrix (n × n) of zeros.
+///
+/// # Errors
+/// The row that is farthest from it, where it cannot be shown.
+pub fn isolate_all<T: Real, D: Dim>(
+    chord: Chord<'_, T, D>,
+    mut variation: impl FnMut(&OVector<T, D>, &mut OMatrix<T, D, D>),
+) -> Result<OVector<T, D>, usize>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let dimension = chord.bounds.shape_generic().0;
+    let mut entries = zero_matrix(dimension);
+    let sizes = chord.sizes.map(|size| size.abs());
+    variation(&sizes, &mut entries);
+    let (operator, least) = Operator::new(chord, &entries, &sizes)?;
+    // Where a map least + k R + a R² of one sag takes any R into itself, the largest that it does so with is 2 least or more.
+    let mut sags = scaled(&least, FIRST);
+    let (mut farthest, mut before) = (0, T::ZERO);
+    for round in 0..WIDENED {
+        variation(&sags, &mut entries);
+        let mut needed = operator.spread(&entries, &sags);
+        add(&mut needed, &least);
+        let mut largest = T::ONE;
+        let mut is_inside = true;
+        let both = needed.as_slice().iter().zip(sags.as_slice());
+        for (row, (needed, sag)) in both.enumerate() {
+            // Written so that NaN is refused, and bounds that have become infinite.
+            is_inside &= needed <= sag && sag.is_finite();
+            let is_nearer = *needed <= largest * *sag;
+            if !is_nearer {
+                (farthest, largest) = (row, *needed / *sag);
+            }
+        }
+        if is_inside {
+            // What the operator maps them to holds the solution as well.
+            return Ok(needed);
+        }
+        // The first two rounds show what each unknown does to the others; sags that need more and more after that have no end.
+        let is_nearing = largest < before;
+        if round >= SETTLED && !is_nearing {
+            break;
+        }
+        before = largest;
+        sags = scaled(&needed, INFLATION);
+    }
+    Err(farthest)
+}
+
+/// The operator of Newton with the inverse C of the Jacobian of the second frame.
+struct Operator<'a, T: Real, D: Dim>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    /// |C|.
+    inverse: &'a OMatrix<T, D, D>,
+    /// |C J′| of the columns that turn.
+    turned: &'a OMatrix<T, D, D>,
+    turns: OVector<bool, D>,
+    ways: OVector<T, D>,
+}
+
+impl<'a, T: Real, D: Dim> Operator<'a, T, D>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    /// The operator, and what it leaves of the line: arms on it are A cos δ + J sin δ, the second derivative of A is J′, and both
+    /// frames satisfy their equations but for rounding.
+    fn new(
+        chord: Chord<'a, T, D>,
+        variation: &OMatrix<T, D, D>,
+        sizes: &OVector<T, D>,
+    ) -> Result<(Self, OVector<T, D>), usize> {
+        let mut off = roundings(&chord, variation, sizes);
+        let Chord {
+            bend,
+            bounds,
+            curvatures,
+            ways,
+            jacobian: inverse,
+            turns,
+            turning: turned,
+            ..
+        } = chord;
+        let order = inverse.shape_generic().0.value();
+        match order < FACTORED {
+            true => invert(inverse)?,
+            false => invert_by_factors(inverse)?,
+        }
+        let columns = turned.as_mut_slice().chunks_exact_mut(order);
+        for (column, _) in columns.zip(turns.as_slice()).filter(|(_, turns)| **turns) {
+            multiply(inverse, column);
+        }
+        let squares = ways.map(|way| way * way);
+        let mut least = times(turned, &squares);
+        add(&mut least, &times(inverse, &curvatures));
+        for matrix in [&mut *inverse, &mut *turned] {
+            for entry in matrix.as_mut_slice() {
+                *entry = entry.abs();
+            }
+        }
+        // What is left beside second derivatives: ½ δ⁴ of the cosine's, and δ³ of the sine's.
+        let fourth = squares.map(|square| T::HALF * square * square);
+        let rest = times(turned, &fourth);
+        let ways_and_squares = ways.as_slice().iter().zip(squares.as_slice());
+        let entries = least.as_mut_slice().iter_mut().zip(rest.as_slice());
+        let entries = entries.zip(ways_and_squares).zip(turns.as_slice());
+        for (((entry, rest), (way, square)), turns) in entries {
+            let third = match turns {
+                true => *way * *square,
+                false => T::ZERO,
+            };
+            *entry = bend * (entry.abs() + *rest + third);
+        }
+        add(&mut off, &bounds);
+        add(&mut least, &times(inverse, &off));
+        let operator = Self {
+            inverse,
+            turned,
+            turns,
+            ways,
+        };
+        Ok((operator, least))
+    }
+
+    /// |I − C J| R near the line: |sin δ| is at most δ, and 1 − cos δ at most ½ δ².
+    fn spread(&self, variation: &OMatrix<T, D, D>, sags: &OVector<T, D>) -> OVector<T, D> {
+        // Every column either turns or varies.
+        let (mut turned, mut varied) = (sags.clone(), sags.clone());
+        let mut beside = sags.clone();
+        let angles = self.ways.as_slice().iter().zip(self.turns.as_slice());
+        let vectors = turned.as_mut_slice().iter_mut();
+        let vectors = vectors
+            .zip(varied.as_mut_slice())
+            .zip(beside.as_mut_slice());
+        for ((way, turns), ((turned, varied), beside)) in angles.zip(vectors) {
+            let sag = *turned;
+            let delta = *way + sag;
+            (*turned, *varied, *beside) = match turns {
+                true => (delta * sag, T::ZERO, T::HALF * delta * delta * sag),
+                false => (T::ZERO, sag, T::ZERO),
+            };
+        }
+        let mut spread = times(self.inverse, &times(variation, &varied));
+        add(&mut spread, &beside);
+        add(&mut spread, &times(self.turned, &turned));
+        spread
+    }
+}
+
+/// How far rounding may leave each equation from zero: by the largest part that an unknown has in it, where it is or, as links in
+/// line multiply their angles by almost nothing along the line, where it turns and `variation` takes it.
+fn roundings<T: Real, D: Dim>(
+    chord: &Chord<'_, T, D>,
+    variation: &OMatrix<T, D, D>,
+    sizes: &OVector<T, D>,
+) -> OVector<T, D>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let dimension = sizes.shape_generic().0;
+    let mut roundings = zero_vector(dimension);
+    let [jacobian, turning, variation] = [&*chord.jacobian, &*chord.turning, variation]
+        .map(|matrix| matrix.as_slice().chunks_exact(dimension.value()));
+    let columns = jacobian.zip(turning).zip(variation);
+    for (((column, turned), change), size) in columns.zip(sizes.as_slice()) {
+        let rounding = T::from_f64(LEFT_BY_ROUNDING) * T::EPSILON * *size;
+        let entries = column.iter().zip(turned).zip(change);
+        for (largest, ((entry, turned), change)) in roundings.as_mut_slice().iter_mut().zip(entries)
+        {
+            let part = rounding * (entry.abs() + turned.abs() + change.abs());
+            *largest = if part > *largest { part } else { *largest };
+        }
+    }
+    roundings
+}
+
+fn scaled<T: Real, D: Dim>(vector: &OVector<T, D>, factor: f64) -> OVector<T, D>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    let mut scaled = vector.clone();
+    for entry in scaled.as_mut_slice() {
+        *entry *= T::from_f64(factor);
+    }
+    scaled
+}
+
+fn times<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>, vector: &OVector<T, D>) -> OVector<T, D>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let mut product = vector.clone();
+    multiply(matrix, product.as_mut_slice());
+    product
+}
+
+/// Puts the product with a matrix in the place of a vector.
+fn multiply<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>, vector: &mut [T])
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let dimension = matrix.shape_generic().0;
+    let mut product: OVector<T, D> = zero_vector(dimension);
+    let columns = matrix.as_slice().chunks_exact(dimension.value());
+    for (column, factor) in columns.zip(&*vector) {
+        // An equation has few unknowns.
+        if *factor == T::ZERO {
+            continue;
+        }
+        for (sum, entry) in product.as_mut_slice().iter_mut().zip(column) {
+            *sum += *entry * *factor;
+        }
+    }
+    for (entry, product) in vector.iter_mut().zip(product.as_slice()) {
+        *entry = *product;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::TAU;
+
+    use nalgebra::{Matrix2, Vector2};
+
+    use super::{Chord, isolate};
+    use crate::span::Span;
+
+    /// Two links of lengths a and b whose ends lie on the ground, one pin fixed, the other one where a crank of radius r turns by θ.
+    struct FourBar {
+        r: f64,
+        a: f64,
+        b: f64,
+        d: f64,
+    }
+
+    impl FourBar {
+        /// Both angles, by the law of cosines.
+        fn angles(&self, theta: f64) -> Vector2<f64> {
+            let (x, y) = (self.d - self.r * theta.cos(), -self.r * theta.sin());
+            let distance = x.hypot(y);
+            let inner = (distance * distance + self.a * self.a - self.b * self.b)
+                / (2.0 * self.a * distance);
+            let first = y.atan2(x) + inner.acos();
+            let (px, py) = (self.a * first.cos() - x, self.a * first.sin() - y);
+            Vector2::new(first, py.atan2(px))
+        }
+
+        /// The Jacobian of r e(θ) + a e(φ) − b e(ψ) − d, and its derivative by the angle of each column.
+        fn columns(&self, angles: Vector2<f64>) -> [Matrix2<f64>; 2] {
+            let [first, second] = [0, 1].map(|place| angles[place].sin_cos());
+            let column = |length: f64, (s, c): (f64, f64)| {
+                [Vector2::new(-s, c), Vector2::new(-c, -s)].map(|it| it * length)
+            };
+            let (first, second) = (column(self.a, first), column(-self.b, second));
+            [0, 1].map(|place| Matrix2::from_columns(&[first[place], second[place]]))
+        }
+
+        /// How far both angles may be from the line through two frames, while the crank turns by so much in a step.
+        fn sags(
+            &self,
+            [before, now]: [Vector2<f64>; 2],
+            theta: f64,
+            turned: f64,
+            span: &Span,
+        ) -> Result<[f64; 2], u16> {
+            let [mut jacobian, mut turning] = self.columns(now);
+            let (s, c) = theta.sin_cos();
+            let way = turned * span.stretch;
+            let chord = Chord {
+                bend: span.bend,
+                bounds: [self.r * way.powi(3) * span.bend; 2].into(),
+                curvatures: [-self.r * c * way * way, -self.r * s * way * way].into(),
+                ways: (now - before).abs() * span.stretch,
+                sizes: [1.0; 2].into(),
+                jacobian: &mut jacobian,
+                turns: [true; 2].into(),
+                turning: &mut turning,
+            };
+            isolate([0; 2], chord, |_, _| {})
+        }
+    }
+
+    /// The angles that closed forms give never leave the sags, and those are not much more than they need.
+    #[test]
+    fn angles_stay_within_their_sags() {
+        let (mut shown, mut tightest) = (0, f64::INFINITY);
+        for linkage in 0..40 {
+            let part = |k: f64| (f64::from(linkage) * k).sin();
+            let four_bar = FourBar {
+                r: 0.3 + 0.1 * part(1.3),
+                a: 1.0 + 0.3 * part(2.1),
+                b: 1.0 + 0.3 * part(3.7),
+                d: 0.9 + 0.2 * part(0.7),
+            };
+            for place in 0..24 {
+                let (theta, turned) = (f64::from(place) * 0.26, 0.01);
+                let frames = [theta - turned, theta].map(|theta| four_bar.angles(theta));
+                for stretch in [1.0, 2.0, 5.0, 10.0, 20.0, 40.0] {
+                    let span = match stretch {
+                        1.0 => Span::between(1.0),
+                        _ => Span::around(1.0, stretch),
+                    };
+                    let Ok(sags) = four_bar.sags(frames, theta, turned, &span) else {
+                        continue;
+                    };
+                    shown += 1;
+                    let mut off = Vector2::zeros();
+                    for k in -100..=100 {
+                        let steps = match stretch {
+                            1.0 => f64::from(k - 100) / 200.0,
+                            _ => f64::from(k) / 100.0 * stretch,
+                        };
+                        let exact = four_bar.angles(theta + steps * turned);
+                        let line = frames[1] + (frames[1] - frames[0]) * steps;
+                        off =
+                            off.sup(&(exact - line).map(|it| it - TAU * (it / TAU).round()).abs());
+                    }
+                    for (sag, off) in sags.iter().zip(&off) {
+                        assert!(off <= sag, "{linkage}, {place}, {stretch}: {off} of {sag}");
+                        tightest = tightest.min(sag / off);
+                    }
+                }
+            }
+        }
+        assert!(shown > 2000, "only {shown} spans were shown");
+        assert!(
+            tightest < 1.2,
+            "at least {tightest} times as much as needed"
+        );
+    }
+}
