@@ -98,7 +98,6 @@ pub mod math;
 pub mod motion;
 pub mod multipliers;
 pub mod newton;
-mod newton_operator;
 pub mod normalized_determinant;
 pub mod path;
 mod progress;

@@ -26,9 +26,7 @@ static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
         if ((column != row) && (factor != 0.0$f)) {
             matrix[(row * n) + column] = 0.0$f;
             for (size_t k = 0U; k < n; k += 1U) {
-                if (own[k] != 0.0$f) {
-                    matrix[(k * n) + column] -= factor * own[k];
-                }
+                matrix[(k * n) + column] -= factor * own[k];
             }
         }
     }
@@ -80,11 +78,7 @@ static void times$f(const $real matrix[], const $real vector[], size_t n, $real 
     for (size_t row = 0U; row < n; row += 1U) {
         $real sum = 0.0$f;
         for (size_t column = 0U; column < n; column += 1U) {
-            const $real entry = matrix[(row * n) + column];
-            /* An equation has few unknowns, and a block reads nothing of those after it. */
-            if (entry != 0.0$f) {
-                sum += entry * vector[column];
-            }
+            sum += matrix[(row * n) + column] * vector[column];
         }
         product[row] = sum;
     }
@@ -132,13 +126,14 @@ static void off_line$f(const linkwright$f_isolation *isolation, $real off[])
     const linkwright$f_chord *const chord = isolation->chord;
     const size_t n = isolation->order;
     for (size_t row = 0U; row < n; row += 1U) {
-        $real largest = 0.0$f;
+        off[row] = 0.0$f;
         for (size_t column = 0U; column < n; column += 1U) {
             const size_t k = (row * n) + column;
+            const $real rounding = (LEFT_BY_ROUNDING$f * $FLT_EPSILON) * isolation->sags[column];
             const $real size = fabs$f(chord->jacobian[k]) + fabs$f(chord->turning[k]);
-            largest = larger$f((size + fabs$f(isolation->variation[k])) * isolation->sags[column], largest);
+            off[row] = larger$f(rounding * (size + fabs$f(isolation->variation[k])), off[row]);
         }
-        off[row] = ((LEFT_BY_ROUNDING$f * $FLT_EPSILON) * largest) + chord->bounds[row];
+        off[row] += chord->bounds[row];
     }
 }
 
@@ -176,33 +171,29 @@ static void begin_isolation$f(linkwright$f_isolation *isolation)
     const size_t n = isolation->order;
     $real *const least = isolation->least;
     $real *const needed = isolation->needed;
-    /* One after the other in the same room. */
     $real *const off = isolation->rest;
-    $real *const squares = isolation->rest;
     off_line$f(isolation, off);
     turn_inverse$f(isolation, least);
     times$f(isolation->inverse, chord->curvatures, n, least);
     magnitudes$f(isolation->inverse, n * n);
     times$f(isolation->inverse, off, n, needed);
-    for (size_t column = 0U; column < n; column += 1U) {
-        squares[column] = chord->ways[column] * chord->ways[column];
-    }
     for (size_t row = 0U; row < n; row += 1U) {
-        $real second = least[row];
+        const $real way = chord->ways[row];
+        $real second = 0.0$f;
         /* What is left beside second derivatives: half of d to the fourth of the cosine's, and the cube of d of the
            sine's. */
         $real fourth = 0.0$f;
-        const $real third = chord->turns[row] ? (chord->ways[row] * squares[row]) : 0.0$f;
+        const $real third = chord->turns[row] ? (way * (way * way)) : 0.0$f;
         for (size_t column = 0U; column < n; column += 1U) {
             if (chord->turns[column]) {
                 $real *const turned = &chord->turning[(row * n) + column];
-                const $real part = *turned * squares[column];
-                second += part;
-                fourth += fabs$f(part) * squares[column];
+                const $real square = chord->ways[column] * chord->ways[column];
+                second += *turned * square;
                 *turned = fabs$f(*turned);
+                fourth += *turned * ((0.5$f * square) * square);
             }
         }
-        least[row] = (chord->bend * ((fabs$f(second) + (0.5$f * fourth)) + third)) + needed[row];
+        least[row] = (chord->bend * ((fabs$f(second + least[row]) + fourth) + third)) + needed[row];
         /* Where a map least + k R + a R² of one sag takes any R into itself, the largest that it does so with is
            2 least or more. */
         isolation->sags[row] = least[row] * FIRST$f;
@@ -214,7 +205,7 @@ static void spread$f(const linkwright$f_isolation *isolation)
 {
     const linkwright$f_chord *const chord = isolation->chord;
     const size_t n = isolation->order;
-    $real *const part = isolation->rest;
+    $real *const spread = isolation->rest;
     bool varies = false;
     /* Every column either turns or varies. */
     for (size_t column = 0U; column < n; column += 1U) {
@@ -222,26 +213,20 @@ static void spread$f(const linkwright$f_isolation *isolation)
         isolation->needed[column] = 0.0$f;
     }
     if (varies) {
-        times$f(isolation->variation, isolation->sags, n, part);
-        times$f(isolation->inverse, part, n, isolation->needed);
+        times$f(isolation->variation, isolation->sags, n, spread);
+        times$f(isolation->inverse, spread, n, isolation->needed);
     }
     for (size_t row = 0U; row < n; row += 1U) {
-        isolation->needed[row] += isolation->least[row];
-        part[row] = 0.0$f;
-        if (chord->turns[row]) {
-            const $real delta = chord->ways[row] + isolation->sags[row];
-            part[row] = delta * isolation->sags[row];
-            isolation->needed[row] += (0.5$f * delta) * part[row];
-        }
-    }
-    for (size_t row = 0U; row < n; row += 1U) {
-        $real sum = isolation->needed[row];
+        $real turned = 0.0$f;
         for (size_t column = 0U; column < n; column += 1U) {
             if (chord->turns[column]) {
-                sum += chord->turning[(row * n) + column] * part[column];
+                const $real delta = chord->ways[column] + isolation->sags[column];
+                turned += chord->turning[(row * n) + column] * (delta * isolation->sags[column]);
             }
         }
-        isolation->needed[row] = sum;
+        const $real own = chord->ways[row] + isolation->sags[row];
+        const $real beside = chord->turns[row] ? (((0.5$f * own) * own) * isolation->sags[row]) : 0.0$f;
+        isolation->needed[row] = ((isolation->needed[row] + beside) + turned) + isolation->least[row];
     }
 }
 
