@@ -23,6 +23,7 @@
 
 #![doc(html_root_url = "https://docs.rs/linkwright-codegen/0.1.0")]
 
+mod assemblies;
 mod cargo;
 mod checks;
 mod columns;

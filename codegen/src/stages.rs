@@ -49,6 +49,11 @@ pub mod program {
     };
 }
 
+/// Every pose of a block that Newton-Raphson solves.
+pub mod assemblies {
+    pub use crate::assemblies::{Interval, Pose, Poses, poses, read};
+}
+
 /// What is written of it.
 pub mod emit {
     pub use crate::emit::{Notation, derivation, drawing, latex, markup, mathml, report, text};

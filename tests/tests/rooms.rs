@@ -5,7 +5,7 @@ use std::fs;
 use linkwright_tests::files;
 
 /// The rooms in the order of the pipeline.
-const ORDER: [&str; 22] = [
+const ORDER: [&str; 23] = [
     "diagnostic",
     "columns",
     "syntax",
@@ -19,6 +19,7 @@ const ORDER: [&str; 22] = [
     "structure",
     "words",
     "program",
+    "assemblies",
     "finiteness",
     "modes",
     "emit",

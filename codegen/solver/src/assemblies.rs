@@ -8,6 +8,7 @@
 use linkwright::{Blocks, Branch, Equations, Settings, assemble};
 use nalgebra::DVector;
 
+use crate::every_pose::Undecided;
 use crate::instant::Instant;
 use crate::interpreted::{Interpreted, State};
 use crate::known_poses::letter;
@@ -64,8 +65,10 @@ pub struct Assemblies {
     pub found: Vec<Assembly>,
     /// Whether every block without a closed form has no other poses than these, but in `undecided` ranges.
     pub proven: bool,
-    /// Unknowns of the vector form, and ranges in which it is not known whether they have poses.
-    pub undecided: Vec<(usize, [f64; 2])>,
+    /// Where it is not known whether there are poses.
+    pub undecided: Vec<Undecided>,
+    /// Which part of all that could be is decided, at most 1: of the block of which the least is; 0 where nothing is proven.
+    pub decided: f64,
     /// Whether combinations were left untried because there are more than [`LARGEST`].
     pub cut_short: bool,
 }
@@ -81,6 +84,7 @@ pub fn assemblies(interpreted: &Interpreted, t: f64) -> Assemblies {
         found: Vec::new(),
         proven: true,
         undecided: Vec::new(),
+        decided: 1.0,
         tried: 0,
     };
     let start = interpreted.before_assembly(t);
@@ -90,14 +94,17 @@ pub fn assemblies(interpreted: &Interpreted, t: f64) -> Assemblies {
         tried,
         proven,
         undecided,
+        decided,
         ..
     } = search;
     found.sort_by_key(|it| !it.drawn);
+    let is_proven = proven && tried <= LARGEST;
     Assemblies {
         modes: drawn.closed.len(),
         iterated: drawn.iterated.len(),
         found,
-        proven: proven && tried <= LARGEST,
+        decided: if is_proven { decided } else { 0.0 },
+        proven: is_proven,
         undecided,
         cut_short: tried > LARGEST,
     }
@@ -109,7 +116,8 @@ struct Search<'a> {
     drawn: &'a Modes,
     found: Vec<Assembly>,
     proven: bool,
-    undecided: Vec<(usize, [f64; 2])>,
+    undecided: Vec<Undecided>,
+    decided: f64,
     tried: usize,
 }
 
@@ -140,6 +148,9 @@ impl Search<'_> {
             let known = self.interpreted.known_poses(block, &modes, state);
             self.proven &= known.are_all;
             self.undecided.extend(known.undecided);
+            if is_iterated {
+                self.decided = self.decided.min(known.decided);
+            }
             for (pose, (after, modes)) in known.poses.iter().enumerate() {
                 let mut poses = poses.to_vec();
                 poses.extend(is_iterated.then_some(Pose {

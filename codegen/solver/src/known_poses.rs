@@ -1,12 +1,17 @@
 //! *A block and what is known before it* → *its poses in an order of their own, so that each has a letter*.
 //!
-//! Where all poses can be proven they ascend in the tear; otherwise the one that is found from the drawing comes first, and others
+//! Where all poses can be proven they ascend in what is sought; otherwise the one that is found from the drawing comes first, and others
 //! as they are found from starts at random. Both are the same on every run.
 
-use crate::every_pose::EveryPose;
+use std::f64::consts::TAU;
+
+use crate::every_pose::{EveryPose, Undecided};
 use crate::interpreted::{Interpreted, State};
 use crate::search::Sought;
 use crate::supplied::Modes;
+
+/// Where the turn begins in which angles ascend: not at zero or half a turn, where a person would draw a link.
+const BEGINNING: f64 = -3.0;
 
 /// The poses of a block.
 pub(crate) struct KnownPoses {
@@ -16,8 +21,10 @@ pub(crate) struct KnownPoses {
     pub drawn: Option<usize>,
     /// Whether there are no others, but in `undecided` ranges.
     pub are_all: bool,
-    /// Unknowns of the vector form, and ranges in which it is not known whether there are poses.
-    pub undecided: Vec<(usize, [f64; 2])>,
+    /// Where it is not known whether there are poses.
+    pub undecided: Vec<Undecided>,
+    /// Which part of all that could be is decided, at most 1.
+    pub decided: f64,
 }
 
 /// The letter of a pose: `a` of the first one.
@@ -36,7 +43,9 @@ impl Interpreted {
         };
         let Some(EveryPose {
             mut poses,
+            sought,
             undecided,
+            decided,
         }) = every
         else {
             return KnownPoses {
@@ -44,19 +53,45 @@ impl Interpreted {
                 drawn: Some(0),
                 are_all: is_closed,
                 undecided: Vec::new(),
+                decided: 0.0,
             };
         };
-        let (mut near, mut own) = (state.clone(), modes.clone());
-        let solved = self.assemble_block(block, &mut near, &mut own, Sought::Near);
-        let drawn = solved.is_ok().then(|| {
-            let there = self.pose_of(block, &near);
+        let near = {
+            let (mut near, mut own) = (state.clone(), modes.clone());
+            let solved = self.assemble_block(block, &mut near, &mut own, Sought::Near);
+            solved.is_ok().then_some((near, own))
+        };
+        // Some may be where intervals could not decide.
+        let others = match undecided.is_empty() {
+            true => Vec::new(),
+            false => self.poses(block, modes, state),
+        };
+        for other in near.iter().cloned().chain(others) {
+            let there = self.pose_of(block, &other.0);
             let is_there = |(state, _): &(State, Modes)| {
                 self.is_same_pose(block, &self.pose_of(block, state), &there)
             };
-            poses.iter().position(is_there).unwrap_or_else(|| {
-                // One that intervals could not decide.
-                poses.push((near, own));
-                poses.len() - 1
+            if !poses.iter().any(is_there) {
+                poses.push(other);
+            }
+        }
+        let keys = |(state, _): &(State, Modes)| -> Vec<f64> {
+            let pose = self.pose_of(block, state);
+            let angles = sought.iter().map(|&place| pose[place]);
+            let in_turn = |angle: f64| angle - TAU * ((angle - BEGINNING) / TAU).floor();
+            angles.map(in_turn).collect()
+        };
+        poses.sort_by(|one, other| {
+            let (one, other) = (keys(one), keys(other));
+            let mut pairs = one.iter().zip(&other);
+            let differs = pairs.find_map(|(a, b)| Some(a.total_cmp(b)).filter(|it| it.is_ne()));
+            differs.unwrap_or(std::cmp::Ordering::Equal)
+        });
+        let drawn = near.and_then(|(near, _)| {
+            let there = self.pose_of(block, &near);
+            let mut poses = poses.iter();
+            poses.position(|(state, _)| {
+                self.is_same_pose(block, &self.pose_of(block, state), &there)
             })
         });
         KnownPoses {
@@ -64,6 +99,7 @@ impl Interpreted {
             drawn,
             are_all: true,
             undecided,
+            decided,
         }
     }
 }

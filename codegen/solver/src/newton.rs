@@ -3,7 +3,8 @@
 use std::cell::RefCell;
 
 use linkwright::{Equations, Frame};
-use linkwright_codegen::stages::expr::{Code, Register};
+use linkwright_codegen::stages::assemblies;
+use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::program::{Block, Function, Lengths, Statement};
 use linkwright_codegen::stages::system::System;
@@ -21,6 +22,8 @@ pub(crate) struct Newton {
     pub last: [Vec<Register>; 3],
     /// The determinant and the reciprocal condition, where they are asked for.
     pub measure: Option<[Register; 2]>,
+    /// What the functions read of what is known before.
+    pub known: Vec<(SymbolId, Register)>,
     /// The shortcut by way of fewer unknowns, where there is one.
     pub tearing: Option<Tearing>,
     /// Which tears are angles, whose whole turns make no other pose.
@@ -62,6 +65,10 @@ impl Newton {
             .clone()
             .map(|it| [it.position, it.rate, it.acceleration])
             .collect();
+        let graph = &system.mechanism.graph;
+        let read = assemblies::read(newton, graph).into_iter();
+        let known = read.map(|symbol| (symbol, writer.recorder.symbol(symbol)));
+        let known = known.collect();
         let level = |level: usize| symbols.iter().map(move |it| it[level]);
         let last = [0, 1, 2].map(|it| level(it).map(|symbol| writer.last(symbol)).collect());
         let tears = [0, 1, 2].map(|it| level(it).map(|symbol| writer.found(symbol)).collect());
@@ -79,6 +86,7 @@ impl Newton {
             .each_ref()
             .map(|it| ScaledBy::new(it, writer));
         Some(Newton {
+            known,
             measure: measure.map(|both| both.map(|symbol| writer.found(symbol))),
             residual: Part::new(&newton.residual, writer),
             jacobian: Part::new(&newton.jacobian, writer),

@@ -1,13 +1,9 @@
 //! *The tearing of a block's equations* → [`Torn`] on registers.
 
-use std::collections::{BTreeSet, HashSet};
-
 use linkwright::torn::{self, Completion, Evaluation, Found, Memory};
 use linkwright::{Branch, Equations, Failure, Frame, Settings, Start, Torn};
 use linkwright_codegen::stages::expr::{ExprId, Register, SymbolId};
-use linkwright_codegen::stages::program::{
-    Block, NewtonBlock, Statement, Tearing as TearingFunctions,
-};
+use linkwright_codegen::stages::program::{Block, Statement};
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -34,8 +30,6 @@ pub(crate) struct Tearing {
     evaluate: Part,
     complete: Part,
     sign_values: Part,
-    /// What the functions read of what is known before.
-    pub known: Vec<(SymbolId, Register)>,
 }
 
 impl Tearing {
@@ -53,7 +47,6 @@ impl Tearing {
             Statement::Newton { torn, .. } => torn.as_ref(),
             _ => None,
         })?;
-        let known = known(tearing, newton, system, writer);
         let signs = tearing.signs.iter().map(|&sign| writer.found(sign));
         let signs = signs.collect();
         let scales = Part::new(&tearing.scales, writer);
@@ -116,7 +109,6 @@ impl Tearing {
             evaluate,
             complete,
             sign_values,
-            known,
         })
     }
 
@@ -172,35 +164,6 @@ impl Tearing {
         };
         torn::solve(&torn, last, memory, start, branch, t, settings)
     }
-}
-
-/// What the functions of a torn block read beside its tears and signs.
-fn known(
-    tearing: &TearingFunctions,
-    newton: &NewtonBlock,
-    system: &System,
-    writer: &mut Writer<'_>,
-) -> Vec<(SymbolId, Register)> {
-    let graph = &system.mechanism.graph;
-    let parts = [&tearing.evaluate, &tearing.complete];
-    let own = &system.vector_form.unknowns;
-    let tears = tearing
-        .tears
-        .iter()
-        .map(|&it| own[newton.unknowns[it]].position);
-    let given = tears.chain(tearing.signs.iter().copied());
-    let found: HashSet<SymbolId> = parts
-        .iter()
-        .flat_map(|it| it.targets())
-        .chain(given)
-        .collect();
-    let values = parts.iter().flat_map(|it| it.values().collect::<Vec<_>>());
-    let values = values.chain(tearing.proof.into_iter().flatten());
-    let read = values.flat_map(|expr| graph.symbols(expr).to_vec());
-    let read: BTreeSet<SymbolId> = read.filter(|symbol| !found.contains(symbol)).collect();
-    read.into_iter()
-        .map(|symbol| (symbol, writer.recorder.symbol(symbol)))
-        .collect()
 }
 
 /// A torn block with its equations, at one instant.

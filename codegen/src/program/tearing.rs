@@ -34,10 +34,19 @@ pub struct Tearing {
     /// Of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then all residuals of the
     /// block; then how the unknowns respond to the tears, in scales.
     pub complete: Function,
-    /// A function of the tear that is zero where what remains is, and its derivative, where it can be said without any sign.
-    pub proof: Option<[ExprId; 2]>,
+    /// What poses are proven with.
+    pub proof: Proof,
     /// What has the signs of the closed forms at a pose: a function of all unknowns.
     pub sign_values: Function,
+}
+
+/// Functions of the tears and signs that vanish where what remains does, as they were stated.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    /// One result for each residual, and then their derivatives by the tears row by row.
+    pub function: Function,
+    /// Components of vectors that turn, which closed forms find, with the squares of these vectors' lengths.
+    pub turned: Vec<(SymbolId, ExprId)>,
 }
 
 /// What a frame keeps of a torn block beside its unknowns, and what a pose is computed from.
@@ -92,6 +101,19 @@ impl Tearing {
     }
 }
 
+/// The statements that results need.
+pub(super) fn needed(
+    statements: Vec<Statement>,
+    results: Vec<ExprId>,
+    graph: &Graph,
+) -> Function {
+    let function = Function {
+        statements,
+        ..Function::of_results(results)
+    };
+    liveness::for_results(function, graph)
+}
+
 /// Parts statements into those that the first results need, and those that the others need beside them; and says what is carried
 /// from the first to the others.
 pub(super) fn parted(
@@ -101,16 +123,9 @@ pub(super) fn parted(
     later: &[Statement],
     graph: &Graph,
 ) -> (Function, Function, Vec<SymbolId>) {
-    let needed = |statements: Vec<Statement>, results: Vec<ExprId>| {
-        let function = Function {
-            statements,
-            ..Function::of_results(results)
-        };
-        liveness::for_results(function, graph)
-    };
-    let evaluate = needed(statements.to_vec(), evaluated);
+    let evaluate = needed(statements.to_vec(), evaluated, graph);
     let found: HashSet<SymbolId> = evaluate.targets().collect();
-    let mut complete = needed([statements, later].concat(), completed);
+    let mut complete = needed([statements, later].concat(), completed, graph);
     complete.statements.retain(|statement| {
         let targets = statement.targets();
         !targets.is_empty() && !targets.iter().all(|target| found.contains(target))

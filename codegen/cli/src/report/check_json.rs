@@ -11,11 +11,15 @@
 //! | `assemblies` | `{signs, poses, drawn, q}` each: those that exist at the start; `poses` has a number for each block without a closed form, 0 for its pose `a` of `--branch` |
 //! | `assemblies_cut_short` | whether more combinations were left untried |
 //! | `assemblies_proven` | whether it is proven that there are no others |
+//! | `assemblies_decided` | the part of all that could be assemblies of which it is proven whether they are, at most 1 |
+//! | `assemblies_undecided` | the rest: objects with the lower and the upper end of a range of each unknown |
 //! | `warnings`, `error` | sentences; `error` only where the motion ends early |
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use linkwright_solver::check::Check;
+use linkwright_solver::every_pose::Undecided;
 use linkwright_solver::view::View;
 use serde::Serialize;
 
@@ -32,6 +36,8 @@ struct Object<'a> {
     assemblies: Vec<Assembly<'a>>,
     assemblies_cut_short: bool,
     assemblies_proven: bool,
+    assemblies_decided: f64,
+    assemblies_undecided: Vec<BTreeMap<&'a str, [f64; 2]>>,
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
@@ -114,6 +120,17 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         assemblies: assemblies.collect(),
         assemblies_cut_short: found.cut_short,
         assemblies_proven: found.proven && found.undecided.is_empty() && !found.cut_short,
+        assemblies_decided: found.decided,
+        assemblies_undecided: found
+            .undecided
+            .iter()
+            .map(|Undecided(ranges)| {
+                let ranges = ranges.iter();
+                ranges
+                    .map(|(unknown, range)| (system.unknown_name(*unknown), *range))
+                    .collect()
+            })
+            .collect(),
         warnings: &check.warnings,
         error: check.error.as_deref(),
     };

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use linkwright_solver::check::{Check, CheckedPart};
+use linkwright_solver::every_pose::Undecided;
 use linkwright_solver::number::{fixed, scientific, time};
 use linkwright_solver::search::STARTS;
 use linkwright_solver::view::View;
@@ -12,6 +13,12 @@ use super::assembly_table;
 
 /// How many assemblies are listed.
 const LISTED: usize = 64;
+
+/// The part of all that could be that must be decided, for what is found to be called all there are.
+const PROVEN: f64 = 0.999;
+
+/// How many parts are listed in which nothing is decided.
+const LISTED_PARTS: usize = 8;
 
 /// Writes everything that was checked; no line of a table is wider than `width`.
 ///
@@ -66,7 +73,7 @@ fn assemblies(check: &Check, width: usize, output: &mut dyn Write) -> io::Result
         all.modes
     );
     // What is proven needs no starts.
-    let is_proven = all.iterated > 0 && all.proven;
+    let is_proven = all.iterated > 0 && all.decided >= PROVEN;
     let starts = format!("{STARTS} starts at random find for each block without a closed form");
     let allowed = match (all.modes, all.iterated) {
         _ if is_proven && all.undecided.is_empty() => "; these are all".to_string(),
@@ -85,15 +92,38 @@ fn assemblies(check: &Check, width: usize, output: &mut dyn Write) -> io::Result
         all.found.len(),
         if is_proven { "" } else { " " },
     )?;
-    for (unknown, [low, high]) in &all.undecided {
-        let name = check.interpreted.system().unknown_name(*unknown);
-        writeln!(output, "  undecided: {name} from {low:.12} to {high:.12}")?;
+    if all.iterated > 0 && all.proven {
+        undecided(check, output)?;
     }
     let listed = &all.found[..all.found.len().min(LISTED)];
     assembly_table::write(&check.interpreted, listed, width, output)?;
     match all.found.len().saturating_sub(LISTED) {
         0 => Ok(()),
         more => writeln!(output, "  and {more} more"),
+    }
+}
+
+/// Where it is not known whether there are assemblies.
+fn undecided(check: &Check, output: &mut dyn Write) -> io::Result<()> {
+    let all = &check.assemblies;
+    if all.decided < PROVEN {
+        let percent = 100.0 * all.decided;
+        writeln!(
+            output,
+            "  no others in {percent:.1} % of all that could be; undecided are:"
+        )?;
+    }
+    for Undecided(ranges) in all.undecided.iter().take(LISTED_PARTS) {
+        let ranges = ranges.iter().map(|(unknown, [low, high])| {
+            let name = check.interpreted.system().unknown_name(*unknown);
+            format!("{name} from {low:.9} to {high:.9}")
+        });
+        let ranges: Vec<String> = ranges.collect();
+        writeln!(output, "  undecided: {}", ranges.join(" with "))?;
+    }
+    match all.undecided.len().saturating_sub(LISTED_PARTS) {
+        0 => Ok(()),
+        more => writeln!(output, "  and {more} more parts"),
     }
 }
 

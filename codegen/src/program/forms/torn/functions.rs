@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use super::Torn;
 use super::completed::completed;
 use super::levels::solve_level;
-use super::rests::{inverse, rests};
+use super::rests::{Rest, inverse, rests};
 use super::sequence::{Remaining, Step};
 use super::stated::Stated;
 use crate::expr::{ExprId, Node, SymbolId};
@@ -13,7 +13,7 @@ use crate::joint::Quantity;
 use crate::program::block::NewtonBlock;
 use crate::program::builder::Builder;
 use crate::program::function::{Function, Level, Statement};
-use crate::program::tearing::{Tearing, parted};
+use crate::program::tearing::{Proof, Tearing, needed, parted};
 use crate::system::{SymbolRole, System};
 
 pub(super) fn is_angle(unknown: usize, builder: &Builder<'_>) -> bool {
@@ -65,14 +65,7 @@ fn stated(
     let graph = &builder.system.mechanism.graph;
     let (evaluate, complete, carried) = parted(&statements, evaluated, completed, &later, graph);
     let (scales, terms) = scales(torn, &steps, block, builder);
-    let proof = match (&sequence.steps[..], &sequence.tears[..]) {
-        (&[Step::ThreeCircles(ref circles)], &[tear]) => {
-            let shifts = builder.derivatives.shifts();
-            let proof = circles.proof(tear, builder);
-            Some(proof.map(|part| builder.without(part, &shifts)))
-        }
-        _ => None,
-    };
+    let proof = proof(torn, &rests, statements, builder);
     let place = |tear| {
         let own = torn.whole.unknowns.iter();
         own.clone().position(|unknown| unknown == tear)
@@ -93,6 +86,46 @@ fn stated(
         complete,
         sign_values: Function::of_results(sign_values),
     })
+}
+
+/// What poses are proven with. Where three circles find everything, that can be said without their determinant.
+fn proof(
+    torn: &Torn,
+    rests: &[Rest],
+    statements: Vec<Statement>,
+    builder: &mut Builder<'_>,
+) -> Proof {
+    let sequence = &torn.sequence;
+    if let (&[Step::ThreeCircles(ref circles)], &[tear]) = (&sequence.steps[..], &sequence.tears[..])
+    {
+        let shifts = builder.derivatives.shifts();
+        let proof = circles.proof(tear, builder);
+        let proof = proof.map(|part| builder.without(part, &shifts));
+        return Proof {
+            function: Function::of_results(proof),
+            turned: Vec::new(),
+        };
+    }
+    // A link between two pins is turned to one from the other, however far apart they are.
+    let closed = sequence.steps.iter().filter_map(|step| match step {
+        Step::Closed(form) => Some(form.unknowns()),
+        _ => None,
+    });
+    let mut turned = Vec::new();
+    for unknown in closed.flatten() {
+        let arms = builder.system.vector_form.arms_of(unknown);
+        let arms: Vec<_> = arms.map(|arm| (arm.symbols, arm.local)).collect();
+        for (symbols, local) in arms {
+            let square = builder.dot(local, local);
+            turned.extend(symbols.map(|symbol| (symbol, square)));
+        }
+    }
+    let slopes = rests.iter().flat_map(|rest| &rest.slopes).copied();
+    let results = rests.iter().map(|rest| rest.residual).chain(slopes);
+    Proof {
+        function: needed(statements, results.collect(), builder.graph()),
+        turned,
+    }
 }
 
 /// The steps with their positions stated, and what has the signs of closed forms among them.

@@ -7,10 +7,16 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use linkwright::math;
+use linkwright_math::double;
 
 /// By how much a computed sine or cosine may be off.
 pub const SINE: f64 = 4.0 * f64::EPSILON;
+
+/// By how much a computed angle of a vector may be off, in rad: it is at most half a turn.
+pub const ANGLE: f64 = 8.0 * f64::EPSILON;
+
+/// By which part of itself a computed exponential or logarithm, or a constant that is no ratio of small numbers, may be off.
+pub const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 /// By how much of an angle its place among the quarter turns may be off: more than rounding of angles of some turns leaves.
 const PLACE: f64 = 1e-9;
@@ -57,6 +63,12 @@ impl Interval {
         defined: false,
     };
 
+    /// A number that is known to a few roundings.
+    pub fn about(value: f64) -> Interval {
+        let off = ROUNDED * value.abs();
+        Interval::outward(value - off, value + off, true)
+    }
+
     /// Whether it holds no number.
     pub fn is_empty(&self) -> bool {
         self.low > self.high
@@ -82,6 +94,48 @@ impl Interval {
     /// Something in the middle of it.
     pub fn middle(&self) -> f64 {
         self.low + 0.5 * (self.high - self.low)
+    }
+
+    /// Whether all of it lies within another, off its ends.
+    pub fn is_inside(self, other: Interval) -> bool {
+        other.low < self.low && self.high < other.high
+    }
+
+    /// What both hold.
+    #[must_use]
+    pub fn intersection(self, other: Interval) -> Interval {
+        let (low, high) = (self.low.max(other.low), self.high.min(other.high));
+        let defined = self.defined && other.defined;
+        match low <= high {
+            true => Interval { low, high, defined },
+            false => Interval::EMPTY,
+        }
+    }
+
+    /// The smallest interval that holds both.
+    #[must_use]
+    pub fn hull(self, other: Interval) -> Interval {
+        Interval {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+            defined: self.defined && other.defined,
+        }
+    }
+
+    /// The same with the opposite sign.
+    #[must_use]
+    pub fn negated(self) -> Interval {
+        Interval {
+            low: -self.high,
+            high: -self.low,
+            defined: self.defined,
+        }
+    }
+
+    /// The difference.
+    #[must_use]
+    pub fn minus(self, other: Interval) -> Interval {
+        self.plus(other.negated())
     }
 
     /// The sum.
@@ -174,13 +228,59 @@ impl Interval {
     /// The sine of an angle.
     #[must_use]
     pub fn sine(self) -> Interval {
-        self.wave(0.0, |angle| math::sin_cos(angle).0)
+        self.wave(0.0, |angle| double::sin_cos(angle).0)
     }
 
     /// The cosine of an angle.
     #[must_use]
     pub fn cosine(self) -> Interval {
-        self.wave(FRAC_PI_2, |angle| math::sin_cos(angle).1)
+        self.wave(FRAC_PI_2, |angle| double::sin_cos(angle).1)
+    }
+
+    /// The angle of a vector, in (-π, π]; every number where the vector may point along -x, where it jumps.
+    #[must_use]
+    pub fn angle(y: Interval, x: Interval) -> Interval {
+        if y.is_empty() || x.is_empty() {
+            return Interval::EMPTY;
+        }
+        if x.low <= 0.0 && y.holds(0.0) {
+            return Interval::undefined();
+        }
+        let corners = [
+            (y.low, x.low),
+            (y.low, x.high),
+            (y.high, x.low),
+            (y.high, x.high),
+        ];
+        let angles = corners.map(|(y, x)| double::atan2(y, x));
+        let low = angles.into_iter().fold(f64::INFINITY, f64::min) - ANGLE;
+        let high = angles.into_iter().fold(f64::NEG_INFINITY, f64::max) + ANGLE;
+        Interval::outward(low, high, y.defined && x.defined)
+    }
+
+    /// The exponential function.
+    #[must_use]
+    pub fn exponential(self) -> Interval {
+        self.rising(double::exp)
+    }
+
+    /// The natural logarithm.
+    #[must_use]
+    pub fn logarithm(self) -> Interval {
+        match self.low > 0.0 {
+            _ if self.is_empty() => self,
+            true => self.rising(double::ln),
+            false => Interval::undefined(),
+        }
+    }
+
+    /// A function that rises everywhere, of which values are computed to some roundings.
+    fn rising(self, value: impl Fn(f64) -> f64) -> Interval {
+        if self.is_empty() {
+            return self;
+        }
+        let [low, high] = [self.low, self.high].map(|end| Interval::about(value(end)));
+        Interval::outward(low.low, high.high, self.defined)
     }
 
     /// A sine that is `ahead`, which is 1 at a quarter turn less that.
@@ -222,6 +322,8 @@ impl Interval {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
 
     #[test]
@@ -247,6 +349,23 @@ mod tests {
         let square = Interval::new(-2.0, 1.0).power(2);
         assert!(square.low == 0.0 && square.holds(4.0) && !square.holds(4.1));
         assert!(Interval::new(-2.0, -1.0).power(3).holds(-8.0));
+    }
+
+    #[test]
+    fn angles_are_those_of_the_corners() {
+        let angle = Interval::angle(Interval::new(1.0, 2.0), Interval::new(-1.0, 1.0));
+        assert!(angle.holds(FRAC_PI_2) && angle.holds(0.25 * PI) && angle.holds(0.75 * PI));
+        assert!(!angle.holds(0.78) && !angle.holds(2.36));
+        let around = Interval::angle(Interval::new(-1.0, 1.0), Interval::new(-2.0, -1.0));
+        assert!(!around.defined);
+    }
+
+    #[test]
+    fn exponentials_and_logarithms_hold_theirs() {
+        let unit = Interval::new(0.0, 1.0);
+        assert!(unit.exponential().holds(1.0) && unit.exponential().holds(std::f64::consts::E));
+        assert!(!unit.exponential().holds(2.72) && !unit.logarithm().defined);
+        assert!(Interval::new(1.0, 2.0).logarithm().holds(std::f64::consts::LN_2));
     }
 
     /// 0.1 is no number of the machine, and neither is the sum of three of them 0.3.

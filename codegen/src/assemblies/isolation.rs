@@ -2,13 +2,12 @@
 //!
 //! A cell in whose bounds zero is not holds none. Neither does one in which the mean-value form excludes it. Where the derivative is
 //! not zero anywhere, there is at most one zero, and the signs at the ends say whether there is. Everything else is divided, until cells
-//! are smaller than [`SMALLEST`] or there are too many: these ranges stay undecided, and no zero is anywhere else (Moore, Kearfott and
+//! are smaller than [`SMALLEST`] or there have been too many: these ranges stay undecided, and no zero is anywhere else (Moore, Kearfott and
 //! Cloud, Introduction to Interval Analysis, 2009, chapter 8).
 
-use crate::interval::Interval;
+use std::collections::VecDeque;
 
-/// How many cells are looked at.
-const MOST_CELLS: usize = 20_000;
+use super::interval::Interval;
 
 /// The width of a cell that is not divided any more.
 const SMALLEST: f64 = 1e-9;
@@ -21,20 +20,28 @@ const BISECTIONS: usize = 64;
 
 /// The zeros of a function in a range.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Zeros {
-    /// One zero each, ascending.
+pub(super) struct Zeros {
+    /// One zero each.
     pub found: Vec<f64>,
-    /// Where it is not known whether there are zeros, ascending.
+    /// Where it is not known whether there are zeros.
     pub undecided: Vec<[f64; 2]>,
 }
 
-/// The zeros of a function of which these are the bounds, with those of its derivative.
-pub fn isolate(range: [f64; 2], mut bounds: impl FnMut(Interval) -> [Interval; 2]) -> Zeros {
+/// The zeros of a function of which these are the bounds, with those of its derivative. So many cells are looked at, and taken off.
+pub(super) fn isolate(
+    range: [f64; 2],
+    cells: &mut usize,
+    mut bounds: impl FnMut(Interval) -> [Interval; 2],
+) -> Zeros {
     let mut zeros = Zeros::default();
-    let mut open = vec![range];
-    let mut cells = 0;
-    while let Some([low, high]) = open.pop() {
-        cells += 1;
+    // The largest first, so that what is left when there have been too many is small.
+    let mut open = VecDeque::from([range]);
+    while let Some([low, high]) = open.pop_front() {
+        if *cells == 0 {
+            zeros.undecided.push([low, high]);
+            continue;
+        }
+        *cells -= 1;
         let cell = Interval::new(low, high);
         let [value, slope] = bounds(cell);
         if !value.holds(0.0) {
@@ -66,15 +73,12 @@ pub fn isolate(range: [f64; 2], mut bounds: impl FnMut(Interval) -> [Interval; 2
                 }
             }
         }
-        if high - low <= SMALLEST || cells >= MOST_CELLS {
-            match zeros.undecided.last_mut() {
-                Some([_, end]) if *end == low => *end = high,
-                _ => zeros.undecided.push([low, high]),
-            }
+        if high - low <= SMALLEST {
+            zeros.undecided.push([low, high]);
             continue;
         }
         let division = low + DIVISION * (high - low);
-        open.extend([[division, high], [low, division]]);
+        open.extend([[low, division], [division, high]]);
     }
     zeros
 }
@@ -109,19 +113,30 @@ mod tests {
             let slope = x.times(Interval::point(2.0)).plus(Interval::point(1.0));
             [value, slope]
         };
-        let zeros = isolate([-10.0, 10.0], square);
+        let zeros = isolate([-10.0, 10.0], &mut 1000, square);
         assert_eq!(zeros.undecided, Vec::<[f64; 2]>::new());
-        assert_eq!(zeros.found.len(), 2);
-        assert!((zeros.found[0] + 2.0).abs() < 1e-14 && (zeros.found[1] - 1.0).abs() < 1e-14);
+        let mut found = zeros.found;
+        found.sort_by(f64::total_cmp);
+        assert_eq!(found.len(), 2);
+        assert!((found[0] + 2.0).abs() < 1e-14 && (found[1] - 1.0).abs() < 1e-14);
     }
 
     /// x² has its zero where its derivative has one.
     #[test]
     fn a_double_zero_stays_undecided() {
-        let zeros = isolate([-1.0, 2.0], |x| [x.power(2), x.times(Interval::point(2.0))]);
+        let zeros = isolate([-1.0, 2.0], &mut 1000, |x| {
+            [x.power(2), x.times(Interval::point(2.0))]
+        });
         assert!(zeros.found.is_empty() && !zeros.undecided.is_empty());
-        let [low, high] = zeros.undecided[0];
-        assert!(low <= 0.0 && zeros.undecided.last().is_some_and(|it| it[1] >= 0.0));
-        assert!(high - low < 1e-6);
+        let mut undecided = zeros.undecided.iter();
+        assert!(undecided.any(|[low, high]| *low <= 0.0 && 0.0 <= *high));
+        let mut undecided = zeros.undecided.iter();
+        assert!(undecided.all(|[low, high]| low.abs().max(high.abs()) < 1e-6));
+    }
+
+    #[test]
+    fn what_was_not_looked_at_is_undecided() {
+        let zeros = isolate([-10.0, 10.0], &mut 0, |x| [x, Interval::point(1.0)]);
+        assert_eq!(zeros.undecided, [[-10.0, 10.0]]);
     }
 }

@@ -1,0 +1,181 @@
+//! *A block without a closed form, and what is known before it* → *all of its poses, and what is not decided*.
+//!
+//! No pose is anywhere but among those that are found and in the parts that stay undecided; each that is found is one alone.
+
+use std::f64::consts::TAU;
+
+use linkwright_math::double;
+
+use super::boxes::isolate_common;
+use super::interval::Interval;
+use super::isolation::isolate;
+use super::sought::Sought;
+use crate::expr::SymbolId;
+use crate::joint::Quantity;
+use crate::program::NewtonBlock;
+use crate::system::System;
+
+/// Where the range of an angle begins: not at zero or half a turn, where a person would draw a link.
+const BEGINNING: f64 = -3.0;
+
+/// How near to the same direction two angles at both ends of their range are one.
+const SAME_DIRECTION: f64 = 1e-8;
+
+/// Parts that stay undecided and are nearer to one another than this are one, in rad.
+const MERGED: f64 = 1e-6;
+
+/// All poses of a block.
+#[derive(Clone, Debug)]
+pub struct Poses {
+    /// Ascending in what was sought.
+    pub found: Vec<Pose>,
+    /// Which of the block's unknowns were sought, from 0.
+    pub sought: Vec<usize>,
+    /// Where it is not known whether there are poses: a range of each of them.
+    pub undecided: Vec<Vec<[f64; 2]>>,
+    /// Which part of all that could be is decided, at most 1.
+    pub decided: f64,
+}
+
+/// One pose of a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    /// The values of its unknowns; an angle within half a turn, or what was sought in the turn that begins at −3.
+    pub unknowns: Vec<f64>,
+}
+
+/// The poses of a block, where at most so many parts are looked at. `None` where they are not the zeros of functions of one or two
+/// angles, or not all numbers that they need are known.
+pub fn poses(
+    newton: &NewtonBlock,
+    system: &System,
+    known: &dyn Fn(SymbolId) -> Option<Interval>,
+    parts: usize,
+) -> Option<Poses> {
+    let sought = Sought::of(newton, system, known)?;
+    let count = sought.places.len();
+    let range = [BEGINNING, (BEGINNING + TAU).next_up()];
+    let choices = 1_usize << sought.signs;
+    let mut registers = Vec::new();
+    let mut found: Vec<(Vec<f64>, usize)> = Vec::new();
+    let mut undecided: Vec<Vec<[f64; 2]>> = Vec::new();
+    for choice in 0..choices {
+        let mut left = parts / choices;
+        if count == 1 {
+            let zeros = isolate(range, &mut left, |cell| {
+                let values = sought.remaining(&[cell], choice, &mut registers);
+                [values[0], values[1]]
+            });
+            found.extend(zeros.found.into_iter().map(|zero| (vec![zero], choice)));
+            undecided.extend(zeros.undecided.into_iter().map(|it| vec![it]));
+        } else {
+            let zeros = isolate_common([range, range], &mut left, |part| {
+                let values = sought.remaining(&part, choice, &mut registers);
+                let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(|place| values[place]);
+                ([a, b], [[c, d], [e, f]])
+            });
+            found.extend(zeros.found.into_iter().map(|it| (it.to_vec(), choice)));
+            undecided.extend(zeros.undecided.into_iter().map(|it| it.to_vec()));
+        }
+    }
+    let whole = choices as f64 * TAU.powi(i32::try_from(count).unwrap_or(1));
+    let size = |part: &Vec<[f64; 2]>| part.iter().map(|[low, high]| high - low).product::<f64>();
+    let decided = 1.0 - undecided.iter().map(size).sum::<f64>() / whole;
+    found.sort_by(|(one, _), (other, _)| ascending(one, other));
+    without_doubles(&mut found);
+    let mut poses = Vec::new();
+    for (at, choice) in found {
+        match pose(newton, system, &sought, &at, choice) {
+            Some(pose) => poses.push(pose),
+            None => undecided.push(at.iter().map(|&value| [value, value]).collect()),
+        }
+    }
+    Some(Poses {
+        found: poses,
+        sought: sought.places,
+        undecided: merged(undecided),
+        decided: decided.clamp(0.0, 1.0),
+    })
+}
+
+fn ascending(one: &[f64], other: &[f64]) -> std::cmp::Ordering {
+    let mut pairs = one.iter().zip(other);
+    let differs = pairs.find_map(|(a, b)| Some(a.total_cmp(b)).filter(|it| it.is_ne()));
+    differs.unwrap_or(std::cmp::Ordering::Equal)
+}
+
+/// What lies at both ends of the range is one.
+fn without_doubles(found: &mut Vec<(Vec<f64>, usize)>) {
+    let is_again = |one: &(Vec<f64>, usize), other: &(Vec<f64>, usize)| {
+        let mut pairs = one.0.iter().zip(&other.0);
+        let is_turned = one.0.iter().zip(&other.0).any(|(a, b)| (a - b).abs() > 1.0);
+        one.1 == other.1
+            && is_turned
+            && pairs.all(|(a, b)| {
+                let off = a - b;
+                (off - TAU * (off / TAU).round()).abs() < SAME_DIRECTION
+            })
+    };
+    let mut at = 0;
+    while at < found.len() {
+        match found[..at].iter().any(|before| is_again(before, &found[at])) {
+            true => {
+                found.remove(at);
+            }
+            false => at += 1,
+        }
+    }
+}
+
+/// The unknowns of a block where what is sought is found; `None` where closed forms do not reach to it.
+fn pose(
+    newton: &NewtonBlock,
+    system: &System,
+    sought: &Sought,
+    at: &[f64],
+    choice: usize,
+) -> Option<Pose> {
+    let values = sought.whole(at, choice);
+    let (cosines, sines) = values.split_at_checked(newton.unknowns.len())?;
+    let mut unknowns = Vec::with_capacity(cosines.len());
+    for (place, (cosine, sine)) in cosines.iter().zip(sines).enumerate() {
+        let quantity = system.vector_form.unknowns[newton.unknowns[place]].quantity;
+        let own = sought.places.iter().position(|&it| it == place);
+        unknowns.push(match own {
+            Some(own) => at[own],
+            None if quantity == Quantity::Angle => double::atan2(sine.middle(), cosine.middle()),
+            None => cosine.middle(),
+        });
+    }
+    let finite = unknowns.iter().all(|value| value.is_finite());
+    finite.then_some(Pose { unknowns })
+}
+
+/// Parts that touch as one, ascending.
+fn merged(mut parts: Vec<Vec<[f64; 2]>>) -> Vec<Vec<[f64; 2]>> {
+    let lows = |part: &Vec<[f64; 2]>| part.iter().map(|it| it[0]).collect::<Vec<f64>>();
+    let touch = |one: &Vec<[f64; 2]>, other: &Vec<[f64; 2]>| {
+        let mut sides = one.iter().zip(other);
+        sides.all(|(a, b)| a[0] <= b[1] + MERGED && b[0] <= a[1] + MERGED)
+    };
+    // Until nothing touches any more: a merged part may touch one that came before.
+    loop {
+        parts.sort_by(|one, other| ascending(&lows(one), &lows(other)));
+        let before = parts.len();
+        let mut whole: Vec<Vec<[f64; 2]>> = Vec::new();
+        for part in parts {
+            match whole.iter_mut().rev().find(|own| touch(own, &part)) {
+                Some(own) => {
+                    for (side, other) in own.iter_mut().zip(&part) {
+                        *side = [side[0].min(other[0]), side[1].max(other[1])];
+                    }
+                }
+                None => whole.push(part),
+            }
+        }
+        if whole.len() == before {
+            return whole;
+        }
+        parts = whole;
+    }
+}
