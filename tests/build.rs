@@ -2,8 +2,11 @@
 //! single precision, a list of the repository's, and all of them once more with what their drivers transmit, and those with
 //! parameters with their sensitivities, and some monitored; and writes some of the repository's into the middle of Rust code.
 
+mod chains;
 mod described;
 mod monitoring;
+#[path = "src/pantograph.rs"]
+mod pantograph;
 mod registry;
 mod sensing;
 mod single_study;
@@ -33,6 +36,7 @@ fn main() {
     monitoring::write(&["descriptions", "../mechanisms"]);
     list_modules();
     write_in_code();
+    chains::write();
     sensing::write("descriptions");
     transmitting::write(&["descriptions", "../mechanisms"]);
 }

@@ -11,6 +11,7 @@ use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_solver::view::View;
 use linkwright_tests::description::written;
+use linkwright_tests::pantograph::{OPENING, Pantograph, SWING};
 use linkwright_tests::values::assembled_from;
 
 fn methods(solved: &Interpreted) -> Vec<String> {
@@ -155,53 +156,10 @@ fn the_double_butterfly_needs_one_guess() {
     assert!(worst.iter().all(|&it| it < 1e-13), "{worst:?}");
 }
 
-/// A pantograph whose last cell is driven, each cell so many times as large as the one before it.
-fn pantograph(cells: usize, growth: f64) -> String {
-    let (cosine, sine) = (0.5_f64.cos(), 0.5_f64.sin());
-    let mut text = format!(
-        "mechanism pantograph {{\n point G = (0, {});\n",
-        -0.5 * sine
-    );
-    // A cell begins at the ends of the one before it: the half bars of a cell are alike, so their sides lie on parallels.
-    let (mut x, mut size) = (0.0, 1.0);
-    let mut joints = String::new();
-    for cell in 0..cells {
-        let (half, next) = (0.5 * size, 0.5 * size * growth);
-        let (width, height) = (half * cosine, half * sine);
-        let length = half + next;
-        writeln!(
-            text,
-            " body u{cell} at ({x}, {}, 0.5) {{ A: (0, 0), M: ({half}, 0), B: ({length}, 0) }}",
-            -height
-        )
-        .expect("room");
-        writeln!(text, " body v{cell} at ({x}, {height}, -0.5) {{ A: (0, 0), M: ({half}, 0), B: ({length}, 0) }}")
-            .expect("room");
-        writeln!(joints, " revolute M(u{cell}, v{cell});").expect("room");
-        if cell > 0 {
-            let before = cell - 1;
-            writeln!(
-                joints,
-                " revolute (v{before}.B, u{cell}.A);\n revolute (u{before}.B, v{cell}.A);"
-            )
-            .expect("room");
-        }
-        x += width + next * cosine;
-        size *= growth;
-    }
-    let last = cells - 1;
-    let end = x;
-    let middle = end - 0.5 * size * cosine;
-    text + &joints
-        + &format!(
-            " revolute (ground.G, u0.A);\n drive u{last}.M.x = {middle} + 0.02*sin(t);\n drive v{last}.B.x = {end} + 0.02*sin(t) + 0.001*sin(2*t);\n}}\n"
-        )
-}
-
 #[test]
 fn chains_that_are_driven_at_their_end_are_as_accurate_as_all_equations_at_once() {
     for (cells, growth) in [(6, 1.0), (6, 0.8), (6, 1.4), (24, 1.0)] {
-        let text = pantograph(cells, growth);
+        let text = Pantograph::new(cells, growth).text("");
         let solved = Interpreted::new(&written(&text)).expect("a plan");
         let size = 2 * cells;
         assert_eq!(
@@ -218,8 +176,9 @@ fn chains_that_are_driven_at_their_end_are_as_accurate_as_all_equations_at_once(
 /// iterations and shorter steps there is no way to a frame but that by the tears, and the path is shown from frame to frame.
 #[test]
 fn long_chains_do_without_all_equations_at_once() {
-    for (cells, length, opening) in [(60, 0.1, "{"), (120, 0.1, "{"), (120, 0.01, "{ unguarded;")] {
-        let text = pantograph(cells, 1.0).replacen('{', opening, 1);
+    for (cells, length, statements) in [(60, 0.1, ""), (120, 0.1, ""), (120, 0.01, "unguarded;")] {
+        let chain = Pantograph::new(cells, 1.0);
+        let text = chain.text(statements);
         let solved = Interpreted::new(&written(&text)).expect("a plan");
         let laws = solved.input_laws();
         let settings = Settings {
@@ -234,11 +193,14 @@ fn long_chains_do_without_all_equations_at_once() {
             let found = shell.advance(t, &laws.at(t)).expect("a regular pose");
             let found = found.frame();
             // All of x(M) is a half of one bar and the rest of pairs of both families; v(B) lies half a bar beyond.
-            let along = 0.5_f64.cos() + 0.002 * (2.0 * t).sin();
+            let half = chain.halves[0];
+            let width = chain.end - chain.middle + OPENING * (2.0 * t).sin();
             let pairs = (cells - 1) as f64;
-            let whole =
-                (1.0 + pairs) * 0.5_f64.cos() + 0.04 * t.sin() + pairs * (0.5_f64.cos() - along);
-            let known = [(whole / (1.0 + pairs)).acos(), -along.acos()];
+            let whole = chain.middle + SWING * t.sin() - pairs * width;
+            let known = [
+                (whole / (half + pairs * half)).acos(),
+                -(width / half).acos(),
+            ];
             let bodies = found.q.as_slice().chunks_exact(3).enumerate();
             worst = bodies.fold(worst, |worst, (body, place)| {
                 worst.max((place[2] - known[body % 2]).abs())

@@ -1,0 +1,56 @@
+//! *Pantographs* → *their modules and a list of them*, for build scripts: each solved by way of its tears and by all equations at
+//! once, in f64 and in f32.
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::{Options, Scalar, generate_with, write_module};
+
+use crate::pantograph::Pantograph;
+use crate::registry;
+
+/// Cells, and how many times as large as the one before it each one is.
+const CHAINS: [(usize, f64); 7] = [
+    (6, 1.0),
+    (6, 0.8),
+    (6, 1.4),
+    (12, 1.0),
+    (12, 0.8),
+    (12, 1.4),
+    (30, 1.0),
+];
+
+/// How a chain is solved, and what its description says for that. A measure of all equations needs all of them.
+const WAYS: [(&str, &str); 2] = [("torn", "unguarded;"), ("dense", "unguarded; monitor;")];
+
+const SCALARS: [(&str, Scalar); 2] = [("double", Scalar::F64), ("single", Scalar::F32)];
+
+/// The modules, and `chains.rs` with all of them.
+pub fn write() {
+    let (mut modules, mut list) = (String::new(), String::new());
+    for (place, (cells, growth)) in CHAINS.into_iter().enumerate() {
+        let chain = Pantograph::new(cells, growth);
+        let mut views = String::new();
+        for (scalar, kind) in SCALARS {
+            let options = Options {
+                scalar: kind,
+                ..Options::default()
+            };
+            let follow = WAYS.map(|(way, statements)| {
+                let name = format!("chain_{place}_{way}_{scalar}");
+                let source = Source::new("pantograph.mech", chain.text(statements));
+                let module = generate_with(&source, &options).expect("a chain has a plan");
+                write_module(&name, &module.code).expect("the module is written");
+                modules +=
+                    &format!("mod {name} {{\n    linkwright::include_mechanism!({name});\n}}\n");
+                format!("{way}: followed::<{name}::Loops>")
+            });
+            views += &format!("        {scalar}: Ways {{ {} }},\n", follow.join(", "));
+        }
+        list += &format!(
+            "    Chain {{\n        cells: {cells},\n        growth: {growth:?},\n{views}    }},\n"
+        );
+    }
+    let list = format!(
+        "{modules}\n/// Every compiled chain.\npub const CHAINS: &[Chain] = &[\n{list}];\n"
+    );
+    registry::write("chains.rs", &list);
+}
