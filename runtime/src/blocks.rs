@@ -55,6 +55,10 @@ pub trait Blocks {
         t: Self::Scalar,
     ) -> Self::Frame;
 
+    /// Puts the frame before the first one near the assembly that is wanted, where `branches` name one of those that are stored; they do
+    /// not any more afterwards, since the mechanism moves on.
+    fn begin(&self, _branches: &mut Self::Branches, _last: &mut Self::Frame) {}
+
     /// The time of a frame (s).
     fn time(frame: &Self::Frame) -> Self::Scalar;
 

@@ -44,7 +44,8 @@ impl<B: Blocks> Shell<B> {
         settings: Settings<B::Scalar>,
     ) -> Result<Self, Failure<B::Scalar>> {
         allow(&blocks, parameters, t)?;
-        let last = blocks.estimate(estimate, parameters, t);
+        let mut last = blocks.estimate(estimate, parameters, t);
+        blocks.begin(&mut branches, &mut last);
         let mut at = last.clone();
         let conditions = Conditions {
             t,

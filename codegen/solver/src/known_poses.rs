@@ -5,13 +5,12 @@
 
 use std::f64::consts::TAU;
 
+use linkwright_codegen::stages::assemblies::BEGINNING;
+
 use crate::every_pose::{EveryPose, Undecided};
 use crate::interpreted::{Interpreted, State};
 use crate::search::Sought;
 use crate::supplied::Modes;
-
-/// Where the turn begins in which angles ascend: not at zero or half a turn, where a person would draw a link.
-const BEGINNING: f64 = -3.0;
 
 /// The poses of a block.
 pub(crate) struct KnownPoses {

@@ -74,8 +74,8 @@ pub(super) fn isolate_common(
                 search.leave(rest);
             }
             Look::Open(rest) => {
-                let halved = width(rest[0]) * width(rest[1])
-                    < SHRUNK * width(whole[0]) * width(whole[1]);
+                let halved =
+                    width(rest[0]) * width(rest[1]) < SHRUNK * width(whole[0]) * width(whole[1]);
                 match halved {
                     true => open.push_back(rest),
                     false => open.extend(divided(rest)),
@@ -215,7 +215,10 @@ impl<F: FnMut(Box2) -> Bounds2> Search<F> {
             let inverse = inverse(jacobian.map(|row| row.map(|entry| entry.middle())))?;
             let values = values.map(|value| value.middle());
             let step = inverse.map(|[a, b]| -(a * values[0] + b * values[1]));
-            if !step.iter().all(|it| it.is_finite() && it.abs() < WIDEST_TRIED) {
+            if !step
+                .iter()
+                .all(|it| it.is_finite() && it.abs() < WIDEST_TRIED)
+            {
                 return None;
             }
             at = [at[0] + step[0], at[1] + step[1]];
@@ -305,11 +308,13 @@ mod tests {
         assert_eq!(zeros.undecided, Vec::<[[f64; 2]; 2]>::new());
         let mut found = zeros.found;
         found.sort_by(|one, other| one[0].total_cmp(&other[0]));
-        let (large, small) = (
-            (2.0 + 3.0_f64.sqrt()).sqrt(),
-            (2.0 - 3.0_f64.sqrt()).sqrt(),
-        );
-        let known = [[-large, -small], [-small, -large], [small, large], [large, small]];
+        let (large, small) = ((2.0 + 3.0_f64.sqrt()).sqrt(), (2.0 - 3.0_f64.sqrt()).sqrt());
+        let known = [
+            [-large, -small],
+            [-small, -large],
+            [small, large],
+            [large, small],
+        ];
         assert_eq!(found.len(), known.len());
         for (found, known) in found.iter().flatten().zip(known.iter().flatten()) {
             assert!((found - known).abs() < 1e-14, "{found} {known}");

@@ -44,6 +44,7 @@ enum Operation {
 }
 
 /// Writes functions down.
+#[derive(Clone)]
 pub(super) struct Enclosing<'a> {
     graph: &'a Graph,
     symbols: HashMap<SymbolId, Place>,
@@ -194,26 +195,31 @@ impl<'a> Enclosing<'a> {
     /// Goes through the statements of a function. What they would fail with is in the bounds.
     pub fn statements(&mut self, function: &Function) {
         for statement in &function.statements {
-            match *statement {
-                Statement::Let { target, value, .. } => {
-                    let mut value = self.value(value);
-                    if let Some(&limit) = self.limits.get(&target) {
-                        value = self.written(Operation::Within(value, limit));
-                    }
-                    self.symbols.insert(target, value);
+            self.statement(statement);
+        }
+    }
+
+    /// Goes through one statement.
+    pub fn statement(&mut self, statement: &Statement) {
+        match *statement {
+            Statement::Let { target, value, .. } => {
+                let mut value = self.value(value);
+                if let Some(&limit) = self.limits.get(&target) {
+                    value = self.written(Operation::Within(value, limit));
                 }
-                Statement::SineCosine {
-                    sine,
-                    cosine,
-                    angle,
-                } => {
-                    let angle = self.value(angle);
-                    let [s, c] = [self.sine(angle), self.cosine(angle)];
-                    self.symbols.insert(sine, s);
-                    self.symbols.insert(cosine, c);
-                }
-                _ => {}
+                self.symbols.insert(target, value);
             }
+            Statement::SineCosine {
+                sine,
+                cosine,
+                angle,
+            } => {
+                let angle = self.value(angle);
+                let [s, c] = [self.sine(angle), self.cosine(angle)];
+                self.symbols.insert(sine, s);
+                self.symbols.insert(cosine, c);
+            }
+            _ => {}
         }
     }
 
@@ -239,6 +245,22 @@ impl<'a> Enclosing<'a> {
         Enclosed {
             operations: self.operations,
             results,
+        }
+    }
+
+    /// The bounds of an expression that does not depend on arguments.
+    pub fn known(&mut self, expr: ExprId) -> Option<Interval> {
+        match self.value(expr) {
+            Place::Known(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// The bounds of a symbol that does not depend on arguments, where it has been found.
+    pub fn known_symbol(&self, symbol: SymbolId) -> Option<Interval> {
+        match self.symbols.get(&symbol) {
+            Some(Place::Known(value)) => Some(*value),
+            _ => None,
         }
     }
 

@@ -365,7 +365,11 @@ mod tests {
         let unit = Interval::new(0.0, 1.0);
         assert!(unit.exponential().holds(1.0) && unit.exponential().holds(std::f64::consts::E));
         assert!(!unit.exponential().holds(2.72) && !unit.logarithm().defined);
-        assert!(Interval::new(1.0, 2.0).logarithm().holds(std::f64::consts::LN_2));
+        assert!(
+            Interval::new(1.0, 2.0)
+                .logarithm()
+                .holds(std::f64::consts::LN_2)
+        );
     }
 
     /// 0.1 is no number of the machine, and neither is the sum of three of them 0.3.

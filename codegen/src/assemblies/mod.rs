@@ -11,7 +11,9 @@ mod interval;
 mod isolation;
 mod poses;
 mod sought;
+mod stored;
 
 pub use interval::Interval;
-pub use poses::{Pose, Poses, poses};
+pub use poses::{BEGINNING, Pose, Poses, poses};
 pub use sought::read;
+pub use stored::{StoredAssemblies, StoredAssembly, stored};

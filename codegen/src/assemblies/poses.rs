@@ -16,7 +16,7 @@ use crate::program::NewtonBlock;
 use crate::system::System;
 
 /// Where the range of an angle begins: not at zero or half a turn, where a person would draw a link.
-const BEGINNING: f64 = -3.0;
+pub const BEGINNING: f64 = -3.0;
 
 /// How near to the same direction two angles at both ends of their range are one.
 const SAME_DIRECTION: f64 = 1e-8;
@@ -118,7 +118,10 @@ fn without_doubles(found: &mut Vec<(Vec<f64>, usize)>) {
     };
     let mut at = 0;
     while at < found.len() {
-        match found[..at].iter().any(|before| is_again(before, &found[at])) {
+        match found[..at]
+            .iter()
+            .any(|before| is_again(before, &found[at]))
+        {
             true => {
                 found.remove(at);
             }

@@ -108,8 +108,7 @@ impl Sought {
     /// The cosines and sines of all unknowns of the block, or the unknown itself and zero.
     pub fn whole(&self, at: &[f64], choice: usize) -> Vec<Interval> {
         let at: Vec<Interval> = at.iter().map(|&value| Interval::point(value)).collect();
-        self.whole
-            .at(&self.arguments(&at, choice), &mut Vec::new())
+        self.whole.at(&self.arguments(&at, choice), &mut Vec::new())
     }
 
     fn arguments(&self, part: &[Interval], choice: usize) -> Vec<Interval> {

@@ -18,6 +18,7 @@ pub(super) mod tubes;
 use super::Notation;
 use super::derivation::{self, BlockWords, PlainWords, Script, SingularPose};
 use super::scalar::Scalar;
+use crate::assemblies::{StoredAssemblies, stored};
 use crate::expr::{IdSet, SymbolId};
 use crate::program::passes::names::LocalNames;
 use crate::program::{LARGEST_TEXTBOOK, Program};
@@ -43,6 +44,8 @@ pub(super) struct Module<'a> {
     pub scalar: Scalar,
     /// Where each part of the plan is singular.
     pub poses: Vec<SingularPose>,
+    /// The ways in which it can be assembled, where Newton-Raphson starts from one of them.
+    pub assemblies: Option<StoredAssemblies>,
     /// What each block of the program is called.
     pub words: Vec<BlockWords>,
     /// What the language asks of names.
@@ -78,6 +81,7 @@ impl<'a> Module<'a> {
             words: derivation::block_words(&program.blocks, system, plan, &poses),
             poses,
             names,
+            assemblies: stored(system, program),
             comments: PlainWords::new(system, Notation::Unicode),
             tubes: tubes::sags_of_tubes(program, system),
             system,

@@ -31,7 +31,7 @@ mod two_links;
 pub use addends::{Addend, Compared, Power, addends, compared};
 pub use block::{Block, Branch, Measured, NewtonBlock, PageName};
 pub use forces::{Effort, Energy, Forces, FreeCoordinate, Reaction, Reduced};
-pub use forms::DrawnMode;
+pub use forms::{DrawnMode, sign_of};
 pub use function::{Function, Level, Statement};
 pub use lengths::Lengths;
 pub use lower::{forms_of, lower, lower_with_unknowns, unpruned};

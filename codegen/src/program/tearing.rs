@@ -102,11 +102,7 @@ impl Tearing {
 }
 
 /// The statements that results need.
-pub(super) fn needed(
-    statements: Vec<Statement>,
-    results: Vec<ExprId>,
-    graph: &Graph,
-) -> Function {
+pub(super) fn needed(statements: Vec<Statement>, results: Vec<ExprId>, graph: &Graph) -> Function {
     let function = Function {
         statements,
         ..Function::of_results(results)

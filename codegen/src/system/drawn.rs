@@ -41,7 +41,8 @@ impl System {
         position.map(|part| self.drawn_value(part))
     }
 
-    fn drawn_symbol(&self, symbol: SymbolId) -> f64 {
+    /// The value of a symbol in the drawing; 0 of what the drawing does not show.
+    pub fn drawn_symbol(&self, symbol: SymbolId) -> f64 {
         let graph = &self.mechanism.graph;
         match self.roles.get(symbol.index()) {
             Some(SymbolRole::Position(unknown)) => self.drawn_unknown(*unknown),

@@ -16,6 +16,7 @@ macro_rules! mechanism {
         path: $path:ident $(, tubes: $tubes:literal)?;
         $(drawn: $drawn:ident;)?
         $(requirements: $requirements:ident;)?
+        $(assemblies: $assemblies:ident;)?
     ) => {
         /// What one instant is solved with.
         type Conditions<'a> = $crate::Conditions<
@@ -148,6 +149,12 @@ macro_rules! mechanism {
             fn block_name(&self, index: usize) -> Option<BlockName<'_>> {
                 BLOCKS.get(index).copied()
             }
+
+            $(
+                fn begin(&self, branches: &mut Branches, last: &mut Frame) {
+                    $assemblies::begin(branches, last);
+                }
+            )?
 
             $(
                 fn not_positive(&self, parameters: &Self::Parameters) -> Option<(u16, Scalar)> {

@@ -3,6 +3,7 @@
 //! A generated module begins with `use linkwright::double::*;`, or `single` for f32: types have their scalar already, and what a
 //! module does not mention costs nothing. The macros state what modules repeat.
 
+mod assemblies;
 mod branches;
 mod equations;
 mod frame;

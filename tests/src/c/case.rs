@@ -55,7 +55,8 @@ pub fn script(end: f64) -> String {
         call('v', t * end, number);
     }
     call('x', 0.5 * end, 0.0);
-    for mode in 0..4 {
+    // Four modes, and four of the assemblies that are stored.
+    for mode in 0..8 {
         call('b', 0.0, f64::from(mode));
         call('v', 0.02 * end, 0.0);
         call('v', 3.0 * end, 0.0);

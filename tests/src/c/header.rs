@@ -18,6 +18,8 @@ pub struct Declared {
     pub inputs: usize,
     /// The fields of the assembly modes.
     pub modes: Vec<String>,
+    /// Whether assemblies are stored, of which one can be asked for.
+    pub stores_assemblies: bool,
     /// The functions of a frame, and those of the textbook view.
     pub of_frame: Vec<OfFrame>,
     pub textbook: Vec<Textbook>,
@@ -107,7 +109,11 @@ pub fn declared(
 ) -> Declared {
     let lines = flattened(header);
     let frame = fields(&lines, &format!("{type_name}Frame"));
-    let modes = fields(&lines, &format!("{type_name}Branches"));
+    let mut modes = fields(&lines, &format!("{type_name}Branches"));
+    let stores_assemblies = modes.last().is_some_and(|it| it == "assembly");
+    if stores_assemblies {
+        modes.pop();
+    }
     let mut of_frame = Vec::new();
     let mut textbook = Vec::new();
     for line in &lines {
@@ -162,6 +168,7 @@ pub fn declared(
         holds_coordinates: frame.iter().any(|field| field == "qdd"),
         parameters: fields(&lines, &format!("{shared}Parameters")).len(),
         inputs: fields(&lines, &format!("{type_name}Inputs")).len(),
+        stores_assemblies,
         modes: modes.into_iter().filter(|mode| mode != "none").collect(),
         of_frame,
         textbook,

@@ -239,6 +239,12 @@ fn calls(declared: &Declared, suffix: &str) -> String {
             "                if ((k == {place}) && (branches.{mode} != LINKWRIGHT_NEAREST)) {{\n                    branches.{mode} = (branches.{mode} == LINKWRIGHT_POSITIVE) ? LINKWRIGHT_NEGATIVE : LINKWRIGHT_POSITIVE;\n                }}"
         );
     }
+    if declared.stores_assemblies {
+        let _ = writeln!(
+            modes,
+            "                if (k >= 4) {{\n                    branches = {capitals}_ASSEMBLIES[(unsigned)(k - 4) % {capitals}_ASSEMBLY_COUNT];\n                }}"
+        );
+    }
     let given = match declared.inputs > 0 {
         true => format!("        const {type_name}Inputs inputs = moved(given);\n"),
         false => "        (void)given;\n".to_string(),

@@ -204,6 +204,11 @@ fn runner(motion: &Motion) -> String {
             "if call.value as usize == {place} {{ exchange(&mut branches.{mode}); }}"
         );
     }
+    if declared.stores_assemblies {
+        modes.push_str(
+            "if call.value >= 4.0 { branches = Branches::ASSEMBLIES[(call.value as usize - 4) % Branches::ASSEMBLIES.len()]; }",
+        );
+    }
     let parameters = match declared.parameters > 0 {
         true => format!(
             "'p' => {{ if let Err(failure) = held.as_mut().expect(\"it is assembled\").set_parameters(&scaled(crate::{module}::Parameters::default(), call.value as {real})) {{ text.push_str(&failed(&failure)); }} continue; }}

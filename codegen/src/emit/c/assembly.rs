@@ -175,6 +175,12 @@ fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> 
         "t",
     ]);
     body.line(format!("{}({passed});", printer.own("set_estimate")));
+    if printer.module.assemblies.is_some() {
+        let begin = printer.own("begin");
+        body.line(format!(
+            "{begin}(&mechanism->branches, &mechanism->frames[1]);"
+        ));
+    }
     body.line(format!("status = {assemble}(&parts, t);"));
     body.close("}");
     body.line("return status;");

@@ -185,16 +185,23 @@ pub(super) fn branches(printer: &Printer<'_>, text: &mut Text) {
         text.comment(["There is no loop; C has no structure without a field."]);
         text.line("linkwright_branch none;");
     }
+    if printer.module.assemblies.is_some() {
+        text.comment([documentation::of_wanted_assembly("0")]);
+        text.line("uint8_t assembly;");
+    }
     text.close(format!("}} {name};"));
 }
 
 /// The modes of the drawing.
 pub(super) fn drawn_branches(printer: &Printer<'_>, text: &mut Text) {
     let modes = modes(printer);
-    let drawn: Vec<&str> = match modes.is_empty() {
+    let mut drawn: Vec<&str> = match modes.is_empty() {
         true => vec!["LINKWRIGHT_NEAREST"],
         false => modes.iter().map(|mode| mode.drawn).collect(),
     };
+    if printer.module.assemblies.is_some() {
+        drawn.push("0U");
+    }
     let (name, constant) = (
         printer.type_of("Branches"),
         printer.constant("DRAWN_BRANCHES"),

@@ -4,7 +4,7 @@ use super::printer::Printer;
 use super::text::Text;
 use super::words::WORDS;
 use super::{
-    api, assembly, block, block_names, coordinates, equations, forces, frame,
+    api, assemblies, assembly, block, block_names, coordinates, equations, forces, frame,
     normalized_determinant, parameters, path, points, runtime, sensitivity, shell, tables,
     textbook, transmission,
 };
@@ -142,6 +142,7 @@ fn declarations(printer: &Printer<'_>, text: &mut Text) {
         printer.type_of("Branches"),
         printer.constant("DRAWN_BRANCHES")
     ));
+    assemblies::declarations(printer, text);
     if printer.declared().inputs {
         text.comment(["The inputs of the description, at rest."]);
         text.line(format!(
@@ -185,6 +186,7 @@ fn definitions(printer: &Printer<'_>, text: &mut Text) {
     path::path(printer, &mut code);
     shell::solve(printer, &mut code);
     frame::estimate(printer, &mut code);
+    assemblies::begin(printer, &mut code);
     block::exchanged(printer, &mut code);
     parameters::accessors(printer, &mut code);
     parameters::requirements(printer, &mut code);
@@ -196,6 +198,7 @@ fn definitions(printer: &Printer<'_>, text: &mut Text) {
     tables::tables(printer, &code, text);
     coordinates::drawn(printer, text);
     block::drawn_branches(printer, text);
+    assemblies::constants(printer, text);
     if printer.declared().inputs {
         parameters::initial(printer, text);
     }

@@ -1,7 +1,9 @@
 //! What a module offers → the sentences of its documentation, as lines of prose that no language has marked up yet.
 
+mod assemblies;
 mod responses;
 
+pub(in crate::emit) use assemblies::{ASSEMBLIES, of_assembly, of_wanted_assembly};
 pub(in crate::emit) use responses::{of_quantity, of_sensitivity, of_transmission};
 
 use super::Module;

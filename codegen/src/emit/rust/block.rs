@@ -148,6 +148,10 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
         )]));
         text.line(format!("{name}: Option<Branch> = {drawn}, block {number};"));
     }
+    if module.assemblies.is_some() {
+        text.docs(doc_lines([documentation::of_wanted_assembly("`None`")]));
+        text.line("assembly: Option<u8> = None;");
+    }
     text.close("}");
     text.close("}");
     text.item()

@@ -2,6 +2,7 @@
 //!
 //! The file needs `linkwright` and nothing else, neither allocates nor panics, and is the same bytes on every run.
 
+mod assemblies;
 mod block;
 mod code;
 mod coordinates;

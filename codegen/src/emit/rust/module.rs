@@ -11,7 +11,8 @@ use super::layout::{Verbatim, laid_out};
 use super::names::{identifier, identifier_text};
 use super::pieces::{Around, formatted};
 use super::{
-    block, coordinates, explained, frame, newton, parameters, path, shell, tables, textbook,
+    assemblies, block, coordinates, explained, frame, newton, parameters, path, shell, tables,
+    textbook,
 };
 use crate::emit::module::Module;
 use crate::emit::text;
@@ -61,12 +62,13 @@ impl Module<'_> {
         let precision = self.scalar.precision();
         let structures = |module: &Self| parameters::structures(module, owns_parameters);
         // One at a time becomes text: as tokens all of them together would take far more room.
-        let parts: [&dyn Fn(&Self) -> TokenStream; 12] = [
+        let parts: [&dyn Fn(&Self) -> TokenStream; 13] = [
             &coordinates::coordinates,
             &structures,
             &textbook::functions,
             &frame::frame,
             &block::branches,
+            &assemblies::assemblies,
             &explained::block_names,
             &textbook::characteristic_length,
             &newton::equations,

@@ -44,6 +44,9 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
     if module.program.requirements.is_some() {
         text.line("requirements: REQUIREMENTS;");
     }
+    if module.assemblies.is_some() {
+        text.line("assemblies: Branches;");
+    }
     text.close("}");
     let (item, requirements) = (text.item(), parameters::requirements(module));
     quote!(#solve #requirements #item)

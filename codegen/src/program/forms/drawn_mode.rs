@@ -55,21 +55,26 @@ pub(super) fn drawn_mode(
     if !residuals.iter().zip(rows).all(fits) {
         return DrawnMode::Open;
     }
-    let mut matrix: Vec<Vec<f64>> = Vec::with_capacity(order);
-    for entries in jacobian.chunks(order) {
-        let entries = entries.iter().zip(columns);
-        let row: Vec<f64> = entries
-            .map(|(entry, column)| system.drawn_value(*entry) * column_lengths.scale(*column))
-            .collect();
+    let mut entries = Vec::with_capacity(order * order);
+    for row in jacobian.chunks(order) {
+        let row = row.iter().zip(columns);
+        entries.extend(
+            row.map(|(entry, column)| system.drawn_value(*entry) * column_lengths.scale(*column)),
+        );
+    }
+    sign_of(&entries).map_or(DrawnMode::Undecided, DrawnMode::Sign)
+}
+
+/// Whether the determinant of a square matrix, row by row, is positive; `None` where that of its rows of length 1 is nearly zero.
+pub fn sign_of(entries: &[f64]) -> Option<bool> {
+    let order = entries.len().isqrt();
+    let rows = entries.chunks(order.max(1)).map(|row| {
         let size = row.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
-        matrix.push(row.into_iter().map(|entry| entry / size).collect());
-    }
-    let determinant = determinant(matrix);
+        row.iter().map(|entry| entry / size).collect()
+    });
+    let determinant = determinant(rows.collect());
     // Written so that NaN decides nothing.
-    match determinant.abs() >= DECIDED {
-        true => DrawnMode::Sign(determinant > 0.0),
-        false => DrawnMode::Undecided,
-    }
+    (determinant.abs() >= DECIDED).then_some(determinant > 0.0)
 }
 
 /// Whether what is given from outside changes an equation.

@@ -18,7 +18,7 @@ mod two_rotations;
 mod two_slides;
 
 pub use determinant::Determinant;
-pub use drawn_mode::DrawnMode;
+pub use drawn_mode::{DrawnMode, sign_of};
 pub use transposed::Transposed;
 
 use std::fmt::Debug;

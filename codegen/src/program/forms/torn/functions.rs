@@ -96,7 +96,8 @@ fn proof(
     builder: &mut Builder<'_>,
 ) -> Proof {
     let sequence = &torn.sequence;
-    if let (&[Step::ThreeCircles(ref circles)], &[tear]) = (&sequence.steps[..], &sequence.tears[..])
+    if let (&[Step::ThreeCircles(ref circles)], &[tear]) =
+        (&sequence.steps[..], &sequence.tears[..])
     {
         let shifts = builder.derivatives.shifts();
         let proof = circles.proof(tear, builder);

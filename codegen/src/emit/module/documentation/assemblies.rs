@@ -1,0 +1,44 @@
+//! Stored assemblies → the sentences that are written beside them.
+
+use super::Module;
+use crate::assemblies::StoredAssembly;
+use crate::joint::Quantity;
+
+/// Of all of them.
+pub(in crate::emit) const ASSEMBLIES: [&str; 3] = [
+    "All ways in which the mechanism can be assembled at t = 0 s, with the parameters and the initial inputs of the description: it is",
+    "proven that there are no others. At another time, or with other values, Newton-Raphson starts from the same pose, and may end in",
+    "another one.",
+];
+
+/// Of the field that says which one is wanted.
+pub(in crate::emit) fn of_wanted_assembly(nothing: &str) -> String {
+    format!(
+        "Which of the stored assemblies Newton-Raphson starts from; {nothing}: from the estimate. Once the mechanism is assembled it is {nothing}."
+    )
+}
+
+/// Of one of them: what it is called, and where that has been guessed which everything else follows from.
+pub(in crate::emit) fn of_assembly(assembly: &StoredAssembly, module: &Module<'_>) -> String {
+    let mut values = assembly.values.iter();
+    let mut said = Vec::new();
+    for newton in module
+        .program
+        .blocks
+        .iter()
+        .filter_map(|it| it.newton.as_ref())
+    {
+        for (place, &unknown) in newton.unknowns.iter().enumerate() {
+            let Some(value) = values.next() else { break };
+            let tears = newton.tearing.as_ref().map(|it| &it.tears);
+            if tears.is_none_or(|tears| tears.contains(&place)) {
+                let unknown = &module.system.vector_form.unknowns[unknown];
+                said.push(match unknown.quantity {
+                    Quantity::Angle => format!("{} {:.4}°", unknown.name, value.to_degrees()),
+                    _ => format!("{} {value:.6}", unknown.name),
+                });
+            }
+        }
+    }
+    format!("`{}`: {}", assembly.label, said.join(", "))
+}
