@@ -73,6 +73,13 @@ pub struct Assemblies {
     pub cut_short: bool,
 }
 
+impl Assemblies {
+    /// Whether it is proven that there are no others.
+    pub fn are_all(&self) -> bool {
+        self.proven && self.undecided.is_empty()
+    }
+}
+
 /// Tries every combination of signs and poses at `t`.
 pub fn assemblies(interpreted: &Interpreted, t: f64) -> Assemblies {
     let drawn = interpreted.drawn_branches();

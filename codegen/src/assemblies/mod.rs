@@ -6,6 +6,7 @@
 //! can be reached, and how it is written.
 
 mod boxes;
+mod elementary;
 mod enclosed;
 mod interval;
 mod isolation;

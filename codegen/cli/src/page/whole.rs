@@ -245,9 +245,9 @@ fn assemblies(check: &Check) -> String {
             names.join(", ")
         ),
     };
-    let rest = match check.assemblies.cut_short {
-        true => " There may be more.",
-        false => "",
+    let rest = match check.assemblies.are_all() {
+        true => " There are no others.",
+        false => " There may be more.",
     };
     format!(
         "<p>At t = {} s the mechanism can be put together in {} {}.{rest}{modes} Choose one to see it move.</p>\n<div id=\"thumbnails\" role=\"group\" aria-labelledby=\"assemblies\"></div>\n<p id=\"assembly-error\" class=\"error\" hidden></p>\n",

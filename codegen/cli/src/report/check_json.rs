@@ -119,7 +119,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             .collect(),
         assemblies: assemblies.collect(),
         assemblies_cut_short: found.cut_short,
-        assemblies_proven: found.proven && found.undecided.is_empty() && !found.cut_short,
+        assemblies_proven: found.are_all(),
         assemblies_decided: found.decided,
         assemblies_undecided: found
             .undecided

@@ -76,7 +76,7 @@ fn assemblies(check: &Check, width: usize, output: &mut dyn Write) -> io::Result
     let is_proven = all.iterated > 0 && all.decided >= PROVEN;
     let starts = format!("{STARTS} starts at random find for each block without a closed form");
     let allowed = match (all.modes, all.iterated) {
-        _ if is_proven && all.undecided.is_empty() => "; these are all".to_string(),
+        _ if is_proven && all.are_all() => "; these are all".to_string(),
         _ if is_proven => "; no others but where it is undecided".to_string(),
         (_, 0) => signs,
         (0, _) => format!("that {starts}"),
