@@ -188,3 +188,56 @@ fn no_start_at_random_finds_another_assembly_of_rocking_cams() {
     println!("reached: {reached:?}");
     assert!(reached.iter().all(|&it| it > 0), "{reached:?}");
 }
+
+/// A wheel that a gear turns half as far as the rocker of a six-bar linkage: the rocker a turn further is no other pose of the linkage,
+/// but the wheel's pin is then on its other side.
+const HALF: &str = "mechanism half {
+    point A = (0, 0), B = (-0.4, 0.8), C = (1, 1), D = (1, 0), E = (0.3, 1.5), F = (1.9, 1.5), G = (2, 0.8);
+    point W = (4, 4), X = (5, 4);
+    body crank at A { A, B }
+    body coupler at (0.3, 1.1) { B, C, E }
+    body rocker at D { C, D }
+    body link at F { E, F }
+    body arm at G { F, G }
+    body wheel at W { W, X }
+    revolute A(ground, crank);
+    revolute B(crank, coupler);
+    revolute C(coupler, rocker);
+    revolute D(ground, rocker);
+    revolute E(coupler, link);
+    revolute F(link, arm);
+    revolute G(ground, arm);
+    revolute W(ground, wheel);
+    external_gear (rocker, wheel) = 0.5;
+    drive phi(arm) = 0.3*sin(2*t);
+}";
+
+#[test]
+fn a_gear_after_a_block_counts_the_turns_of_its_angles() {
+    let system = written(HALF);
+    let textbook = TextbookEquations::new(&system);
+    let all = assemblies(&Interpreted::new(&system).expect("a plan"), 0.0);
+    let [rocker, wheel] = ["phi_rocker", "phi_wheel"].map(|name| {
+        let mut coordinates = system.coordinates.iter();
+        coordinates
+            .position(|it| it.name == name)
+            .expect("an angle")
+    });
+    let drawn = DVector::from_column_slice(all.found[0].instant.q());
+    let mut start = drawn.clone();
+    start[rocker] += TAU;
+    start[wheel] -= PI;
+    let other = assemble(&textbook, &start, 0.0, &Settings::default()).expect("another pose");
+    let mut residual = DVector::zeros(start.len());
+    textbook.residual(&other.q, 0.0, &mut residual);
+    assert!(residual.amax() < 1e-12);
+    let wheels = found(&all, &[wheel]);
+    let is_found = wheels
+        .iter()
+        .any(|it| difference(it, &[other.q[wheel]]) < NEAR);
+    assert!(
+        is_found || !all.proven,
+        "{} is none of {wheels:?}",
+        other.q[wheel]
+    );
+}
