@@ -5,6 +5,8 @@
 
 use std::f64::consts::TAU;
 
+use linkwright::FailureKind;
+
 use crate::every_pose::{EveryPose, Undecided};
 use crate::interpreted::{Interpreted, State};
 use crate::search::Sought;
@@ -36,11 +38,10 @@ pub(crate) fn letter(pose: usize) -> Option<char> {
 impl Interpreted {
     /// The poses of a block in the modes of its closed forms, after the blocks before it.
     pub(crate) fn known_poses(&self, block: usize, modes: &Modes, state: &State) -> KnownPoses {
-        let is_closed = self.compiled().blocks[block].newton.is_none();
-        let every = match is_closed {
-            true => None,
-            false => self.every_pose(block, modes, state),
-        };
+        if self.compiled().blocks[block].newton.is_none() {
+            return self.closed_poses(block, modes, state);
+        }
+        let every = self.every_pose(block, modes, state);
         let Some(EveryPose {
             mut poses,
             sought,
@@ -51,7 +52,7 @@ impl Interpreted {
             return KnownPoses {
                 poses: self.poses(block, modes, state),
                 drawn: Some(0),
-                are_all: is_closed,
+                are_all: false,
                 undecided: Vec::new(),
                 decided: 0.0,
             };
@@ -100,6 +101,25 @@ impl Interpreted {
             are_all: true,
             undecided,
             decided,
+        }
+    }
+
+    /// The one pose of a block with closed forms in these modes. Only where links do not reach there is none for certain: in line they
+    /// may be a pose that cannot be solved.
+    fn closed_poses(&self, block: usize, modes: &Modes, state: &State) -> KnownPoses {
+        let (mut state, mut modes) = (state.clone(), modes.clone());
+        let solved = self.assemble_block(block, &mut state, &mut modes, Sought::Near);
+        let are_all = match &solved {
+            Ok(()) => true,
+            Err(failure) => matches!(failure.kind, FailureKind::OutOfReach { .. }),
+        };
+        let pose = solved.is_ok().then_some((state, modes));
+        KnownPoses {
+            poses: pose.into_iter().collect(),
+            drawn: Some(0),
+            are_all,
+            undecided: Vec::new(),
+            decided: 0.0,
         }
     }
 }

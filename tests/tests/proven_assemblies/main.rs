@@ -189,6 +189,54 @@ fn no_start_at_random_finds_another_assembly_of_rocking_cams() {
     assert!(reached.iter().all(|&it| it > 0), "{reached:?}");
 }
 
+/// The six-bar linkage of `mechanisms/stephenson.mech`, and this beside it.
+fn six_bar_with(others: &str) -> String {
+    let text = source("stephenson").text;
+    let end = text.rfind('}').expect("an end");
+    format!("{}{others} }}", &text[..end])
+}
+
+/// Two links that are in line at t = 0, or almost, are drawn so: they stand in that pose, although it is too close to singular to be solved.
+#[test]
+fn links_in_line_leave_assemblies_unproven() {
+    for before in ["0", "1e-14"] {
+        let text = six_bar_with(&format!(
+            "point H = (5, 0), I = (6, 0), J = (8, 0), K = (8, 2);
+            body k at H {{ H, I }}
+            body l at I {{ I, J }}
+            body m at K {{ K, J }}
+            revolute H(ground, k); revolute I(k, l); revolute J(l, m); revolute K(ground, m);
+            drive phi(m) = -t - {before};"
+        ));
+        let all = assemblies(&Interpreted::new(&written(&text)).expect("a plan"), 0.0);
+        assert!(!all.proven, "{before}: {} assemblies", all.found.len());
+    }
+}
+
+/// A dyad a billion times as small as what stands beside it, or smaller: all of its poses are listed, or nothing is proven.
+#[test]
+fn links_that_are_too_small_for_the_textbook_equations_leave_assemblies_unproven() {
+    for size in [1e-6, 1e-9, 1e-12] {
+        let [i, j, k] = [[0.3, 0.9], [1.2, 1.1], [1.5, 0.0]];
+        let [i, j, k] = [i, j, k].map(|[x, y]| format!("({:.17}, {:.17})", x * size, y * size));
+        let text = six_bar_with(&format!(
+            "point H = (0, 0), I = {i}, J = {j}, K = {k};
+            body k at H {{ H, I }}
+            body l at I {{ I, J }}
+            body m at K {{ K, J }}
+            revolute H(ground, k); revolute I(k, l); revolute J(l, m); revolute K(ground, m);
+            drive phi(k) = t;"
+        ));
+        let all = assemblies(&Interpreted::new(&written(&text)).expect("a plan"), 0.0);
+        // Four of the six-bar linkage, each with two of the dyad.
+        assert!(
+            all.found.len() == 8 || !all.proven,
+            "{size}: {}",
+            all.found.len()
+        );
+    }
+}
+
 /// A wheel that a gear turns half as far as the rocker of a six-bar linkage: the rocker a turn further is no other pose of the linkage,
 /// but the wheel's pin is then on its other side.
 const HALF: &str = "mechanism half {
