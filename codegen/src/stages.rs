@@ -51,7 +51,7 @@ pub mod program {
 
 /// Every pose of a block that Newton-Raphson solves.
 pub mod assemblies {
-    pub use crate::assemblies::{BEGINNING, Interval, Pose, Poses, poses, read};
+    pub use crate::assemblies::{Interval, Pose, Poses, counts_turns, order, poses, read};
 }
 
 /// What is written of it.

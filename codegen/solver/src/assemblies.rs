@@ -6,6 +6,7 @@
 //! more. Afterwards every assembly satisfies the textbook equations: Newton-Raphson on Φ confirms it from the blocks' pose.
 
 use linkwright::{Blocks, Branch, Equations, Settings, assemble};
+use linkwright_codegen::stages::assemblies::counts_turns;
 use nalgebra::DVector;
 
 use crate::every_pose::Undecided;
@@ -63,7 +64,8 @@ pub struct Assemblies {
     pub iterated: usize,
     /// Those that exist, the drawing's first, then by their signs, positive ones first, and their poses.
     pub found: Vec<Assembly>,
-    /// Whether every block without a closed form has no other poses than these, but in `undecided` ranges.
+    /// Whether every block without a closed form has no other poses than these, but in `undecided` ranges, and no pose was left out that
+    /// is too close to singular.
     pub proven: bool,
     /// Where it is not known whether there are poses.
     pub undecided: Vec<Undecided>,
@@ -89,7 +91,7 @@ pub fn assemblies(interpreted: &Interpreted, t: f64) -> Assemblies {
         textbook: &textbook,
         drawn: &drawn,
         found: Vec::new(),
-        proven: true,
+        proven: !counts_turns(interpreted.system(), interpreted.program()),
         undecided: Vec::new(),
         decided: 1.0,
         tried: 0,
@@ -169,15 +171,18 @@ impl Search<'_> {
         }
     }
 
-    /// Keeps the pose if the textbook equations hold there.
+    /// Keeps the pose if the textbook equations hold there. Where they cannot be solved it may be one all the same, too close to singular.
     fn confirm(&mut self, modes: &Modes, poses: &[Pose], state: &State) {
         let mut instant = self.interpreted.instant(state);
         let q = DVector::from_column_slice(instant.q());
         let Ok(frame) = assemble(self.textbook, &q, state.t, &Settings::default()) else {
+            self.proven = false;
             return;
         };
         let scale = |k| self.textbook.coordinate_scale(k);
-        if (0..q.len()).all(|k| (q[k] - frame.q[k]).abs() <= SAME * scale(k)) {
+        let is_there = (0..q.len()).all(|k| (q[k] - frame.q[k]).abs() <= SAME * scale(k));
+        self.proven &= is_there;
+        if is_there {
             instant.set_frame(&frame);
             self.found.push(Assembly {
                 drawn: modes.closed == self.drawn.closed && poses.iter().all(|pose| pose.is_drawn),

@@ -3,9 +3,8 @@
 //! Where all poses can be proven they ascend in what is sought; otherwise the one that is found from the drawing comes first, and others
 //! as they are found from starts at random. Both are the same on every run.
 
-use std::f64::consts::TAU;
-
-use linkwright_codegen::stages::assemblies::BEGINNING;
+use linkwright::FailureKind;
+use linkwright_codegen::stages::assemblies::order;
 
 use crate::every_pose::{EveryPose, Undecided};
 use crate::interpreted::{Interpreted, State};
@@ -35,11 +34,10 @@ pub(crate) fn letter(pose: usize) -> Option<char> {
 impl Interpreted {
     /// The poses of a block in the modes of its closed forms, after the blocks before it.
     pub(crate) fn known_poses(&self, block: usize, modes: &Modes, state: &State) -> KnownPoses {
-        let is_closed = self.compiled().blocks[block].newton.is_none();
-        let every = match is_closed {
-            true => None,
-            false => self.every_pose(block, modes, state),
-        };
+        if self.compiled().blocks[block].newton.is_none() {
+            return self.closed_poses(block, modes, state);
+        }
+        let every = self.every_pose(block, modes, state);
         let Some(EveryPose {
             mut poses,
             sought,
@@ -50,7 +48,7 @@ impl Interpreted {
             return KnownPoses {
                 poses: self.poses(block, modes, state),
                 drawn: Some(0),
-                are_all: is_closed,
+                are_all: false,
                 undecided: Vec::new(),
                 decided: 0.0,
             };
@@ -74,17 +72,11 @@ impl Interpreted {
                 poses.push(other);
             }
         }
-        let keys = |(state, _): &(State, Modes)| -> Vec<f64> {
+        let newton = self.compiled().blocks[block].newton.as_ref();
+        let is_angle = |place: usize| newton.is_some_and(|newton| newton.is_angle[place]);
+        poses.sort_by_cached_key(|(state, _)| {
             let pose = self.pose_of(block, state);
-            let angles = sought.iter().map(|&place| pose[place]);
-            let in_turn = |angle: f64| angle - TAU * ((angle - BEGINNING) / TAU).floor();
-            angles.map(in_turn).collect()
-        };
-        poses.sort_by(|one, other| {
-            let (one, other) = (keys(one), keys(other));
-            let mut pairs = one.iter().zip(&other);
-            let differs = pairs.find_map(|(a, b)| Some(a.total_cmp(b)).filter(|it| it.is_ne()));
-            differs.unwrap_or(std::cmp::Ordering::Equal)
+            order(pose.as_slice(), is_angle, &sought)
         });
         let drawn = near.and_then(|(near, _)| {
             let there = self.pose_of(block, &near);
@@ -99,6 +91,25 @@ impl Interpreted {
             are_all: true,
             undecided,
             decided,
+        }
+    }
+
+    /// The one pose of a block with closed forms in these modes. Only where links do not reach there is none for certain: in line they
+    /// may be a pose that cannot be solved.
+    fn closed_poses(&self, block: usize, modes: &Modes, state: &State) -> KnownPoses {
+        let (mut state, mut modes) = (state.clone(), modes.clone());
+        let solved = self.assemble_block(block, &mut state, &mut modes, Sought::Near);
+        let are_all = match &solved {
+            Ok(()) => true,
+            Err(failure) => matches!(failure.kind, FailureKind::OutOfReach { .. }),
+        };
+        let pose = solved.is_ok().then_some((state, modes));
+        KnownPoses {
+            poses: pose.into_iter().collect(),
+            drawn: Some(0),
+            are_all,
+            undecided: Vec::new(),
+            decided: 0.0,
         }
     }
 }

@@ -13,8 +13,10 @@ mod isolation;
 mod poses;
 mod sought;
 mod stored;
+mod turns;
 
 pub use interval::Interval;
-pub use poses::{BEGINNING, Pose, Poses, poses};
+pub use poses::{Pose, Poses, order, poses};
 pub use sought::read;
 pub use stored::{StoredAssemblies, StoredAssembly, stored};
+pub use turns::counts_turns;

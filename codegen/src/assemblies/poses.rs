@@ -16,13 +16,28 @@ use crate::program::NewtonBlock;
 use crate::system::System;
 
 /// Where the range of an angle begins: not at zero or half a turn, where a person would draw a link.
-pub const BEGINNING: f64 = -3.0;
+const BEGINNING: f64 = -3.0;
 
 /// How near to the same direction two angles at both ends of their range are one.
 const SAME_DIRECTION: f64 = 1e-8;
 
+/// Angles and lengths that differ by less do not order poses, in rad or m: they may differ by rounding alone.
+const SAME_VALUE: f64 = 1e-8;
+
+/// How many parts are looked at for one that touches.
+const LOOKED_BACK: usize = 256;
+
+/// How much larger a part may be than those that it is made of.
+const LOOSE: f64 = 1.5;
+
+/// The side of a part that is made of any that touch, in rad: nobody looks into it.
+const TINY: f64 = 1e-4;
+
 /// Parts that stay undecided and are nearer to one another than this are one, in rad.
 const MERGED: f64 = 1e-6;
+
+/// A range of each angle that was sought.
+pub type Part = Vec<[f64; 2]>;
 
 /// All poses of a block.
 #[derive(Clone, Debug)]
@@ -31,8 +46,8 @@ pub struct Poses {
     pub found: Vec<Pose>,
     /// Which of the block's unknowns were sought, from 0.
     pub sought: Vec<usize>,
-    /// Where it is not known whether there are poses: a range of each of them.
-    pub undecided: Vec<Vec<[f64; 2]>>,
+    /// Where it is not known whether there are poses.
+    pub undecided: Vec<Part>,
     /// Which part of all that could be is decided, at most 1.
     pub decided: f64,
 }
@@ -58,7 +73,7 @@ pub fn poses(
     let choices = 1_usize << sought.signs;
     let mut registers = Vec::new();
     let mut found: Vec<(Vec<f64>, usize)> = Vec::new();
-    let mut undecided: Vec<Vec<[f64; 2]>> = Vec::new();
+    let mut undecided: Vec<Part> = Vec::new();
     for choice in 0..choices {
         let mut left = parts / choices;
         if count == 1 {
@@ -79,17 +94,20 @@ pub fn poses(
         }
     }
     let whole = choices as f64 * TAU.powi(i32::try_from(count).unwrap_or(1));
-    let size = |part: &Vec<[f64; 2]>| part.iter().map(|[low, high]| high - low).product::<f64>();
     let decided = 1.0 - undecided.iter().map(size).sum::<f64>() / whole;
-    found.sort_by(|(one, _), (other, _)| ascending(one, other));
     without_doubles(&mut found);
-    let mut poses = Vec::new();
+    let mut poses: Vec<Pose> = Vec::new();
     for (at, choice) in found {
         match pose(newton, system, &sought, &at, choice) {
             Some(pose) => poses.push(pose),
             None => undecided.push(at.iter().map(|&value| [value, value]).collect()),
         }
     }
+    let is_angle = |place: usize| {
+        let unknown = newton.unknowns[place];
+        system.vector_form.unknowns[unknown].quantity == Quantity::Angle
+    };
+    poses.sort_by_cached_key(|pose| order(&pose.unknowns, is_angle, &sought.places));
     Some(Poses {
         found: poses,
         sought: sought.places,
@@ -98,19 +116,29 @@ pub fn poses(
     })
 }
 
+/// What poses of a block ascend in: what was sought, and then everything else, angles in one turn and without rounding.
+pub fn order(unknowns: &[f64], is_angle: impl Fn(usize) -> bool, sought: &[usize]) -> Vec<i64> {
+    let all = sought.iter().copied().chain(0..unknowns.len());
+    let values = all.map(|place| match is_angle(place) {
+        true => unknowns[place] - TAU * ((unknowns[place] - BEGINNING) / TAU).floor(),
+        false => unknowns[place],
+    });
+    values
+        .map(|value| (value / SAME_VALUE).round() as i64)
+        .collect()
+}
+
 fn ascending(one: &[f64], other: &[f64]) -> std::cmp::Ordering {
     let mut pairs = one.iter().zip(other);
     let differs = pairs.find_map(|(a, b)| Some(a.total_cmp(b)).filter(|it| it.is_ne()));
     differs.unwrap_or(std::cmp::Ordering::Equal)
 }
 
-/// What lies at both ends of the range is one.
+/// What lies at both ends of the range is one, and so is what two boxes share.
 fn without_doubles(found: &mut Vec<(Vec<f64>, usize)>) {
     let is_again = |one: &(Vec<f64>, usize), other: &(Vec<f64>, usize)| {
         let mut pairs = one.0.iter().zip(&other.0);
-        let is_turned = one.0.iter().zip(&other.0).any(|(a, b)| (a - b).abs() > 1.0);
         one.1 == other.1
-            && is_turned
             && pairs.all(|(a, b)| {
                 let off = a - b;
                 (off - TAU * (off / TAU).round()).abs() < SAME_DIRECTION
@@ -154,31 +182,49 @@ fn pose(
     finite.then_some(Pose { unknowns })
 }
 
-/// Parts that touch as one, ascending.
-fn merged(mut parts: Vec<Vec<[f64; 2]>>) -> Vec<Vec<[f64; 2]>> {
-    let lows = |part: &Vec<[f64; 2]>| part.iter().map(|it| it[0]).collect::<Vec<f64>>();
-    let touch = |one: &Vec<[f64; 2]>, other: &Vec<[f64; 2]>| {
+/// Parts that touch as one where that is hardly larger, ascending.
+fn merged(parts: Vec<Part>) -> Vec<Part> {
+    let touch = |one: &Part, other: &Part| {
         let mut sides = one.iter().zip(other);
         sides.all(|(a, b)| a[0] <= b[1] + MERGED && b[0] <= a[1] + MERGED)
     };
+    let hull = |one: &Part, other: &Part| -> Part {
+        let sides = one.iter().zip(other);
+        sides
+            .map(|(a, b)| [a[0].min(b[0]), a[1].max(b[1])])
+            .collect()
+    };
+    let lows = |part: &Part| part.iter().map(|it| it[0]).collect::<Vec<f64>>();
+    // Each with the size of what it is made of.
+    let parts = parts.into_iter().map(|part| (size(&part), part));
+    let mut parts: Vec<(f64, Part)> = parts.collect();
     // Until nothing touches any more: a merged part may touch one that came before.
     loop {
-        parts.sort_by(|one, other| ascending(&lows(one), &lows(other)));
+        parts.sort_by(|(_, one), (_, other)| ascending(&lows(one), &lows(other)));
         let before = parts.len();
-        let mut whole: Vec<Vec<[f64; 2]>> = Vec::new();
-        for part in parts {
-            match whole.iter_mut().rev().find(|own| touch(own, &part)) {
-                Some(own) => {
-                    for (side, other) in own.iter_mut().zip(&part) {
-                        *side = [side[0].min(other[0]), side[1].max(other[1])];
-                    }
+        let mut whole: Vec<(f64, Part)> = Vec::new();
+        for (filled, part) in parts {
+            let mut near = whole.iter_mut().rev().take(LOOKED_BACK);
+            let own = near.find(|(own_filled, own)| {
+                let both = hull(own, &part);
+                let is_tiny = both.iter().all(|it| it[1] - it[0] <= TINY);
+                touch(own, &part) && (is_tiny || size(&both) <= LOOSE * (*own_filled + filled))
+            });
+            match own {
+                Some((own_filled, own)) => {
+                    *own_filled += filled;
+                    *own = hull(own, &part);
                 }
-                None => whole.push(part),
+                None => whole.push((filled, part)),
             }
         }
         if whole.len() == before {
-            return whole;
+            return whole.into_iter().map(|(_, part)| part).collect();
         }
         parts = whole;
     }
+}
+
+fn size(part: &Part) -> f64 {
+    part.iter().map(|[low, high]| high - low).product()
 }

@@ -3,13 +3,12 @@
 //! Of a torn block these are its tears, with the signs of the closed forms that find everything else; of another one its unknowns,
 //! where there are so few. They are angles, and all equations are the same a turn further: then every pose has them in one turn.
 
-use std::collections::HashSet;
-
 use super::enclosed::{Enclosed, Enclosing, Place};
 use super::interval::Interval;
-use crate::expr::{ExprId, Graph, Node, SymbolId};
+use super::turns::is_periodic;
+use crate::expr::{Graph, SymbolId};
 use crate::joint::Quantity;
-use crate::program::{Function, NewtonBlock, Statement};
+use crate::program::{Function, NewtonBlock};
 use crate::system::System;
 
 /// The most signs of closed forms whose choices are all tried.
@@ -136,89 +135,4 @@ pub fn read(newton: &NewtonBlock, graph: &Graph) -> Vec<SymbolId> {
     read.sort();
     read.dedup();
     read
-}
-
-/// Whether a function is the same where an angle is a turn further: it occurs in sines and cosines alone, as often as a whole number says.
-fn is_periodic(function: &Function, angle: SymbolId, graph: &Graph) -> bool {
-    let mut tainted = HashSet::from([angle]);
-    for statement in &function.statements {
-        match *statement {
-            Statement::Let { target, value, .. } => {
-                if winds(value, angle, &tainted, graph) {
-                    tainted.insert(target);
-                }
-            }
-            Statement::SineCosine { angle: of, .. } => {
-                if !turns_wholly(of, angle, &tainted, graph) {
-                    return false;
-                }
-            }
-            _ => {
-                let mut values = statement.values().into_iter();
-                if values.any(|value| mentions(value, &tainted, graph)) {
-                    return false;
-                }
-            }
-        }
-    }
-    let mut results = function.results.iter();
-    results.all(|result| !winds(result.expr, angle, &tainted, graph))
-}
-
-fn mentions(expr: ExprId, tainted: &HashSet<SymbolId>, graph: &Graph) -> bool {
-    let mut symbols = graph.symbols(expr).iter();
-    symbols.any(|symbol| tainted.contains(symbol))
-}
-
-/// Whether an expression is another one a turn further.
-fn winds(expr: ExprId, angle: SymbolId, tainted: &HashSet<SymbolId>, graph: &Graph) -> bool {
-    if !mentions(expr, tainted, graph) {
-        return false;
-    }
-    let of = |expr: ExprId| winds(expr, angle, tainted, graph);
-    match graph.node(expr) {
-        Node::Sum(terms) => terms.iter().any(|term| of(term.expr)),
-        Node::Product(factors) => factors.iter().any(|factor| of(factor.base)),
-        Node::Sin(inner) | Node::Cos(inner) => !turns_wholly(*inner, angle, tainted, graph),
-        _ => true,
-    }
-}
-
-/// Whether an angle is the same direction where another one is a turn further.
-fn turns_wholly(expr: ExprId, angle: SymbolId, tainted: &HashSet<SymbolId>, graph: &Graph) -> bool {
-    match graph.node(expr) {
-        Node::Symbol(symbol) => *symbol == angle || !tainted.contains(symbol),
-        Node::Sum(terms) => terms.iter().all(|term| {
-            let is_whole = || {
-                let coefficient = term.coefficient.to_f64();
-                coefficient.fract() == 0.0 && term.coefficient.is_rational()
-            };
-            match graph.node(term.expr) {
-                Node::Symbol(symbol) if *symbol == angle => is_whole(),
-                _ => !winds(term.expr, angle, tainted, graph),
-            }
-        }),
-        _ => !winds(expr, angle, tainted, graph),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::expr::Number;
-
-    #[test]
-    fn what_counts_turns_is_not_periodic() {
-        let mut graph = Graph::new();
-        let [phi, other] = ["phi", "other"].map(|name| graph.symbol(name));
-        let [angle, free] = [phi, other].map(|symbol| graph.variable(symbol));
-        let half = graph.scale(Number::float(0.5), angle);
-        let twice = graph.add(angle, angle);
-        let moved = graph.subtract(free, twice);
-        let [whole, parted] = [moved, half].map(|angle| graph.sin(angle));
-        let rack = graph.add(whole, angle);
-        let periodic = |expr: ExprId| is_periodic(&Function::of_results([expr]), phi, &graph);
-        assert!(periodic(whole) && periodic(free));
-        assert!(!periodic(parted) && !periodic(rack));
-    }
 }

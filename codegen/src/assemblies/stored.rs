@@ -7,6 +7,7 @@
 use super::enclosed::Enclosing;
 use super::interval::Interval;
 use super::poses::{Poses, poses};
+use super::turns::counts_turns;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
 use crate::program::{Block, Level, NewtonBlock, Program, Statement, TornFields, sign_of};
@@ -47,7 +48,7 @@ pub struct StoredAssembly {
 pub fn stored(system: &System, program: &Program) -> Option<StoredAssemblies> {
     let iterated = program.blocks.iter();
     let iterated: Vec<&NewtonBlock> = iterated.filter_map(|it| it.newton.as_ref()).collect();
-    if iterated.is_empty() {
+    if iterated.is_empty() || counts_turns(system, program) {
         return None;
     }
     let mut search = Search {

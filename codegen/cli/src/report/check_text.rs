@@ -82,6 +82,12 @@ fn assemblies(check: &Check, width: usize, output: &mut dyn Write) -> io::Result
         (0, _) => format!("that {starts}"),
         _ => format!("{signs}, times what {starts}"),
     };
+    if all.iterated > 0 && all.found.is_empty() && all.are_all() {
+        return writeln!(
+            output,
+            "\nassemblies at t = {start} s: none, which is proven"
+        );
+    }
     writeln!(
         output,
         "\nassemblies at t = {start} s: {}{}{}{allowed}",
