@@ -100,6 +100,7 @@ macro_rules! keeps_mode {
         assert_eq!(Branches::DRAWN.$block, Some(branch));
         let other = Branches {
             $block: Some(branch.opposite()),
+            ..Branches::DRAWN
         };
         match $mechanism::assemble_on(other, 0.0) {
             Ok(mirrored) => {

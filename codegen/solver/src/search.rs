@@ -104,8 +104,8 @@ impl Interpreted {
         }
     }
 
-    /// The poses of a block in these modes, after those before it: one at most for a closed form; for a block without one those that
-    /// are found, that from the last values first. Angles are those nearest to the last values.
+    /// The poses of a block without a closed form that are found in these modes, after those before it: that from the last values first.
+    /// Angles are those nearest to the last values.
     pub(crate) fn poses(&self, index: usize, modes: &Modes, state: &State) -> Vec<(State, Modes)> {
         let solved_from = |mut start: State| {
             let mut modes = modes.clone();
@@ -113,7 +113,7 @@ impl Interpreted {
             solved.ok().map(|()| (start, modes))
         };
         let Some(newton) = &self.compiled().blocks[index].newton else {
-            return solved_from(state.clone()).into_iter().collect();
+            return Vec::new();
         };
         let last = newton.last_frame(&state.registers, state.t).q;
         let mut found: Vec<DVector<f64>> = Vec::new();

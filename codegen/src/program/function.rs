@@ -352,7 +352,7 @@ impl Statement {
 
 impl Function {
     /// The results alone, nothing computed before them.
-    pub(super) fn of_results(results: impl IntoIterator<Item = ExprId>) -> Function {
+    pub fn of_results(results: impl IntoIterator<Item = ExprId>) -> Function {
         let written = |expr| Written {
             expr,
             bodies: Vec::new(),
