@@ -7,6 +7,9 @@ use super::layout::Verbatim;
 use super::names::identifier;
 use crate::emit::module::{Module, documentation};
 
+/// The longest line on which all modes of an assembly stand, in characters.
+const LONGEST: usize = 100;
+
 /// `Branches::ASSEMBLIES`, and where Newton-Raphson starts from for each of them.
 pub(super) fn assemblies(module: &Module<'_>) -> TokenStream {
     let Some(stored) = &module.assemblies else {
@@ -47,11 +50,16 @@ pub(super) fn assemblies(module: &Module<'_>) -> TokenStream {
             "// {}",
             documentation::of_assembly(assembly, module).replace('`', "")
         ));
-        text.open(&format!(
-            "{number}, {:?} {{ {} }} at [",
-            assembly.label,
-            modes.join(", ")
-        ));
+        let (label, all) = (&assembly.label, modes.join(", "));
+        let line = format!("{number}, {label:?} {{ {all} }} at [");
+        if line.len() <= LONGEST {
+            text.open(&line);
+        } else {
+            text.open(&format!("{number}, {label:?} {{"));
+            text.list(modes);
+            text.close("}");
+            text.open("at [");
+        }
         let values = assembly.values.iter();
         text.list(values.map(|&value| module.number(value)));
         text.close("];");
