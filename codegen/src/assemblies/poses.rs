@@ -134,11 +134,13 @@ fn ascending(one: &[f64], other: &[f64]) -> std::cmp::Ordering {
     differs.unwrap_or(std::cmp::Ordering::Equal)
 }
 
-/// What lies at both ends of the range is one, and so is what two boxes share.
+/// What lies at both ends of the range is one. Poses beside one another stay two, however near they are: each is one alone.
 fn without_doubles(found: &mut Vec<(Vec<f64>, usize)>) {
     let is_again = |one: &(Vec<f64>, usize), other: &(Vec<f64>, usize)| {
         let mut pairs = one.0.iter().zip(&other.0);
+        let is_turned = pairs.clone().any(|(a, b)| (a - b).abs() > 1.0);
         one.1 == other.1
+            && is_turned
             && pairs.all(|(a, b)| {
                 let off = a - b;
                 (off - TAU * (off / TAU).round()).abs() < SAME_DIRECTION
@@ -227,4 +229,21 @@ fn merged(parts: Vec<Part>) -> Vec<Part> {
 
 fn size(part: &Part) -> f64 {
     part.iter().map(|[low, high]| high - low).product()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_lies_at_both_ends_is_one() {
+        let [low, high] = [BEGINNING, BEGINNING + TAU];
+        let mut found = vec![(vec![low], 0), (vec![high], 0), (vec![high], 1)];
+        without_doubles(&mut found);
+        assert_eq!(found, [(vec![low], 0), (vec![high], 1)]);
+        let near = vec![(vec![0.5], 0), (vec![0.5 + 5e-9], 0)];
+        let mut found = near.clone();
+        without_doubles(&mut found);
+        assert_eq!(found, near);
+    }
 }
