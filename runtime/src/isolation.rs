@@ -11,19 +11,9 @@ use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector, SMatrix};
 use crate::factored_inverse::invert_by_factors;
 use crate::inverse::invert;
 use crate::math::Real;
+use crate::sags::settled;
 use crate::span::LEFT_BY_ROUNDING;
 use crate::vector::{add, zero_matrix, zero_vector};
-
-/// The multiple of the least sags that is tried first.
-const FIRST: f64 = 2.0;
-
-/// By how much sags are widened that the operator does not map into themselves (ε-inflation; Rump, Acta Numerica 2010, section 10.5),
-/// and how often.
-const INFLATION: f64 = 1.25;
-const WIDENED: u8 = 8;
-
-/// The round from which on sags must come nearer to being mapped into themselves.
-const SETTLED: u8 = 2;
 
 /// The number of unknowns from which on an inverse is found by factors: chains of so many links have few entries.
 const FACTORED: usize = 16;
@@ -94,37 +84,10 @@ where
     let sizes = chord.sizes.map(|size| size.abs());
     variation(&sizes, &mut entries);
     let (operator, least) = Operator::new(chord, &entries, &sizes)?;
-    // Where a map least + k R + a R² of one sag takes any R into itself, the largest that it does so with is 2 least or more.
-    let mut sags = scaled(&least, FIRST);
-    let (mut farthest, mut before) = (0, T::ZERO);
-    for round in 0..WIDENED {
-        variation(&sags, &mut entries);
-        let mut needed = operator.spread(&entries, &sags);
-        add(&mut needed, &least);
-        let mut largest = T::ONE;
-        let mut is_inside = true;
-        let both = needed.as_slice().iter().zip(sags.as_slice());
-        for (row, (needed, sag)) in both.enumerate() {
-            // Written so that NaN is refused, and bounds that have become infinite.
-            is_inside &= needed <= sag && sag.is_finite();
-            let is_nearer = *needed <= largest * *sag;
-            if !is_nearer {
-                (farthest, largest) = (row, *needed / *sag);
-            }
-        }
-        if is_inside {
-            // What the operator maps them to holds the solution as well.
-            return Ok(needed);
-        }
-        // The first two rounds show what each unknown does to the others; sags that need more and more after that have no end.
-        let is_nearing = largest < before;
-        if round >= SETTLED && !is_nearing {
-            break;
-        }
-        before = largest;
-        sags = scaled(&needed, INFLATION);
-    }
-    Err(farthest)
+    settled(&least, |sags| {
+        variation(sags, &mut entries);
+        operator.spread(&entries, sags)
+    })
 }
 
 /// The operator of Newton with the inverse C of the Jacobian of the second frame.
@@ -253,17 +216,6 @@ where
         }
     }
     roundings
-}
-
-fn scaled<T: Real, D: Dim>(vector: &OVector<T, D>, factor: f64) -> OVector<T, D>
-where
-    DefaultAllocator: Allocator<D>,
-{
-    let mut scaled = vector.clone();
-    for entry in scaled.as_mut_slice() {
-        *entry *= T::from_f64(factor);
-    }
-    scaled
 }
 
 fn times<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>, vector: &OVector<T, D>) -> OVector<T, D>

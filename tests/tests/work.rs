@@ -32,7 +32,7 @@ fn bounds_are_those_of_the_runtime() {
         ("way.rs", "CROSSINGS", work::CROSSINGS),
         ("crossing.rs", "REFINEMENTS", work::REFINEMENTS),
         ("crossing.rs", "DOUBLINGS", work::DOUBLINGS),
-        ("isolation.rs", "WIDENED", work::WIDENED),
+        ("sags.rs", "WIDENED", work::WIDENED),
     ];
     for (file, name, value) in same {
         assert_eq!(constant(file, name), value as f64, "{name}");

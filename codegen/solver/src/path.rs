@@ -2,6 +2,7 @@
 //!
 //! The statements are those of generated code; see [`linkwright::guard`].
 
+use linkwright::chain_isolation::isolate_whole_chain;
 use linkwright::isolation::isolate_all;
 use linkwright::span::required;
 use linkwright::{Chord, Pair, Span, Tube};
@@ -41,6 +42,8 @@ struct Shown {
 /// How far unknowns may be from a straight line, as registers; see [`isolate_all`].
 #[derive(Clone, Debug)]
 pub(crate) struct Isolation {
+    /// See [`isolate_whole_chain`].
+    pub is_chain: bool,
     /// The block of each equation, by its place in the plan.
     pub blocks: Vec<usize>,
     pub bounds: Vec<Register>,
@@ -242,7 +245,7 @@ impl Shown {
                     required(registers[value.index()], numbers[*block])?;
                 }
                 Operation::Isolate(isolation) => {
-                    let found = isolation.find(span.bend, &self.code, registers);
+                    let found = isolation.find(span, &self.code, registers);
                     found.map_err(|block| numbers[block])?;
                 }
                 _ => run(operation, &self.code, registers, 0.0, 0)
@@ -256,7 +259,7 @@ impl Shown {
 impl Isolation {
     /// # Errors
     /// The block of the plan of which it cannot be shown.
-    fn find(&self, bend: f64, code: &Code, registers: &mut [f64]) -> Result<(), usize> {
+    fn find(&self, span: &Span, code: &Code, registers: &mut [f64]) -> Result<(), usize> {
         let order = self.found.len();
         let fill =
             |matrix: &mut DMatrix<f64>, entries: &[([usize; 2], Register)], registers: &[f64]| {
@@ -273,7 +276,7 @@ impl Isolation {
             matrix
         };
         let chord = Chord {
-            bend,
+            bend: span.bend,
             bounds: vector(&self.bounds),
             curvatures: vector(&self.curvatures),
             ways: vector(&self.ways),
@@ -282,16 +285,19 @@ impl Isolation {
             turns: DVector::from_column_slice(&self.turns),
             turning: &mut matrix(&self.turning, registers),
         };
-        let sags = isolate_all(chord, |sags, variation| {
-            for (register, sag) in self.found.iter().zip(sags.iter()) {
-                registers[register.index()] = *sag;
-            }
-            for operation in &self.variation {
-                // What bounds are made of cannot fail.
-                let _ = run(operation, code, registers, 0.0, 0);
-            }
-            fill(variation, &self.varied, registers);
-        });
+        let sags = match self.is_chain {
+            true => isolate_whole_chain(span, chord),
+            false => isolate_all(chord, |sags, variation| {
+                for (register, sag) in self.found.iter().zip(sags.iter()) {
+                    registers[register.index()] = *sag;
+                }
+                for operation in &self.variation {
+                    // What bounds are made of cannot fail.
+                    let _ = run(operation, code, registers, 0.0, 0);
+                }
+                fill(variation, &self.varied, registers);
+            }),
+        };
         let sags = sags.map_err(|row| self.blocks[row])?;
         for (register, sag) in self.found.iter().zip(sags.iter()) {
             registers[register.index()] = *sag;

@@ -93,8 +93,12 @@ fn of_work(work: &Work) -> Vec<String> {
     if let Some(window) = work.window {
         let window = grouped(window.total());
         let looks = work::LOOKS;
+        let last = match work.last_look.total() {
+            0 => String::new(),
+            last => format!(", and {} where none of these shows it", grouped(last)),
+        };
         lines.push(format!(
-            "Where a frame is the first of a window of its path: at most {looks} times {window} operations more."
+            "Where a frame is the first of a window of its path: at most {looks} times {window} operations more{last}."
         ));
     }
     lines.push(format!(

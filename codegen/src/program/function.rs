@@ -140,6 +140,8 @@ pub enum Statement {
     },
     /// Fails where unknowns cannot be shown to have kept to their path; finds how far they may be from a straight line.
     Isolate {
+        /// Whether each equation but the last two links two unknowns to the next two, and all columns turn.
+        is_chain: bool,
         /// The place in the plan of each equation's block.
         blocks: Vec<usize>,
         /// One sag an unknown.

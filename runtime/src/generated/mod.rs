@@ -15,6 +15,7 @@ macro_rules! precision {
     ($(#[$docs:meta])* $name:ident, $scalar:ident) => {
         $(#[$docs])*
         pub mod $name {
+            pub use crate::chain_isolation::isolate_chain;
             pub use crate::closed_form::{
                 all_finite, no_span, not_finite, singular_divisor, spans,
             };

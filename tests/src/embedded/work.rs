@@ -58,7 +58,7 @@ pub fn outside(known: &Known) -> Vec<String> {
     ask(
         "a long step",
         long.worst,
-        poses * attempt + work.looks() * window,
+        poses * attempt + work.windows() * work::LOOKS * window,
     );
     if !work.is_iterated && (advance.mean() as usize) < work.attempt.total() {
         found.push(format!("{program}: fewer instructions than operations"));

@@ -152,6 +152,7 @@ impl<'a> Writer<'a> {
                 Operation::Require(self.recorder.value(*value), *block)
             }
             Statement::Isolate {
+                is_chain,
                 blocks,
                 found,
                 bounds,
@@ -175,6 +176,7 @@ impl<'a> Writer<'a> {
                 let found = found.iter().map(|&symbol| self.found(symbol)).collect();
                 let (variation, variations) = self.function(variation);
                 Operation::Isolate(Isolation {
+                    is_chain: *is_chain,
                     blocks: blocks.clone(),
                     bounds,
                     curvatures,

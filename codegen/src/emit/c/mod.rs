@@ -16,6 +16,7 @@ mod expression;
 mod file;
 mod forces;
 mod frame;
+mod isolation;
 mod newton;
 mod normalized_determinant;
 mod parameters;

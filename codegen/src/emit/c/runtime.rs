@@ -6,7 +6,7 @@
 use crate::emit::scalar::Scalar;
 
 /// The parts that both scalars share, in the order in which they build on each other.
-const PARTS: [&str; 13] = [
+const PARTS: [&str; 14] = [
     include_str!("runtime/angle.c"),
     include_str!("runtime/closed_form.c"),
     include_str!("runtime/linear.c"),
@@ -16,6 +16,7 @@ const PARTS: [&str; 13] = [
     include_str!("runtime/torn.c"),
     include_str!("runtime/span.c"),
     include_str!("runtime/isolation.c"),
+    include_str!("runtime/chain.c"),
     include_str!("runtime/guard.c"),
     include_str!("runtime/way.c"),
     include_str!("runtime/crossing.c"),

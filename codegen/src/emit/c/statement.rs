@@ -1,5 +1,6 @@
 //! The statements of a function → lines of C.
 
+use super::isolation::Isolated;
 use super::printer::Printer;
 use super::tables::table_name;
 use super::text::Text;
@@ -8,7 +9,7 @@ use crate::emit::module::documentation;
 use crate::emit::module::scope::Scope;
 use crate::expr::{ExprId, SymbolId};
 use crate::model::field_name;
-use crate::program::{Function, Statement};
+use crate::program::Statement;
 
 /// What writes the statements of a block that concern its Newton-Raphson.
 pub(super) type Iterated<'a> = &'a dyn Fn(&Statement, &mut Text);
@@ -159,6 +160,7 @@ impl Printer<'_> {
                 text.close("}");
             }
             Statement::Isolate {
+                is_chain,
                 blocks,
                 found,
                 bounds,
@@ -179,6 +181,7 @@ impl Printer<'_> {
                         .collect()
                 };
                 let isolated = Isolated {
+                    is_chain: *is_chain,
                     blocks,
                     found,
                     vectors: [
@@ -263,127 +266,4 @@ impl Printer<'_> {
             }
         }
     }
-
-    /// Finds the sags of unknowns about the line that they should run along.
-    fn isolation(&self, isolated: &Isolated<'_>, scope: &Scope<'_>, text: &mut Text) {
-        let Isolated {
-            blocks,
-            found,
-            vectors,
-            turns,
-            matrices,
-            varied,
-            variation,
-        } = isolated;
-        let (real, order) = (self.real(), found.len());
-        let graph = &self.module.system.mechanism.graph;
-        let is_varied = |symbol: &SymbolId| {
-            let mut values = variation.values();
-            values.any(|expr| graph.symbols(expr).contains(symbol))
-        };
-        let named = found.iter().enumerate();
-        let named = named.map(|(place, symbol)| Sag {
-            place,
-            name: self.symbol(*symbol, scope),
-            is_varied: is_varied(symbol),
-            is_wanted: scope.is_wanted(*symbol),
-        });
-        let named: Vec<Sag> = named.collect();
-        for sag in named.iter().filter(|sag| sag.is_wanted) {
-            text.line(format!("{real} {};", sag.name));
-        }
-        text.open("{");
-        let numbers = blocks
-            .iter()
-            .map(|&place| format!("{}U", self.module.block_number(place)));
-        let numbers: Vec<String> = numbers.collect();
-        text.line(format!(
-            "const uint16_t blocks[{order}] = {{{}}};",
-            numbers.join(", ")
-        ));
-        for (name, values) in vectors {
-            text.line(format!(
-                "{real} {name}[{order}] = {{{}}};",
-                values.join(", ")
-            ));
-        }
-        let turns: Vec<String> = turns.iter().map(bool::to_string).collect();
-        text.line(format!(
-            "const bool turns[{order}] = {{{}}};",
-            turns.join(", ")
-        ));
-        let zero = self.number(0.0);
-        for matrix in ["jacobian", "turning", "variation"] {
-            text.line(format!(
-                "{real} {matrix}[{order}][{order}] = {{{{{zero}}}}};"
-            ));
-        }
-        text.line(format!(
-            "{real} reals[LINKWRIGHT_ISOLATION_REALS({order})];"
-        ));
-        let chord =
-            "{span->bend, bounds, curvatures, ways, sizes, &jacobian[0][0], turns, &turning[0][0]}";
-        text.line(format!("const {} chord = {chord};", self.runtime("chord")));
-        text.line(format!("{} isolation;", self.runtime("isolation")));
-        for (matrix, entries) in matrices {
-            for ([row, column], entry) in entries {
-                text.line(format!("{matrix}[{row}][{column}] = {entry};"));
-            }
-        }
-        text.line(format!(
-            "{}(&isolation, {order}U, blocks, &chord, &variation[0][0], reals);",
-            self.runtime("isolate")
-        ));
-        text.open(format!(
-            "while ({}(&isolation)) {{",
-            self.runtime("isolation_asks")
-        ));
-        for sag in named.iter().filter(|sag| sag.is_varied) {
-            let declared = match sag.is_wanted {
-                true => String::new(),
-                false => format!("const {real} "),
-            };
-            text.line(format!(
-                "{declared}{} = isolation.sags[{}];",
-                sag.name, sag.place
-            ));
-        }
-        let inner = scope.inner(variation);
-        self.plain_statements(&inner, text);
-        for ([row, column], entry) in varied.iter().zip(self.results(&inner)) {
-            text.line(format!("variation[{row}][{column}] = {entry};"));
-        }
-        text.close("}");
-        text.open("if (!isolation.is_shown) {");
-        text.line("*block = isolation.block;");
-        text.line("return false;");
-        text.close("}");
-        for sag in named.iter().filter(|sag| sag.is_wanted) {
-            text.line(format!("{} = isolation.found[{}];", sag.name, sag.place));
-        }
-        text.close("}");
-    }
-}
-
-/// How far an unknown may be from its line.
-struct Sag {
-    place: usize,
-    name: String,
-    /// Whether the variation reads it, and whether somebody reads what is found.
-    is_varied: bool,
-    is_wanted: bool,
-}
-
-/// An entry of a matrix, with its row and its column.
-type Entry = ([usize; 2], String);
-
-/// Unknowns that are to be shown to keep to their path, with the expressions written.
-struct Isolated<'a> {
-    blocks: &'a [usize],
-    found: &'a [SymbolId],
-    vectors: [(&'static str, Vec<String>); 4],
-    turns: &'a [bool],
-    matrices: [(&'static str, Vec<Entry>); 2],
-    varied: &'a [[usize; 2]],
-    variation: &'a Function,
 }

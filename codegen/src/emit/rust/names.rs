@@ -96,6 +96,7 @@ const ITEMS: &[&str] = &[
     "all_finite",
     "not_finite",
     "isolate",
+    "isolate_chain",
     "required",
     "largest_length",
     "singular_divisor",

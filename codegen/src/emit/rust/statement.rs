@@ -167,6 +167,7 @@ impl Scope<'_> {
                 ));
             }
             Statement::Isolate {
+                is_chain,
                 blocks,
                 found,
                 bounds,
@@ -205,7 +206,11 @@ impl Scope<'_> {
                     turns: #turns.into(),
                     turning: #turning,
                 });
-                self.isolation(found, quote!(#numbers, #chord), (varied, variation), code);
+                let given = match is_chain {
+                    true => quote!(#numbers, span, #chord),
+                    false => quote!(#numbers, #chord),
+                };
+                self.isolation(*is_chain, found, given, (varied, variation), code);
             }
             Statement::Multipliers {
                 targets,
@@ -259,6 +264,7 @@ impl Scope<'_> {
     /// Finds the sags of unknowns about the line that they should run along.
     fn isolation(
         &self,
+        is_chain: bool,
         found: &[SymbolId],
         given: TokenStream,
         (varied, variation): (&[[usize; 2]], &Function),
@@ -275,6 +281,7 @@ impl Scope<'_> {
             false => quote!(_),
         });
         let call = match varied {
+            _ if is_chain => quote!(isolate_chain(#given)?),
             // What is linear does not vary, and what turns is known.
             [] => quote!(isolate(#given, |_, _| {})?),
             _ => {

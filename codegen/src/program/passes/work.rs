@@ -29,6 +29,10 @@ pub const LOOKS: usize = 15;
 /// How often the sags of a window are widened.
 pub const WIDENED: usize = 8;
 
+/// What a cell of a chain takes at most: additions, multiplications and divisions; and additions and multiplications in each round.
+const OF_CELL: [usize; 3] = [240, 280, 16];
+const OF_CELL_IN_ROUND: usize = 32;
+
 /// The poses of one crossing: two modes at a first time and at two times for each doubling, at five times for each refinement; seven on
 /// both sides, and the one that the way goes on from.
 const CROSSING_POSES: usize = 2 * (1 + 2 * DOUBLINGS) + 2 * 5 * REFINEMENTS + 7 + 1;
@@ -46,6 +50,8 @@ pub struct Work {
     pub is_iterated: bool,
     /// One look at a window of the path; `None` where nothing is guarded.
     pub window: Option<Operations>,
+    /// What the last look takes beside, which a chain of cells takes as a whole.
+    pub last_look: Operations,
 }
 
 impl Work {
@@ -73,16 +79,21 @@ impl Work {
                 attempt += substitution(forces.len());
             }
         }
+        let functions = path.map(|path| [&path.function].into_iter().chain(&path.closed));
+        let windows = functions.map(|functions| {
+            let mut all = [Operations::default(); 2];
+            for function in functions {
+                let [look, last] = of_window(function, system);
+                all[0] += look;
+                all[1] += last;
+            }
+            all
+        });
         Self {
             attempt,
             is_iterated: !iterated.is_empty(),
-            window: path.map(|path| {
-                let mut all = of_window(&path.function, system);
-                if let Some(closed) = &path.closed {
-                    all += of_window(closed, system);
-                }
-                all
-            }),
+            window: windows.map(|[look, _]| look),
+            last_look: windows.map_or(Operations::default(), |[_, last]| last),
         }
     }
 
@@ -94,15 +105,16 @@ impl Work {
         }
     }
 
-    /// How often the guard of such a way looks.
-    pub fn looks(&self) -> usize {
-        LOOKS * (1 + SUBSTEPS + CROSSINGS * 2 * SUBSTEPS)
+    /// How often the guard of such a way looks for a window.
+    pub fn windows(&self) -> usize {
+        1 + SUBSTEPS + CROSSINGS * 2 * SUBSTEPS
     }
 
     /// The operations of such a way.
     pub fn whole(&self) -> usize {
-        let window = self.window.map_or(0, |it| it.total());
-        self.poses() * self.attempt.total() + self.looks() * window
+        let look = self.window.map_or(0, |it| it.total());
+        let window = LOOKS * look + self.last_look.total();
+        self.poses() * self.attempt.total() + self.windows() * window
     }
 }
 
@@ -128,11 +140,12 @@ fn of_newton(newton: &NewtonBlock, system: &System) -> Operations {
     all
 }
 
-/// What a path shows, with the largest number of rounds.
-fn of_window(function: &Function, system: &System) -> Operations {
-    let mut all = of_function(function, system);
+/// What one look at a path takes with the largest number of rounds, and what the last one takes beside.
+fn of_window(function: &Function, system: &System) -> [Operations; 2] {
+    let mut all = [of_function(function, system), Operations::default()];
     for statement in &function.statements {
         if let Statement::Isolate {
+            is_chain,
             found,
             turning,
             variation,
@@ -141,19 +154,39 @@ fn of_window(function: &Function, system: &System) -> Operations {
         {
             let order = found.len();
             // An inverse takes three times the elimination, and each round three products.
-            all += elimination(order).times(3);
-            all += products(order, 4);
-            all += Operations {
+            let mut whole = elimination(order).times(3);
+            whole += products(order, 4);
+            whole += Operations {
                 additions: order * turning.len(),
                 multiplications: order * turning.len(),
                 ..Operations::default()
             };
             let mut round = of_function(variation, system);
             round += products(order, 3);
-            all += round.times(WIDENED);
+            whole += round.times(WIDENED);
+            match is_chain {
+                true => {
+                    all[0] += of_chain(order);
+                    all[1] += whole;
+                }
+                false => all[0] += whole,
+            }
         }
     }
     all
+}
+
+/// What shows that a chain with so many unknowns keeps to its path.
+fn of_chain(order: usize) -> Operations {
+    let [additions, multiplications, divisions] = OF_CELL;
+    let rounds = WIDENED * OF_CELL_IN_ROUND;
+    let cell = Operations {
+        additions: additions + rounds,
+        multiplications: multiplications + rounds,
+        divisions,
+        ..Operations::default()
+    };
+    cell.times(order / 2)
 }
 
 /// Products of a square matrix with a vector.

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::chain::{self, Order};
 use super::columns::Columns;
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
@@ -20,6 +21,21 @@ pub(super) struct Loops {
     pub residuals: Vec<ExprId>,
     /// The block of each equation, by its place in the plan.
     pub blocks: Vec<usize>,
+}
+
+impl Loops {
+    /// The same with its equations and unknowns in this order.
+    fn in_order(self, order: &Order) -> Loops {
+        let unknowns: Vec<usize> = order.columns.iter().map(|&it| self.unknowns[it]).collect();
+        let places = unknowns.iter().enumerate();
+        Loops {
+            columns: places.map(|(place, &unknown)| (unknown, place)).collect(),
+            ways: order.columns.iter().map(|&it| self.ways[it]).collect(),
+            residuals: order.rows.iter().map(|&it| self.residuals[it]).collect(),
+            blocks: order.rows.iter().map(|&it| self.blocks[it]).collect(),
+            unknowns,
+        }
+    }
 }
 
 impl Builder<'_> {
@@ -45,23 +61,33 @@ impl Builder<'_> {
     }
 
     /// Asks that equations have one solution near the line.
-    pub(super) fn isolate(&mut self, loops: Loops) {
+    pub(super) fn isolate(&mut self, mut loops: Loops) {
+        if loops.unknowns.is_empty() {
+            return;
+        }
+        let mut found = self.columns(&loops.residuals, &loops.columns);
+        let places = found.jacobian.iter().map(|(place, _)| *place);
+        let order = chain::order(loops.unknowns.len(), places);
+        // What turns is an angle, and does not vary beside.
+        let order = order.filter(|_| found.turns.iter().all(|turns| *turns));
+        let is_chain = order.is_some();
+        if let Some(order) = order {
+            loops = loops.in_order(&order);
+            found = self.columns(&loops.residuals, &loops.columns);
+        }
         let Loops {
             unknowns,
-            columns,
             ways,
             residuals,
             blocks,
+            ..
         } = loops;
-        if unknowns.is_empty() {
-            return;
-        }
-        let sags: Vec<SymbolId> = unknowns.iter().map(|&it| self.bound(it, "sag")).collect();
         let Columns {
             jacobian,
             turns,
             turning,
-        } = self.columns(&residuals, &columns);
+        } = found;
+        let sags: Vec<SymbolId> = unknowns.iter().map(|&it| self.bound(it, "sag")).collect();
         // What arms do that turn with such a column is known without bounds.
         for (&unknown, _) in unknowns.iter().zip(&turns).filter(|(_, turns)| **turns) {
             self.know_still(unknown);
@@ -99,6 +125,7 @@ impl Builder<'_> {
         self.path_geometry(&all);
         let distances = ways.iter().map(|&it| self.graph().variable(it)).collect();
         self.state(Statement::Isolate {
+            is_chain,
             blocks: blocks.clone(),
             found: sags.clone(),
             bounds,

@@ -8,6 +8,7 @@
 //! solution. Deliberately unknown here: how a part is solved.
 
 mod bounds;
+mod chain;
 mod columns;
 mod definitions;
 mod isolation;

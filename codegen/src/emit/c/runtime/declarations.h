@@ -340,6 +340,10 @@ bool linkwright$f_tube_holds(const linkwright$f_tube *tube, $real value, $real s
 void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
     const linkwright$f_chord *chord, const $real variation[], $real reals[]);
 bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation);
+/* The same as a whole where all columns turn and every two equations but the last two link two unknowns to the next
+   two: a chain of as many cells takes as many operations. The variation is zero. */
+void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
+    const linkwright$f_span *span, const linkwright$f_chord *chord, const $real variation[], $real reals[]);
 
 /* Solves the equations of a block from the last frame, or near an estimate; notes a failure. */
 linkwright_status linkwright$f_solve_block(const linkwright$f_equations *equations, const linkwright$f_tears *last,

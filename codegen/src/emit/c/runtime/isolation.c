@@ -10,6 +10,9 @@ static const $real INFLATION$f = 1.25$f;
 /* The round from which on sags must come nearer to being mapped into themselves. */
 #define SETTLED$F 2U
 
+/* How often the variation is asked for before sags are spread. */
+#define FIRST_ROUND$F 2U
+
 /* Makes a row that of the identity, by its column, and puts the row of the inverse in its place. Room for n numbers.
    */
 static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
@@ -230,13 +233,12 @@ static void spread$f(const linkwright$f_isolation *isolation)
     }
 }
 
-/* Whether the operator maps the sags into themselves. */
+/* Whether the operator, which has spread the sags, maps them into themselves. */
 static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
 {
     const size_t n = isolation->order;
     $real largest = 1.0$f;
     bool is_inside = true;
-    spread$f(isolation);
     for (uint16_t row = 0U; row < n; row++) {
         const $real needed = isolation->needed[row];
         const $real sag = isolation->sags[row];
@@ -252,6 +254,25 @@ static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
     return is_inside;
 }
 
+/* Whether wider sags are to be tried, and widens them: where those of this round are not mapped into themselves, and
+   come nearer to it. */
+static bool widens$f(linkwright$f_isolation *isolation, uint16_t round)
+{
+    bool is_wider = false;
+    if (is_mapped_inside$f(isolation)) {
+        /* What the operator maps them to holds the solution as well. */
+    } else if (((round + 1U) < WIDENED$F) && ((round < SETTLED$F) || isolation->is_nearing)) {
+        for (size_t k = 0U; k < isolation->order; k += 1U) {
+            isolation->sags[k] = isolation->needed[k] * INFLATION$f;
+        }
+        is_wider = true;
+    } else {
+        isolation->is_shown = false;
+        isolation->block = isolation->blocks[isolation->farthest];
+    }
+    return is_wider;
+}
+
 bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation)
 {
     bool asks = false;
@@ -264,16 +285,9 @@ bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation)
     } else if (round == 1U) {
         begin_isolation$f(isolation);
         asks = true;
-    } else if (is_mapped_inside$f(isolation)) {
-        /* What the operator maps them to holds the solution as well. */
-    } else if ((round <= WIDENED$F) && ((round < (SETTLED$F + 2U)) || isolation->is_nearing)) {
-        for (size_t k = 0U; k < isolation->order; k += 1U) {
-            isolation->sags[k] = isolation->needed[k] * INFLATION$f;
-        }
-        asks = true;
     } else {
-        isolation->is_shown = false;
-        isolation->block = isolation->blocks[isolation->farthest];
+        spread$f(isolation);
+        asks = widens$f(isolation, (uint16_t)(round - FIRST_ROUND$F));
     }
     return asks;
 }

@@ -1,0 +1,153 @@
+//! The question whether unknowns keep to their path → lines of C that ask the runtime.
+
+use super::printer::Printer;
+use super::text::Text;
+use crate::emit::module::scope::Scope;
+use crate::expr::SymbolId;
+use crate::program::Function;
+
+/// An entry of a matrix, with its row and its column.
+pub(super) type Entry = ([usize; 2], String);
+
+/// Unknowns that are to be shown to keep to their path, with the expressions written.
+pub(super) struct Isolated<'a> {
+    pub is_chain: bool,
+    pub blocks: &'a [usize],
+    pub found: &'a [SymbolId],
+    pub vectors: [(&'static str, Vec<String>); 4],
+    pub turns: &'a [bool],
+    pub matrices: [(&'static str, Vec<Entry>); 2],
+    pub varied: &'a [[usize; 2]],
+    pub variation: &'a Function,
+}
+
+impl Printer<'_> {
+    /// Finds the sags of unknowns about the line that they should run along.
+    pub(super) fn isolation(&self, isolated: &Isolated<'_>, scope: &Scope<'_>, text: &mut Text) {
+        let Isolated {
+            is_chain,
+            blocks,
+            found,
+            vectors,
+            turns,
+            matrices,
+            varied,
+            variation,
+        } = isolated;
+        let (real, order) = (self.real(), found.len());
+        let graph = &self.module.system.mechanism.graph;
+        let is_varied = |symbol: &SymbolId| {
+            let mut values = variation.values();
+            values.any(|expr| graph.symbols(expr).contains(symbol))
+        };
+        let named = found.iter().enumerate();
+        let named = named.map(|(place, symbol)| Sag {
+            place,
+            name: self.symbol(*symbol, scope),
+            is_varied: is_varied(symbol),
+            is_wanted: scope.is_wanted(*symbol),
+        });
+        let named: Vec<Sag> = named.collect();
+        for sag in named.iter().filter(|sag| sag.is_wanted) {
+            text.line(format!("{real} {};", sag.name));
+        }
+        text.open("{");
+        let numbers = blocks
+            .iter()
+            .map(|&place| format!("{}U", self.module.block_number(place)));
+        let numbers: Vec<String> = numbers.collect();
+        text.line(format!(
+            "const uint16_t blocks[{order}] = {{{}}};",
+            numbers.join(", ")
+        ));
+        for (name, values) in vectors {
+            text.line(format!(
+                "{real} {name}[{order}] = {{{}}};",
+                values.join(", ")
+            ));
+        }
+        let turns: Vec<String> = turns.iter().map(bool::to_string).collect();
+        text.line(format!(
+            "const bool turns[{order}] = {{{}}};",
+            turns.join(", ")
+        ));
+        let zero = self.number(0.0);
+        for matrix in ["jacobian", "turning", "variation"] {
+            text.line(format!(
+                "{real} {matrix}[{order}][{order}] = {{{{{zero}}}}};"
+            ));
+        }
+        text.line(format!(
+            "{real} reals[LINKWRIGHT_ISOLATION_REALS({order})];"
+        ));
+        let chord =
+            "{span->bend, bounds, curvatures, ways, sizes, &jacobian[0][0], turns, &turning[0][0]}";
+        text.line(format!("const {} chord = {chord};", self.runtime("chord")));
+        text.line(format!("{} isolation;", self.runtime("isolation")));
+        for (matrix, entries) in matrices {
+            for ([row, column], entry) in entries {
+                text.line(format!("{matrix}[{row}][{column}] = {entry};"));
+            }
+        }
+        if *is_chain {
+            text.line(format!(
+                "{}(&isolation, {order}U, blocks, span, &chord, &variation[0][0], reals);",
+                self.runtime("isolate_chain")
+            ));
+        } else {
+            text.line(format!(
+                "{}(&isolation, {order}U, blocks, &chord, &variation[0][0], reals);",
+                self.runtime("isolate")
+            ));
+            self.variation(&named, (varied, variation), scope, text);
+        }
+        text.open("if (!isolation.is_shown) {");
+        text.line("*block = isolation.block;");
+        text.line("return false;");
+        text.close("}");
+        for sag in named.iter().filter(|sag| sag.is_wanted) {
+            text.line(format!("{} = isolation.found[{}];", sag.name, sag.place));
+        }
+        text.close("}");
+    }
+
+    /// Says how far the entries of the Jacobian may change, as often as it is asked.
+    fn variation(
+        &self,
+        named: &[Sag],
+        (varied, variation): (&[[usize; 2]], &Function),
+        scope: &Scope<'_>,
+        text: &mut Text,
+    ) {
+        let real = self.real();
+        text.open(format!(
+            "while ({}(&isolation)) {{",
+            self.runtime("isolation_asks")
+        ));
+        for sag in named.iter().filter(|sag| sag.is_varied) {
+            let declared = match sag.is_wanted {
+                true => String::new(),
+                false => format!("const {real} "),
+            };
+            text.line(format!(
+                "{declared}{} = isolation.sags[{}];",
+                sag.name, sag.place
+            ));
+        }
+        let inner = scope.inner(variation);
+        self.plain_statements(&inner, text);
+        for ([row, column], entry) in varied.iter().zip(self.results(&inner)) {
+            text.line(format!("variation[{row}][{column}] = {entry};"));
+        }
+        text.close("}");
+    }
+}
+
+/// How far an unknown may be from its line.
+struct Sag {
+    place: usize,
+    name: String,
+    /// Whether the variation reads it, and whether somebody reads what is found.
+    is_varied: bool,
+    is_wanted: bool,
+}

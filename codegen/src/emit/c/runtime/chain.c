@@ -1,0 +1,369 @@
+
+/* Chains of cells: two unknowns each, two equations that link a cell to the next one, and two more that may read every
+   cell. Where an equation is not met, every cell before its link follows from the first one, and every cell behind it
+   from the last one, as if nothing had happened: so the inverse C of the Jacobian has rank two on either side of the
+   links, and is never written out. */
+
+/* The largest derivative of an unknown by those of the first or the last cell. Beyond it rounding grows along the
+   chain. */
+static const $real LARGEST_TRANSFER$f = 64.0$f;
+
+/* Two numbers for each of n unknowns or equations, and the same for a whole matrix. */
+typedef $real pair$f[2];
+typedef struct chain$f {
+    const linkwright$f_chord *chord;
+    size_t order;
+    /* The derivatives of each unknown by those of the first and of the last cell, where all links hold. */
+    pair$f *from_first;
+    pair$f *from_last;
+    /* What the unknowns of the first and of the last cell do where an equation is off by 1. */
+    pair$f *first;
+    pair$f *last;
+    /* What the columns of the product of C and what turns do to the first cell, to the last one, and to their own. */
+    pair$f *turned_first;
+    pair$f *turned_last;
+    pair$f *turned_own;
+    $real *vector;
+} chain$f;
+
+/* The derivatives of the equations of a link by the unknowns of a cell. */
+static void square$f(const chain$f *chain, size_t link, size_t cell, pair$f found[2])
+{
+    for (size_t row = 0U; row < 2U; row += 1U) {
+        const size_t k = (((2U * link) + row) * chain->order) + (2U * cell);
+        found[row][0] = chain->chord->jacobian[k];
+        found[row][1] = chain->chord->jacobian[k + 1U];
+    }
+}
+
+static $real dot$f(const $real left[2], const $real right[2])
+{
+    return (left[0] * right[0]) + (left[1] * right[1]);
+}
+
+static $real magnitude_dot$f(const $real left[2], const $real right[2])
+{
+    return (fabs$f(left[0]) * right[0]) + (fabs$f(left[1]) * right[1]);
+}
+
+static bool inverted$f(const pair$f matrix[2], pair$f found[2])
+{
+    const $real determinant = (matrix[0][0] * matrix[1][1]) - (matrix[0][1] * matrix[1][0]);
+    const bool is_regular = (fabs$f(determinant) > 0.0$f) && linkwright$f_is_finite(determinant);
+    if (is_regular) {
+        found[0][0] = matrix[1][1] / determinant;
+        found[0][1] = -matrix[0][1] / determinant;
+        found[1][0] = -matrix[1][0] / determinant;
+        found[1][1] = matrix[0][0] / determinant;
+    }
+    return is_regular;
+}
+
+static void product$f(const pair$f left[2], const pair$f right[2], pair$f found[2])
+{
+    for (size_t row = 0U; row < 2U; row += 1U) {
+        for (size_t column = 0U; column < 2U; column += 1U) {
+            const $real other[2] = {right[0][column], right[1][column]};
+            found[row][column] = dot$f(left[row], other);
+        }
+    }
+}
+
+/* The derivatives of all unknowns by those of the first cell, or in reverse of the last one. False where a link does
+   not determine one of its cells from the other, or only just. */
+static bool transfers$f(const chain$f *chain, bool is_reversed, pair$f found[])
+{
+    const size_t cells = chain->order / 2U;
+    pair$f transfer[2] = {{1.0$f, 0.0$f}, {0.0$f, 1.0$f}};
+    bool is_small = true;
+    for (size_t place = 0U; (place < cells) && is_small; place += 1U) {
+        const size_t cell = is_reversed ? ((cells - 1U) - place) : place;
+        if (place > 0U) {
+            const size_t link = is_reversed ? cell : (cell - 1U);
+            pair$f near[2];
+            pair$f far[2];
+            pair$f inverse[2];
+            pair$f moved[2];
+            square$f(chain, link, is_reversed ? (cell + 1U) : (cell - 1U), near);
+            square$f(chain, link, cell, far);
+            is_small = inverted$f(far, inverse);
+            if (is_small) {
+                product$f(near, transfer, moved);
+                product$f(inverse, moved, transfer);
+            }
+        }
+        for (size_t row = 0U; row < 2U; row += 1U) {
+            for (size_t column = 0U; column < 2U; column += 1U) {
+                if (place > 0U) {
+                    transfer[row][column] = -transfer[row][column];
+                }
+                /* Written so that NaN is refused. */
+                is_small = is_small && (fabs$f(transfer[row][column]) <= LARGEST_TRANSFER$f);
+                found[(2U * cell) + row][column] = transfer[row][column];
+            }
+        }
+    }
+    return is_small;
+}
+
+/* What the unknowns of the first cell do where an equation is off by 1, or in reverse those of the last one. */
+static bool responses$f(const chain$f *chain, bool is_reversed, pair$f found[])
+{
+    const size_t cells = chain->order / 2U;
+    pair$f seen[2];
+    pair$f answer[2];
+    bool is_regular = true;
+    /* What the last equations see where a cell moves, and all cells behind it follow. */
+    square$f(chain, cells - 1U, is_reversed ? 0U : (cells - 1U), seen);
+    for (size_t place = cells - 1U; (place > 0U) && is_regular; place -= 1U) {
+        const size_t far_cell = is_reversed ? ((cells - 1U) - place) : place;
+        const size_t near_cell = is_reversed ? (far_cell + 1U) : (far_cell - 1U);
+        const size_t link = is_reversed ? far_cell : near_cell;
+        pair$f far[2];
+        pair$f inverse[2];
+        pair$f near[2];
+        pair$f off[2];
+        pair$f followed[2];
+        square$f(chain, link, far_cell, far);
+        is_regular = inverted$f(far, inverse);
+        if (is_regular) {
+            product$f(seen, inverse, off);
+            square$f(chain, link, near_cell, near);
+            product$f(off, near, followed);
+            square$f(chain, cells - 1U, near_cell, seen);
+            for (size_t row = 0U; row < 2U; row += 1U) {
+                for (size_t column = 0U; column < 2U; column += 1U) {
+                    found[(2U * link) + column][row] = off[row][column];
+                    seen[row][column] -= followed[row][column];
+                }
+            }
+        }
+    }
+    is_regular = is_regular && inverted$f(seen, answer);
+    if (is_regular) {
+        for (size_t row = 0U; row < (2U * (cells - 1U)); row += 1U) {
+            const $real off[2] = {found[row][0], found[row][1]};
+            found[row][0] = -dot$f(answer[0], off);
+            found[row][1] = -dot$f(answer[1], off);
+        }
+        for (size_t side = 0U; side < 2U; side += 1U) {
+            found[(2U * (cells - 1U)) + side][0] = answer[0][side];
+            found[(2U * (cells - 1U)) + side][1] = answer[1][side];
+        }
+    }
+    return is_regular;
+}
+
+/* Adds what some equations of a column of what turns do to the first or the last cell. */
+static void respond$f(const chain$f *chain, const pair$f responses[], size_t link, size_t column, $real sum[2])
+{
+    for (size_t row = 2U * link; row < ((2U * link) + 2U); row += 1U) {
+        const $real entry = chain->chord->turning[(row * chain->order) + column];
+        sum[0] += entry * responses[row][0];
+        sum[1] += entry * responses[row][1];
+    }
+}
+
+/* The product of C and what turns. */
+static void turn_chain$f(const chain$f *chain)
+{
+    const size_t cells = chain->order / 2U;
+    for (size_t column = 0U; column < chain->order; column += 1U) {
+        const size_t cell = column / 2U;
+        const pair$f *const responses[2] = {chain->first, chain->last};
+        pair$f *const found[2] = {chain->turned_first, chain->turned_last};
+        $real ahead[2][2] = {{0.0$f, 0.0$f}, {0.0$f, 0.0$f}};
+        $real before[2][2] = {{0.0$f, 0.0$f}, {0.0$f, 0.0$f}};
+        for (size_t end = 0U; end < 2U; end += 1U) {
+            $real closing[2] = {0.0$f, 0.0$f};
+            if ((cell + 1U) < cells) {
+                respond$f(chain, responses[end], cell, column, ahead[end]);
+            }
+            respond$f(chain, responses[end], cells - 1U, column, closing);
+            if (cell > 0U) {
+                respond$f(chain, responses[end], cell - 1U, column, before[end]);
+            }
+            for (size_t side = 0U; side < 2U; side += 1U) {
+                ahead[end][side] += closing[side];
+                found[end][column][side] = ahead[end][side] + before[end][side];
+            }
+        }
+        for (size_t side = 0U; side < 2U; side += 1U) {
+            const size_t unknown = (2U * cell) + side;
+            chain->turned_own[column][side] =
+                dot$f(chain->from_first[unknown], ahead[0]) + dot$f(chain->from_last[unknown], before[1]);
+        }
+    }
+}
+
+/* The product of C, or of the magnitudes that it has, with a vector. */
+static void times_chain$f(const chain$f *chain, const $real vector[], bool is_size, $real found[])
+{
+    const size_t cells = chain->order / 2U;
+    $real behind[2] = {0.0$f, 0.0$f};
+    $real before[2] = {0.0$f, 0.0$f};
+    /* The last equations are behind every cell. */
+    for (size_t cell = cells; cell > 0U; cell -= 1U) {
+        for (size_t row = 2U * (cell - 1U); row < (2U * cell); row += 1U) {
+            for (size_t side = 0U; side < 2U; side += 1U) {
+                const $real response = chain->first[row][side];
+                behind[side] += (is_size ? fabs$f(response) : response) * vector[row];
+            }
+        }
+        for (size_t unknown = 2U * (cell - 1U); unknown < (2U * cell); unknown += 1U) {
+            const $real *const from = chain->from_first[unknown];
+            found[unknown] = is_size ? magnitude_dot$f(from, behind) : dot$f(from, behind);
+        }
+    }
+    for (size_t cell = 1U; cell < cells; cell += 1U) {
+        for (size_t row = 2U * (cell - 1U); row < (2U * cell); row += 1U) {
+            for (size_t side = 0U; side < 2U; side += 1U) {
+                const $real response = chain->last[row][side];
+                before[side] += (is_size ? fabs$f(response) : response) * vector[row];
+            }
+        }
+        for (size_t unknown = 2U * cell; unknown < ((2U * cell) + 2U); unknown += 1U) {
+            const $real *const from = chain->from_last[unknown];
+            found[unknown] += is_size ? magnitude_dot$f(from, before) : dot$f(from, before);
+        }
+    }
+}
+
+/* Adds what the columns of a cell do to the first, the last, or their own cell. */
+static void add_columns$f(const pair$f columns[], size_t cell, const $real vector[], $real sum[2])
+{
+    for (size_t column = 2U * cell; column < ((2U * cell) + 2U); column += 1U) {
+        sum[0] += fabs$f(columns[column][0]) * vector[column];
+        sum[1] += fabs$f(columns[column][1]) * vector[column];
+    }
+}
+
+/* The product of the magnitudes of C and what turns with a vector. */
+static void spread_chain$f(const chain$f *chain, const $real vector[], $real found[])
+{
+    const size_t cells = chain->order / 2U;
+    $real behind[2] = {0.0$f, 0.0$f};
+    $real before[2] = {0.0$f, 0.0$f};
+    for (size_t cell = cells; cell > 0U; cell -= 1U) {
+        for (size_t unknown = 2U * (cell - 1U); unknown < (2U * cell); unknown += 1U) {
+            found[unknown] = magnitude_dot$f(chain->from_first[unknown], behind);
+        }
+        add_columns$f(chain->turned_first, cell - 1U, vector, behind);
+    }
+    for (size_t cell = 0U; cell < cells; cell += 1U) {
+        $real own[2] = {0.0$f, 0.0$f};
+        add_columns$f(chain->turned_own, cell, vector, own);
+        for (size_t side = 0U; side < 2U; side += 1U) {
+            const size_t unknown = (2U * cell) + side;
+            found[unknown] = (found[unknown] + magnitude_dot$f(chain->from_last[unknown], before)) + own[side];
+        }
+        add_columns$f(chain->turned_last, cell, vector, before);
+    }
+}
+
+/* What the operator of Newton leaves of the line at least. */
+static void begin_chain$f(const chain$f *chain, const linkwright$f_isolation *isolation)
+{
+    const linkwright$f_chord *const chord = chain->chord;
+    const size_t n = chain->order;
+    $real *const least = isolation->least;
+    $real *const off = isolation->rest;
+    $real *const second = chain->vector;
+    for (size_t row = 0U; row < n; row += 1U) {
+        const bool is_link = row < (n - 2U);
+        const size_t begin = is_link ? ((row / 2U) * 2U) : 0U;
+        const size_t end = is_link ? (begin + 4U) : n;
+        second[row] = chord->curvatures[row];
+        off[row] = 0.0$f;
+        for (size_t column = begin; column < end; column += 1U) {
+            const size_t k = (row * n) + column;
+            const $real rounding = (LEFT_BY_ROUNDING$f * $FLT_EPSILON) * fabs$f(chord->sizes[column]);
+            const $real size = fabs$f(chord->jacobian[k]) + fabs$f(chord->turning[k]);
+            off[row] = larger$f(rounding * size, off[row]);
+            second[row] += chord->turning[k] * (chord->ways[column] * chord->ways[column]);
+        }
+        off[row] += chord->bounds[row];
+    }
+    times_chain$f(chain, second, false, least);
+    /* What is left beside second derivatives: half of d to the fourth of the cosine's, and the cube of d of the
+       sine's. */
+    for (size_t k = 0U; k < n; k += 1U) {
+        const $real square = chord->ways[k] * chord->ways[k];
+        chain->vector[k] = (0.5$f * square) * square;
+    }
+    spread_chain$f(chain, chain->vector, isolation->needed);
+    for (size_t k = 0U; k < n; k += 1U) {
+        const $real third = chord->ways[k] * (chord->ways[k] * chord->ways[k]);
+        least[k] = chord->bend * ((fabs$f(least[k]) + isolation->needed[k]) + third);
+    }
+    times_chain$f(chain, off, true, isolation->needed);
+    for (size_t k = 0U; k < n; k += 1U) {
+        least[k] += isolation->needed[k];
+        isolation->sags[k] = least[k] * FIRST$f;
+    }
+}
+
+/* Where the operator takes the sags: |sin d| is at most d, and 1 - cos d at most d² / 2. */
+static void spread_sags$f(const chain$f *chain, const linkwright$f_isolation *isolation)
+{
+    const $real *const ways = chain->chord->ways;
+    for (size_t k = 0U; k < chain->order; k += 1U) {
+        chain->vector[k] = (ways[k] + isolation->sags[k]) * isolation->sags[k];
+    }
+    spread_chain$f(chain, chain->vector, isolation->needed);
+    for (size_t k = 0U; k < chain->order; k += 1U) {
+        const $real delta = ways[k] + isolation->sags[k];
+        const $real beside = ((0.5$f * delta) * delta) * isolation->sags[k];
+        isolation->needed[k] = (isolation->needed[k] + beside) + isolation->least[k];
+    }
+}
+
+void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
+    const linkwright$f_span *span, const linkwright$f_chord *chord, const $real variation[], $real reals[])
+{
+    const size_t n = order;
+    chain$f chain = {0};
+    pair$f *const pairs = (pair$f *)&reals[5U * n];
+    isolation->order = order;
+    isolation->blocks = blocks;
+    isolation->chord = chord;
+    isolation->least = reals;
+    isolation->needed = &reals[n];
+    isolation->rest = &reals[2U * n];
+    isolation->sags = &reals[3U * n];
+    isolation->found = isolation->needed;
+    isolation->largest = 0.0$f;
+    isolation->is_nearing = false;
+    isolation->farthest = 0U;
+    isolation->block = blocks[0];
+    chain.chord = chord;
+    chain.order = n;
+    chain.vector = &reals[4U * n];
+    chain.from_first = pairs;
+    chain.from_last = &pairs[n];
+    chain.first = &pairs[2U * n];
+    chain.last = &pairs[3U * n];
+    chain.turned_first = &pairs[4U * n];
+    chain.turned_last = &pairs[5U * n];
+    chain.turned_own = &pairs[6U * n];
+    isolation->is_shown = transfers$f(&chain, false, chain.from_first) && responses$f(&chain, false, chain.first)
+        && transfers$f(&chain, true, chain.from_last) && responses$f(&chain, true, chain.last);
+    if (isolation->is_shown) {
+        uint16_t round = 0U;
+        bool is_wider = true;
+        turn_chain$f(&chain);
+        begin_chain$f(&chain, isolation);
+        while (is_wider) {
+            spread_sags$f(&chain, isolation);
+            is_wider = widens$f(isolation, round);
+            round++;
+        }
+    }
+    /* Beyond the frames there are nearer spans to try; between them the whole inverse decides. */
+    if (!isolation->is_shown && (span->stretch <= 1.0$f)) {
+        linkwright$f_isolate(isolation, order, blocks, chord, variation, reals);
+        while (linkwright$f_isolation_asks(isolation)) {
+            /* What turns does not vary beside. */
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! The places of the entries of a Jacobian → the order in which it is that of a chain of cells, where it is one.
+//!
+//! A cell has two unknowns. Two equations link it to the next one, and two more close the chain; these may read every cell. So does a
+//! pantograph hang together, or a scissor lift. Deliberately unknown here: what the unknowns are.
+
+use std::collections::BTreeMap;
+
+/// The fewest unknowns for which the order of a chain saves work.
+const FEWEST: usize = 16;
+
+/// Rows and columns in the order of a chain.
+pub(super) struct Order {
+    /// Cell by cell the equations that link it to the next one, and then the two that close the chain.
+    pub rows: Vec<usize>,
+    /// Cell by cell.
+    pub columns: Vec<usize>,
+}
+
+/// The order of a chain. It begins at the end that its equations mention first.
+pub(super) fn order(size: usize, places: impl Iterator<Item = [usize; 2]>) -> Option<Order> {
+    let mut columns_of: Vec<Vec<usize>> = vec![Vec::new(); size];
+    for [row, column] in places {
+        columns_of[row].push(column);
+    }
+    columns_of
+        .iter_mut()
+        .for_each(|columns| columns.sort_unstable());
+    let mut links: BTreeMap<&[usize], Vec<usize>> = BTreeMap::new();
+    for (row, columns) in columns_of.iter().enumerate() {
+        links.entry(columns).or_default().push(row);
+    }
+    // Both equations of a link mention both of its cells.
+    links.retain(|columns, rows| columns.len() == 4 && rows.len() == 2);
+    if size < FEWEST || !size.is_multiple_of(2) || links.len() + 1 != size / 2 {
+        return None;
+    }
+    let mut linked_by: Vec<Vec<&[usize]>> = vec![Vec::new(); size];
+    for columns in links.keys() {
+        columns.iter().for_each(|&it| linked_by[it].push(columns));
+    }
+    let is_end = |columns: &&[usize]| {
+        columns
+            .iter()
+            .filter(|&&it| linked_by[it].len() == 1)
+            .count()
+            == 2
+    };
+    let ends = links.iter().filter(|(columns, _)| is_end(columns));
+    let (&first, _) = ends.min_by_key(|(_, rows)| rows[0])?;
+    let mut order = Order {
+        rows: Vec::new(),
+        columns: first
+            .iter()
+            .copied()
+            .filter(|&it| linked_by[it].len() == 1)
+            .collect(),
+    };
+    let mut link = first;
+    while let Some(rows) = links.remove(link) {
+        order.rows.extend(rows);
+        let cell: Vec<usize> = link
+            .iter()
+            .copied()
+            .filter(|it| !order.columns.contains(it))
+            .collect();
+        let next = linked_by[*cell.first()?]
+            .iter()
+            .find(|next| links.contains_key(**next));
+        let follows = |next: &[usize]| cell.iter().all(|it| next.contains(it));
+        let is_cell = cell.len() == 2 && next.is_none_or(|next| follows(next));
+        if !is_cell {
+            return None;
+        }
+        order.columns.extend(cell);
+        if let Some(next) = next {
+            link = next;
+        }
+    }
+    let closing = (0..size).filter(|row| !order.rows.contains(row));
+    let closing: Vec<usize> = closing.collect();
+    order.rows.extend(closing);
+    (order.columns.len() == size && order.rows.len() == size).then_some(order)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::order;
+
+    /// The places of a chain of cells, whose two equations at the end read every cell; `named` says what is what.
+    fn chain(cells: usize, named: impl Fn(usize) -> usize) -> Vec<[usize; 2]> {
+        let size = 2 * cells;
+        let mut places = Vec::new();
+        for row in 0..size {
+            let columns = match row < size - 2 {
+                true => row / 2 * 2..row / 2 * 2 + 4,
+                false => 0..size,
+            };
+            places.extend(columns.map(|column| [named(row), named(column)]));
+        }
+        places
+    }
+
+    #[test]
+    fn a_chain_in_order_stays_as_it_is() {
+        let found = order(20, chain(10, |it| it).into_iter()).unwrap();
+        assert!(found.rows.into_iter().eq(0..20));
+        assert!(found.columns.into_iter().eq(0..20));
+    }
+
+    #[test]
+    fn a_chain_in_disorder_is_put_in_order() {
+        let places = chain(10, |it| (it * 7 + 3) % 20);
+        let found = order(20, places.iter().copied()).unwrap();
+        for [row, column] in places {
+            let place = |all: &[usize], one| all.iter().position(|it| *it == one).unwrap();
+            let row = place(&found.rows, row);
+            let column = place(&found.columns, column);
+            assert!(row >= 18 || column / 2 == row / 2 || column / 2 == row / 2 + 1);
+        }
+    }
+
+    #[test]
+    fn what_is_no_chain_has_no_order() {
+        // A link that reads a third cell, a ring, one equation too few, and too few cells.
+        let far = chain(10, |it| it).into_iter().chain([[4, 11]]);
+        assert!(order(20, far).is_none());
+        let ring = chain(10, |it| it).into_iter();
+        let ring = ring.filter(|[row, column]| *row < 18 || !(2..18).contains(column));
+        assert!(order(20, ring).is_none());
+        let cut = chain(10, |it| it).into_iter().filter(|[row, _]| *row != 5);
+        assert!(order(20, cut).is_none());
+        assert!(order(14, chain(7, |it| it).into_iter()).is_none());
+    }
+}

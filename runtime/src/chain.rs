@@ -1,0 +1,329 @@
+//! The Jacobian of a chain of cells → what its inverse does, in as many operations as there are cells.
+//!
+//! A cell has two unknowns. Two equations link it to the next one, and the last two equations of all may read every cell. Where an
+//! equation is not met, every cell before its link follows from the first one, and every cell behind it from the last one, as if
+//! nothing had happened: so the inverse has rank two on either side of the links, and is never written out (a semiseparable matrix;
+//! Vandebril, Van Barel and Mastronardi, *Matrix Computations and Semiseparable Matrices*, 2008). The module does not know what the
+//! unknowns are.
+
+use core::ops::Range;
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
+
+use crate::math::Real;
+use crate::vector::zero_vector;
+
+/// The largest derivative of an unknown by those of the first or the last cell. Beyond it rounding grows along the chain.
+const LARGEST_TRANSFER: f64 = 64.0;
+
+/// Two numbers for each unknown or equation of a chain.
+pub(crate) type Pairs<T, D> = OVector<[T; 2], D>;
+
+/// A matrix of two rows.
+type Square<T> = [[T; 2]; 2];
+
+/// The inverse C of a Jacobian (n × n, n even): C_ir is the product of `from_first[i]` and `first[r]` where cell i stands before the
+/// link that r is an equation of, and that of `from_last[i]` and `last[r]` where it stands behind.
+pub(crate) struct ChainInverse<T: Real, D: Dim>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    /// The derivatives of each unknown by those of the first cell, where all links hold.
+    from_first: Pairs<T, D>,
+    /// The derivatives of each unknown by those of the last cell.
+    from_last: Pairs<T, D>,
+    /// What the unknowns of the first cell do where an equation is off by 1: two rows of C.
+    first: Pairs<T, D>,
+    /// What the unknowns of the last cell do.
+    last: Pairs<T, D>,
+}
+
+/// The product of the inverse with another matrix whose entries are where the Jacobian has its own.
+pub(crate) struct ChainProduct<T: Real, D: Dim>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    /// What each column does to the first cell.
+    first: Pairs<T, D>,
+    /// What it does to the last cell.
+    last: Pairs<T, D>,
+    /// What it does to its own.
+    own: Pairs<T, D>,
+}
+
+impl<T: Real, D: Dim> ChainInverse<T, D>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    /// `None` where a link does not determine one of its cells from the other, or only just.
+    pub fn new(jacobian: &OMatrix<T, D, D>) -> Option<Self> {
+        let [from_first, first] = swept(jacobian, false)?;
+        let [from_last, last] = swept(jacobian, true)?;
+        Some(Self {
+            from_first,
+            from_last,
+            first,
+            last,
+        })
+    }
+
+    /// The product with a vector.
+    pub fn times(&self, vector: &OVector<T, D>) -> OVector<T, D> {
+        self.applied(vector, |value| value)
+    }
+
+    /// No less than the product of |C| with a vector that is not negative.
+    pub fn magnitude_times(&self, vector: &OVector<T, D>) -> OVector<T, D> {
+        self.applied(vector, |value| value.abs())
+    }
+
+    fn applied(&self, vector: &OVector<T, D>, taken: impl Fn(T) -> T) -> OVector<T, D> {
+        let mut product = vector.clone();
+        let cells = vector.len() / 2;
+        let sum = |to: &mut [T; 2], responses: &Pairs<T, D>, rows: Range<usize>| {
+            for row in rows {
+                let response = at(responses, row);
+                let value = value_at(vector, row);
+                *to = [0, 1].map(|side| to[side] + taken(response[side]) * value);
+            }
+        };
+        let mut behind = [T::ZERO; 2];
+        // The last equations are behind every cell.
+        for cell in (0..cells).rev() {
+            sum(&mut behind, &self.first, rows_of(cell));
+            for unknown in rows_of(cell) {
+                let from = at(&self.from_first, unknown).map(&taken);
+                set(&mut product, unknown, dot(from, behind));
+            }
+        }
+        let mut before = [T::ZERO; 2];
+        for cell in 1..cells {
+            sum(&mut before, &self.last, rows_of(cell - 1));
+            for unknown in rows_of(cell) {
+                let from = at(&self.from_last, unknown).map(&taken);
+                let ahead = value_at(&product, unknown);
+                set(&mut product, unknown, ahead + dot(from, before));
+            }
+        }
+        product
+    }
+
+    /// The product with a matrix whose entries are where the Jacobian has its own.
+    pub fn product(&self, matrix: &OMatrix<T, D, D>) -> ChainProduct<T, D> {
+        let order = matrix.shape_generic().0.value();
+        let zero = || OVector::from_element_generic(matrix.shape_generic().0, Const, [T::ZERO; 2]);
+        let [mut first, mut last, mut own] = [zero(), zero(), zero()];
+        for column in 0..order {
+            let cell = column / 2;
+            let sum = |responses: &Pairs<T, D>, rows: Range<usize>| {
+                rows.fold([T::ZERO; 2], |sum, row| {
+                    let entry = entry(matrix, row, column);
+                    let response = at(responses, row);
+                    [0, 1].map(|side| sum[side] + entry * response[side])
+                })
+            };
+            let closing = order.saturating_sub(2)..order;
+            let behind = match cell + 1 < order / 2 {
+                true => rows_of(cell),
+                false => 0..0,
+            };
+            let before = match cell {
+                0 => 0..0,
+                _ => rows_of(cell - 1),
+            };
+            let ahead = |responses| {
+                added(
+                    sum(responses, behind.clone()),
+                    sum(responses, closing.clone()),
+                )
+            };
+            let [first_ahead, last_ahead] = [&self.first, &self.last].map(ahead);
+            let [first_before, last_before] =
+                [&self.first, &self.last].map(|responses| sum(responses, before.clone()));
+            let both = [2 * cell, 2 * cell + 1].map(|unknown| {
+                dot(at(&self.from_first, unknown), first_ahead)
+                    + dot(at(&self.from_last, unknown), last_before)
+            });
+            put(&mut first, column, added(first_ahead, first_before));
+            put(&mut last, column, added(last_ahead, last_before));
+            put(&mut own, column, both);
+        }
+        ChainProduct { first, last, own }
+    }
+
+    /// No less than the product of the magnitudes of C M with a vector that is not negative.
+    pub fn spread(&self, product: &ChainProduct<T, D>, vector: &OVector<T, D>) -> OVector<T, D> {
+        let mut spread = zero_vector(vector.shape_generic().0);
+        let cells = vector.len() / 2;
+        let sum = |to: [T; 2], columns: &Pairs<T, D>, cell: usize| {
+            rows_of(cell).fold(to, |to, column| {
+                let response = at(columns, column);
+                let value = value_at(vector, column);
+                [0, 1].map(|side| to[side] + response[side].abs() * value)
+            })
+        };
+        let mut behind = [T::ZERO; 2];
+        for cell in (0..cells).rev() {
+            for unknown in rows_of(cell) {
+                let from = at(&self.from_first, unknown).map(|value| value.abs());
+                set(&mut spread, unknown, dot(from, behind));
+            }
+            behind = sum(behind, &product.first, cell);
+        }
+        let mut before = [T::ZERO; 2];
+        for cell in 0..cells {
+            let own = sum([T::ZERO; 2], &product.own, cell);
+            for (unknown, own) in rows_of(cell).zip(own) {
+                let from = at(&self.from_last, unknown).map(|value| value.abs());
+                let ahead = value_at(&spread, unknown);
+                set(&mut spread, unknown, (ahead + dot(from, before)) + own);
+            }
+            before = sum(before, &product.last, cell);
+        }
+        spread
+    }
+}
+
+/// The derivatives of all unknowns by those of the first cell, and what these do where an equation is off by 1; or the same of the
+/// last cell, where the chain is gone through in reverse.
+fn swept<T: Real, D: Dim>(
+    jacobian: &OMatrix<T, D, D>,
+    is_reversed: bool,
+) -> Option<[Pairs<T, D>; 2]>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    let dimension = jacobian.shape_generic().0;
+    let cells = dimension.value() / 2;
+    let (last_cell, last_link) = (cells.checked_sub(1)?, cells.checked_sub(2)?);
+    let cell = |place: usize| match is_reversed {
+        true => last_cell - place,
+        false => place,
+    };
+    let link = |place: usize| match is_reversed {
+        true => last_link - place,
+        false => place,
+    };
+    let zero = || OVector::from_element_generic(dimension, Const, [T::ZERO; 2]);
+    let [mut transfers, mut responses] = [zero(), zero()];
+    let mut transfer = [[T::ONE, T::ZERO], [T::ZERO, T::ONE]];
+    for place in 0..cells {
+        if place > 0 {
+            let near = square(jacobian, link(place - 1), cell(place - 1));
+            let far = inverted(square(jacobian, link(place - 1), cell(place)))?;
+            transfer = times(far, times(near, transfer)).map(|row| row.map(|value| -value));
+        }
+        let is_small = |value: &T| value.abs() <= T::from_f64(LARGEST_TRANSFER);
+        // Written so that NaN is refused.
+        if !transfer.as_flattened().iter().all(is_small) {
+            return None;
+        }
+        for (unknown, row) in rows_of(cell(place)).zip(transfer) {
+            put(&mut transfers, unknown, row);
+        }
+    }
+    // What the last equations see where a cell moves, and all cells behind it follow.
+    let mut seen = square(jacobian, last_cell, cell(last_cell));
+    for place in (0..=last_link).rev() {
+        let far = inverted(square(jacobian, link(place), cell(place + 1)))?;
+        let off = times(seen, far);
+        for (side, row) in rows_of(link(place)).enumerate() {
+            put(&mut responses, row, off.map(|off| off[side]));
+        }
+        let followed = times(off, square(jacobian, link(place), cell(place)));
+        let own = square(jacobian, last_cell, cell(place));
+        seen = [0, 1].map(|row| [0, 1].map(|column| own[row][column] - followed[row][column]));
+    }
+    let answer = inverted(seen)?;
+    for row in 0..2 * last_cell {
+        let off = at(&responses, row);
+        put(&mut responses, row, answer.map(|row| -dot(row, off)));
+    }
+    for (side, row) in rows_of(last_cell).enumerate() {
+        put(&mut responses, row, answer.map(|row| row[side]));
+    }
+    Some([transfers, responses])
+}
+
+/// The unknowns of a cell, and the equations of the link behind it.
+fn rows_of(cell: usize) -> Range<usize> {
+    2 * cell..2 * cell + 2
+}
+
+/// The derivatives of the equations of a link by the unknowns of a cell.
+fn square<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>, link: usize, cell: usize) -> Square<T>
+where
+    DefaultAllocator: Allocator<D, D>,
+{
+    [0, 1].map(|row| [0, 1].map(|column| entry(matrix, 2 * link + row, 2 * cell + column)))
+}
+
+fn inverted<T: Real>([[a, b], [c, d]]: Square<T>) -> Option<Square<T>> {
+    let determinant = a * d - b * c;
+    let is_regular = determinant.abs() > T::ZERO && determinant.is_finite();
+    is_regular.then(|| {
+        [
+            [d / determinant, -b / determinant],
+            [-c / determinant, a / determinant],
+        ]
+    })
+}
+
+fn times<T: Real>(left: Square<T>, right: Square<T>) -> Square<T> {
+    left.map(|row| [0, 1].map(|column| dot(row, right.map(|row| row[column]))))
+}
+
+fn dot<T: Real>(left: [T; 2], right: [T; 2]) -> T {
+    left[0] * right[0] + left[1] * right[1]
+}
+
+fn added<T: Real>(left: [T; 2], right: [T; 2]) -> [T; 2] {
+    [left[0] + right[0], left[1] + right[1]]
+}
+
+// Not every compiler sees that these places are there, and would keep a panic.
+
+/// The entry of a matrix of a chain.
+pub(crate) fn entry<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>, row: usize, column: usize) -> T
+where
+    DefaultAllocator: Allocator<D, D>,
+{
+    let order = matrix.shape_generic().0.value();
+    let entry = matrix.as_slice().get(column * order + row);
+    entry.copied().unwrap_or(T::ZERO)
+}
+
+fn at<T: Real, D: Dim>(pairs: &Pairs<T, D>, place: usize) -> [T; 2]
+where
+    DefaultAllocator: Allocator<D>,
+{
+    let pair = pairs.as_slice().get(place);
+    pair.copied().unwrap_or([T::ZERO; 2])
+}
+
+fn put<T: Real, D: Dim>(pairs: &mut Pairs<T, D>, place: usize, pair: [T; 2])
+where
+    DefaultAllocator: Allocator<D>,
+{
+    if let Some(own) = pairs.as_mut_slice().get_mut(place) {
+        *own = pair;
+    }
+}
+
+fn value_at<T: Real, D: Dim>(vector: &OVector<T, D>, place: usize) -> T
+where
+    DefaultAllocator: Allocator<D>,
+{
+    let value = vector.as_slice().get(place);
+    value.copied().unwrap_or(T::ZERO)
+}
+
+fn set<T: Real, D: Dim>(vector: &mut OVector<T, D>, place: usize, value: T)
+where
+    DefaultAllocator: Allocator<D>,
+{
+    if let Some(own) = vector.as_mut_slice().get_mut(place) {
+        *own = value;
+    }
+}
