@@ -99,6 +99,15 @@ enum Look {
     Open(Box2),
 }
 
+/// A box about its middle.
+struct Center {
+    middle: [f64; 2],
+    /// The values in the middle.
+    at: [Interval; 2],
+    /// The box as seen from there.
+    from: Box2,
+}
+
 struct Search<F> {
     bounds: F,
     /// Boxes that hold one zero each, and no other.
@@ -108,12 +117,7 @@ struct Search<F> {
 
 impl<F: FnMut(Box2) -> Bounds2> Search<F> {
     fn look(&mut self, whole: Box2) -> Look {
-        let is_within = |own: &Box2| {
-            let both = own.iter().zip(&whole);
-            both.into_iter()
-                .all(|(own, side)| own.low <= side.low && side.high <= own.high)
-        };
-        if self.alone.iter().any(is_within) {
+        if self.alone.iter().any(|own| is_within(&whole, own)) {
             return Look::Decided;
         }
         let (values, jacobian) = (self.bounds)(whole);
@@ -124,17 +128,15 @@ impl<F: FnMut(Box2) -> Bounds2> Search<F> {
         if !all.into_iter().all(|it| it.defined) {
             return Look::Open(whole);
         }
-        let middle = whole.map(|side| side.middle());
-        let (at, _) = (self.bounds)(middle.map(Interval::point));
-        let from = [0, 1].map(|axis| whole[axis].minus(Interval::point(middle[axis])));
+        let center = self.center(whole);
         let mean = |row: usize| {
-            let [a, b] = [0, 1].map(|axis| jacobian[row][axis].times(from[axis]));
-            at[row].plus(a).plus(b)
+            let [a, b] = [0, 1].map(|axis| jacobian[row][axis].times(center.from[axis]));
+            center.at[row].plus(a).plus(b)
         };
         if [0, 1].iter().any(|&row| !mean(row).holds(0.0)) {
             return Look::Decided;
         }
-        let Some(reached) = krawczyk(middle, at, jacobian, from) else {
+        let Some(reached) = krawczyk(&center, jacobian) else {
             return Look::Open(whole);
         };
         let rest = [0, 1].map(|axis| whole[axis].intersection(reached[axis]));
@@ -154,14 +156,18 @@ impl<F: FnMut(Box2) -> Bounds2> Search<F> {
         Look::Open(rest)
     }
 
+    fn center(&mut self, whole: Box2) -> Center {
+        let middle = whole.map(|side| side.middle());
+        let (at, _) = (self.bounds)(middle.map(Interval::point));
+        let from = [0, 1].map(|axis| whole[axis].minus(Interval::point(middle[axis])));
+        Center { middle, at, from }
+    }
+
     /// Notes the zero of a box that holds one alone, and which lies in a part of it.
     fn found(&mut self, alone: Box2, mut part: Box2) {
         for _ in 0..STEPS {
             let (_, jacobian) = (self.bounds)(part);
-            let middle = part.map(|side| side.middle());
-            let (at, _) = (self.bounds)(middle.map(Interval::point));
-            let from = [0, 1].map(|axis| part[axis].minus(Interval::point(middle[axis])));
-            let Some(reached) = krawczyk(middle, at, jacobian, from) else {
+            let Some(reached) = krawczyk(&self.center(part), jacobian) else {
                 break;
             };
             let next = [0, 1].map(|axis| part[axis].intersection(reached[axis]));
@@ -171,12 +177,7 @@ impl<F: FnMut(Box2) -> Bounds2> Search<F> {
             part = next;
         }
         // The same zero, which has been found in another box that it shares with this one.
-        let is_known = self.alone.iter().any(|own| {
-            let both = own.iter().zip(&part);
-            both.into_iter()
-                .all(|(own, side)| own.low <= side.low && side.high <= own.high)
-        });
-        if !is_known {
+        if !self.alone.iter().any(|own| is_within(&part, own)) {
             self.alone.push(alone);
             self.zeros.found.push(part.map(|side| side.middle()));
         }
@@ -193,16 +194,12 @@ impl<F: FnMut(Box2) -> Bounds2> Search<F> {
             let around = zero.map(|value| Interval::new(value - half, value + half));
             let (values, jacobian) = (self.bounds)(around);
             let all = values.iter().chain(jacobian.iter().flatten());
-            if all.into_iter().all(|it| it.defined) {
-                let middle = around.map(|side| side.middle());
-                let (at, _) = (self.bounds)(middle.map(Interval::point));
-                let from = [0, 1].map(|axis| around[axis].minus(Interval::point(middle[axis])));
-                if let Some(reached) = krawczyk(middle, at, jacobian, from)
-                    && (0..2).all(|axis| reached[axis].is_inside(around[axis]))
-                {
-                    self.found(around, reached);
-                    return;
-                }
+            if all.into_iter().all(|it| it.defined)
+                && let Some(reached) = krawczyk(&self.center(around), jacobian)
+                && (0..2).all(|axis| reached[axis].is_inside(around[axis]))
+            {
+                self.found(around, reached);
+                return;
             }
             half *= 0.5;
         }
@@ -236,12 +233,8 @@ impl<F: FnMut(Box2) -> Bounds2> Search<F> {
 }
 
 /// m − C F(m) + (1 − C J)(X − m), with the inverse C of the middle of J.
-fn krawczyk(
-    middle: [f64; 2],
-    at: [Interval; 2],
-    jacobian: [[Interval; 2]; 2],
-    from: Box2,
-) -> Option<Box2> {
+fn krawczyk(center: &Center, jacobian: [[Interval; 2]; 2]) -> Option<Box2> {
+    let Center { middle, at, from } = center;
     let inverse = inverse(jacobian.map(|row| row.map(|entry| entry.middle())))?;
     let inverse = inverse.map(|row| row.map(Interval::point));
     let reached = [0, 1].map(|row| {
@@ -267,6 +260,11 @@ fn inverse([[a, b], [c, d]]: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
         .flatten()
         .all(|it| it.is_finite())
         .then_some(inverse)
+}
+
+fn is_within(part: &Box2, whole: &Box2) -> bool {
+    let mut both = part.iter().zip(whole);
+    both.all(|(part, side)| side.low <= part.low && part.high <= side.high)
 }
 
 fn width(side: Interval) -> f64 {

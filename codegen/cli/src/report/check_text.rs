@@ -50,6 +50,7 @@ fn blocks(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         let modes = match part.solutions {
             Some(1) => "one solution".to_string(),
             Some(count) => format!("{count} solutions"),
+            None if check.assemblies.are_all() => "solutions as listed below".to_string(),
             None => "number of solutions unknown".to_string(),
         };
         writeln!(
