@@ -138,7 +138,7 @@ mod tests {
     fn cells(count: usize, irregular: f64, seed: f64) -> Cells {
         let order = 2 * count;
         let part = |place: usize, k: f64| irregular * f64::sin(k * (place as f64 + seed));
-        let angle = |it: usize| part(it, 1.3) + if it % 2 == 0 { 0.5 } else { -0.5 };
+        let angle = |it: usize| part(it, 1.3) + if it.is_multiple_of(2) { 0.5 } else { -0.5 };
         let mut matrices = [DMatrix::zeros(order, order), DMatrix::zeros(order, order)];
         let mut arm = |row: usize, column: usize, length: f64| {
             let (s, c) = angle(column).sin_cos();
@@ -159,7 +159,7 @@ mod tests {
             arm(
                 order - 2,
                 column,
-                if column % 2 == 0 {
+                if column.is_multiple_of(2) {
                     0.5
                 } else {
                     0.4 + part(column, 0.7)

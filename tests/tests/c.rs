@@ -9,6 +9,7 @@ use linkwright_codegen::{Language, Options, Scalar, generate_files};
 use linkwright_tests::c::case::{Case, SCALARS};
 use linkwright_tests::c::run::{FLAGS, compilers, differences, run};
 use linkwright_tests::hunt::mechanism;
+use linkwright_tests::pantograph::Pantograph;
 use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
@@ -121,7 +122,10 @@ fn frames_and_failures_have_the_bits_of_rust() {
             2.0,
         )
     });
-    let cases: Vec<Case> = names.map(named).chain(random).collect();
+    // Cells enough that its path is shown cell by cell.
+    let chain = Pantograph::new(9, 0.875).text("");
+    let chain = Case::new("chain", Source::new("chain.mech", chain), 2.0);
+    let cases: Vec<Case> = names.map(named).chain(random).chain([chain]).collect();
     assert!(cases.len() > 45 && !compilers().is_empty());
     let folder = folder("bits");
     let found = differences(&folder, &files::repository(), &cases);

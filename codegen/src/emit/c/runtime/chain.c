@@ -8,31 +8,30 @@
    chain. */
 static const $real LARGEST_TRANSFER$f = 64.0$f;
 
-/* Two numbers for each of n unknowns or equations, and the same for a whole matrix. */
-typedef $real pair$f[2];
+/* Each array holds two numbers for each of n unknowns or equations. */
 typedef struct chain$f {
     const linkwright$f_chord *chord;
     size_t order;
     /* The derivatives of each unknown by those of the first and of the last cell, where all links hold. */
-    pair$f *from_first;
-    pair$f *from_last;
+    $real *from_first;
+    $real *from_last;
     /* What the unknowns of the first and of the last cell do where an equation is off by 1. */
-    pair$f *first;
-    pair$f *last;
+    $real *first;
+    $real *last;
     /* What the columns of the product of C and what turns do to the first cell, to the last one, and to their own. */
-    pair$f *turned_first;
-    pair$f *turned_last;
-    pair$f *turned_own;
+    $real *turned_first;
+    $real *turned_last;
+    $real *turned_own;
     $real *vector;
 } chain$f;
 
-/* The derivatives of the equations of a link by the unknowns of a cell. */
-static void square$f(const chain$f *chain, size_t link, size_t cell, pair$f found[2])
+/* The derivatives of the equations of a link by the unknowns of a cell, row by row. */
+static void square$f(const chain$f *chain, size_t link, size_t cell, $real found[4])
 {
     for (size_t row = 0U; row < 2U; row += 1U) {
         const size_t k = (((2U * link) + row) * chain->order) + (2U * cell);
-        found[row][0] = chain->chord->jacobian[k];
-        found[row][1] = chain->chord->jacobian[k + 1U];
+        found[2U * row] = chain->chord->jacobian[k];
+        found[(2U * row) + 1U] = chain->chord->jacobian[k + 1U];
     }
 }
 
@@ -46,44 +45,43 @@ static $real magnitude_dot$f(const $real left[2], const $real right[2])
     return (fabs$f(left[0]) * right[0]) + (fabs$f(left[1]) * right[1]);
 }
 
-static bool inverted$f(const pair$f matrix[2], pair$f found[2])
+static bool inverted$f(const $real matrix[4], $real found[4])
 {
-    const $real determinant = (matrix[0][0] * matrix[1][1]) - (matrix[0][1] * matrix[1][0]);
+    const $real determinant = (matrix[0] * matrix[3]) - (matrix[1] * matrix[2]);
     const bool is_regular = (fabs$f(determinant) > 0.0$f) && linkwright$f_is_finite(determinant);
     if (is_regular) {
-        found[0][0] = matrix[1][1] / determinant;
-        found[0][1] = -matrix[0][1] / determinant;
-        found[1][0] = -matrix[1][0] / determinant;
-        found[1][1] = matrix[0][0] / determinant;
+        found[0] = matrix[3] / determinant;
+        found[1] = -matrix[1] / determinant;
+        found[2] = -matrix[2] / determinant;
+        found[3] = matrix[0] / determinant;
     }
     return is_regular;
 }
 
-static void product$f(const pair$f left[2], const pair$f right[2], pair$f found[2])
+static void product$f(const $real left[4], const $real right[4], $real found[4])
 {
-    for (size_t row = 0U; row < 2U; row += 1U) {
-        for (size_t column = 0U; column < 2U; column += 1U) {
-            const $real other[2] = {right[0][column], right[1][column]};
-            found[row][column] = dot$f(left[row], other);
-        }
+    for (size_t column = 0U; column < 2U; column += 1U) {
+        const $real other[2] = {right[column], right[column + 2U]};
+        found[column] = dot$f(left, other);
+        found[column + 2U] = dot$f(&left[2], other);
     }
 }
 
 /* The derivatives of all unknowns by those of the first cell, or in reverse of the last one. False where a link does
    not determine one of its cells from the other, or only just. */
-static bool transfers$f(const chain$f *chain, bool is_reversed, pair$f found[])
+static bool transfers$f(const chain$f *chain, bool is_reversed, $real found[])
 {
     const size_t cells = chain->order / 2U;
-    pair$f transfer[2] = {{1.0$f, 0.0$f}, {0.0$f, 1.0$f}};
+    $real transfer[4] = {1.0$f, 0.0$f, 0.0$f, 1.0$f};
     bool is_small = true;
     for (size_t place = 0U; (place < cells) && is_small; place += 1U) {
         const size_t cell = is_reversed ? ((cells - 1U) - place) : place;
         if (place > 0U) {
             const size_t link = is_reversed ? cell : (cell - 1U);
-            pair$f near[2];
-            pair$f far[2];
-            pair$f inverse[2];
-            pair$f moved[2];
+            $real near[4];
+            $real far[4];
+            $real inverse[4];
+            $real moved[4];
             square$f(chain, link, is_reversed ? (cell + 1U) : (cell - 1U), near);
             square$f(chain, link, cell, far);
             is_small = inverted$f(far, inverse);
@@ -92,26 +90,24 @@ static bool transfers$f(const chain$f *chain, bool is_reversed, pair$f found[])
                 product$f(inverse, moved, transfer);
             }
         }
-        for (size_t row = 0U; row < 2U; row += 1U) {
-            for (size_t column = 0U; column < 2U; column += 1U) {
-                if (place > 0U) {
-                    transfer[row][column] = -transfer[row][column];
-                }
-                /* Written so that NaN is refused. */
-                is_small = is_small && (fabs$f(transfer[row][column]) <= LARGEST_TRANSFER$f);
-                found[(2U * cell) + row][column] = transfer[row][column];
+        for (size_t k = 0U; k < 4U; k += 1U) {
+            if (place > 0U) {
+                transfer[k] = -transfer[k];
             }
+            /* Written so that NaN is refused. */
+            is_small = is_small && (fabs$f(transfer[k]) <= LARGEST_TRANSFER$f);
+            found[(4U * cell) + k] = transfer[k];
         }
     }
     return is_small;
 }
 
 /* What the unknowns of the first cell do where an equation is off by 1, or in reverse those of the last one. */
-static bool responses$f(const chain$f *chain, bool is_reversed, pair$f found[])
+static bool responses$f(const chain$f *chain, bool is_reversed, $real found[])
 {
     const size_t cells = chain->order / 2U;
-    pair$f seen[2];
-    pair$f answer[2];
+    $real seen[4];
+    $real answer[4];
     bool is_regular = true;
     /* What the last equations see where a cell moves, and all cells behind it follow. */
     square$f(chain, cells - 1U, is_reversed ? 0U : (cells - 1U), seen);
@@ -119,11 +115,11 @@ static bool responses$f(const chain$f *chain, bool is_reversed, pair$f found[])
         const size_t far_cell = is_reversed ? ((cells - 1U) - place) : place;
         const size_t near_cell = is_reversed ? (far_cell + 1U) : (far_cell - 1U);
         const size_t link = is_reversed ? far_cell : near_cell;
-        pair$f far[2];
-        pair$f inverse[2];
-        pair$f near[2];
-        pair$f off[2];
-        pair$f followed[2];
+        $real far[4];
+        $real inverse[4];
+        $real near[4];
+        $real off[4];
+        $real followed[4];
         square$f(chain, link, far_cell, far);
         is_regular = inverted$f(far, inverse);
         if (is_regular) {
@@ -131,36 +127,39 @@ static bool responses$f(const chain$f *chain, bool is_reversed, pair$f found[])
             square$f(chain, link, near_cell, near);
             product$f(off, near, followed);
             square$f(chain, cells - 1U, near_cell, seen);
-            for (size_t row = 0U; row < 2U; row += 1U) {
-                for (size_t column = 0U; column < 2U; column += 1U) {
-                    found[(2U * link) + column][row] = off[row][column];
-                    seen[row][column] -= followed[row][column];
-                }
+            /* Column by column. */
+            found[4U * link] = off[0];
+            found[(4U * link) + 1U] = off[2];
+            found[(4U * link) + 2U] = off[1];
+            found[(4U * link) + 3U] = off[3];
+            for (size_t k = 0U; k < 4U; k += 1U) {
+                seen[k] -= followed[k];
             }
         }
     }
     is_regular = is_regular && inverted$f(seen, answer);
     if (is_regular) {
         for (size_t row = 0U; row < (2U * (cells - 1U)); row += 1U) {
-            const $real off[2] = {found[row][0], found[row][1]};
-            found[row][0] = -dot$f(answer[0], off);
-            found[row][1] = -dot$f(answer[1], off);
+            const $real off[2] = {found[2U * row], found[(2U * row) + 1U]};
+            found[2U * row] = -dot$f(answer, off);
+            found[(2U * row) + 1U] = -dot$f(&answer[2], off);
         }
         for (size_t side = 0U; side < 2U; side += 1U) {
-            found[(2U * (cells - 1U)) + side][0] = answer[0][side];
-            found[(2U * (cells - 1U)) + side][1] = answer[1][side];
+            const size_t k = 2U * ((2U * (cells - 1U)) + side);
+            found[k] = answer[side];
+            found[k + 1U] = answer[side + 2U];
         }
     }
     return is_regular;
 }
 
 /* Adds what some equations of a column of what turns do to the first or the last cell. */
-static void respond$f(const chain$f *chain, const pair$f responses[], size_t link, size_t column, $real sum[2])
+static void respond$f(const chain$f *chain, const $real responses[], size_t link, size_t column, $real sum[2])
 {
     for (size_t row = 2U * link; row < ((2U * link) + 2U); row += 1U) {
         const $real entry = chain->chord->turning[(row * chain->order) + column];
-        sum[0] += entry * responses[row][0];
-        sum[1] += entry * responses[row][1];
+        sum[0] += entry * responses[2U * row];
+        sum[1] += entry * responses[(2U * row) + 1U];
     }
 }
 
@@ -170,8 +169,8 @@ static void turn_chain$f(const chain$f *chain)
     const size_t cells = chain->order / 2U;
     for (size_t column = 0U; column < chain->order; column += 1U) {
         const size_t cell = column / 2U;
-        const pair$f *const responses[2] = {chain->first, chain->last};
-        pair$f *const found[2] = {chain->turned_first, chain->turned_last};
+        const $real *const responses[2] = {chain->first, chain->last};
+        $real *const found[2] = {chain->turned_first, chain->turned_last};
         $real ahead[2][2] = {{0.0$f, 0.0$f}, {0.0$f, 0.0$f}};
         $real before[2][2] = {{0.0$f, 0.0$f}, {0.0$f, 0.0$f}};
         for (size_t end = 0U; end < 2U; end += 1U) {
@@ -185,13 +184,13 @@ static void turn_chain$f(const chain$f *chain)
             }
             for (size_t side = 0U; side < 2U; side += 1U) {
                 ahead[end][side] += closing[side];
-                found[end][column][side] = ahead[end][side] + before[end][side];
+                found[end][(2U * column) + side] = ahead[end][side] + before[end][side];
             }
         }
         for (size_t side = 0U; side < 2U; side += 1U) {
-            const size_t unknown = (2U * cell) + side;
-            chain->turned_own[column][side] =
-                dot$f(chain->from_first[unknown], ahead[0]) + dot$f(chain->from_last[unknown], before[1]);
+            const size_t unknown = 2U * ((2U * cell) + side);
+            chain->turned_own[(2U * column) + side] =
+                dot$f(&chain->from_first[unknown], ahead[0]) + dot$f(&chain->from_last[unknown], before[1]);
         }
     }
 }
@@ -206,35 +205,35 @@ static void times_chain$f(const chain$f *chain, const $real vector[], bool is_si
     for (size_t cell = cells; cell > 0U; cell -= 1U) {
         for (size_t row = 2U * (cell - 1U); row < (2U * cell); row += 1U) {
             for (size_t side = 0U; side < 2U; side += 1U) {
-                const $real response = chain->first[row][side];
+                const $real response = chain->first[(2U * row) + side];
                 behind[side] += (is_size ? fabs$f(response) : response) * vector[row];
             }
         }
         for (size_t unknown = 2U * (cell - 1U); unknown < (2U * cell); unknown += 1U) {
-            const $real *const from = chain->from_first[unknown];
+            const $real *const from = &chain->from_first[2U * unknown];
             found[unknown] = is_size ? magnitude_dot$f(from, behind) : dot$f(from, behind);
         }
     }
     for (size_t cell = 1U; cell < cells; cell += 1U) {
         for (size_t row = 2U * (cell - 1U); row < (2U * cell); row += 1U) {
             for (size_t side = 0U; side < 2U; side += 1U) {
-                const $real response = chain->last[row][side];
+                const $real response = chain->last[(2U * row) + side];
                 before[side] += (is_size ? fabs$f(response) : response) * vector[row];
             }
         }
         for (size_t unknown = 2U * cell; unknown < ((2U * cell) + 2U); unknown += 1U) {
-            const $real *const from = chain->from_last[unknown];
+            const $real *const from = &chain->from_last[2U * unknown];
             found[unknown] += is_size ? magnitude_dot$f(from, before) : dot$f(from, before);
         }
     }
 }
 
 /* Adds what the columns of a cell do to the first, the last, or their own cell. */
-static void add_columns$f(const pair$f columns[], size_t cell, const $real vector[], $real sum[2])
+static void add_columns$f(const $real columns[], size_t cell, const $real vector[], $real sum[2])
 {
     for (size_t column = 2U * cell; column < ((2U * cell) + 2U); column += 1U) {
-        sum[0] += fabs$f(columns[column][0]) * vector[column];
-        sum[1] += fabs$f(columns[column][1]) * vector[column];
+        sum[0] += fabs$f(columns[2U * column]) * vector[column];
+        sum[1] += fabs$f(columns[(2U * column) + 1U]) * vector[column];
     }
 }
 
@@ -246,7 +245,7 @@ static void spread_chain$f(const chain$f *chain, const $real vector[], $real fou
     $real before[2] = {0.0$f, 0.0$f};
     for (size_t cell = cells; cell > 0U; cell -= 1U) {
         for (size_t unknown = 2U * (cell - 1U); unknown < (2U * cell); unknown += 1U) {
-            found[unknown] = magnitude_dot$f(chain->from_first[unknown], behind);
+            found[unknown] = magnitude_dot$f(&chain->from_first[2U * unknown], behind);
         }
         add_columns$f(chain->turned_first, cell - 1U, vector, behind);
     }
@@ -255,7 +254,7 @@ static void spread_chain$f(const chain$f *chain, const $real vector[], $real fou
         add_columns$f(chain->turned_own, cell, vector, own);
         for (size_t side = 0U; side < 2U; side += 1U) {
             const size_t unknown = (2U * cell) + side;
-            found[unknown] = (found[unknown] + magnitude_dot$f(chain->from_last[unknown], before)) + own[side];
+            found[unknown] = (found[unknown] + magnitude_dot$f(&chain->from_last[2U * unknown], before)) + own[side];
         }
         add_columns$f(chain->turned_last, cell, vector, before);
     }
@@ -323,7 +322,7 @@ void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t orde
 {
     const size_t n = order;
     chain$f chain = {0};
-    pair$f *const pairs = (pair$f *)&reals[5U * n];
+    $real *const pairs = &reals[5U * n];
     isolation->order = order;
     isolation->blocks = blocks;
     isolation->chord = chord;
@@ -340,12 +339,12 @@ void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t orde
     chain.order = n;
     chain.vector = &reals[4U * n];
     chain.from_first = pairs;
-    chain.from_last = &pairs[n];
-    chain.first = &pairs[2U * n];
-    chain.last = &pairs[3U * n];
-    chain.turned_first = &pairs[4U * n];
-    chain.turned_last = &pairs[5U * n];
-    chain.turned_own = &pairs[6U * n];
+    chain.from_last = &pairs[2U * n];
+    chain.first = &pairs[4U * n];
+    chain.last = &pairs[6U * n];
+    chain.turned_first = &pairs[8U * n];
+    chain.turned_last = &pairs[10U * n];
+    chain.turned_own = &pairs[12U * n];
     isolation->is_shown = transfers$f(&chain, false, chain.from_first) && responses$f(&chain, false, chain.first)
         && transfers$f(&chain, true, chain.from_last) && responses$f(&chain, true, chain.last);
     if (isolation->is_shown) {

@@ -59,10 +59,11 @@ pub fn six_bar(random: &mut Random, _: u64) -> Course {
     Course::drawn(text, size, period)
 }
 
-/// A pantograph whose last cell is driven, each cell so many times as large as the one before it.
+/// A pantograph whose last cell is driven, each cell so many times as large as the one before it; every other one has bars that are bent
+/// at their pins, each by another angle, so that its cells are no rhombi.
 pub fn chain(random: &mut Random, number: u64) -> Course {
     let size = size(random);
-    let cells = 2 + below(random, 5);
+    let cells = 2 + below(random, 9);
     let growth = [1.0, 0.8, 1.4][(number % 3) as usize];
     let opening = random.between(0.25, 0.9);
     let (cosine, sine) = (opening.cos(), opening.sin());
@@ -73,8 +74,12 @@ pub fn chain(random: &mut Random, number: u64) -> Course {
         let (half, next) = (0.5 * scale, 0.5 * scale * growth);
         let (height, length) = (half * sine, half + next);
         for (bar, side) in [("u", -1.0), ("v", 1.0)] {
+            let bend = match number.is_multiple_of(2) {
+                true => 0.0,
+                false => random.between(-0.02, 0.02) * scale,
+            };
             bodies += &format!(
-                "    body {bar}{cell} at ({x:?}, {:?}, {:?}) {{ A: (0, 0), M: ({half:?}, 0), B: ({length:?}, 0) }}\n",
+                "    body {bar}{cell} at ({x:?}, {:?}, {:?}) {{ A: (0, 0), M: ({half:?}, {bend:?}), B: ({length:?}, 0) }}\n",
                 side * height,
                 -side * opening
             );
