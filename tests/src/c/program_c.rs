@@ -31,7 +31,7 @@ static void number(REAL value)
 
 static void numbers(const void *values, size_t count)
 {
-    REAL copy[2048];
+    REAL copy[4096];
     memcpy(copy, values, count * sizeof(REAL));
     for (size_t k = 0; k < count; k += 1) {
         number(copy[k]);
