@@ -15,6 +15,7 @@ mod parts;
 mod plan;
 mod rank;
 mod repetition;
+mod shortening;
 
 pub use components::components;
 pub use elimination::Definition;

@@ -1,11 +1,12 @@
-//! The vector form → blocks in solve order, each with the parts that its tears are found from.
+//! The vector form → blocks in solve order, each with the part that its tears are found from.
 //!
 //! Deliberately unknown here: how a part is solved.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use super::elimination::{BlockEquation, Definition, eliminate, in_order};
 use super::following::follow;
+use super::shortening::shortened;
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::system::{Bound, Exceeded, System, VectorForm};
@@ -25,7 +26,7 @@ pub struct SolvedPlan {
 pub struct SolvedBlock {
     /// The joints whose equations it uses, in written order.
     pub joints: Vec<usize>,
-    /// What the tears are found from, part by part in solve order; empty where everything is explicit.
+    /// What the tears are found from: one part, or none where everything is explicit.
     pub parts: Vec<Part>,
     /// What follows from the tears, in the order in which it can be computed.
     pub definitions: Vec<Definition>,
@@ -110,16 +111,14 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
         }
         // What follows without a step belongs to the block that it follows from, as a person would write it down.
         let place = if block.parts.is_empty() {
-            latest.unwrap_or(0)
-        } else {
-            blocks.len()
-        };
-        if place < blocks.len() {
+            let place = latest.unwrap_or(0);
             blocks[place].joints.append(&mut block.joints);
             blocks[place].definitions.append(&mut block.definitions);
+            place
         } else {
-            blocks.push(block);
-        }
+            blocks.extend(taken_apart(block, form));
+            blocks.len() - 1
+        };
         for &unknown in &unknowns {
             home[unknown] = place;
         }
@@ -133,6 +132,33 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     }
     system.note_arms();
     Some(SolvedPlan { blocks })
+}
+
+/// Each part as a block of its own: what is found in it is known with its rates to those after it. What follows belongs to the last.
+fn taken_apart(mut block: SolvedBlock, form: &VectorForm) -> Vec<SolvedBlock> {
+    let Some(last) = block.parts.pop() else {
+        return vec![block];
+    };
+    let joints_of = |part: &Part| -> BTreeSet<usize> {
+        let equations = part.equations.iter();
+        equations.map(|it| form.rows[it.row].joint).collect()
+    };
+    let earlier = block.parts.drain(..).map(|part| SolvedBlock {
+        joints: joints_of(&part).into_iter().collect(),
+        parts: vec![part],
+        definitions: Vec::new(),
+    });
+    let mut blocks: Vec<SolvedBlock> = earlier.collect();
+    let mut own = joints_of(&last);
+    let definitions = block.definitions.iter();
+    own.extend(definitions.map(|it| form.rows[it.row].joint));
+    let elsewhere: BTreeSet<usize> = blocks.iter().flat_map(|it| &it.joints).copied().collect();
+    block
+        .joints
+        .retain(|it| own.contains(it) || !elsewhere.contains(it));
+    block.parts.push(last);
+    blocks.push(block);
+    blocks
 }
 
 /// The bound that a block passes.
@@ -183,7 +209,8 @@ fn block(
     let followed = follow(residuals, unknowns, form, graph);
     let form = &*form;
     let eliminated = eliminate(followed.residuals, &followed.unknowns, form, graph);
-    let (residuals, tears) = (eliminated.residuals, eliminated.tears);
+    let residuals = shortened(eliminated.residuals, form, graph);
+    let tears = eliminated.tears;
     let row = |residual: ExprId| {
         let mentioned = form.mentioned(residual, graph).into_iter();
         mentioned

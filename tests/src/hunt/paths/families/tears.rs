@@ -60,28 +60,49 @@ pub fn six_bar(random: &mut Random, _: u64) -> Course {
 }
 
 /// A pantograph whose last cell is driven, each cell so many times as large as the one before it; every other one has bars that are bent
-/// at their pins, each by another angle, so that its cells are no rhombi.
+/// at their pins, so that no two cells are alike.
 pub fn chain(random: &mut Random, number: u64) -> Course {
     let size = size(random);
     let cells = 2 + below(random, 9);
     let growth = [1.0, 0.8, 1.4][(number % 3) as usize];
     let opening = random.between(0.25, 0.9);
     let (cosine, sine) = (opening.cos(), opening.sin());
+    let largest = if number.is_multiple_of(2) { 0.0 } else { 0.03 };
+    let mut near = |x: f64, y: f64, scale: f64| {
+        [x, y].map(|value| value + largest * scale * random.between(-1.0, 1.0))
+    };
     let (mut x, mut scale) = (0.0, size);
+    let ground = -0.5 * size * sine;
+    // Where bars u and v of a cell begin, below and above.
+    let mut begins = [[0.0, ground], [0.0, -ground]];
+    let mut middle = [0.0; 2];
     let mut bodies = String::new();
     let mut joints = String::new();
     for cell in 0..cells {
         let (half, next) = (0.5 * scale, 0.5 * scale * growth);
-        let (height, length) = (half * sine, half + next);
-        for (bar, side) in [("u", -1.0), ("v", 1.0)] {
-            let bend = match number.is_multiple_of(2) {
-                true => 0.0,
-                false => random.between(-0.02, 0.02) * scale,
+        middle = near(x + half * cosine, 0.0, scale);
+        x += (half + next) * cosine;
+        let ends = [1.0, -1.0].map(|side| near(x, side * next * sine, scale));
+        for (bar, (side, (begin, end))) in [
+            ("u", (1.0, (begins[0], ends[0]))),
+            ("v", (-1.0, (begins[1], ends[1]))),
+        ] {
+            let own = |point: [f64; 2]| {
+                let [x, y] = [0, 1].map(|axis| point[axis] - begin[axis]);
+                let y = side * y;
+                format!(
+                    "({:?}, {:?})",
+                    x * cosine + y * sine,
+                    side * (y * cosine - x * sine)
+                )
             };
             bodies += &format!(
-                "    body {bar}{cell} at ({x:?}, {:?}, {:?}) {{ A: (0, 0), M: ({half:?}, {bend:?}), B: ({length:?}, 0) }}\n",
-                side * height,
-                -side * opening
+                "    body {bar}{cell} at ({:?}, {:?}, {:?}) {{ A: (0, 0), M: {}, B: {} }}\n",
+                begin[0],
+                begin[1],
+                side * opening,
+                own(middle),
+                own(end)
             );
         }
         joints += &format!("    revolute M(u{cell}, v{cell});\n");
@@ -91,22 +112,22 @@ pub fn chain(random: &mut Random, number: u64) -> Course {
                 "    revolute (v{before}.B, u{cell}.A);\n    revolute (u{before}.B, v{cell}.A);\n"
             );
         }
-        x += (half + next) * cosine;
+        begins = [ends[1], ends[0]];
         scale *= growth;
     }
     let last = cells - 1;
-    let middle = x - 0.5 * scale * cosine;
     let (speed, period) = rate(random);
     let [reach, other] = [0.1, 0.01].map(|most| most * size * random.between(0.2, 1.0));
-    let ground = -0.5 * size * sine;
     let text = format!(
         "mechanism chain {{
     point G = (0, {ground:?});
 {bodies}{joints}    revolute (ground.G, u0.A);
-    drive u{last}.M.x = {middle:?} + {reach:?}*sin({speed:?}*t);
-    drive v{last}.B.x = {x:?} + {reach:?}*sin({speed:?}*t) + {other:?}*sin({:?}*t);
+    drive u{last}.M.x = {:?} + {reach:?}*sin({speed:?}*t);
+    drive v{last}.B.x = {:?} + {reach:?}*sin({speed:?}*t) + {other:?}*sin({:?}*t);
 }}
 ",
+        middle[0],
+        begins[0][0],
         2.0 * speed
     );
     Course::drawn(text, size, 0.5 * period)
