@@ -2,7 +2,7 @@
 //!
 //! A cell is two bars, u and v, that cross at a pin M; the next cell begins at the ends of both. The half bars around such an end are
 //! alike, so they are the sides of a rhombus, and all bars u are parallel, and all bars v. The first cell stands on the ground and the
-//! last one is driven, so no bar is found without all others.
+//! last one is driven, so that but for one bar of the last cell none is found without all others.
 //!
 //! Every number of the description but the angles that are drawn is one of f32, and so are their sums: what is solved in f64 and in
 //! f32 is the same mechanism, and only solving it is rounded.

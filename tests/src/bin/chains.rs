@@ -25,9 +25,9 @@ struct Arguments {
 }
 
 const EXPLANATION: &str = "\
-The chain is a pantograph (`tests/src/pantograph.rs`): its first cell stands on the ground, its last one is driven, and all angles are
-one block. That block is solved by way of two tears, and, where the description says `monitor;`, by all equations at once. Both are
-`unguarded`, which changes no frame. Growth: how many times as large as the one before it each cell is, to three digits, so that every
+The chain is a pantograph (`tests/src/pantograph.rs`): its first cell stands on the ground, its last one is driven. The
+difference of both drivers turns its bar v, and all other angles are one block. That block is solved by way of one tear, and, where the
+description says `monitor;`, by all equations at once. Both are `unguarded`, which changes no frame. Growth: how many times as large as the one before it each cell is, to three digits, so that every
 number of the description is one of f32 and nothing but the solution is rounded. The truth is a closed form in 384 bits
 (`tests/src/chains/truth.rs`) at the instants that the scalar was given.
 
@@ -35,9 +35,8 @@ number of the description is one of f32 and nothing but the solution is rounded.
 depends on a single frame. Angles in rad, places in the length of the chain, and both per s and per s². **By tears**: the frames that
 the torn chain found without all equations at once.
 
-In f32 both ways leave an estimate from the last frame as it is wherever its residuals are below 4 ε in the length L of the chain, which
-counts as rounding. The angle of the last bar v may then be off by some 4 ε L/(h sin β), with half a bar h, and both ways drift within
-that band: there errors depend on the step more than on the way.
+In f32 both ways leave an estimate from the last frame as it is wherever its residuals are below 4 ε in the length of the chain, which
+counts as rounding, and drift within that band: there errors depend on the step more than on the way.
 ";
 
 fn main() -> ExitCode {
