@@ -6,6 +6,7 @@ use linkwright_codegen::stages::model::{Body, Role};
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_tests::forces::{Followed, Moving, Weight, cross, moving, multipliers, systems};
+use linkwright_tests::pantograph::Pantograph;
 use linkwright_tests::{description, files};
 use nalgebra::{DMatrix, DVector};
 
@@ -284,7 +285,7 @@ fn compare(name: &str, system: &System, followed: &Followed, t: f64) -> usize {
     compared
 }
 
-/// The texts of all descriptions, the gallery's and those of the tests.
+/// The texts of all descriptions, the gallery's and those of the tests, and of a chain whose loops were shortened.
 fn descriptions() -> Vec<(String, String)> {
     let folders = [
         files::repository().join("mechanisms"),
@@ -298,7 +299,8 @@ fn descriptions() -> Vec<(String, String)> {
         let text = description::source(&name).text;
         (name, text)
     });
-    named.collect()
+    let chain = Pantograph::new(6, 0.875).text("");
+    named.chain([("chain".to_string(), chain)]).collect()
 }
 
 #[test]

@@ -25,6 +25,7 @@ pub use matching::{Matching, maximum_matching};
 pub use parts::{Parts, coarse_parts};
 pub use plan::{LARGEST_TOGETHER, Part, SolvedBlock, SolvedPlan, plan, plan_of_motion};
 pub use rank::released;
+pub use shortening::Addition;
 
 use crate::diagnostic::Diagnostics;
 use crate::system::System;

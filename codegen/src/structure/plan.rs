@@ -6,7 +6,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use super::elimination::{BlockEquation, Definition, eliminate, in_order};
 use super::following::follow;
-use super::shortening::shortened;
+use super::shortening::{Addition, shorten};
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::system::{Bound, Exceeded, System, VectorForm};
@@ -19,6 +19,8 @@ pub const LARGEST_TOGETHER: usize = 1000;
 pub struct SolvedPlan {
     /// In solve order.
     pub blocks: Vec<SolvedBlock>,
+    /// What was added to the equations of parts, in order.
+    pub additions: Vec<Addition>,
 }
 
 /// Unknowns that have to be found together.
@@ -73,6 +75,7 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
         parts: Vec::new(),
         definitions: Vec::new(),
     }];
+    let mut additions = Vec::new();
     let mut home = vec![0; form.unknowns.len()];
     // Unknowns that turned out not to move, which later equations need not carry along.
     let mut constants: HashMap<SymbolId, ExprId> = HashMap::new();
@@ -99,7 +102,8 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
             })
             .collect();
         let at = system.mechanism.joints[joints[0]].span;
-        let mut block = block(residuals, &unknowns, joints, form, graph);
+        let (mut block, mut added) = block(residuals, &unknowns, joints, form, graph);
+        additions.append(&mut added);
         if let Some(bound) = passed(&block, graph) {
             system.exceed(Exceeded { at, bound });
             return None;
@@ -131,7 +135,7 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
         block.joints.dedup();
     }
     system.note_arms();
-    Some(SolvedPlan { blocks })
+    Some(SolvedPlan { blocks, additions })
 }
 
 /// Each part as a block of its own: what is found in it is known with its rates to those after it. What follows belongs to the last.
@@ -198,19 +202,19 @@ fn incidence(form: &VectorForm, graph: &Graph) -> Incidence {
     }
 }
 
-/// Eliminates what can be, and takes the rest apart once more.
+/// Eliminates what can be, shortens what is left, and takes it apart once more.
 fn block(
     residuals: Vec<BlockEquation>,
     unknowns: &[usize],
     joints: Vec<usize>,
     form: &mut VectorForm,
     graph: &mut Graph,
-) -> SolvedBlock {
+) -> (SolvedBlock, Vec<Addition>) {
     let followed = follow(residuals, unknowns, form, graph);
     let form = &*form;
     let eliminated = eliminate(followed.residuals, &followed.unknowns, form, graph);
-    let residuals = shortened(eliminated.residuals, form, graph);
-    let tears = eliminated.tears;
+    let (mut residuals, tears) = (eliminated.residuals, eliminated.tears);
+    let additions = shorten(&mut residuals, form, graph);
     let row = |residual: ExprId| {
         let mentioned = form.mentioned(residual, graph).into_iter();
         mentioned
@@ -244,7 +248,7 @@ fn block(
             });
         }
     }
-    SolvedBlock {
+    let block = SolvedBlock {
         joints,
         parts,
         // What an angle follows may have been eliminated itself.
@@ -253,5 +257,6 @@ fn block(
             form,
             graph,
         ),
-    }
+    };
+    (block, additions)
 }

@@ -13,14 +13,26 @@ use crate::system::VectorForm;
 /// The fewest equations that are looked at. Of fewer no loop is long.
 const FEWEST: usize = 12;
 
-/// Adds equations to one another, or subtracts them, as long as one mentions fewer unknowns then.
-pub(super) fn shortened(
-    mut equations: Vec<BlockEquation>,
+/// An equation that another one was added to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Addition {
+    /// The row of the vector form whose equation has changed.
+    pub to: usize,
+    /// The row whose equation was added, as it was then.
+    pub added: usize,
+    /// Whether it was subtracted instead.
+    pub is_subtracted: bool,
+}
+
+/// Adds equations to one another, or subtracts them, as long as one mentions fewer unknowns then. Says in order what was done.
+pub(super) fn shorten(
+    equations: &mut [BlockEquation],
     form: &VectorForm,
     graph: &mut Graph,
-) -> Vec<BlockEquation> {
+) -> Vec<Addition> {
+    let mut additions = Vec::new();
     if equations.len() < FEWEST {
-        return equations;
+        return additions;
     }
     let mentioned = |residual: ExprId, graph: &Graph| -> BTreeSet<usize> {
         form.mentioned(residual, graph).into_iter().collect()
@@ -36,18 +48,25 @@ pub(super) fn shortened(
             if other == at || !are_alike || 2 * shared <= own[other].len() {
                 continue;
             }
-            let pair = [equations[at].residual, equations[other].residual];
-            let both = [
-                graph.subtract(pair[0], pair[1]),
-                graph.add(pair[0], pair[1]),
-            ];
-            let shorter = both.map(|residual| (mentioned(residual, graph), residual));
-            let shortest = shorter
+            let [first, second] = [at, other].map(|it| equations[it].residual);
+            let tried = [true, false].map(|is_subtracted| {
+                let residual = match is_subtracted {
+                    true => graph.subtract(first, second),
+                    false => graph.add(first, second),
+                };
+                (mentioned(residual, graph), residual, is_subtracted)
+            });
+            let shortest = tried
                 .into_iter()
-                .min_by_key(|(unknowns, _)| unknowns.len());
-            if let Some((unknowns, residual)) = shortest
+                .min_by_key(|(unknowns, ..)| unknowns.len());
+            if let Some((unknowns, residual, is_subtracted)) = shortest
                 && unknowns.len() < own[at].len()
             {
+                additions.push(Addition {
+                    to: equations[at].row,
+                    added: equations[other].row,
+                    is_subtracted,
+                });
                 equations[at].residual = residual;
                 own[at] = unknowns;
                 // It may shorten others now, and be shortened again.
@@ -55,5 +74,5 @@ pub(super) fn shortened(
             }
         }
     }
-    equations
+    additions
 }

@@ -12,7 +12,7 @@ use crate::force::moment;
 use crate::program::builder::Builder;
 use crate::program::forms::Transposed;
 use crate::program::function::Statement;
-use crate::structure::{Part, SolvedPlan};
+use crate::structure::{Addition, Part, SolvedPlan};
 use crate::words::{Phrase, Piece, enumerated, phrase};
 
 /// What is carried.
@@ -73,6 +73,7 @@ pub(super) fn sweep(
             sweep.part(part, transposed.as_ref());
         }
     }
+    sweep.separate(&plan.additions);
     sweep.carried
 }
 
@@ -164,6 +165,23 @@ impl Sweep<'_, '_> {
             self.carried.multipliers.insert(equation.row, multiplier);
             let opposite = self.builder.graph().negate(multiplier);
             self.give(equation.residual, opposite, &part.unknowns);
+        }
+    }
+
+    /// The multipliers of equations to which others were added → those of the equations themselves: with g = f ± h, what g carries h
+    /// carries too, or its opposite.
+    fn separate(&mut self, additions: &[Addition]) {
+        for addition in additions.iter().rev() {
+            let [to, added] = [addition.to, addition.added]
+                .map(|row| self.carried.multipliers.get(&row).copied());
+            if let (Some(to), Some(added)) = (to, added) {
+                let graph = self.builder.graph();
+                let sum = match addition.is_subtracted {
+                    true => graph.subtract(added, to),
+                    false => graph.add(added, to),
+                };
+                self.carried.multipliers.insert(addition.added, sum);
+            }
         }
     }
 
