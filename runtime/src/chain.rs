@@ -1,4 +1,4 @@
-//! The Jacobian of a chain of cells → what its inverse does, in as many operations as there are cells.
+//! The Jacobian of a chain of cells → what its inverse does, in operations in proportion to the cells.
 //!
 //! A cell has two unknowns. Two equations link it to the next one, and the last two equations of all may read every cell. Where an
 //! equation is not met, every cell before its link follows from the first one, and every cell behind it from the last one, as if
@@ -70,43 +70,47 @@ where
 
     /// The product with a vector.
     pub fn times(&self, vector: &OVector<T, D>) -> OVector<T, D> {
-        self.applied(vector, |value| value)
+        self.sides([&self.first, &self.last], true, vector, |value| value)
     }
 
     /// No less than the product of |C| with a vector that is not negative.
     pub fn magnitude_times(&self, vector: &OVector<T, D>) -> OVector<T, D> {
-        self.applied(vector, |value| value.abs())
+        self.sides([&self.first, &self.last], true, vector, T::abs)
     }
 
-    fn applied(&self, vector: &OVector<T, D>, taken: impl Fn(T) -> T) -> OVector<T, D> {
-        let mut product = vector.clone();
+    /// What the places of a vector do to all cells, by what each of them does to the first and the last one: from behind a cell to
+    /// those before it, and the other way round. Those of a link are behind its cell, and those of a cell nowhere.
+    fn sides(
+        &self,
+        [first, last]: [&Pairs<T, D>; 2],
+        are_links: bool,
+        vector: &OVector<T, D>,
+        taken: impl Fn(T) -> T,
+    ) -> OVector<T, D> {
+        let mut sums = zero_vector(vector.shape_generic().0);
         let cells = vector.len() / 2;
-        let sum = |to: &mut [T; 2], responses: &Pairs<T, D>, rows: Range<usize>| {
-            for row in rows {
-                let response = at(responses, row);
-                let value = value_at(vector, row);
-                *to = [0, 1].map(|side| to[side] + taken(response[side]) * value);
-            }
-        };
         let mut behind = [T::ZERO; 2];
-        // The last equations are behind every cell.
         for cell in (0..cells).rev() {
-            sum(&mut behind, &self.first, rows_of(cell));
+            let with_own = gathered(behind, first, cell, vector, &taken);
+            if are_links {
+                behind = with_own;
+            }
             for unknown in rows_of(cell) {
                 let from = at(&self.from_first, unknown).map(&taken);
-                set(&mut product, unknown, dot(from, behind));
+                set(&mut sums, unknown, dot(from, behind));
             }
+            behind = with_own;
         }
         let mut before = [T::ZERO; 2];
-        for cell in 1..cells {
-            sum(&mut before, &self.last, rows_of(cell - 1));
+        for cell in 0..cells {
             for unknown in rows_of(cell) {
                 let from = at(&self.from_last, unknown).map(&taken);
-                let ahead = value_at(&product, unknown);
-                set(&mut product, unknown, ahead + dot(from, before));
+                let ahead = value_at(&sums, unknown);
+                set(&mut sums, unknown, ahead + dot(from, before));
             }
+            before = gathered(before, last, cell, vector, &taken);
         }
-        product
+        sums
     }
 
     /// The product with a matrix whose entries are where the Jacobian has its own.
@@ -154,35 +158,35 @@ where
 
     /// No less than the product of the magnitudes of C M with a vector that is not negative.
     pub fn spread(&self, product: &ChainProduct<T, D>, vector: &OVector<T, D>) -> OVector<T, D> {
-        let mut spread = zero_vector(vector.shape_generic().0);
-        let cells = vector.len() / 2;
-        let sum = |to: [T; 2], columns: &Pairs<T, D>, cell: usize| {
-            rows_of(cell).fold(to, |to, column| {
-                let response = at(columns, column);
-                let value = value_at(vector, column);
-                [0, 1].map(|side| to[side] + response[side].abs() * value)
-            })
-        };
-        let mut behind = [T::ZERO; 2];
-        for cell in (0..cells).rev() {
-            for unknown in rows_of(cell) {
-                let from = at(&self.from_first, unknown).map(|value| value.abs());
-                set(&mut spread, unknown, dot(from, behind));
-            }
-            behind = sum(behind, &product.first, cell);
-        }
-        let mut before = [T::ZERO; 2];
-        for cell in 0..cells {
-            let own = sum([T::ZERO; 2], &product.own, cell);
+        let ends = [&product.first, &product.last];
+        let mut spread = self.sides(ends, false, vector, T::abs);
+        for cell in 0..vector.len() / 2 {
+            let own = gathered([T::ZERO; 2], &product.own, cell, vector, T::abs);
             for (unknown, own) in rows_of(cell).zip(own) {
-                let from = at(&self.from_last, unknown).map(|value| value.abs());
-                let ahead = value_at(&spread, unknown);
-                set(&mut spread, unknown, (ahead + dot(from, before)) + own);
+                let beside = value_at(&spread, unknown);
+                set(&mut spread, unknown, beside + own);
             }
-            before = sum(before, &product.last, cell);
         }
         spread
     }
+}
+
+/// Adds what both places of a cell or a link do.
+fn gathered<T: Real, D: Dim>(
+    to: [T; 2],
+    responses: &Pairs<T, D>,
+    cell: usize,
+    vector: &OVector<T, D>,
+    taken: impl Fn(T) -> T,
+) -> [T; 2]
+where
+    DefaultAllocator: Allocator<D>,
+{
+    rows_of(cell).fold(to, |to, place| {
+        let response = at(responses, place);
+        let value = value_at(vector, place);
+        [0, 1].map(|side| to[side] + taken(response[side]) * value)
+    })
 }
 
 /// The derivatives of all unknowns by those of the first cell, and what these do where an equation is off by 1; or the same of the

@@ -1,14 +1,14 @@
 //! Equations of a chain of cells along a straight line through two frames → whether they have one solution near it all the while.
 //!
 //! This is [`crate::isolation`] where each equation but the last two links a cell of two angles to the next one: the inverse is then
-//! never written out, and a chain takes as many operations as it has cells. Bounds are at most a little wider; where they do not
+//! never written out, and the work is in proportion to the cells. Bounds are at most a little wider; where they do not
 //! suffice between two frames, the whole inverse decides. The module does not know equations.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OVector};
 
 use crate::chain::{ChainInverse, ChainProduct, entry};
-use crate::isolation::{Chord, isolate_all};
+use crate::isolation::{Chord, bend_line, fourth, in_blocks, isolate_all, turned_by};
 use crate::math::Real;
 use crate::sags::settled;
 use crate::span::{LEFT_BY_ROUNDING, Span};
@@ -23,10 +23,7 @@ pub fn isolate_chain<T: Real, const N: usize>(
     span: &Span<T>,
     chord: Chord<'_, T, Const<N>>,
 ) -> Result<[T; N], u16> {
-    match isolate_whole_chain(span, chord) {
-        Ok(sags) => Ok(sags.data.0[0]),
-        Err(row) => Err(blocks.get(row).copied().unwrap_or(0)),
-    }
+    in_blocks(blocks, isolate_whole_chain(span, chord))
 }
 
 /// What [`isolate_all`] says of equations of which all columns turn, and which link cells of two unknowns.
@@ -66,9 +63,7 @@ where
         let (mut turned, mut beside) = (sags.clone(), sags.clone());
         let vectors = turned.as_mut_slice().iter_mut().zip(beside.as_mut_slice());
         for ((turned, beside), way) in vectors.zip(chord.ways.as_slice()) {
-            let sag = *turned;
-            let delta = *way + sag;
-            (*turned, *beside) = (delta * sag, T::HALF * delta * delta * sag);
+            [*turned, *beside] = turned_by(*way, *turned);
         }
         let mut spread = inverse.spread(&product, &turned);
         add(&mut spread, &beside);
@@ -106,15 +101,9 @@ where
         }
     }
     add(&mut off, &chord.bounds);
-    // What is left beside second derivatives: ½ δ⁴ of the cosine's, and δ³ of the sine's.
-    let fourth = squares.map(|square| T::HALF * square * square);
-    let rest = inverse.spread(product, &fourth);
+    let rest = inverse.spread(product, &fourth(&squares));
     let mut least = inverse.times(&second);
-    let entries = least.as_mut_slice().iter_mut().zip(rest.as_slice());
-    let ways = chord.ways.as_slice().iter().zip(squares.as_slice());
-    for ((entry, rest), (way, square)) in entries.zip(ways) {
-        *entry = chord.bend * (entry.abs() + *rest + *way * *square);
-    }
+    bend_line(&mut least, chord.bend, &rest, &chord.ways, &chord.turns);
     add(&mut least, &inverse.magnitude_times(&off));
     least
 }
@@ -128,14 +117,9 @@ mod tests {
     use crate::isolation::{Chord, isolate_all};
     use crate::span::Span;
 
-    /// A chain of cells of two links each: of link i the part of length a(i) reaches to the pin before the next cell, and the links of
-    /// the next cell reach from there. `irregular` says how much lengths and angles differ from cell to cell.
-    struct Cells {
-        jacobian: DMatrix<f64>,
-        turning: DMatrix<f64>,
-    }
-
-    fn cells(count: usize, irregular: f64, seed: f64) -> Cells {
+    /// The Jacobian of a chain of so many cells, and the derivatives of its columns. `irregular` says how much lengths and angles differ
+    /// from cell to cell.
+    fn cells(count: usize, irregular: f64, seed: f64) -> [DMatrix<f64>; 2] {
         let order = 2 * count;
         let part = |place: usize, k: f64| irregular * f64::sin(k * (place as f64 + seed));
         let angle = |it: usize| part(it, 1.3) + if it.is_multiple_of(2) { 0.5 } else { -0.5 };
@@ -156,18 +140,13 @@ mod tests {
             }
         }
         for column in 0..order {
-            arm(
-                order - 2,
-                column,
-                if column.is_multiple_of(2) {
-                    0.5
-                } else {
-                    0.4 + part(column, 0.7)
-                },
-            );
+            let length = match column.is_multiple_of(2) {
+                true => 0.5,
+                false => 0.4 + part(column, 0.7),
+            };
+            arm(order - 2, column, length);
         }
-        let [jacobian, turning] = matrices;
-        Cells { jacobian, turning }
+        matrices
     }
 
     /// A vector whose entries differ.
@@ -179,7 +158,7 @@ mod tests {
     fn products_are_those_of_the_inverse() {
         let mut compared = 0;
         for (count, seed) in [(2, 0.0), (3, 1.0), (8, 2.0), (8, 5.0), (30, 3.0), (60, 4.0)] {
-            let Cells { jacobian, turning } = cells(count, 0.05, seed);
+            let [jacobian, turning] = cells(count, 0.05, seed);
             let Some(chain) = ChainInverse::new(&jacobian) else {
                 continue;
             };
@@ -210,7 +189,7 @@ mod tests {
 
     #[test]
     fn columns_of_the_inverse_are_exact() {
-        let Cells { jacobian, .. } = cells(9, 0.1, 2.0);
+        let [jacobian, _] = cells(9, 0.1, 2.0);
         let chain = ChainInverse::new(&jacobian).unwrap();
         let inverse = jacobian.try_inverse().unwrap();
         for column in 0..18 {
@@ -230,7 +209,7 @@ mod tests {
         for case in 0..400 {
             let seed = f64::from(case);
             let (count, order) = (10, 20);
-            let Cells { jacobian, turning } = cells(count, 0.04, seed);
+            let [jacobian, turning] = cells(count, 0.04, seed);
             let step = 10.0_f64.powf(-2.0 + 1.5 * f64::sin(0.7 * seed));
             let span = match case % 2 {
                 0 => Span::between(1.0),

@@ -58,6 +58,14 @@ pub fn isolate<T: Real, const N: usize>(
         let [sags] = &sags.data.0;
         variation(sags, entries);
     });
+    in_blocks(blocks, found)
+}
+
+/// What is found of equations of these blocks.
+pub(crate) fn in_blocks<T: Real, const N: usize>(
+    blocks: [u16; N],
+    found: Result<OVector<T, Const<N>>, usize>,
+) -> Result<[T; N], u16> {
     match found {
         Ok(sags) => Ok(sags.data.0[0]),
         Err(row) => Err(blocks.get(row).copied().unwrap_or(0)),
@@ -142,19 +150,8 @@ where
                 *entry = entry.abs();
             }
         }
-        // What is left beside second derivatives: ½ δ⁴ of the cosine's, and δ³ of the sine's.
-        let fourth = squares.map(|square| T::HALF * square * square);
-        let rest = times(turned, &fourth);
-        let ways_and_squares = ways.as_slice().iter().zip(squares.as_slice());
-        let entries = least.as_mut_slice().iter_mut().zip(rest.as_slice());
-        let entries = entries.zip(ways_and_squares).zip(turns.as_slice());
-        for (((entry, rest), (way, square)), turns) in entries {
-            let third = match turns {
-                true => *way * *square,
-                false => T::ZERO,
-            };
-            *entry = bend * (entry.abs() + *rest + third);
-        }
+        let rest = times(turned, &fourth(&squares));
+        bend_line(&mut least, bend, &rest, &ways, &turns);
         add(&mut off, &bounds);
         add(&mut least, &times(inverse, &off));
         let operator = Self {
@@ -166,7 +163,7 @@ where
         Ok((operator, least))
     }
 
-    /// |I − C J| R near the line: |sin δ| is at most δ, and 1 − cos δ at most ½ δ².
+    /// |I − C J| R near the line.
     fn spread(&self, variation: &OMatrix<T, D, D>, sags: &OVector<T, D>) -> OVector<T, D> {
         // Every column either turns or varies.
         let (mut turned, mut varied) = (sags.clone(), sags.clone());
@@ -178,9 +175,9 @@ where
             .zip(beside.as_mut_slice());
         for ((way, turns), ((turned, varied), beside)) in angles.zip(vectors) {
             let sag = *turned;
-            let delta = *way + sag;
+            let [by_sine, by_cosine] = turned_by(*way, sag);
             (*turned, *varied, *beside) = match turns {
-                true => (delta * sag, T::ZERO, T::HALF * delta * delta * sag),
+                true => (by_sine, T::ZERO, by_cosine),
                 false => (T::ZERO, sag, T::ZERO),
             };
         }
@@ -188,6 +185,42 @@ where
         add(&mut spread, &beside);
         add(&mut spread, &times(self.turned, &turned));
         spread
+    }
+}
+
+/// What a sag of a column that turns does where its angle goes so far: |sin δ| is at most δ, and 1 − cos δ at most ½ δ².
+pub(crate) fn turned_by<T: Real>(way: T, sag: T) -> [T; 2] {
+    let delta = way + sag;
+    [delta * sag, T::HALF * delta * delta * sag]
+}
+
+/// ½ δ⁴ for each δ².
+pub(crate) fn fourth<T: Real, D: Dim>(squares: &OVector<T, D>) -> OVector<T, D>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    squares.map(|square| T::HALF * square * square)
+}
+
+/// What second derivatives do to each unknown → how far it is off the line by them and by what is left beside them, ½ δ⁴ of the
+/// cosine's (`rest`) and δ³ of the sine's.
+pub(crate) fn bend_line<T: Real, D: Dim>(
+    second: &mut OVector<T, D>,
+    bend: T,
+    rest: &OVector<T, D>,
+    ways: &OVector<T, D>,
+    turns: &OVector<bool, D>,
+) where
+    DefaultAllocator: Allocator<D>,
+{
+    let entries = second.as_mut_slice().iter_mut().zip(rest.as_slice());
+    let entries = entries.zip(ways.as_slice()).zip(turns.as_slice());
+    for (((entry, rest), way), turns) in entries {
+        let third = match turns {
+            true => *way * (*way * *way),
+            false => T::ZERO,
+        };
+        *entry = bend * (entry.abs() + *rest + third);
     }
 }
 

@@ -91,14 +91,14 @@ fn of_work(work: &Work) -> Vec<String> {
         true => format!("Advance: at most {attempt} operations, with {STEPS} iterations."),
     }];
     if let Some(window) = work.window {
-        let window = grouped(window.total());
+        let look = grouped(window.look.total());
         let looks = work::LOOKS;
-        let last = match work.last_look.total() {
+        let last = match window.last.total() {
             0 => String::new(),
             last => format!(", and {} where none of these shows it", grouped(last)),
         };
         lines.push(format!(
-            "Where a frame is the first of a window of its path: at most {looks} times {window} operations more{last}."
+            "Where a frame is the first of a window of its path: at most {looks} times {look} operations more{last}."
         ));
     }
     lines.push(format!(

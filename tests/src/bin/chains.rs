@@ -27,8 +27,8 @@ struct Arguments {
 const EXPLANATION: &str = "\
 The chain is a pantograph (`tests/src/pantograph.rs`): its first cell stands on the ground, its last one is driven. The
 difference of both drivers turns its bar v, and all other angles are one block. That block is solved by way of one tear, and, where the
-description says `monitor;`, by all equations at once. Both are `unguarded`, which changes no frame. Growth: how many times as large as the one before it each cell is, to three digits, so that every
-number of the description is one of f32 and nothing but the solution is rounded. The truth is a closed form in 384 bits
+description says `monitor;`, by all equations at once. Both are `unguarded`, which changes no frame. Growth: how many times as large as
+the one before it each cell is, to three digits, so that every number of the description is one of f32 and nothing but the solution is rounded. The truth is a closed form in 384 bits
 (`tests/src/chains/truth.rs`) at the instants that the scalar was given.
 
 **Mean**: the root of the mean square over all bars and frames, which says how much a way loses. **Largest**: the worst of them, which

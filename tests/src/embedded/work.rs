@@ -34,7 +34,9 @@ pub fn outside(known: &Known) -> Vec<String> {
     }
     let work = work_of(program.mechanism());
     let guarded = work.window.filter(|_| program.is_guarded);
-    let window = guarded.map_or(0, |it| instructions(&it));
+    let window = guarded.map_or(0, |it| {
+        work::LOOKS * instructions(&it.look) + instructions(&it.last)
+    });
     let attempt = instructions(&work.attempt);
     let (advance, long) = (known.printed.advance, known.printed.long);
     let mut found = Vec::new();
@@ -45,7 +47,7 @@ pub fn outside(known: &Known) -> Vec<String> {
             ));
         }
     };
-    ask("a frame", advance.worst, attempt + work::LOOKS * window);
+    ask("a frame", advance.worst, attempt + window);
     let unguarded = Work {
         window: None,
         ..work
@@ -58,7 +60,7 @@ pub fn outside(known: &Known) -> Vec<String> {
     ask(
         "a long step",
         long.worst,
-        poses * attempt + work.windows() * work::LOOKS * window,
+        poses * attempt + work.windows() * window,
     );
     if !work.is_iterated && (advance.mean() as usize) < work.attempt.total() {
         found.push(format!("{program}: fewer instructions than operations"));

@@ -89,16 +89,15 @@ impl Printer<'_> {
                 text.line(format!("{matrix}[{row}][{column}] = {entry};"));
             }
         }
-        if *is_chain {
-            text.line(format!(
-                "{}(&isolation, {order}U, blocks, span, &chord, &variation[0][0], reals);",
-                self.runtime("isolate_chain")
-            ));
-        } else {
-            text.line(format!(
-                "{}(&isolation, {order}U, blocks, &chord, &variation[0][0], reals);",
-                self.runtime("isolate")
-            ));
+        let (call, span) = match is_chain {
+            true => ("isolate_chain", "span, "),
+            false => ("isolate", ""),
+        };
+        text.line(format!(
+            "{}(&isolation, {order}U, blocks, {span}&chord, &variation[0][0], reals);",
+            self.runtime(call)
+        ));
+        if !is_chain {
             self.variation(&named, (varied, variation), scope, text);
         }
         text.open("if (!isolation.is_shown) {");

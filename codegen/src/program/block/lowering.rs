@@ -46,14 +46,7 @@ impl<'a> Lowering<'a> {
             .map(|part| recognize(part, self.system))
             .collect();
         let name = self.set_apart(block_name(block, self.system));
-        let how = match &forms[..] {
-            [] => "explicit".to_string(),
-            _ => forms
-                .iter()
-                .map(|form| form.name())
-                .collect::<Vec<_>>()
-                .join(", then "),
-        };
+        let how = forms.first().map_or("explicit".to_string(), |it| it.name());
         let labels = block.joints.iter();
         let labels = labels.map(|&joint| self.system.mechanism.joints[joint].label.as_str());
         let title = format!(

@@ -48,10 +48,17 @@ pub struct Work {
     pub attempt: Operations,
     /// Whether blocks are iterated.
     pub is_iterated: bool,
-    /// One look at a window of the path; `None` where nothing is guarded.
-    pub window: Option<Operations>,
+    /// What is looked at of the path; `None` where nothing is guarded.
+    pub window: Option<Looks>,
+}
+
+/// What a guard takes where it looks for a window of the path.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Looks {
+    /// One look.
+    pub look: Operations,
     /// What the last look takes beside, which a chain of cells takes as a whole.
-    pub last_look: Operations,
+    pub last: Operations,
 }
 
 impl Work {
@@ -79,21 +86,16 @@ impl Work {
                 attempt += substitution(forces.len());
             }
         }
-        let functions = path.map(|path| [&path.function].into_iter().chain(&path.closed));
-        let windows = functions.map(|functions| {
-            let mut all = [Operations::default(); 2];
-            for function in functions {
-                let [look, last] = of_window(function, system);
-                all[0] += look;
-                all[1] += last;
-            }
-            all
-        });
         Self {
             attempt,
             is_iterated: !iterated.is_empty(),
-            window: windows.map(|[look, _]| look),
-            last_look: windows.map_or(Operations::default(), |[_, last]| last),
+            window: path.map(|path| {
+                let mut window = Looks::default();
+                for function in [&path.function].into_iter().chain(&path.closed) {
+                    window.add(function, system);
+                }
+                window
+            }),
         }
     }
 
@@ -112,8 +114,7 @@ impl Work {
 
     /// The operations of such a way.
     pub fn whole(&self) -> usize {
-        let look = self.window.map_or(0, |it| it.total());
-        let window = LOOKS * look + self.last_look.total();
+        let window = self.window.map_or(0, |it| it.total());
         self.poses() * self.attempt.total() + self.windows() * window
     }
 }
@@ -140,40 +141,46 @@ fn of_newton(newton: &NewtonBlock, system: &System) -> Operations {
     all
 }
 
-/// What one look at a path takes with the largest number of rounds, and what the last one takes beside.
-fn of_window(function: &Function, system: &System) -> [Operations; 2] {
-    let mut all = [of_function(function, system), Operations::default()];
-    for statement in &function.statements {
-        if let Statement::Isolate {
-            is_chain,
-            found,
-            turning,
-            variation,
-            ..
-        } = statement
-        {
-            let order = found.len();
-            // An inverse takes three times the elimination, and each round three products.
-            let mut whole = elimination(order).times(3);
-            whole += products(order, 4);
-            whole += Operations {
-                additions: order * turning.len(),
-                multiplications: order * turning.len(),
-                ..Operations::default()
-            };
-            let mut round = of_function(variation, system);
-            round += products(order, 3);
-            whole += round.times(WIDENED);
-            match is_chain {
-                true => {
-                    all[0] += of_chain(order);
-                    all[1] += whole;
+impl Looks {
+    /// All looks.
+    pub fn total(&self) -> usize {
+        LOOKS * self.look.total() + self.last.total()
+    }
+
+    /// Adds what a path shows, with the largest number of rounds.
+    fn add(&mut self, function: &Function, system: &System) {
+        self.look += of_function(function, system);
+        for statement in &function.statements {
+            if let Statement::Isolate {
+                is_chain,
+                found,
+                turning,
+                variation,
+                ..
+            } = statement
+            {
+                let order = found.len();
+                // An inverse takes three times the elimination, and each round three products.
+                let mut whole = elimination(order).times(3);
+                whole += products(order, 4);
+                whole += Operations {
+                    additions: order * turning.len(),
+                    multiplications: order * turning.len(),
+                    ..Operations::default()
+                };
+                let mut round = of_function(variation, system);
+                round += products(order, 3);
+                whole += round.times(WIDENED);
+                match is_chain {
+                    true => {
+                        self.look += of_chain(order);
+                        self.last += whole;
+                    }
+                    false => self.look += whole,
                 }
-                false => all[0] += whole,
             }
         }
     }
-    all
 }
 
 /// What shows that a chain with so many unknowns keeps to its path.

@@ -18,63 +18,51 @@ pub(super) struct Order {
 
 /// The order of a chain. It begins at the end that its equations mention first.
 pub(super) fn order(size: usize, places: impl Iterator<Item = [usize; 2]>) -> Option<Order> {
+    if size < FEWEST || !size.is_multiple_of(2) {
+        return None;
+    }
     let mut columns_of: Vec<Vec<usize>> = vec![Vec::new(); size];
     for [row, column] in places {
         columns_of[row].push(column);
     }
-    columns_of
-        .iter_mut()
-        .for_each(|columns| columns.sort_unstable());
+    columns_of.iter_mut().for_each(|columns| columns.sort());
     let mut links: BTreeMap<&[usize], Vec<usize>> = BTreeMap::new();
     for (row, columns) in columns_of.iter().enumerate() {
         links.entry(columns).or_default().push(row);
     }
     // Both equations of a link mention both of its cells.
     links.retain(|columns, rows| columns.len() == 4 && rows.len() == 2);
-    if size < FEWEST || !size.is_multiple_of(2) || links.len() + 1 != size / 2 {
+    if links.len() + 1 != size / 2 {
         return None;
     }
     let mut linked_by: Vec<Vec<&[usize]>> = vec![Vec::new(); size];
     for columns in links.keys() {
         columns.iter().for_each(|&it| linked_by[it].push(columns));
     }
-    let is_end = |columns: &&[usize]| {
-        columns
-            .iter()
-            .filter(|&&it| linked_by[it].len() == 1)
-            .count()
-            == 2
+    // What no other link mentions.
+    let own = |columns: &[usize]| -> Vec<usize> {
+        let columns = columns.iter().copied();
+        columns.filter(|&it| linked_by[it].len() == 1).collect()
     };
-    let ends = links.iter().filter(|(columns, _)| is_end(columns));
+    let ends = links.iter().filter(|(columns, _)| own(columns).len() == 2);
     let (&first, _) = ends.min_by_key(|(_, rows)| rows[0])?;
     let mut order = Order {
         rows: Vec::new(),
-        columns: first
-            .iter()
-            .copied()
-            .filter(|&it| linked_by[it].len() == 1)
-            .collect(),
+        columns: own(first),
     };
     let mut link = first;
     while let Some(rows) = links.remove(link) {
         order.rows.extend(rows);
-        let cell: Vec<usize> = link
-            .iter()
-            .copied()
-            .filter(|it| !order.columns.contains(it))
-            .collect();
-        let next = linked_by[*cell.first()?]
-            .iter()
-            .find(|next| links.contains_key(**next));
+        let columns = link.iter().copied();
+        let cell: Vec<usize> = columns.filter(|it| !order.columns.contains(it)).collect();
+        let next = linked_by[*cell.first()?].iter();
+        let next = next.copied().find(|next| links.contains_key(next));
         let follows = |next: &[usize]| cell.iter().all(|it| next.contains(it));
-        let is_cell = cell.len() == 2 && next.is_none_or(|next| follows(next));
-        if !is_cell {
+        if cell.len() != 2 || !next.is_none_or(follows) {
             return None;
         }
         order.columns.extend(cell);
-        if let Some(next) = next {
-            link = next;
-        }
+        link = next.unwrap_or(link);
     }
     let closing = (0..size).filter(|row| !order.rows.contains(row));
     let closing: Vec<usize> = closing.collect();

@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use super::chain::Order;
 use crate::expr::{ExprId, SymbolId};
 use crate::program::builder::Builder;
 use crate::system::SymbolRole;
@@ -19,6 +20,33 @@ pub(super) struct Columns {
     pub turns: Vec<bool>,
     /// The derivatives of the entries of those that do.
     pub turning: Entries,
+}
+
+impl Columns {
+    /// The same with its rows and columns in this order.
+    pub fn in_order(self, order: &Order) -> Columns {
+        let places = |order: &[usize]| {
+            let mut places = vec![0; order.len()];
+            for (place, &was) in order.iter().enumerate() {
+                places[was] = place;
+            }
+            places
+        };
+        let [rows, columns] = [&order.rows, &order.columns].map(|it| places(it));
+        let moved = |entries: Entries| {
+            let entries = entries.into_iter();
+            let mut entries: Entries = entries
+                .map(|([row, column], entry)| ([rows[row], columns[column]], entry))
+                .collect();
+            entries.sort_by_key(|(place, _)| *place);
+            entries
+        };
+        Columns {
+            jacobian: moved(self.jacobian),
+            turns: order.columns.iter().map(|&it| self.turns[it]).collect(),
+            turning: moved(self.turning),
+        }
+    }
 }
 
 impl Builder<'_> {

@@ -66,14 +66,13 @@ impl Builder<'_> {
             return;
         }
         let mut found = self.columns(&loops.residuals, &loops.columns);
-        let places = found.jacobian.iter().map(|(place, _)| *place);
-        let order = chain::order(loops.unknowns.len(), places);
         // What turns is an angle, and does not vary beside.
-        let order = order.filter(|_| found.turns.iter().all(|turns| *turns));
-        let is_chain = order.is_some();
-        if let Some(order) = order {
-            loops = loops.in_order(&order);
-            found = self.columns(&loops.residuals, &loops.columns);
+        let all_turn = found.turns.iter().all(|turns| *turns);
+        let places = found.jacobian.iter().map(|(place, _)| *place);
+        let order = chain::order(loops.unknowns.len(), places).filter(|_| all_turn);
+        if let Some(order) = &order {
+            loops = loops.in_order(order);
+            found = found.in_order(order);
         }
         let Loops {
             unknowns,
@@ -125,7 +124,7 @@ impl Builder<'_> {
         self.path_geometry(&all);
         let distances = ways.iter().map(|&it| self.graph().variable(it)).collect();
         self.state(Statement::Isolate {
-            is_chain,
+            is_chain: order.is_some(),
             blocks: blocks.clone(),
             found: sags.clone(),
             bounds,

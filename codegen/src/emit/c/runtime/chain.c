@@ -195,68 +195,63 @@ static void turn_chain$f(const chain$f *chain)
     }
 }
 
-/* The product of C, or of the magnitudes that it has, with a vector. */
-static void times_chain$f(const chain$f *chain, const $real vector[], bool is_size, $real found[])
+/* Adds what both places of a cell or a link do, or how large that is. */
+static void gather$f(const $real responses[], size_t cell, bool is_size, const $real vector[], $real sum[2])
+{
+    for (size_t place = 2U * cell; place < ((2U * cell) + 2U); place += 1U) {
+        for (size_t side = 0U; side < 2U; side += 1U) {
+            const $real response = responses[(2U * place) + side];
+            sum[side] += (is_size ? fabs$f(response) : response) * vector[place];
+        }
+    }
+}
+
+/* What the places of a vector do to all cells, by what each of them does to the first and the last one: from behind a
+   cell to those before it, and the other way round. Those of a link are behind its cell, and those of a cell nowhere. */
+static void sides$f(const chain$f *chain, const $real *const ends[2], bool are_links, bool is_size, const $real vector[],
+    $real found[])
 {
     const size_t cells = chain->order / 2U;
     $real behind[2] = {0.0$f, 0.0$f};
     $real before[2] = {0.0$f, 0.0$f};
-    /* The last equations are behind every cell. */
     for (size_t cell = cells; cell > 0U; cell -= 1U) {
-        for (size_t row = 2U * (cell - 1U); row < (2U * cell); row += 1U) {
-            for (size_t side = 0U; side < 2U; side += 1U) {
-                const $real response = chain->first[(2U * row) + side];
-                behind[side] += (is_size ? fabs$f(response) : response) * vector[row];
-            }
+        if (are_links) {
+            gather$f(ends[0], cell - 1U, is_size, vector, behind);
         }
         for (size_t unknown = 2U * (cell - 1U); unknown < (2U * cell); unknown += 1U) {
             const $real *const from = &chain->from_first[2U * unknown];
             found[unknown] = is_size ? magnitude_dot$f(from, behind) : dot$f(from, behind);
         }
-    }
-    for (size_t cell = 1U; cell < cells; cell += 1U) {
-        for (size_t row = 2U * (cell - 1U); row < (2U * cell); row += 1U) {
-            for (size_t side = 0U; side < 2U; side += 1U) {
-                const $real response = chain->last[(2U * row) + side];
-                before[side] += (is_size ? fabs$f(response) : response) * vector[row];
-            }
+        if (!are_links) {
+            gather$f(ends[0], cell - 1U, is_size, vector, behind);
         }
+    }
+    for (size_t cell = 0U; cell < cells; cell += 1U) {
         for (size_t unknown = 2U * cell; unknown < ((2U * cell) + 2U); unknown += 1U) {
             const $real *const from = &chain->from_last[2U * unknown];
             found[unknown] += is_size ? magnitude_dot$f(from, before) : dot$f(from, before);
         }
+        gather$f(ends[1], cell, is_size, vector, before);
     }
 }
 
-/* Adds what the columns of a cell do to the first, the last, or their own cell. */
-static void add_columns$f(const $real columns[], size_t cell, const $real vector[], $real sum[2])
+/* The product of C, or of the magnitudes that it has, with a vector. */
+static void times_chain$f(const chain$f *chain, const $real vector[], bool is_size, $real found[])
 {
-    for (size_t column = 2U * cell; column < ((2U * cell) + 2U); column += 1U) {
-        sum[0] += fabs$f(columns[2U * column]) * vector[column];
-        sum[1] += fabs$f(columns[(2U * column) + 1U]) * vector[column];
-    }
+    const $real *const ends[2] = {chain->first, chain->last};
+    sides$f(chain, ends, true, is_size, vector, found);
 }
 
 /* The product of the magnitudes of C and what turns with a vector. */
 static void spread_chain$f(const chain$f *chain, const $real vector[], $real found[])
 {
-    const size_t cells = chain->order / 2U;
-    $real behind[2] = {0.0$f, 0.0$f};
-    $real before[2] = {0.0$f, 0.0$f};
-    for (size_t cell = cells; cell > 0U; cell -= 1U) {
-        for (size_t unknown = 2U * (cell - 1U); unknown < (2U * cell); unknown += 1U) {
-            found[unknown] = magnitude_dot$f(&chain->from_first[2U * unknown], behind);
-        }
-        add_columns$f(chain->turned_first, cell - 1U, vector, behind);
-    }
-    for (size_t cell = 0U; cell < cells; cell += 1U) {
+    const $real *const ends[2] = {chain->turned_first, chain->turned_last};
+    sides$f(chain, ends, false, true, vector, found);
+    for (size_t cell = 0U; cell < (chain->order / 2U); cell += 1U) {
         $real own[2] = {0.0$f, 0.0$f};
-        add_columns$f(chain->turned_own, cell, vector, own);
-        for (size_t side = 0U; side < 2U; side += 1U) {
-            const size_t unknown = (2U * cell) + side;
-            found[unknown] = (found[unknown] + magnitude_dot$f(&chain->from_last[2U * unknown], before)) + own[side];
-        }
-        add_columns$f(chain->turned_last, cell, vector, before);
+        gather$f(chain->turned_own, cell, true, vector, own);
+        found[2U * cell] += own[0];
+        found[(2U * cell) + 1U] += own[1];
     }
 }
 

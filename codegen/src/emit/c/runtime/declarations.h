@@ -341,7 +341,7 @@ void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, con
     const linkwright$f_chord *chord, const $real variation[], $real reals[]);
 bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation);
 /* The same as a whole where all columns turn and every two equations but the last two link two unknowns to the next
-   two: a chain of as many cells takes as many operations. The variation is zero. */
+   two: the work is in proportion to the cells of such a chain. The variation is zero. */
 void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
     const linkwright$f_span *span, const linkwright$f_chord *chord, const $real variation[], $real reals[]);
 

@@ -83,9 +83,9 @@ pub fn chain(random: &mut Random, number: u64) -> Course {
         middle = near(x + half * cosine, 0.0, scale);
         x += (half + next) * cosine;
         let ends = [1.0, -1.0].map(|side| near(x, side * next * sine, scale));
-        for (bar, (side, (begin, end))) in [
-            ("u", (1.0, (begins[0], ends[0]))),
-            ("v", (-1.0, (begins[1], ends[1]))),
+        for (bar, side, begin, end) in [
+            ("u", 1.0, begins[0], ends[0]),
+            ("v", -1.0, begins[1], ends[1]),
         ] {
             let own = |point: [f64; 2]| {
                 let [x, y] = [0, 1].map(|axis| point[axis] - begin[axis]);
