@@ -44,7 +44,7 @@ fn main() {
 /// A mechanism whose module calls elementary functions of the test that includes it.
 fn write_counted() {
     let options = Options {
-        math: Some("crate::counting"),
+        math: Some("crate::math::counting"),
         ..Options::default()
     };
     let text = fs::read_to_string("../mechanisms/four_bar.mech").expect("the description");

@@ -133,32 +133,3 @@ macro_rules! with_numbers {
 }
 
 with_numbers!(Add add, Sub sub, Mul mul, Div div);
-
-#[cfg(test)]
-mod tests {
-    use super::Jet;
-
-    /// Against differences of the values.
-    #[test]
-    fn jets_agree_with_differences() {
-        let functions: [fn(Jet) -> Jet; 6] = [
-            |t| (2.0 * t).sin() * t.cos(),
-            |t| (t * t + 1.0).sqrt(),
-            |t| 1.0 / (t + 2.0) - t.square(),
-            |t| (t / 3.0).acos(),
-            |t| (t.sin() + 2.0).atan2(t.cos() - 0.5),
-            |t| -t / (t.cos() + 3.0),
-        ];
-        for (index, function) in functions.into_iter().enumerate() {
-            for t in [0.1, 0.7, 1.9] {
-                let h = 1e-3;
-                let at = |t| function(Jet::time(t)).0;
-                let [back, here, ahead] = [t - h, t, t + h].map(at);
-                let first = (ahead[0] - back[0]) / (2.0 * h);
-                let second = (ahead[1] - back[1]) / (2.0 * h);
-                assert!((here[1] - first).abs() < 1e-5, "{index} at {t}");
-                assert!((here[2] - second).abs() < 1e-5, "{index} at {t}");
-            }
-        }
-    }
-}

@@ -27,15 +27,3 @@ impl Random {
         low + (high - low) * fraction
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Random;
-
-    #[test]
-    fn the_sequence_of_a_seed_is_the_published_one() {
-        let mut random = Random::new(1_234_567);
-        assert_eq!(random.bits(), 6_457_827_717_110_365_317);
-        assert_eq!(random.bits(), 3_203_168_211_198_807_973);
-    }
-}

@@ -45,39 +45,3 @@ pub fn second(values: [f64; 5], h: f64, majorant: &Majorant<7>) -> Quotient {
 fn rounding<const N: usize>(majorant: &Majorant<N>, weights: f64) -> f64 {
     weights * (majorant.error + 6.0 * f64::EPSILON * (majorant.coefficients[0] + majorant.error))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// sin(1 + s): coefficients at most 1/k!, values rounded to one unit in the last place.
-    #[test]
-    fn the_errors_of_quotients_of_a_sine_lie_within_their_bounds_and_near_them() {
-        let h = 1.0 / 64.0;
-        let at = |i: f64| (1.0 + i * h).sin();
-        let factorials = [1.0, 1.0, 2.0, 6.0, 24.0, 120.0, 720.0];
-        let coefficients: [f64; 7] = factorials.map(|it: f64| 1.0 / it);
-        let [c0, c1, c2, c3, c4, c5, _] = coefficients;
-        let error = f64::EPSILON;
-        let majorant = Majorant {
-            coefficients: [c0, c1, c2, c3, c4, c5],
-            error,
-        };
-        let slope = first([at(-2.0), at(-1.0), at(1.0), at(2.0)], h, &majorant);
-        let curve = second(
-            [-2.0, -1.0, 0.0, 1.0, 2.0].map(at),
-            h,
-            &Majorant {
-                coefficients,
-                error,
-            },
-        );
-        for (quotient, exact) in [(slope, 1_f64.cos()), (curve, -1_f64.sin())] {
-            let error = (quotient.value - exact).abs();
-            assert!(
-                error <= quotient.error && quotient.error < 20.0 * error,
-                "{error:e}, {quotient:?}"
-            );
-        }
-    }
-}

@@ -5,12 +5,16 @@
 //! come from the caller, so the compiler cannot evaluate a solve and drop it.
 #![no_std]
 
-#[path = "../../../runtime/tests/exam_equations/mod.rs"]
+#[path = "../../../runtime/tests/solving/exam_equations.rs"]
 mod exam_equations;
+#[cfg(feature = "generated")]
 mod forces;
+#[cfg(feature = "generated")]
 mod given;
+#[cfg(feature = "generated")]
 mod mechanisms;
 mod ring;
+#[cfg(feature = "generated")]
 mod tables;
 
 use linkwright::nalgebra::{Const, SVector};

@@ -222,7 +222,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let environment = Environment::here(arguments.commit.as_deref());
     let report = format!(
-        "# The ankle of a humanoid\n\nWritten by `cargo run --release -p linkwright-tests --bin ankle`.\n\n{}\n{EXPLANATION}\n| way | finds | ns a frame | error in rad |\n|---|---|--:|--:|\n{}\n",
+        "# The ankle of a humanoid\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin ankle`.\n\n{}\n{EXPLANATION}\n| way | finds | ns a frame | error in rad |\n|---|---|--:|--:|\n{}\n",
         environment.lines(),
         rows.join("\n")
     );

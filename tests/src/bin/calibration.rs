@@ -73,7 +73,7 @@ fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
         );
     }
     let report = format!(
-        "# Calibration\n\nWritten by `cargo run --release -p linkwright-tests --bin calibration`.\n\n{}- trials: {} of each mechanism, \
+        "# Calibration\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin calibration`.\n\n{}- trials: {} of each mechanism, \
          seeds from {SEED:#x} on\n\n{EXPLANATION}{sections}",
         environment.lines(),
         arguments.trials,

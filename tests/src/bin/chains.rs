@@ -69,7 +69,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         [mean.max(a), largest.max(b)]
     });
     let report = format!(
-        "# Tears along chains\n\nWritten by `cargo run --release -p linkwright-tests --bin chains`.\n\n{}\n{EXPLANATION}\n\
+        "# Tears along chains\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin chains`.\n\n{}\n{EXPLANATION}\n\
          **By way of the tears errors are at most {mean:.2} times as large in the mean, and the largest at most {largest:.2} times.**\n\n\
          ## All sweeps\n\n{counts}\n{}\n",
         environment.lines(),

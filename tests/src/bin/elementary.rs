@@ -111,7 +111,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
     let environment = Environment::here(arguments.commit.as_deref());
     let report = format!(
-        "# Errors of the elementary functions\n\nWritten by `cargo run --release -p linkwright-tests --bin elementary`.\n\n{}\n{EXPLANATION}\n| function | scalar | arguments | count | ulps | at |\n|---|---|---|--:|--:|---|\n{}\n",
+        "# Errors of the elementary functions\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin elementary`.\n\n{}\n{EXPLANATION}\n| function | scalar | arguments | count | ulps | at |\n|---|---|---|--:|--:|---|\n{}\n",
         environment.lines(),
         rows.join("\n")
     );

@@ -94,7 +94,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let table = table(&costs);
     println!("\n{table}");
     let report = format!(
-        "# Growth with the size of a mechanism\n\nWritten by `cargo run --release -p linkwright-tests --bin growth`.\n\n{}- limit: {} s\n\n{EXPLANATION}\n{table}",
+        "# Growth with the size of a mechanism\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin growth`.\n\n{}- limit: {} s\n\n{EXPLANATION}\n{table}",
         environment.lines(),
         arguments.limit
     );

@@ -85,7 +85,7 @@ fn hunt(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
         return Ok(tally.total().wrong());
     }
     let command = format!(
-        "cargo run --release -p linkwright-tests --bin hunt-paths -- --seed {} --count {}",
+        "cargo run --profile optimized -p linkwright-tests --bin hunt-paths -- --seed {} --count {}",
         arguments.seed, arguments.count
     );
     let environment = Environment::here(arguments.commit.as_deref()).lines();

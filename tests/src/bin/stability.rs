@@ -106,14 +106,9 @@ fn run(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
     }
     let summary = counts.summary();
     println!("{summary}");
-    let profile = if cfg!(debug_assertions) {
-        "dev profile"
-    } else {
-        "release profile"
-    };
     let report = format!(
-        "# Stability\n\nWritten by `cargo run --release -p linkwright-tests --bin stability`.\n\n{}\n{summary}\n## How to read the tables\n\n{EXPLANATION}{body}",
-        environment.lines().replace("release profile", profile)
+        "# Stability\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin stability`.\n\n{}\n{summary}\n## How to read the tables\n\n{EXPLANATION}{body}",
+        environment.lines()
     );
     let file = folder.join("stability.md");
     fs::write(&file, report)?;

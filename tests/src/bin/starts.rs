@@ -81,7 +81,7 @@ fn run(arguments: &Arguments) -> Result<u32, Box<dyn Error>> {
     let all = plain.iter().chain(&afar).chain(&generated);
     let wrong: u32 = all.map(|(_, outcomes)| outcomes.wrong).sum();
     let report = format!(
-        "# Poor estimates\n\nWritten by `cargo run --release -p linkwright-tests --bin starts`.\n\n{}- starts: {} of each mechanism, \
+        "# Poor estimates\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin starts`.\n\n{}- starts: {} of each mechanism, \
          seed {SEED:#x}\n\n{EXPLANATION}\n**{wrong} wrong.**\n\n\
          ## The generated mechanism, `assemble_from`\n\nBlock by block in the modes of the drawing. Not listed: mechanisms with motions \
          or outputs.\n\n{}\n\

@@ -78,7 +78,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&folder)?;
     let environment = Environment::here(arguments.commit.as_deref());
     let mut report = format!(
-        "# Error against run time\n\nWritten by `cargo run --release -p linkwright-tests --bin work-precision`.\n\n{}- repeats: {}\n\n{EXPLANATION}",
+        "# Error against run time\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin work-precision`.\n\n{}- repeats: {}\n\n{EXPLANATION}",
         environment.lines(),
         effort.repeats
     );

@@ -84,32 +84,3 @@ pub fn exact(chain: &Pantograph, t: f64) -> Exact {
     }
     levels
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::description::written;
-    use crate::stability::truth::{Given, Truth};
-
-    /// Against Newton-Raphson on all equations of the description, in as many bits.
-    #[test]
-    fn closed_forms_solve_the_description() {
-        for growth in [1.0, 0.8, 1.4] {
-            let chain = Pantograph::new(3, growth);
-            let truth = Truth::new(&written(&chain.text("")));
-            for t in [0.3, 2.0] {
-                let [q, qd, qdd] = exact(&chain, t);
-                let given = Given {
-                    t,
-                    ..Given::default()
-                };
-                let solved = truth.solve(&given, &q).expect("a regular pose");
-                let found = [q, qd, qdd];
-                for (found, solved) in found.iter().flatten().zip(solved.levels.iter().flatten()) {
-                    let difference = found.minus(solved).to_f64().abs();
-                    assert!(difference < 1e-80, "growth {growth}: {difference:e}");
-                }
-            }
-        }
-    }
-}

@@ -36,11 +36,11 @@ pub fn output(command: &mut Command) -> io::Result<String> {
     Err(io::Error::other(format!("{command:?}\n{}", &text[..end])))
 }
 
-/// A build in `tests/embedded` for the host.
+/// A build in `tests/embedded` for the host, in the folder in which the test `freestanding` has compiled the generator.
 pub fn cargo_for_host() -> Command {
     let mut command = Command::new(env!("CARGO"));
     command.current_dir(files::package("embedded"));
-    command.env("CARGO_TARGET_DIR", folder().join("host"));
+    command.env("CARGO_TARGET_DIR", folder().with_file_name("tmp/freestanding"));
     command.env("CARGO_INCREMENTAL", "0");
     command
 }

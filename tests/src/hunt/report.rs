@@ -166,7 +166,7 @@ calls the first pose singular, its own f64 does not suffice, as with places or f
 /// The report.
 pub fn report(tally: &Tally, seed: u64, environment: &str, summary: &str) -> String {
     let mut text = format!(
-        "# The hunt\n\nWritten by `cargo run --release -p linkwright-tests --bin hunt`, seed {seed}.\n\n{environment}\n{summary}\n{EXPLANATION}\n## Outcomes\n\n{}",
+        "# The hunt\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin hunt`, seed {seed}.\n\n{environment}\n{summary}\n{EXPLANATION}\n## Outcomes\n\n{}",
         outcomes(tally)
     );
     if !tally.wrong.is_empty() {
@@ -174,7 +174,7 @@ pub fn report(tally: &Tally, seed: u64, environment: &str, summary: &str) -> Str
     }
     let _ = write!(
         text,
-        "\n## Typed failures where the path has a pose\n\nEach mechanism is repeated by `cargo run --release -p linkwright-tests --bin hunt --` and what stands in the column.\n\n{}",
+        "\n## Typed failures where the path has a pose\n\nEach mechanism is repeated by `cargo run --profile optimized -p linkwright-tests --bin hunt --` and what stands in the column.\n\n{}",
         failures(tally, seed)
     );
     let _ = write!(text, "\n## What is behind them\n\n{BEHIND}");

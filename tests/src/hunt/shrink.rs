@@ -126,29 +126,3 @@ fn rounded(mechanism: &Mechanism, digits: i32) -> Mechanism {
     }
     round
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::hunt::mechanism;
-
-    #[test]
-    fn what_is_not_needed_is_left_out() {
-        let number = (0..100).find(|number| {
-            let groups = mechanism(3, *number, 8).groups;
-            groups.len() >= 4 && groups.contains(&"dyad RRR")
-        });
-        let large = mechanism(3, number.expect("such a mechanism"), 8);
-        let has_dyad = |it: &Mechanism| {
-            let left = it.joint_order.iter().map(|joint| it.joints[*joint].1);
-            left.clone().any(|group| it.groups[group] == "dyad RRR")
-        };
-        let small = shrunk(&large, has_dyad);
-        assert!(has_dyad(&small) && small.joint_order.len() < large.joint_order.len());
-        assert!(
-            small.text().len() < large.text().len() / 2,
-            "{}",
-            small.text()
-        );
-    }
-}

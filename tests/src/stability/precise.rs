@@ -349,34 +349,3 @@ impl Factors {
         x
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn floats_come_back_as_they_were() {
-        for value in [1.0, -0.1, 1e300, -3.5e-300, 123_456_789.123_456_78, 0.0] {
-            assert_eq!(Precise::from_f64(value).to_f64(), value);
-        }
-    }
-
-    #[test]
-    fn subnormal_numbers_are_multiples_of_the_smallest() {
-        let smallest = Precise::from_f64(f64::MIN_POSITIVE).times(&Precise::from_f64(f64::EPSILON));
-        for count in [1.0, 3.0, 12_345.0, 2_f64.powi(40) + 1.0] {
-            let subnormal = Precise::from_f64(f64::from_bits(count as u64));
-            let ratio = subnormal.over(&smallest).to_f64();
-            assert_eq!(ratio, count);
-        }
-    }
-
-    #[test]
-    fn a_third_of_pi_has_the_cosine_one_half() {
-        let third = pi().over(&Precise::from_f64(3.0));
-        let error = third.cos().minus(&Precise::from_f64(0.5)).to_f64();
-        assert!(error.abs() < 1e-110, "{error}");
-        let error = Precise::from_f64(0.5).acos().minus(&third).to_f64();
-        assert!(error.abs() < 1e-110, "{error}");
-    }
-}

@@ -1,6 +1,7 @@
 //! *The machine* → *what a reader needs to know about a measurement*: processor, compiler, commit and date.
 
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -13,6 +14,8 @@ pub struct Environment {
     pub processor: String,
     /// The compiler.
     pub compiler: String,
+    /// The profile of the running program, by the folder that holds it.
+    pub profile: String,
     /// The commit that was measured.
     pub commit: String,
     /// The day (UTC).
@@ -26,6 +29,7 @@ impl Environment {
         Environment {
             processor: format!("{}, {cores} logical cores", processor()),
             compiler: output("rustc", &["--version"]),
+            profile: profile(),
             commit: commit.map_or_else(from_git, str::to_string),
             date: today(),
         }
@@ -34,8 +38,8 @@ impl Environment {
     /// The lines of a list in Markdown.
     pub fn lines(&self) -> String {
         format!(
-            "- machine: {}\n- compiler: {}, release profile\n- commit: {}\n- date: {}\n",
-            self.processor, self.compiler, self.commit, self.date
+            "- machine: {}\n- compiler: {}, profile `{}`\n- commit: {}\n- date: {}\n",
+            self.processor, self.compiler, self.profile, self.commit, self.date
         )
     }
 }
@@ -47,6 +51,13 @@ fn processor() -> String {
         (key.trim() == "model name").then(|| value.trim().to_string())
     });
     model.unwrap_or_else(|| std::env::consts::ARCH.to_string())
+}
+
+fn profile() -> String {
+    let program = std::env::current_exe().ok();
+    let folder = program.as_deref().and_then(Path::parent);
+    let name = folder.and_then(|it| Some(it.file_name()?.to_string_lossy().into_owned()));
+    name.unwrap_or_default()
 }
 
 fn from_git() -> String {

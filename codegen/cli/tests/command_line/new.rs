@@ -21,8 +21,8 @@ fn a_new_crate_runs_and_is_tested() {
     // The versions of the repository, so that nothing is asked of the network.
     let lock = Path::new(REPOSITORY).join("Cargo.lock");
     std::fs::copy(lock, folder.file("my-walker/Cargo.lock")).expect("a copy");
-    // One folder for all runs of this test: what does not change is compiled once.
-    let built = Path::new(env!("CARGO_TARGET_TMPDIR")).join("new_built");
+    // The folder of all tests that build crates of users: the generator is compiled once.
+    let built = Path::new(env!("CARGO_TARGET_TMPDIR")).join("built");
     let cargo = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO"));
         command.args(arguments).args(["--offline", "--quiet"]);

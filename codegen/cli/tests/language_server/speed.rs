@@ -1,6 +1,6 @@
 //! How long a keystroke takes: from the change of the text to what is said about it.
 //!
-//! `cargo test --release -p linkwright-cli --test language_server -- --ignored --nocapture speed`
+//! `cargo test --profile optimized -p linkwright-cli --test language_server -- --ignored --nocapture speed`
 
 use std::time::{Duration, Instant};
 

@@ -1,0 +1,110 @@
+//! The runtime and every generated mechanism as a static library without std: no panic path, no allocator, nothing of the
+//! standard library.
+//!
+//! The library's panic handler calls the symbol `PANIC_PATH`, which nothing defines. What `nm` lists as undefined is all
+//! that the library needs from outside.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::{Mutex, PoisonError};
+
+use linkwright_tests::{description, files};
+
+/// What the compiler itself may call, also on a microcontroller: copying, filling and comparing memory.
+const ALLOWED: [&str; 5] = ["memcpy", "memmove", "memset", "memcmp", "bcmp"];
+
+/// Only one build at a time: all of them write the library to the same path.
+static BUILDING: Mutex<()> = Mutex::new(());
+
+/// Builds the library in release with these features and returns the path of a copy.
+fn build(features: &str) -> PathBuf {
+    let _building = BUILDING.lock().unwrap_or_else(PoisonError::into_inner);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let target = folder.join("freestanding");
+    let output = Command::new(env!("CARGO"))
+        .args(["build", "--release", "--manifest-path"])
+        .arg(files::package("freestanding/Cargo.toml"))
+        .args(["--no-default-features", "--features", features])
+        .arg("--target-dir")
+        .arg(&target)
+        .output()
+        .expect("cargo runs");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let copy = folder.join(format!("freestanding_{features}.a"));
+    fs::copy(target.join("release/liblinkwright_freestanding.a"), &copy).expect("a copy");
+    copy
+}
+
+/// The symbols that `nm` lists with this option: of all objects in the archive, or of those whose name starts with a prefix.
+fn symbols(library: &Path, option: &str, object: &str) -> BTreeSet<String> {
+    let output = Command::new("nm")
+        .args([option, "--print-file-name"])
+        .arg(library)
+        .output()
+        .expect("nm runs (binutils)");
+    let listed = String::from_utf8(output.stdout).expect("names in UTF-8");
+    let mut symbols = BTreeSet::new();
+    // `archive:object:address kind symbol`
+    for line in listed.lines() {
+        let member = line.rsplit_once(".a:").map(|(_, member)| member);
+        if member.is_some_and(|member| member.starts_with(object)) {
+            symbols.extend(line.split_whitespace().last().map(str::to_string));
+        }
+    }
+    assert!(
+        !symbols.is_empty(),
+        "nm lists nothing for {}",
+        library.display()
+    );
+    symbols
+}
+
+fn is_allocator(symbol: &str) -> bool {
+    let names = [
+        "__rust_alloc",
+        "__rust_realloc",
+        "__rust_dealloc",
+        "__rdl_",
+        "__rg_",
+        "handle_alloc_error",
+    ];
+    ["malloc", "calloc", "realloc", "free"].contains(&symbol)
+        || names.iter().any(|name| symbol.contains(name))
+}
+
+#[test]
+fn no_panic_path_and_no_allocator_survives_and_nothing_of_std_is_needed() {
+    let library = build("generated");
+    let undefined = symbols(&library, "--undefined-only", "");
+    let defined = symbols(&library, "--defined-only", "");
+    assert!(!undefined.contains("PANIC_PATH"), "a panic path survives");
+    let allocators: Vec<&String> = undefined
+        .union(&defined)
+        .filter(|symbol| is_allocator(symbol))
+        .collect();
+    assert!(allocators.is_empty(), "{allocators:?}");
+    // The other objects are compiler_builtins, which cargo adds to every static library.
+    let own = symbols(&library, "--undefined-only", "linkwright_freestanding-");
+    let needed: Vec<&String> = own
+        .iter()
+        .filter(|symbol| !ALLOWED.contains(&symbol.as_str()))
+        .collect();
+    assert!(needed.is_empty(), "the library needs {needed:?}");
+    let given = ["four_bar_given", "platform_given", "slider_given"].map(String::from);
+    for name in description::names().into_iter().chain(given) {
+        assert!(defined.contains(&name), "{name} is not in the library");
+    }
+    println!("undefined: {own:?}");
+}
+
+#[test]
+fn a_planted_panic_is_found() {
+    // Without the generated mechanisms: the library with them has no panic path, so a part of it has none but the planted one.
+    assert!(symbols(&build("planted"), "--undefined-only", "").contains("PANIC_PATH"));
+}

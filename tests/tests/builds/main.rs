@@ -1,0 +1,10 @@
+//! Generated Rust and C in packages of users: compilers, documentation, macros and libraries without std.
+
+mod build_script;
+mod c;
+mod comments;
+mod control;
+mod determinism;
+mod freestanding;
+mod macros;
+mod work;

@@ -1,0 +1,64 @@
+//! What the blocks are called, and what is said of them where they are singular, for every described mechanism.
+
+use linkwright_codegen::stages::emit::derivation::Script;
+use linkwright_codegen::stages::emit::{Notation, derivation};
+use linkwright_codegen::stages::{program, structure};
+use linkwright_tests::description;
+
+/// `NAME: block NAME, singular WORDS`, a line for each block that can be singular.
+fn block_words() -> String {
+    let mut text = String::new();
+    let mut names = description::names();
+    names.extend(description::small());
+    // Each kind of block once beside those of the repository is enough to be read.
+    let read = [
+        "crane",
+        "driven_coupler",
+        "ellipse",
+        "held_at_distance",
+        "leveled_slider",
+        "pushed_apart",
+        "rocking_cams",
+        "slotted_link",
+        "three_cranks",
+        "trammel",
+        "turning_guide",
+        "two_guides",
+    ];
+    let described = description::names();
+    for name in names {
+        for mut system in description::motions(&name) {
+            let plan = structure::plan(&mut system).expect("a plan");
+            let lowered = program::lower(&mut system, &plan);
+            let poses = derivation::singular_poses(
+                &system,
+                &plan,
+                &lowered.forms,
+                Script::Text(Notation::Ascii),
+            );
+            let words = derivation::block_words(&lowered.blocks, &system, &plan, &poses);
+            let is_read = described.contains(&name) || read.contains(&name.as_str());
+            let mut own_text = format!("{}\n", system.mechanism.title());
+            for (block, words) in lowered.blocks.iter().zip(&words) {
+                let own = poses.iter().filter(|pose| Some(pose.block) == block.place);
+                for said in own.filter_map(|pose| pose.said.as_ref()) {
+                    // Names of unknowns are those of the generated code, and none for a person.
+                    for unknown in ["psi_", "phi_", "length_", "offset_", " s_"] {
+                        assert!(!said.contains(unknown), "{name}: {said}");
+                    }
+                    own_text.push_str(&format!("  {}: {said}\n", words.name));
+                }
+            }
+            if is_read {
+                text.push_str(&own_text);
+            }
+        }
+    }
+    text
+}
+
+#[test]
+fn every_block_has_a_name_and_words_for_its_singular_pose() {
+    let text = block_words();
+    crate::assert_snapshot("messages", "block_words", &text);
+}

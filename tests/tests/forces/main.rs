@@ -1,0 +1,9 @@
+//! Driving forces, reactions, simulated motions and transmissions.
+
+mod coordinate_changes;
+mod forces;
+mod forces_by_hand;
+mod forces_generated;
+mod least_norm;
+mod simulation;
+mod transmissions;

@@ -1,0 +1,13 @@
+//! Descriptions and tables of data: reading, errors, layout, and what stays the same when they are written otherwise.
+
+mod bounds;
+mod columns;
+mod diagnostics;
+mod format;
+mod fuzz;
+mod metamorphic;
+mod mutations;
+mod names;
+mod repetition;
+#[path = "../../fuzz/src/lib.rs"]
+mod targets;

@@ -1,0 +1,25 @@
+//! Positions, velocities and accelerations against closed forms, references and other formulations.
+
+mod angles;
+mod arm;
+mod curves;
+mod derivatives;
+mod drawn_points;
+mod equations;
+mod exam;
+mod excavator;
+mod excavator_motions;
+mod gallery;
+mod given;
+mod interpreters;
+mod joints;
+mod laws;
+mod math;
+mod motions;
+mod references;
+mod rods;
+mod sensitivities;
+mod solved;
+mod tables;
+mod units;
+mod wound;

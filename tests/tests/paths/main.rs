@@ -1,0 +1,16 @@
+//! Assembly modes, paths through singular poses, and failures.
+
+mod failing_blocks;
+mod failures;
+mod given_modes;
+mod guard;
+mod modes;
+mod normalized_determinants;
+mod paths;
+mod platforms;
+mod proven_assemblies;
+mod redundant;
+mod starts;
+mod stored_assemblies;
+mod tears;
+mod two_links;

@@ -1,0 +1,7 @@
+//! The order of modules, the documentation and the thresholds of the repository itself.
+
+mod failure_kinds;
+mod links;
+mod modules;
+mod rooms;
+mod thresholds;

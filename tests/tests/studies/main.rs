@@ -1,0 +1,9 @@
+//! Short versions of the studies whose reports are committed.
+
+mod baseline;
+mod calibration;
+mod chains;
+mod hunt;
+mod instruments;
+mod stability;
+mod study;
