@@ -40,7 +40,10 @@ pub fn output(command: &mut Command) -> io::Result<String> {
 pub fn cargo_for_host() -> Command {
     let mut command = Command::new(env!("CARGO"));
     command.current_dir(files::package("embedded"));
-    command.env("CARGO_TARGET_DIR", folder().with_file_name("tmp/freestanding"));
+    command.env(
+        "CARGO_TARGET_DIR",
+        folder().with_file_name("tmp/freestanding"),
+    );
     command.env("CARGO_INCREMENTAL", "0");
     command
 }

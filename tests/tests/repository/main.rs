@@ -1,5 +1,6 @@
 //! The order of modules, the documentation and the thresholds of the repository itself.
 
+mod affected;
 mod failure_kinds;
 mod links;
 mod modules;
