@@ -14,3 +14,5 @@ pub mod page;
 pub mod progress;
 pub mod report;
 pub mod terminal;
+
+pub use command::run;

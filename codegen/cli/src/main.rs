@@ -2,8 +2,9 @@
 
 use std::process::ExitCode;
 
-use clap::Parser;
+/// Version, with the commit of a clone.
+const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), env!("LINKWRIGHT_COMMIT"));
 
 fn main() -> ExitCode {
-    linkwright_cli::command::run(linkwright_cli::arguments::Arguments::parse())
+    linkwright_cli::run(VERSION)
 }

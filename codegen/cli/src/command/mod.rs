@@ -28,6 +28,8 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use clap::{CommandFactory as _, FromArgMatches as _};
+
 use crate::arguments::{Arguments, Command};
 use crate::colors;
 use crate::output::Refused;
@@ -58,8 +60,14 @@ impl Problem {
     }
 }
 
-/// Runs a command and prints why it cannot be done, if so.
-pub fn run(arguments: Arguments) -> ExitCode {
+/// Runs the command that the arguments of the process name, and prints the reason of a refusal.
+///
+/// `--version` and manual pages print `version`. The binary passes it, because it changes with every commit.
+pub fn run(version: &'static str) -> ExitCode {
+    let interface = Arguments::command().version(version);
+    let matches = interface.clone().get_matches();
+    let arguments = Arguments::from_arg_matches(&matches)
+        .unwrap_or_else(|error| error.format(&mut interface.clone()).exit());
     let outcome = match arguments.command {
         Command::Solve(solve) => solve::run(&solve),
         Command::Simulate(simulate) => simulate::run(&simulate),
@@ -74,8 +82,8 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => new::run(&new),
         Command::Lsp(_) => lsp::run(),
-        Command::Completions(completions) => completions::run(&completions),
-        Command::Man(man) => man::run(&man),
+        Command::Completions(completions) => completions::run(interface, &completions),
+        Command::Man(man) => man::run(interface, &man),
     };
     match outcome {
         Ok(outcome) => ExitCode::from(outcome as u8),
