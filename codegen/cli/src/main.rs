@@ -1,4 +1,4 @@
-//! The command `linkwright`: see [`linkwright_cli`].
+//! The command `linkwright`: see [`linkwright_command`].
 
 use std::process::ExitCode;
 
@@ -6,5 +6,5 @@ use std::process::ExitCode;
 const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), env!("LINKWRIGHT_COMMIT"));
 
 fn main() -> ExitCode {
-    linkwright_cli::run(VERSION)
+    linkwright_command::run(VERSION)
 }
