@@ -17,7 +17,6 @@ pub mod man;
 pub mod new;
 pub mod plan;
 mod report;
-mod rewritten;
 pub mod simulate;
 pub mod solve;
 mod solve_files;
