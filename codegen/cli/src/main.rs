@@ -1,4 +1,4 @@
-//! The command `linkwright`: see [`linkwright_command`].
+//! The command `linkwright`: see [`linkwright_command`], whose features are those of this package.
 
 use std::process::ExitCode;
 

@@ -3,6 +3,7 @@
 //! Results go to stdout, findings and errors to stderr. A reader of stdout that goes away early is no error. What cannot
 //! be done because of the input ends as a [`Problem`], printed once, with exit code 2.
 
+#[cfg(feature = "calibrate")]
 pub mod calibrate;
 pub mod check;
 pub mod compare;
@@ -12,9 +13,13 @@ pub mod draw;
 pub mod fmt;
 pub mod generate;
 pub mod inspect;
+pub mod left_out;
+#[cfg(feature = "lsp")]
 pub mod lsp;
+#[cfg(feature = "man")]
 pub mod man;
 pub mod new;
+mod picture_format;
 pub mod plan;
 mod report;
 pub mod simulate;
@@ -77,12 +82,21 @@ pub fn run(version: &'static str) -> ExitCode {
         Command::Plan(plan) => plan::run(&plan),
         Command::Check(check) => check::run(&check),
         Command::Compare(compare) => compare::run(&compare),
+        #[cfg(feature = "calibrate")]
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),
+        #[cfg(not(feature = "calibrate"))]
+        Command::Calibrate(_) => Err(left_out::refusal("calibrate", "fits parameters")),
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => new::run(&new),
+        #[cfg(feature = "lsp")]
         Command::Lsp(_) => lsp::run(),
+        #[cfg(not(feature = "lsp"))]
+        Command::Lsp(_) => Err(left_out::refusal("lsp", "serves editors")),
         Command::Completions(completions) => completions::run(interface, &completions),
+        #[cfg(feature = "man")]
         Command::Man(man) => man::run(interface, &man),
+        #[cfg(not(feature = "man"))]
+        Command::Man(_) => Err(left_out::refusal("man", "writes manual pages")),
     };
     match outcome {
         Ok(outcome) => ExitCode::from(outcome as u8),
