@@ -1,9 +1,10 @@
-//! The command `linkwright`: see [`linkwright_cli`].
+//! The command `linkwright`: see [`linkwright_command`], whose features are those of this package.
 
 use std::process::ExitCode;
 
-use clap::Parser;
+/// Version, with the commit of a clone.
+const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), env!("LINKWRIGHT_COMMIT"));
 
 fn main() -> ExitCode {
-    linkwright_cli::command::run(linkwright_cli::arguments::Arguments::parse())
+    linkwright_command::run(VERSION)
 }

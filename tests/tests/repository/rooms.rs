@@ -32,7 +32,7 @@ const ORDER: [&str; 23] = [
 ];
 
 /// The folders of the packages that are published, each with those of ours that it is built from.
-const PACKAGES: [(&str, &[&str]); 8] = [
+const PACKAGES: [(&str, &[&str]); 9] = [
     ("runtime/math", &[]),
     ("runtime", &["linkwright-math"]),
     ("codegen", &["linkwright-math"]),
@@ -42,7 +42,7 @@ const PACKAGES: [(&str, &[&str]); 8] = [
         &["linkwright", "linkwright-codegen", "linkwright-solver"],
     ),
     (
-        "codegen/cli",
+        "codegen/command",
         &[
             "linkwright",
             "linkwright-calibrate",
@@ -50,6 +50,7 @@ const PACKAGES: [(&str, &[&str]); 8] = [
             "linkwright-solver",
         ],
     ),
+    ("codegen/cli", &["linkwright-command"]),
     ("codegen/macros", &["linkwright-codegen"]),
     ("mechanisms", &["linkwright", "linkwright-codegen"]),
 ];

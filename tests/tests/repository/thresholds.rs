@@ -24,7 +24,7 @@ const SOURCES: [&str; 6] = [
     "codegen/solver/src",
     "codegen/calibrate/src",
     "codegen/macros/src",
-    "codegen/cli/src",
+    "codegen/command/src",
 ];
 
 /// The page, which is part of the documentation of the runtime.

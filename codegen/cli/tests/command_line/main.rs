@@ -1,6 +1,7 @@
 //! The command from the outside: exit codes, output and files.
 
 mod branch;
+#[cfg(feature = "calibrate")]
 mod calibrate;
 mod check;
 mod compare;
@@ -12,10 +13,22 @@ mod folder;
 mod forces;
 mod generate_and_inspect;
 mod generate_c;
+#[cfg(all(feature = "calibrate", feature = "png"))]
 mod guide;
+#[cfg(not(all(
+    feature = "calibrate",
+    feature = "lsp",
+    feature = "man",
+    feature = "png"
+)))]
+mod left_out;
+#[cfg(feature = "man")]
+mod man;
 mod motions;
 mod new;
 mod plan;
+#[cfg(feature = "png")]
+mod png;
 mod pressure;
 mod printed;
 mod set;

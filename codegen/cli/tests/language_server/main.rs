@@ -1,5 +1,7 @@
 //! The language server from the outside: an editor that speaks with the real command.
 
+#![cfg(feature = "lsp")]
+
 mod client;
 mod completion;
 mod diagnostics;

@@ -1,6 +1,5 @@
 //! Names of whole descriptions: does every one have a meaning, and is it kept when it is renamed?
 
-use linkwright_cli::language_server::names::{Names, Sort};
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::files;
@@ -10,6 +9,7 @@ use linkwright_codegen::stages::syntax::{
     AXES, BUILT_IN, CLAUSES, KEYWORDS, Kind, LEVELS, lexemes, parse,
 };
 use linkwright_codegen::{attach_files, read};
+use linkwright_command::language_server::names::{Names, Sort};
 
 use crate::client::{descriptions, repository};
 
@@ -19,7 +19,7 @@ const FOLDERS: [&str; 5] = [
     "tests/descriptions",
     "tests/stability",
     "tests/fixtures/plans",
-    "codegen/cli/src/template",
+    "codegen/command/src/template",
 ];
 
 fn sources() -> Vec<Source> {

@@ -3,6 +3,7 @@
 //! Results go to stdout, findings and errors to stderr. A reader of stdout that goes away early is no error. What cannot
 //! be done because of the input ends as a [`Problem`], printed once, with exit code 2.
 
+#[cfg(feature = "calibrate")]
 pub mod calibrate;
 pub mod check;
 pub mod compare;
@@ -12,12 +13,15 @@ pub mod draw;
 pub mod fmt;
 pub mod generate;
 pub mod inspect;
+pub mod left_out;
+#[cfg(feature = "lsp")]
 pub mod lsp;
+#[cfg(feature = "man")]
 pub mod man;
 pub mod new;
+mod picture_format;
 pub mod plan;
 mod report;
-mod rewritten;
 pub mod simulate;
 pub mod solve;
 mod solve_files;
@@ -27,6 +31,8 @@ pub mod watch;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+
+use clap::{CommandFactory as _, FromArgMatches as _};
 
 use crate::arguments::{Arguments, Command};
 use crate::colors;
@@ -58,8 +64,14 @@ impl Problem {
     }
 }
 
-/// Runs a command and prints why it cannot be done, if so.
-pub fn run(arguments: Arguments) -> ExitCode {
+/// Runs the command that the arguments of the process name, and prints the reason of a refusal.
+///
+/// `--version` and manual pages print `version`. The binary passes it, because it changes with every commit.
+pub fn run(version: &'static str) -> ExitCode {
+    let interface = Arguments::command().version(version);
+    let matches = interface.clone().get_matches();
+    let arguments = Arguments::from_arg_matches(&matches)
+        .unwrap_or_else(|error| error.format(&mut interface.clone()).exit());
     let outcome = match arguments.command {
         Command::Solve(solve) => solve::run(&solve),
         Command::Simulate(simulate) => simulate::run(&simulate),
@@ -70,12 +82,21 @@ pub fn run(arguments: Arguments) -> ExitCode {
         Command::Plan(plan) => plan::run(&plan),
         Command::Check(check) => check::run(&check),
         Command::Compare(compare) => compare::run(&compare),
+        #[cfg(feature = "calibrate")]
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),
+        #[cfg(not(feature = "calibrate"))]
+        Command::Calibrate(_) => Err(left_out::refusal("calibrate", "fits parameters")),
         Command::Fmt(fmt) => fmt::run(&fmt),
         Command::New(new) => new::run(&new),
+        #[cfg(feature = "lsp")]
         Command::Lsp(_) => lsp::run(),
-        Command::Completions(completions) => completions::run(&completions),
-        Command::Man(man) => man::run(&man),
+        #[cfg(not(feature = "lsp"))]
+        Command::Lsp(_) => Err(left_out::refusal("lsp", "serves editors")),
+        Command::Completions(completions) => completions::run(interface, &completions),
+        #[cfg(feature = "man")]
+        Command::Man(man) => man::run(interface, &man),
+        #[cfg(not(feature = "man"))]
+        Command::Man(_) => Err(left_out::refusal("man", "writes manual pages")),
     };
     match outcome {
         Ok(outcome) => ExitCode::from(outcome as u8),

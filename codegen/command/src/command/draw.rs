@@ -14,12 +14,12 @@ use linkwright_solver::schedule::Schedule;
 use super::description::{
     chosen, determined, interpreted, motions, outputs, set_all, several, source,
 };
+use super::picture_format::PictureFormat;
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Draw;
 use crate::motion::{self, Followed, Shown, Sink, Wanted};
 use crate::progress::Progress;
 use crate::report::drawing::{tick_steps, traced};
-use crate::report::{picture, raster};
 
 /// How many poses a drawing is made for at most, beside the one that is shown.
 const POSES: usize = 200;
@@ -27,15 +27,13 @@ const POSES: usize = 200;
 /// How many places a path goes through at most.
 const PLACES: usize = 2000;
 
-/// Pixels of a PNG for each of the drawing.
-const FINE: f32 = 2.0;
-
 /// Draws the mechanism.
 ///
 /// # Errors
 /// The description has errors, an option cannot be used, or the picture cannot be written. That the mechanism cannot be assembled, or
 /// that its motion ends before what is wanted, is an outcome.
 pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
+    let format = PictureFormat::of(arguments)?;
     let source = source(&arguments.described.file)?;
     let motion = arguments.described.motion.as_deref();
     let mut system = match arguments.as_written {
@@ -58,19 +56,11 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
         ..Options::default()
     };
     let path = path(arguments, &system);
-    let is_png = arguments.png
-        || path
-            .extension()
-            .is_some_and(|it| it.eq_ignore_ascii_case("png"));
-    let signature = match is_png {
-        true => raster::SIGNATURE,
-        false => picture::SIGNATURE,
-    };
     let output = match is_stdout(&path) {
         true => None,
         false => {
             let mut outputs = outputs(&arguments.described.file, &source, arguments.force);
-            Some(outputs.file(&path, signature)?)
+            Some(outputs.file(&path, format.signature)?)
         }
     };
     let mut solved = match arguments.as_written {
@@ -88,12 +78,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     };
     options.caption += &solved.caption;
     let svg = drawing::draw(&system, &shown, &solved.others, &solved.paths, &options);
-    let bytes = match is_png {
-        // A size that is asked for is that of the file.
-        true => raster::raster(&svg, if arguments.size.is_some() { 1.0 } else { FINE })
-            .map_err(|text| Problem(format!("error: cannot make a PNG: {text}")))?,
-        false => picture::signed(&svg).into_bytes(),
-    };
+    let bytes = (format.encode)(&svg, arguments.size.is_some())?;
     match output {
         None => print(|output| output.write_all(&bytes))?,
         Some(output) => {

@@ -1,13 +1,15 @@
 //! *A description, a table and names of parameters* → *the values with which the mechanism moves as measured*.
 
+mod rewritten;
+
 use linkwright_calibrate::{Calibrator, Column, Measurements, Unfit};
 use linkwright_codegen::diagnostic::{Source, nearest};
 use linkwright_codegen::stages::system::System;
 
+use self::rewritten::rewritten;
 use super::description::{
     chosen, determined, interpreted, no_order, outputs_besides, rendered, set_all, source,
 };
-use super::rewritten::rewritten;
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Calibrate;
 use crate::data::{Data, sizes};

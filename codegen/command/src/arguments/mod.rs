@@ -28,15 +28,12 @@ use values::{size, step, time};
 /// Reads descriptions of planar mechanisms: solves them, draws them, shows their equations, derives
 /// their solution, writes them as Rust.
 #[derive(Parser, Debug)]
-#[command(name = "linkwright", version = VERSION, after_help = EXAMPLES)]
+#[command(name = "linkwright", after_help = EXAMPLES)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
 }
-
-/// The version, and the commit where it is known.
-const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), env!("LINKWRIGHT_COMMIT"));
 
 const EXAMPLES: &str = "\
 Examples:

@@ -10,6 +10,9 @@ use resvg::usvg::{Options, Tree, fontdb::Database};
 
 use crate::output::{Beginning, Signature};
 
+/// Pixels of a PNG for each of the drawing.
+pub const FINE: f32 = 2.0;
+
 /// What a PNG begins with: its signature, and the chunk that holds its size.
 const HEAD: usize = 8 + 25;
 

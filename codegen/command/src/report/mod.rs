@@ -4,6 +4,7 @@
 
 pub mod aligned;
 pub mod assembly_table;
+#[cfg(feature = "calibrate")]
 pub mod calibration;
 pub mod check_json;
 pub mod check_text;
@@ -20,6 +21,7 @@ pub mod motion_table;
 pub mod paths;
 pub mod picture;
 pub mod plot;
+#[cfg(feature = "png")]
 pub mod raster;
 pub mod summary;
 pub mod units;

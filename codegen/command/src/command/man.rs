@@ -2,11 +2,11 @@
 
 use std::io;
 
-use clap::CommandFactory as _;
+use clap::Command;
 use clap_mangen::Man as Page;
 
 use super::{Outcome, Problem, print};
-use crate::arguments::{Arguments, Man};
+use crate::arguments::Man;
 use crate::output::{Beginning, Outputs, Signature};
 
 /// How a manual page is known again.
@@ -18,12 +18,12 @@ const SIGNATURE: Signature = Signature {
     }),
 };
 
-/// Writes the pages.
+/// Writes the pages of `interface`.
 ///
 /// # Errors
 /// A page cannot be written; all were looked at before the first was.
-pub fn run(arguments: &Man) -> Result<Outcome, Problem> {
-    let mut command = Arguments::command().disable_help_subcommand(true);
+pub fn run(interface: Command, arguments: &Man) -> Result<Outcome, Problem> {
+    let mut command = interface.disable_help_subcommand(true);
     command.build();
     let mut pages = vec![("linkwright".to_string(), Page::new(command.clone()))];
     for sub in command.get_subcommands() {
