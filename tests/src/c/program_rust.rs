@@ -102,6 +102,7 @@ fn calls(script: &str) -> Vec<Call> {
 "#;
 
 /// A motion of a case in a scalar: the module that holds it, and what its header declares.
+#[derive(Clone, Debug)]
 pub struct Motion {
     /// `four_bar_f64`: the file.
     pub module: String,

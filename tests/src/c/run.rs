@@ -4,9 +4,11 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 use linkwright_codegen::stages::emit::rust::type_name;
-use linkwright_codegen::{Language, Scalar};
+use linkwright_codegen::{Language, OutputFile, Scalar};
 
 use super::case::{Case, SCALARS};
 use super::header::{Declared, declared};
@@ -62,42 +64,73 @@ pub fn compilers() -> Vec<&'static str> {
     ["gcc", "clang"].into_iter().filter(is_there).collect()
 }
 
-/// The motions of a case as its header declares them.
-fn motions(case: &Case, scalar: (&'static str, Scalar)) -> (String, Vec<program_rust::Motion>) {
-    let files = case.files(Language::C, scalar.1);
-    let header = files[1].text.clone();
+/// A case in one scalar, with everything that is generated of it.
+struct Prepared<'a> {
+    case: &'a Case,
+    /// The name of the Rust module.
+    module: String,
+    rust: String,
+    c: Vec<OutputFile>,
+    /// The motions as the header declares them.
+    motions: Vec<program_rust::Motion>,
+    /// The type of numbers in C.
+    real: &'static str,
+    /// The folder of the C files.
+    place: PathBuf,
+}
+
+impl Prepared<'_> {
+    fn new<'a>(folder: &Path, case: &'a Case, scalar: (&'static str, Scalar)) -> Prepared<'a> {
+        let module = format!("{}_{}", case.name, scalar.0);
+        let c = case.files(Language::C, scalar.1);
+        let rust = case.files(Language::Rust, scalar.1).swap_remove(0).text;
+        Prepared {
+            case,
+            rust,
+            motions: motions(case, &module, scalar.0, &c[1].text),
+            c,
+            real: if scalar.0 == "f64" { "double" } else { "float" },
+            place: folder.join("c").join(&module),
+            module,
+        }
+    }
+}
+
+fn motions(
+    case: &Case,
+    module: &str,
+    scalar: &'static str,
+    header: &str,
+) -> Vec<program_rust::Motion> {
     let read = linkwright_codegen::read(&case.source).expect("the description has been generated");
     let mechanism = read.motions[0].mechanism.name.clone();
-    let module = format!("{}_{}", case.name, scalar.0);
     let of = |motion: Option<&str>| -> program_rust::Motion {
         let prefix = motion.map_or(mechanism.clone(), |it| format!("{mechanism}_{it}"));
         let declared: Declared = declared(
-            &header,
+            header,
             &prefix,
             &type_name(&prefix),
             &type_name(&mechanism),
             motion,
         );
         program_rust::Motion {
-            answers: motion.map_or(module.clone(), |it| format!("{module}_{it}")),
-            module: module.clone(),
+            answers: motion.map_or(module.to_string(), |it| format!("{module}_{it}")),
+            module: module.to_string(),
             type_name: type_name(&mechanism),
-            real: if scalar.0 == "f64" { "f64" } else { "f32" },
+            real: scalar,
             declared,
         }
     };
-    let names: Vec<Option<String>> = read
-        .motions
-        .iter()
+    let motions = read.motions.iter();
+    motions
         .map(|it| {
-            it.mechanism
+            of(it
+                .mechanism
                 .motion
                 .as_ref()
-                .map(|motion| motion.name.clone())
+                .map(|motion| motion.name.as_str()))
         })
-        .collect();
-    let all = names.iter().map(|it| of(it.as_deref())).collect();
-    (header, all)
+        .collect()
 }
 
 /// Builds all programs in `folder`, runs them, and gives what differs: a line each.
@@ -107,32 +140,42 @@ fn motions(case: &Case, scalar: (&'static str, Scalar)) -> (String, Vec<program_
 pub fn differences(folder: &Path, repository: &Path, cases: &[Case]) -> io::Result<Vec<String>> {
     let answers = folder.join("answers");
     fs::create_dir_all(&answers)?;
+    let prepared: Vec<Prepared<'_>> = cases
+        .iter()
+        .flat_map(|case| SCALARS.map(|scalar| Prepared::new(folder, case, scalar)))
+        .collect();
     let source = folder.join("package/src");
-    let mut all = Vec::new();
-    for case in cases {
-        for scalar in SCALARS {
-            let (_, motions) = motions(case, scalar);
-            let module = format!("{}_{}", case.name, scalar.0);
-            let rust = case.files(Language::Rust, scalar.1);
-            write(&source.join(format!("{module}.rs")), &rust[0].text)?;
-            for motion in &motions {
-                write(
-                    &answers.join(format!("{}.script", motion.answers)),
-                    &case.script,
-                )?;
-            }
-            all.extend(motions);
+    for it in &prepared {
+        write(&source.join(format!("{}.rs", it.module)), &it.rust)?;
+        for motion in &it.motions {
+            let script = answers.join(format!("{}.script", motion.answers));
+            write(&script, &it.case.script)?;
         }
     }
-    write(&source.join("main.rs"), &program_rust::main(&all))?;
-    build_package(folder, repository)?;
-    let program = folder.join("target/debug/called");
-    run(Command::new(program).arg(&answers))?;
-    let mut found = Vec::new();
-    for case in cases {
-        for scalar in SCALARS {
-            found.extend(in_c(folder, &answers, case, scalar)?);
+    let motions: Vec<_> = prepared.iter().flat_map(|it| it.motions.clone()).collect();
+    write(&source.join("main.rs"), &program_rust::main(&motions))?;
+    compile_runtime(folder, &prepared[0].c)?;
+    // One thread builds and runs Rust, the others compile C.
+    let next = AtomicUsize::new(0);
+    let compile_all = || -> io::Result<()> {
+        while let Some(it) = prepared.get(next.fetch_add(1, Ordering::Relaxed)) {
+            compile(folder, it)?;
         }
+        Ok(())
+    };
+    thread::scope(|scope| -> io::Result<()> {
+        let compiling = [scope.spawn(compile_all), scope.spawn(compile_all)];
+        build_package(folder, repository)?;
+        run(Command::new(folder.join("target/debug/called")).arg(&answers))?;
+        for thread in compiling {
+            let ended = thread.join();
+            ended.map_err(|_| io::Error::other("a thread has panicked"))??;
+        }
+        Ok(())
+    })?;
+    let mut found = Vec::new();
+    for it in &prepared {
+        found.extend(in_c(&answers, it)?);
     }
     Ok(found)
 }
@@ -153,45 +196,49 @@ fn build_package(folder: &Path, repository: &Path) -> io::Result<()> {
         .env("RUSTFLAGS", "-Awarnings"))
 }
 
-/// What the C files of a case answer otherwise than its Rust module, with every compiler.
-fn in_c(
-    folder: &Path,
-    answers: &Path,
-    case: &Case,
-    scalar: (&'static str, Scalar),
-) -> io::Result<Vec<String>> {
-    let place = folder.join("c").join(format!("{}_{}", case.name, scalar.0));
-    for file in case.files(Language::C, scalar.1) {
-        write(&place.join(file.name), &file.text)?;
+/// Compiles the C files of a case and its programs, one for each motion, with every compiler.
+fn compile(folder: &Path, prepared: &Prepared<'_>) -> io::Result<()> {
+    let (place, name) = (&prepared.place, &prepared.case.name);
+    for file in &prepared.c {
+        write(&place.join(&file.name), &file.text)?;
     }
-    let real = if scalar.0 == "f64" { "double" } else { "float" };
-    let header = format!("{}.h", case.name);
-    let (_, motions) = motions(case, scalar);
-    let mut found = Vec::new();
     for compiler in compilers() {
-        let object = place.join(format!("{}-{compiler}.o", case.name));
+        let object = place.join(format!("{name}-{compiler}.o"));
         run(Command::new(compiler)
             .args(FLAGS)
             .arg("-c")
-            .arg(place.join(format!("{}.c", case.name)))
+            .arg(place.join(format!("{name}.c")))
             .arg("-o")
             .arg(&object))?;
-        let runtime = runtime(folder, &place, compiler)?;
-        for motion in &motions {
+        for motion in &prepared.motions {
             let program = format!("{}_main", motion.answers);
             let main = place.join(format!("{program}.c"));
-            write(&main, &program_c::main(&header, &motion.declared, real))?;
-            let executable = place.join(format!("{program}-{compiler}"));
+            let header = format!("{name}.h");
+            let text = program_c::main(&header, &motion.declared, prepared.real);
+            write(&main, &text)?;
             run(Command::new(compiler)
                 .args(["-std=c99", "-O1"])
                 .arg(&main)
-                .args([&object, &runtime])
+                .args([&object, &runtime_object(folder, compiler)])
                 .arg("-lm")
                 .arg("-o")
-                .arg(&executable))?;
-            let script = answers.join(format!("{}.script", motion.answers));
-            let output = Command::new(&executable).arg(script).output()?;
-            let rust = fs::read_to_string(answers.join(format!("{}.rust", motion.answers)))?;
+                .arg(place.join(format!("{program}-{compiler}"))))?;
+        }
+    }
+    Ok(())
+}
+
+/// What the C programs of a case answer otherwise than its Rust module, with every compiler.
+fn in_c(answers: &Path, prepared: &Prepared<'_>) -> io::Result<Vec<String>> {
+    let mut found = Vec::new();
+    for motion in &prepared.motions {
+        let script = answers.join(format!("{}.script", motion.answers));
+        let rust = fs::read_to_string(answers.join(format!("{}.rust", motion.answers)))?;
+        for compiler in compilers() {
+            let program = format!("{}_main-{compiler}", motion.answers);
+            let output = Command::new(prepared.place.join(program))
+                .arg(&script)
+                .output()?;
             let c = String::from_utf8(output.stdout).map_err(io::Error::other)?;
             if !output.status.success() || c.is_empty() {
                 found.push(format!(
@@ -205,32 +252,25 @@ fn in_c(
     Ok(found)
 }
 
-/// The object of the runtime, which is the same for all mechanisms: compiled from the files in `place` unless it was.
-fn runtime(folder: &Path, place: &Path, compiler: &str) -> io::Result<PathBuf> {
+fn runtime_object(folder: &Path, compiler: &str) -> PathBuf {
+    folder.join(format!("c/runtime/linkwright-{compiler}.o"))
+}
+
+/// Compiles the runtime, which is the same for all mechanisms, from the files of one.
+fn compile_runtime(folder: &Path, files: &[OutputFile]) -> io::Result<()> {
     let shared = folder.join("c/runtime");
-    let object = shared.join(format!("linkwright-{compiler}.o"));
-    let is_new = |name: &str| -> io::Result<bool> {
-        let text = fs::read_to_string(place.join(name))?;
-        let before = fs::read_to_string(shared.join(name));
-        write(&shared.join(name), &text)?;
-        Ok(!before.is_ok_and(|it| it == text))
-    };
-    let is_changed = is_new("linkwright.h")? | is_new("linkwright.c")?;
-    if is_changed {
-        for compiler in compilers() {
-            let _ = fs::remove_file(shared.join(format!("linkwright-{compiler}.o")));
-        }
+    for file in files {
+        write(&shared.join(&file.name), &file.text)?;
     }
-    if !object.exists() {
-        let source = shared.join("linkwright.c");
+    for compiler in compilers() {
         run(Command::new(compiler)
             .args(FLAGS)
             .arg("-c")
-            .arg(source)
+            .arg(shared.join("linkwright.c"))
             .arg("-o")
-            .arg(&object))?;
+            .arg(runtime_object(folder, compiler)))?;
     }
-    Ok(object)
+    Ok(())
 }
 
 /// The first line that differs.
