@@ -2,6 +2,7 @@
 //!
 //! `Source → Document → Mechanism → System → SolvedPlan → Program → Rust`: each arrow is one function of one module, and each module
 //! imports only those named before it. [`generate_with`] names all stages; [`stages`] shows what stands between them.
+//! The modules up to `Mechanism` are in the internal package `linkwright-description`, those up to `Program` in `linkwright-program`.
 //!
 //! The generated code holds two views of a mechanism. Its type runs the *solved view*: the equations are ordered into the
 //! smallest blocks that can be solved one after another ([`stages::structure::SolvedPlan`]), and each block becomes one function, in
@@ -23,38 +24,29 @@
 
 #![doc(html_root_url = "https://docs.rs/linkwright-codegen/0.1.0")]
 
-mod assemblies;
 mod cargo;
 mod checks;
-mod columns;
-mod consequences;
-pub mod diagnostic;
 mod emit;
-mod expr;
 mod files;
-mod finiteness;
-mod force;
-mod format;
-mod joint;
-mod model;
-mod modes;
-mod program;
 mod read;
 pub mod stages;
-mod structure;
-mod syntax;
-mod system;
-mod words;
 
 pub use cargo::{attach_files, build, build_with, write_module};
 pub use checks::{check, check_all, findings, findings_of_derivation, report};
 pub use emit::{Language, OutputFile, Scalar};
-pub use format::format;
+#[doc(inline)]
+pub use linkwright_description::diagnostic;
+#[doc(inline)]
+pub use linkwright_description::format::format;
+#[doc(inline)]
 pub use program::{Operations, Report};
 pub use read::{Read, read, read_along};
+#[doc(inline)]
 pub use system::System;
 
 use diagnostic::{Diagnostics, Source};
+use linkwright_description::{columns, consequences, expr, joint, model, syntax};
+use linkwright_program::{assemblies, finiteness, modes, program, structure, system, words};
 use read::read_for;
 
 /// What can be chosen about the generated code.

@@ -4,6 +4,7 @@
 
 /// Expressions: the graph, its evaluation, and straight-line code that evaluates several at once.
 pub mod expr {
+    #[doc(inline)]
     pub use crate::expr::{
         Code, ExprId, Factor, Graph, Node, Number, Recorder, Register, SymbolId, Tape,
     };
@@ -11,12 +12,15 @@ pub mod expr {
 
 /// The kinds of joints and drivers, what they measure and where their points are.
 pub mod joint {
+    #[doc(inline)]
     pub use crate::joint::geometry;
+    #[doc(inline)]
     pub use crate::joint::{CONSTRAINTS, DRIVERS, Kind, Line, Quantity, Slot, Value};
 }
 
 /// Descriptions with their names resolved, and the words that have a meaning in formulas.
 pub mod model {
+    #[doc(inline)]
     pub use crate::model::{
         Body, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Mechanism, Requested, Role, UNITS,
         set, unit,
@@ -25,11 +29,13 @@ pub mod model {
 
 /// Descriptions as they are written.
 pub mod syntax {
+    #[doc(inline)]
     pub use crate::syntax::*;
 }
 
 /// The equations of the textbook view.
 pub mod system {
+    #[doc(inline)]
     pub use crate::system::{
         Carried, Cause, Component, Described, Passing, Row, SymbolRole, System,
     };
@@ -37,11 +43,13 @@ pub mod system {
 
 /// In which order the unknowns are found.
 pub mod structure {
+    #[doc(inline)]
     pub use crate::structure::{Freedom, SolvedPlan, analyze, plan, plan_of_motion};
 }
 
 /// What is computed, statement by statement.
 pub mod program {
+    #[doc(inline)]
     pub use crate::program::{
         Block, Branch, EVALUATIONS, Effort, Energy, Forces, Found, Function, Lengths, Level,
         NewtonBlock, Operations, Program, Reaction, Reduced, STEPS, Statement, Tearing, Work,
@@ -51,6 +59,7 @@ pub mod program {
 
 /// Every pose of a block that Newton-Raphson solves.
 pub mod assemblies {
+    #[doc(inline)]
     pub use crate::assemblies::{Interval, Pose, Poses, counts_turns, order, poses, read};
 }
 
@@ -71,6 +80,7 @@ pub mod files {
 
 /// Tables as other programs export them.
 pub mod columns {
+    #[doc(inline)]
     pub use crate::columns::{
         Column, Columns, Decimal, Delimiter, Dialect, Encoding, Fault, Header, Known, LARGEST,
         Unit, Unreadable,

@@ -4,38 +4,50 @@ use std::fs;
 
 use linkwright_tests::files;
 
-/// The rooms in the order of the pipeline.
-const ORDER: [&str; 23] = [
-    "diagnostic",
-    "columns",
-    "syntax",
-    "format",
-    "consequences",
-    "expr",
-    "joint",
-    "force",
-    "model",
-    "system",
-    "structure",
-    "words",
-    "program",
-    "assemblies",
-    "finiteness",
-    "modes",
-    "emit",
-    "checks",
-    "read",
-    "files",
-    "stages",
-    "cargo",
-    "lib",
+/// The folders of the generator's packages, each with its rooms, in the order of the pipeline.
+const ORDER: [(&str, &[&str]); 3] = [
+    (
+        "codegen/description/src",
+        &[
+            "diagnostic",
+            "columns",
+            "syntax",
+            "format",
+            "consequences",
+            "expr",
+            "joint",
+            "force",
+            "model",
+        ],
+    ),
+    (
+        "codegen/program/src",
+        &[
+            "system",
+            "structure",
+            "words",
+            "program",
+            "assemblies",
+            "finiteness",
+            "modes",
+        ],
+    ),
+    (
+        "codegen/src",
+        &["emit", "checks", "read", "files", "stages", "cargo", "lib"],
+    ),
 ];
 
 /// The folders of the packages that are published, each with those of ours that it is built from.
-const PACKAGES: [(&str, &[&str]); 9] = [
+const PACKAGES: [(&str, &[&str]); 11] = [
     ("runtime/math", &[]),
     ("runtime", &["linkwright-math"]),
-    ("codegen", &["linkwright-math"]),
+    ("codegen/description", &["linkwright-math"]),
+    (
+        "codegen/program",
+        &["linkwright-description", "linkwright-math"],
+    ),
+    ("codegen", &["linkwright-description", "linkwright-program"]),
     ("codegen/solver", &["linkwright", "linkwright-codegen"]),
     (
         "codegen/calibrate",
@@ -56,7 +68,8 @@ const PACKAGES: [(&str, &[&str]); 9] = [
 ];
 
 fn rank(room: &str) -> Option<usize> {
-    ORDER.iter().position(|it| *it == room)
+    let mut rooms = ORDER.iter().flat_map(|(_, rooms)| *rooms);
+    rooms.position(|it| *it == room)
 }
 
 /// The names after `crate::`: one, or several in braces, which may stand on several lines. What is exported by `lib.rs` itself
@@ -142,27 +155,33 @@ fn dependencies(manifest: &str) -> Vec<String> {
 
 #[test]
 fn a_room_imports_only_rooms_named_before_it() {
-    let folder = files::repository().join("codegen/src");
-    let paths = files::below(&folder, "rs", &[]);
-    let mut rooms = Vec::new();
-    for path in &paths {
-        let relative = path.strip_prefix(&folder).expect("a path in the folder");
-        let first = relative
-            .components()
-            .next()
-            .and_then(|it| it.as_os_str().to_str())
-            .expect("a name");
-        let room = first.trim_end_matches(".rs").to_string();
-        let text = fs::read_to_string(path).expect("a source file");
-        let found = violations(&room, &text);
-        assert!(found.is_empty(), "{} imports {found:?}", relative.display());
-        rooms.push(room);
-    }
-    for room in ORDER {
-        assert!(
-            rooms.iter().any(|it| it == room),
-            "the room {room} does not exist"
-        );
+    for (folder, order) in ORDER {
+        let root = files::repository().join(folder);
+        let mut rooms = Vec::new();
+        for path in files::below(&root, "rs", &[]) {
+            let relative = path.strip_prefix(&root).expect("a path in the folder");
+            let first = relative
+                .components()
+                .next()
+                .and_then(|it| it.as_os_str().to_str())
+                .expect("a name");
+            let room = first.trim_end_matches(".rs").to_string();
+            // Every package has a `lib.rs`.
+            assert!(
+                room == "lib" || order.contains(&room.as_str()),
+                "{folder} has no place for the room {room}"
+            );
+            let text = fs::read_to_string(&path).expect("a source file");
+            let found = violations(&room, &text);
+            assert!(found.is_empty(), "{} imports {found:?}", path.display());
+            rooms.push(room);
+        }
+        for room in order {
+            assert!(
+                rooms.iter().any(|it| it == room),
+                "the room {room} does not exist in {folder}"
+            );
+        }
     }
 }
 

@@ -18,8 +18,10 @@ use linkwright_tests::files;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// The folders with the sources of the packages that are published.
-const SOURCES: [&str; 6] = [
+const SOURCES: [&str; 8] = [
     "runtime/src",
+    "codegen/description/src",
+    "codegen/program/src",
     "codegen/src",
     "codegen/solver/src",
     "codegen/calibrate/src",

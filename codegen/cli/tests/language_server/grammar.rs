@@ -89,7 +89,7 @@ fn texts(folder: &Path) -> Vec<String> {
 /// What the parser asks for by a word is in the list of these words.
 #[test]
 fn every_word_of_a_clause_is_listed() {
-    let folder = repository().join("codegen/src/syntax");
+    let folder = repository().join("codegen/description/src/syntax");
     let mut words = BTreeSet::new();
     for text in texts(&folder) {
         let asked = text.split("keyword(\"").skip(1);

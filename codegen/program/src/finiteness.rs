@@ -18,7 +18,7 @@ const SHOWN: usize = 6;
 
 /// What scalars hold: magnitudes from the least but zero to the largest.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Range {
+pub struct Range {
     /// The least with all its digits.
     pub least: f64,
     /// The largest.
@@ -35,7 +35,7 @@ struct Part {
 }
 
 /// What is infinite or undefined in the equations of a system.
-pub(crate) fn of_system(system: &System) -> Diagnostics {
+pub fn of_system(system: &System) -> Diagnostics {
     let mut found = Diagnostics::new();
     match passed(system) {
         Some(passed) => found.push(passed),
@@ -46,7 +46,7 @@ pub(crate) fn of_system(system: &System) -> Diagnostics {
 
 /// What is infinite or undefined in the program of a system, or no number of its scalar. Without a program only the bound that
 /// was passed is looked for.
-pub(crate) fn of_program(system: &System, program: Option<&Program>, range: Range) -> Diagnostics {
+pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> Diagnostics {
     let mut found = Diagnostics::new();
     let Some(program) = program else {
         found.extend(passed(system));
@@ -85,7 +85,7 @@ pub(crate) fn of_program(system: &System, program: Option<&Program>, range: Rang
 }
 
 /// The same of blocks alone.
-pub(crate) fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
+pub fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
     let parts = blocks.iter().map(|block| of_block(block, system));
     of_parts(&parts.collect::<Vec<_>>(), system).1
 }
@@ -112,12 +112,12 @@ fn of_parts(parts: &[Part], system: &System) -> (bool, Diagnostics) {
 
 impl Range {
     /// Of `f64`: what an expression holds is one.
-    pub(crate) const F64: Range = Range {
+    pub const F64: Range = Range {
         least: 0.0,
         largest: f64::MAX,
     };
     /// Of `f32`.
-    pub(crate) const F32: Range = Range {
+    pub const F32: Range = Range {
         least: f32::MIN_POSITIVE as f64,
         largest: f32::MAX as f64,
     };

@@ -2,16 +2,23 @@
 
 use super::{FreeMotion, Moves, Survey, released};
 use crate::diagnostic::{Diagnostics, Source};
+use crate::model::Naming;
 use crate::system::System;
+
+/// Names as they are.
+const ANY: Naming = Naming {
+    mechanism: |_| None,
+    motion: |_| None,
+    apart: |name, _| name.to_string(),
+};
 
 /// The equations of the statements in a mechanism.
 fn system(statements: &str) -> System {
     let source = Source::new("case.mech", format!("mechanism case {{\n{statements}\n}}"));
     let mut found = Diagnostics::new();
-    let document = crate::syntax::parse(&source, &mut found);
-    let mechanisms = document.and_then(|document| {
-        crate::model::resolve(&document, &crate::model::Naming::ANY, &mut found)
-    });
+    let document = linkwright_description::syntax::parse(&source, &mut found);
+    let mechanisms =
+        document.and_then(|document| crate::model::resolve(&document, &ANY, &mut found));
     assert!(!found.has_errors(), "{}", found.render(&source));
     let mechanism = mechanisms.and_then(|mut all| all.pop());
     released(mechanism.expect("a mechanism"))

@@ -16,7 +16,7 @@ pub const LARGEST_WRITTEN_OUT: usize = 3;
 /// The determinant of one form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Determinant {
-    /// The determinant, up to its sign; `None` for a Newton-Raphson of more than [`LARGEST_WRITTEN_OUT`] unknowns, and where
+    /// The determinant, up to its sign; `None` for a Newton-Raphson of more than `LARGEST_WRITTEN_OUT` unknowns, and where
     /// its constants are too large to be numbers.
     pub value: Option<ExprId>,
     /// The same divided by the lengths of the Jacobian's columns, or for one angle by the length of the vector that it turns:

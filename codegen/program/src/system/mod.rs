@@ -202,6 +202,7 @@ pub struct Entry {
 /// The motion of a point in terms of q, q̇, q̈.
 #[derive(Clone, Debug)]
 pub struct Output {
+    /// Name of the point.
     pub name: String,
     /// r + R s, in m.
     pub position: [ExprId; 2],

@@ -54,5 +54,5 @@ pub use number::Number;
 pub use rational::Rational;
 pub use recorder::Recorder;
 pub use spline::{Spline, SplineId};
-pub use tape::Tape;
+pub use tape::{Tape, evaluate_by};
 pub use written::SHORT;

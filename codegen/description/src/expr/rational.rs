@@ -14,7 +14,9 @@ pub struct Rational {
 }
 
 impl Rational {
+    /// The number 0.
     pub const ZERO: Rational = Rational::integer(0);
+    /// The number 1.
     pub const ONE: Rational = Rational::integer(1);
     /// The number 1/2.
     pub const HALF: Rational = Rational {

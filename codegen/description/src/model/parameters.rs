@@ -261,6 +261,6 @@ pub(super) fn unused(mechanisms: &[Mechanism]) -> Vec<Diagnostic> {
 }
 
 /// The field of the generated structure: the name in lower case.
-pub(crate) fn field_name(name: &str) -> String {
+pub fn field_name(name: &str) -> String {
     name.to_lowercase()
 }

@@ -16,13 +16,3 @@ pub struct Naming {
     /// must not be in use for anything else.
     pub apart: fn(name: &str, prefix: &str) -> String,
 }
-
-#[cfg(test)]
-impl Naming {
-    /// Names as they are.
-    pub(crate) const ANY: Naming = Naming {
-        mechanism: |_| None,
-        motion: |_| None,
-        apart: |name, _| name.to_string(),
-    };
-}

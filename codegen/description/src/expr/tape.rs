@@ -64,15 +64,6 @@ impl Tape {
         }
     }
 
-    /// The value of the first root where `value_of` says what each symbol is, as a table of few of many symbols would be long.
-    pub(crate) fn evaluate_by(&self, value_of: impl Fn(SymbolId) -> f64) -> f64 {
-        let mut workspace = Vec::new();
-        self.run(value_of, &mut workspace);
-        self.roots
-            .first()
-            .map_or(0.0, |&root| workspace[root.index()])
-    }
-
     /// How many instructions there are.
     pub fn length(&self) -> usize {
         self.code.length()
@@ -86,4 +77,13 @@ impl Tape {
         }
         self.code.run(0..self.code.length(), registers);
     }
+}
+
+/// Evaluates one expression, where `value_of` gives the value of each symbol: a table of few of many symbols would be long.
+pub fn evaluate_by(graph: &Graph, expr: ExprId, value_of: impl Fn(SymbolId) -> f64) -> f64 {
+    let tape = Tape::new(graph, &[expr]);
+    let mut workspace = Vec::new();
+    tape.run(value_of, &mut workspace);
+    let root = tape.roots.first();
+    root.map_or(0.0, |&root| workspace[root.index()])
 }

@@ -13,7 +13,7 @@ use crate::system::System;
 const DECIDED: f64 = 1e-3;
 
 /// What the drawing of a system decides by little; modes of other blocks are passed over.
-pub(crate) fn undecided(system: &System, blocks: &[Block], branches: &[Branch]) -> Diagnostics {
+pub fn undecided(system: &System, blocks: &[Block], branches: &[Branch]) -> Diagnostics {
     let mut found = Diagnostics::new();
     let block_of = |place: usize| blocks.iter().find(|it| it.place == Some(place));
     for branch in branches {

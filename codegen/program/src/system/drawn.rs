@@ -6,7 +6,7 @@
 use linkwright_math::double;
 
 use super::{SymbolRole, System};
-use crate::expr::{ExprId, SymbolId, Tape};
+use crate::expr::{ExprId, SymbolId, evaluate_by};
 use crate::joint::geometry::{Mark, Vector};
 
 impl System {
@@ -17,7 +17,7 @@ impl System {
         if let Some(value) = graph.constant_value(expr) {
             return value;
         }
-        Tape::new(graph, &[expr]).evaluate_by(|symbol| self.drawn_symbol(symbol))
+        evaluate_by(graph, expr, |symbol| self.drawn_symbol(symbol))
     }
 
     /// R(φ) v with the drawing's angle φ.

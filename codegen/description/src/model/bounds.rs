@@ -12,7 +12,7 @@ use crate::syntax::Expression;
 const DEEPEST_FORMULA: u32 = DEEPEST / 2;
 
 /// The error for a bound that was passed while `span` was worked on.
-pub(crate) fn beyond_bounds(excess: Excess, span: Span) -> Diagnostic {
+pub fn beyond_bounds(excess: Excess, span: Span) -> Diagnostic {
     match excess {
         Excess::Depth => Diagnostic::error(
             Code::NestedTooDeeply,

@@ -7,7 +7,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
 use crate::syntax::{Document, Statement};
 
 /// Adds the errors of `resolving` to those of the syntax, without those that the unread text explains.
-pub(crate) fn add_independent(
+pub fn add_independent(
     resolving: Diagnostics,
     document: &Document,
     source: &Source,

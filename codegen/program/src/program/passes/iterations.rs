@@ -12,9 +12,9 @@ use crate::system::System;
 /// How often a torn block is evaluated at most before all its equations are solved at once, as in the runtime.
 pub const EVALUATIONS: usize = 6;
 
-/// How many steps all equations at once may take by default, as in the runtime, and how many evaluations of the residuals and of the
-/// Jacobian come on top.
+/// How many steps all equations at once may take by default, as in the runtime.
 pub const STEPS: usize = 25;
+/// Evaluations of the residuals and of the Jacobian beyond [`STEPS`].
 pub const BEYOND_STEPS: [usize; 2] = [3, 5];
 
 /// What the Newton-Raphson of one block takes.

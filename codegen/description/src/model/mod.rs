@@ -52,14 +52,14 @@ mod wanted_forces;
 mod weights;
 mod wish;
 
-pub(crate) use bounds::beyond_bounds;
+pub use bounds::beyond_bounds;
 pub use call::FUNCTIONS;
 pub use dimension::{Dimension, UNITS, unit};
 pub use forces::{Forces, Mass};
 pub use law::LAWS;
 pub use motions::resolve;
 pub use naming::Naming;
-pub(crate) use parameters::field_name;
+pub use parameters::field_name;
 pub use setting::set;
 pub use table::ENDS_OF_TABLES;
 
@@ -137,7 +137,9 @@ pub struct Constant {
 /// A value that stays changeable at run time.
 #[derive(Clone, Debug)]
 pub struct Parameter {
+    /// Name as written.
     pub name: String,
+    /// Documentation lines.
     pub docs: Vec<String>,
     /// What stands for it in expressions; the graph knows its default as the symbol's nominal value.
     pub symbol: SymbolId,
@@ -147,13 +149,16 @@ pub struct Parameter {
     pub dimension: Dimension,
     /// Whether a statement mentions it.
     pub used: bool,
+    /// Source location of the declaration.
     pub span: Span,
 }
 
 /// A signal that is supplied at run time with its rate and acceleration.
 #[derive(Clone, Debug)]
 pub struct Input {
+    /// Name as written.
     pub name: String,
+    /// Documentation lines.
     pub docs: Vec<String>,
     /// What stands for its value, its rate and its acceleration in expressions.
     pub symbols: [SymbolId; 3],
@@ -166,13 +171,16 @@ pub struct Input {
     pub dimension: Dimension,
     /// Whether a statement mentions it.
     pub used: bool,
+    /// Source location of the declaration.
     pub span: Span,
 }
 
 /// A function through points.
 #[derive(Clone, Debug)]
 pub struct Table {
+    /// Name as written.
     pub name: String,
+    /// Documentation lines.
     pub docs: Vec<String>,
     /// Its pieces, in the graph.
     pub spline: SplineId,
@@ -182,6 +190,7 @@ pub struct Table {
     pub value: Dimension,
     /// Whether a statement mentions it.
     pub used: bool,
+    /// Source location of the declaration.
     pub span: Span,
 }
 
@@ -190,7 +199,9 @@ pub struct Table {
 pub struct Motion {
     /// Its name as written: the name of its generated module.
     pub name: String,
+    /// Documentation lines.
     pub docs: Vec<String>,
+    /// Source location of the motion.
     pub span: Span,
 }
 
@@ -225,7 +236,9 @@ pub struct Coordinate {
 /// A point as one body carries it.
 #[derive(Clone, Debug)]
 pub struct NamedMark {
+    /// Name as written on the body.
     pub name: String,
+    /// Documentation lines.
     pub docs: Vec<String>,
     /// The body's frame and the local vector.
     pub mark: Mark,
@@ -272,6 +285,7 @@ pub struct Joint {
 pub struct Point {
     /// `K`, or `K_c1` where bodies carry different points of one name.
     pub name: String,
+    /// Documentation lines.
     pub docs: Vec<String>,
     /// The first body that carries it.
     pub mark: Mark,

@@ -12,12 +12,14 @@ use crate::system::System;
 pub enum Output {
     /// A point, with the fields of its position, velocity and acceleration as far as they are wanted.
     Point {
+        /// Name of the point.
         name: String,
         /// x and y of each level.
         fields: Vec<[SymbolId; 2]>,
     },
     /// A coordinate with its rate and acceleration as far as they are wanted.
     Coordinate {
+        /// Name of the coordinate.
         name: String,
         /// What it is.
         quantity: Quantity,

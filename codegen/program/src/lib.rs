@@ -1,0 +1,18 @@
+//! Derives the constraint equations of described mechanisms and plans how they are solved.
+//!
+//! Each module imports only those named before it: `system`, `structure`, `words`, `program`, `assemblies`, `finiteness`, `modes`.
+//! A [`program::Program`] defines every value before a statement uses it; no module contains an output language.
+//!
+//! This is an internal package of `linkwright-codegen`; its items may change with every release.
+
+#![doc(html_root_url = "https://docs.rs/linkwright-program/0.1.0")]
+
+use linkwright_description::{diagnostic, expr, force, joint, model};
+
+pub mod assemblies;
+pub mod finiteness;
+pub mod modes;
+pub mod program;
+pub mod structure;
+pub mod system;
+pub mod words;
