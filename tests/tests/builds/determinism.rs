@@ -38,7 +38,10 @@ fn other_processes_generate_the_same_bytes() {
         let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("determinism-{run}"));
         fs::create_dir_all(&folder).expect("a folder for the copies");
         let status = Command::new(env::current_exe().expect("the path of this test"))
-            .args(["--exact", "determinism::generating_twice_gives_the_same_bytes"])
+            .args([
+                "--exact",
+                "determinism::generating_twice_gives_the_same_bytes",
+            ])
             .env(FOLDER, &folder)
             .output()
             .expect("this test runs again");

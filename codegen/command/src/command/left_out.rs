@@ -19,7 +19,7 @@ pub fn refusal(feature: &str, effect: &str) -> Problem {
         .filter(|(name, is_built)| *is_built || *name == feature);
     let wanted: Vec<&str> = wanted.map(|(name, _)| *name).collect();
     let install = format!(
-        "cargo install --path codegen/cli --no-default-features --features {}",
+        "cargo install --profile optimized --path codegen/cli --no-default-features --features {}",
         wanted.join(",")
     );
     let error = format!("this `linkwright` was built without `{feature}`, which {effect}");
