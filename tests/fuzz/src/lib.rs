@@ -1,4 +1,4 @@
-//! What the targets do with their input; `tests/tests/language/fuzz.rs` of the repository does the same on a stable compiler.
+//! Checks of the fuzz targets; `tests/tests/language/fuzz.rs` of the repository runs them on a stable compiler.
 
 pub mod expressions;
 pub mod format;

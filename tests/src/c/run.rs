@@ -228,7 +228,7 @@ fn compile(folder: &Path, prepared: &Prepared<'_>) -> io::Result<()> {
     Ok(())
 }
 
-/// What the C programs of a case answer otherwise than its Rust module, with every compiler.
+/// Differences between the answers of the C programs of a case and those of its Rust module, with every compiler.
 fn in_c(answers: &Path, prepared: &Prepared<'_>) -> io::Result<Vec<String>> {
     let mut found = Vec::new();
     for motion in &prepared.motions {

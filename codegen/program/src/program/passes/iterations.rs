@@ -12,7 +12,7 @@ use crate::system::System;
 /// How often a torn block is evaluated at most before all its equations are solved at once, as in the runtime.
 pub const EVALUATIONS: usize = 6;
 
-/// How many steps all equations at once may take by default, as in the runtime.
+/// Default limit of steps for all equations at once, as in the runtime.
 pub const STEPS: usize = 25;
 /// Evaluations of the residuals and of the Jacobian beyond [`STEPS`].
 pub const BEYOND_STEPS: [usize; 2] = [3, 5];
