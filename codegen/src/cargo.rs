@@ -42,10 +42,23 @@ type Say<'a> = &'a mut dyn FnMut(&str);
 /// Writes the modules of a folder's descriptions to `output`.
 fn build_folder(folder: &Path, output: &Path, options: &Options, say: Say<'_>) {
     // Said first, so that a mended description is seen whatever went wrong.
-    say(&format!("cargo::rerun-if-changed={}", folder.display()));
+    watch(folder, say);
     if let Err(problem) = write_modules(folder, output, options, say) {
         say_error(&problem, say);
     }
+}
+
+/// Tells cargo to run the build script again after a change of a file or a folder.
+fn watch(path: &Path, say: Say<'_>) {
+    let own = env::var_os("OUT_DIR").map(PathBuf::from);
+    if !is_written_by_script(path, own.as_deref()) {
+        say(&format!("cargo::rerun-if-changed={}", path.display()));
+    }
+}
+
+/// True if a path lies in the script's own folder. It is then newer than the script's start, so that cargo would run the script each time.
+fn is_written_by_script(path: &Path, own: Option<&Path>) -> bool {
+    own.is_some_and(|own| path.starts_with(own))
 }
 
 fn write_modules(
@@ -172,8 +185,7 @@ fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Genera
     let folder = files::folder_of(file);
     let source = attach_files(source, folder);
     for attachment in &source.attachments {
-        let path = folder.join(&attachment.path);
-        say(&format!("cargo::rerun-if-changed={}", path.display()));
+        watch(&folder.join(&attachment.path), say);
     }
     match generate_with_page(&source, options) {
         Ok((generated, page)) => {
@@ -273,6 +285,14 @@ mod tests {
         fn drop(&mut self) {
             let _ = fs::remove_dir_all(&self.0);
         }
+    }
+
+    #[test]
+    fn what_the_script_has_written_is_not_watched() {
+        let own = Path::new("target/build/crate/out");
+        assert!(is_written_by_script(&own.join("descriptions"), Some(own)));
+        assert!(!is_written_by_script(Path::new("descriptions"), Some(own)));
+        assert!(!is_written_by_script(&own.join("descriptions"), None));
     }
 
     #[test]
