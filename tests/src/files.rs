@@ -1,6 +1,7 @@
 //! *The repository* → *paths of its files*, and files by extension in a stable order.
 
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// The root of the repository.
@@ -46,6 +47,20 @@ pub fn below(folder: &Path, extension: &str, skip: &[&str]) -> Vec<PathBuf> {
     folders.sort();
     found.extend(folders.iter().flat_map(|it| below(it, extension, skip)));
     found
+}
+
+/// Writes a file unless it has this text already; cargo and compilers see no change then.
+///
+/// # Errors
+/// The file or its folder is not written.
+pub fn write_if_changed(path: &Path, text: &str) -> io::Result<()> {
+    if fs::read_to_string(path).is_ok_and(|before| before == text) {
+        return Ok(());
+    }
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    fs::write(path, text)
 }
 
 /// The name of a file without its extension.

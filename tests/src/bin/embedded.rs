@@ -18,7 +18,7 @@ use linkwright_tests::embedded::figures::Known;
 use linkwright_tests::embedded::limits::{self, Figures};
 use linkwright_tests::embedded::printed::Printed;
 use linkwright_tests::embedded::program::{Language, MECHANISMS, Processor, Program, Scalar};
-use linkwright_tests::embedded::{build, report, symbols, tools};
+use linkwright_tests::embedded::{build, modules, report, symbols, tools};
 use linkwright_tests::files;
 
 /// Runs mechanisms as firmware
@@ -59,6 +59,7 @@ fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
         only.is_none_or(|only| program.to_string().contains(only))
     };
     let programs: Vec<Program> = Program::all().into_iter().filter(is_chosen).collect();
+    modules::write()?;
     let mut faults = Vec::new();
     let wanted = Printed::read_all(&build::host("host,std")?)?;
     if arguments.only.is_none() {

@@ -13,6 +13,7 @@ use linkwright_codegen::{Language, OutputFile, Scalar};
 use super::case::{Case, SCALARS};
 use super::header::{Declared, declared};
 use super::{program_c, program_rust};
+use crate::files;
 
 /// The warnings with which generated C compiles, all of them errors.
 pub const FLAGS: [&str; 7] = [
@@ -24,17 +25,6 @@ pub const FLAGS: [&str; 7] = [
     "-Wconversion",
     "-Werror",
 ];
-
-/// Writes a file unless it holds this already.
-fn write(path: &Path, text: &str) -> io::Result<()> {
-    if fs::read_to_string(path).is_ok_and(|before| before == text) {
-        return Ok(());
-    }
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder)?;
-    }
-    fs::write(path, text)
-}
 
 /// Runs a command; its output is the error where it fails.
 ///
@@ -75,6 +65,8 @@ struct Prepared<'a> {
     motions: Vec<program_rust::Motion>,
     /// The type of numbers in C.
     real: &'static str,
+    /// The last level of optimization named to the C compiler, which counts. Bits must not depend on it.
+    optimization: &'static str,
     /// The folder of the C files.
     place: PathBuf,
 }
@@ -90,6 +82,7 @@ impl Prepared<'_> {
             motions: motions(case, &module, scalar.0, &c[1].text),
             c,
             real: if scalar.0 == "f64" { "double" } else { "float" },
+            optimization: if scalar.0 == "f64" { "-O2" } else { "-O1" },
             place: folder.join("c").join(&module),
             module,
         }
@@ -146,14 +139,14 @@ pub fn differences(folder: &Path, repository: &Path, cases: &[Case]) -> io::Resu
         .collect();
     let source = folder.join("package/src");
     for it in &prepared {
-        write(&source.join(format!("{}.rs", it.module)), &it.rust)?;
+        files::write_if_changed(&source.join(format!("{}.rs", it.module)), &it.rust)?;
         for motion in &it.motions {
             let script = answers.join(format!("{}.script", motion.answers));
-            write(&script, &it.case.script)?;
+            files::write_if_changed(&script, &it.case.script)?;
         }
     }
     let motions: Vec<_> = prepared.iter().flat_map(|it| it.motions.clone()).collect();
-    write(&source.join("main.rs"), &program_rust::main(&motions))?;
+    files::write_if_changed(&source.join("main.rs"), &program_rust::main(&motions))?;
     compile_runtime(folder, &prepared[0].c)?;
     // One thread builds and runs Rust, the others compile C.
     let next = AtomicUsize::new(0);
@@ -185,9 +178,9 @@ fn build_package(folder: &Path, repository: &Path) -> io::Result<()> {
     let package = folder.join("package");
     let runtime = repository.join("runtime");
     let manifest = format!(
-        "[package]\nname = \"called\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n\n[profile.dev]\ndebug = false\nopt-level = 1\n\n[dependencies]\nlinkwright = {{ path = {runtime:?}, features = [\"std\"] }}\n"
+        "[package]\nname = \"called\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n\n[profile.dev]\ndebug = false\n\n[dependencies]\nlinkwright = {{ path = {runtime:?}, features = [\"std\"] }}\n"
     );
-    write(&package.join("Cargo.toml"), &manifest)?;
+    files::write_if_changed(&package.join("Cargo.toml"), &manifest)?;
     fs::copy(repository.join("Cargo.lock"), package.join("Cargo.lock"))?;
     run(Command::new("cargo")
         .args(["build", "--quiet", "--offline", "--target-dir"])
@@ -200,13 +193,13 @@ fn build_package(folder: &Path, repository: &Path) -> io::Result<()> {
 fn compile(folder: &Path, prepared: &Prepared<'_>) -> io::Result<()> {
     let (place, name) = (&prepared.place, &prepared.case.name);
     for file in &prepared.c {
-        write(&place.join(&file.name), &file.text)?;
+        files::write_if_changed(&place.join(&file.name), &file.text)?;
     }
     for compiler in compilers() {
         let object = place.join(format!("{name}-{compiler}.o"));
         run(Command::new(compiler)
             .args(FLAGS)
-            .arg("-c")
+            .args([prepared.optimization, "-c"])
             .arg(place.join(format!("{name}.c")))
             .arg("-o")
             .arg(&object))?;
@@ -215,7 +208,7 @@ fn compile(folder: &Path, prepared: &Prepared<'_>) -> io::Result<()> {
             let main = place.join(format!("{program}.c"));
             let header = format!("{name}.h");
             let text = program_c::main(&header, &motion.declared, prepared.real);
-            write(&main, &text)?;
+            files::write_if_changed(&main, &text)?;
             run(Command::new(compiler)
                 .args(["-std=c99", "-O1"])
                 .arg(&main)
@@ -260,7 +253,7 @@ fn runtime_object(folder: &Path, compiler: &str) -> PathBuf {
 fn compile_runtime(folder: &Path, files: &[OutputFile]) -> io::Result<()> {
     let shared = folder.join("c/runtime");
     for file in files {
-        write(&shared.join(&file.name), &file.text)?;
+        files::write_if_changed(&shared.join(&file.name), &file.text)?;
     }
     for compiler in compilers() {
         run(Command::new(compiler)

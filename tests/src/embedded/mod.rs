@@ -7,6 +7,7 @@ pub mod build;
 pub mod calls;
 pub mod figures;
 pub mod limits;
+pub mod modules;
 pub mod printed;
 pub mod program;
 pub mod report;

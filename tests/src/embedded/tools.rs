@@ -5,6 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use super::modules;
 use crate::files;
 
 /// What the compiler of a target needs besides itself.
@@ -36,16 +37,19 @@ pub fn output(command: &mut Command) -> io::Result<String> {
     Err(io::Error::other(format!("{command:?}\n{}", &text[..end])))
 }
 
-/// A build in `tests/embedded` for the host, in the folder in which the test `freestanding` has compiled the generator.
+/// A build in `tests/embedded` for the host.
 pub fn cargo_for_host() -> Command {
     let mut command = Command::new(env!("CARGO"));
-    command.current_dir(files::package("embedded"));
-    command.env(
-        "CARGO_TARGET_DIR",
-        folder().with_file_name("tmp/freestanding"),
-    );
-    command.env("CARGO_INCREMENTAL", "0");
+    set_up(&mut command);
     command
+}
+
+/// The folders of a build in `tests/embedded`.
+fn set_up(command: &mut Command) {
+    command.current_dir(files::package("embedded"));
+    command.env("CARGO_TARGET_DIR", folder().join("target"));
+    command.env("CARGO_INCREMENTAL", "0");
+    command.env("MODULES", modules::modules());
 }
 
 /// A build in `tests/embedded` for a target, by the compiler of rustup if that has its library, or else by Debian's with the library's
@@ -92,9 +96,7 @@ pub fn cargo_for(subcommand: &str, target: &str, flags: &str) -> io::Result<Comm
         "RUSTFLAGS",
         format!("-C symbol-mangling-version=v0 {linker} {flags}"),
     );
-    command.current_dir(files::package("embedded"));
-    command.env("CARGO_TARGET_DIR", folder().join("target"));
-    command.env("CARGO_INCREMENTAL", "0");
+    set_up(&mut command);
     Ok(command)
 }
 

@@ -71,7 +71,7 @@ fn printed(kind: &Kind, n: usize) -> [usize; 3] {
 #[test]
 fn pages_and_modules_grow_in_proportion_to_the_text() {
     for kind in KINDS {
-        let [short, long] = [60, 240].map(|n| printed(&kind, n));
+        let [short, long] = [30, 120].map(|n| printed(&kind, n));
         for (page, (short, long)) in ["inspect", "plan", "generate"]
             .iter()
             .zip(short.into_iter().zip(long))
@@ -79,7 +79,7 @@ fn pages_and_modules_grow_in_proportion_to_the_text() {
             // In proportion 4-fold; what n log² n terms make is broken into lines, below 9-fold.
             assert!(
                 long < 9 * short,
-                "{}, {page}: {short} for 60 and {long} for 240",
+                "{}, {page}: {short} for 30 and {long} for 120",
                 kind.name
             );
         }
@@ -152,7 +152,7 @@ fn seconds(kind: &Kind, n: usize) -> f64 {
 }
 
 /// The length of the shorter text: what compares each part with every other takes most of the time for the longer one.
-const BYTES: usize = 24_000;
+const BYTES: usize = 12_000;
 
 #[test]
 fn time_grows_in_proportion_to_the_text() {

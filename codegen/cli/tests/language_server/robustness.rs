@@ -74,10 +74,10 @@ fn still_answers(mut client: Client) {
 }
 
 #[test]
-fn every_beginning_of_the_excavator() {
+fn every_third_beginning_of_the_excavator() {
     let text = description("excavator.mech");
     let mut client = started();
-    for (offset, _) in text.char_indices() {
+    for (offset, _) in text.char_indices().step_by(3) {
         ask_all(&mut client, &text[..offset], offset);
     }
     still_answers(client);
