@@ -50,6 +50,9 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    if !cfg!(feature = "long_chains") {
+        return Err("the long chains are left out; run `cargo run --profile optimized -p linkwright-tests --features long_chains --bin chains`".into());
+    }
     let environment = Environment::here(arguments.commit.as_deref());
     let (mut all, mut tables): (Vec<Measured>, String) = Default::default();
     for scalar in [Scalar::F64, Scalar::F32] {
@@ -69,7 +72,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         [mean.max(a), largest.max(b)]
     });
     let report = format!(
-        "# Tears along chains\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin chains`.\n\n{}\n{EXPLANATION}\n\
+        "# Tears along chains\n\nWritten by `cargo run --profile optimized -p linkwright-tests --features long_chains --bin chains`.\n\n{}\n{EXPLANATION}\n\
          **By way of the tears errors are at most {mean:.2} times as large in the mean, and the largest at most {largest:.2} times.**\n\n\
          ## All sweeps\n\n{counts}\n{}\n",
         environment.lines(),
