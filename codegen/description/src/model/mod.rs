@@ -64,6 +64,7 @@ pub use setting::set;
 pub use table::ENDS_OF_TABLES;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SplineId, SymbolId};
@@ -116,7 +117,7 @@ pub struct Mechanism {
     /// Whether an `unguarded` statement leaves out what shows that frames lie on the path of the last one.
     pub is_unguarded: bool,
     /// How names are written that are called otherwise.
-    pub spellings: Spellings,
+    pub spellings: Arc<Spellings>,
     /// The largest coordinate of an origin or of a point that a joint holds, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }

@@ -1,6 +1,7 @@
 //! The statements of a document, in written order → a mechanism.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use super::bodies::coordinate_names;
 use super::bounds::beyond_bounds;
@@ -146,7 +147,7 @@ pub(super) fn resolve_statements<'a>(
         forces,
         monitor,
         is_unguarded,
-        spellings: document.spellings.clone(),
+        spellings: Arc::clone(&document.spellings),
         characteristic_length,
     }
 }
