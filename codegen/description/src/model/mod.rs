@@ -325,6 +325,11 @@ impl Mechanism {
         rates
     }
 
+    /// Place of its name, or of that of its motion.
+    pub fn place(&self) -> Span {
+        self.motion.as_ref().map_or(self.span, |motion| motion.span)
+    }
+
     /// How a person names it: `excavator`, and of several motions `excavator, motion reach`.
     pub fn title(&self) -> String {
         match &self.motion {

@@ -13,6 +13,7 @@ use super::linkage::Linkage;
 use super::naming::Naming;
 use super::request::Named;
 use super::{Constant, Dimension, Mechanism, Motion};
+use crate::diagnostic::internal::work_at;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::{Mark, Vector};
@@ -176,6 +177,7 @@ impl<'a> Resolver<'a> {
 impl Resolver<'_> {
     /// Carries out one statement.
     fn add(&mut self, statement: &syntax::Statement) {
+        let _work = work_at(statement.span());
         match statement {
             syntax::Statement::Constant(constant) => self.add_constant(constant),
             syntax::Statement::Parameter(parameter) => self.add_parameter(parameter),
