@@ -129,11 +129,16 @@ fn periodic_tables_of_random_places_are_smooth_at_their_boundaries() {
         for number in -30..30 {
             let boundary = first + f64::from(number) * period;
             let around = [-BESIDE, 0.0, BESIDE].map(|beside| motion.at(boundary + beside));
-            let third = around.iter().fold(0.0_f64, |most, it| most.max(it[3].abs()));
+            let third = around
+                .iter()
+                .fold(0.0_f64, |most, it| most.max(it[3].abs()));
             let bound = 2.0 * BESIDE * third + 1e-9;
             for beside in [around[0], around[2]] {
                 let gap = (around[1][2] - beside[2]).abs();
-                assert!(gap <= bound, "{gap:e} over {bound:e} at {boundary} of {points:?}");
+                assert!(
+                    gap <= bound,
+                    "{gap:e} over {bound:e} at {boundary} of {points:?}"
+                );
                 looked_at += 1;
             }
         }
