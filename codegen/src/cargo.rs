@@ -9,6 +9,7 @@ use std::sync::{Mutex, PoisonError};
 use std::{env, fs, io};
 
 use crate::diagnostic::Source;
+use crate::diagnostic::internal::caught;
 use crate::{Generated, Options, Page, files, generate_with_page, syntax};
 
 /// Generates the module of every `.mech` file in `folder` (relative to the package) for `linkwright::include_mechanism!`, and beside
@@ -187,7 +188,9 @@ fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Genera
     for attachment in &source.attachments {
         watch(&folder.join(&attachment.path), say);
     }
-    match generate_with_page(&source, options) {
+    // An error of the generator itself is one of this description: the others are generated all the same.
+    let generated = caught(|| generate_with_page(&source, options));
+    match generated.unwrap_or_else(|error| Err(error.findings())) {
         Ok((generated, page)) => {
             for line in generated.warnings.render(&source).lines() {
                 say(&format!("cargo::warning={line}"));

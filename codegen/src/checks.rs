@@ -27,6 +27,7 @@ pub(crate) fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnosti
 /// # Errors
 /// Too few or too many equations, with the bodies and joints concerned; numbers that become infinite or undefined.
 pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
+    let _work = diagnostic::internal::work_at(system.mechanism.place());
     let spellings = &system.mechanism.spellings;
     let mut diagnostics = Diagnostics::new();
     if !structure::analyze(system, &mut diagnostics) {

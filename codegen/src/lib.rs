@@ -44,7 +44,7 @@ pub use read::{Read, read, read_along};
 #[doc(inline)]
 pub use system::System;
 
-use diagnostic::{Diagnostics, Source};
+use diagnostic::{Diagnostics, Source, internal};
 use linkwright_description::{columns, consequences, expr, joint, model, syntax};
 use linkwright_program::{assemblies, finiteness, modes, program, structure, system, words};
 use read::read_for;
@@ -191,6 +191,7 @@ fn files_of(
     };
     let (mut lowered, mut found) = (Vec::new(), Vec::new());
     for mut system in motions {
+        let _work = internal::work_at(system.mechanism.place());
         let plan = structure::plan(&mut system);
         let program = plan.as_ref().map(|plan| program::lower(&mut system, plan));
         let motion = system.mechanism.motion.as_ref();

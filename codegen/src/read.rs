@@ -4,7 +4,7 @@
 
 use crate::checks::of_motions;
 use crate::consequences;
-use crate::diagnostic::{Diagnostics, Source};
+use crate::diagnostic::{Diagnostics, Source, internal};
 use crate::emit::Language;
 use crate::finiteness;
 use crate::model;
@@ -63,6 +63,7 @@ pub(crate) fn read_for(
     language: Language,
     along: Option<&[&str]>,
 ) -> Result<Read, Diagnostics> {
+    internal::reads(source);
     let mut diagnostics = Diagnostics::new();
     let Some(document) = syntax::parse(source, &mut diagnostics) else {
         return Err(diagnostics);
@@ -103,7 +104,11 @@ fn resolved(
         wanted.dedup();
         mechanism.sensitivities = wanted;
     }
-    let motions: Vec<System> = mechanisms.into_iter().map(structure::released).collect();
+    let released = |mechanism: model::Mechanism| {
+        let _work = internal::work_at(mechanism.place());
+        structure::released(mechanism)
+    };
+    let motions: Vec<System> = mechanisms.into_iter().map(released).collect();
     let found = of_motions(&motions, finiteness::of_system);
     diagnostics.extend(found);
     if diagnostics.has_errors() {

@@ -47,7 +47,13 @@ impl<const N: usize, T: Real> Table<N, T> {
             Some(period) => x - period * ((x - first) / period).floor(),
             None => x,
         };
-        let place = self.pieces_begun(first, x).checked_sub(1);
+        let begun = self.pieces_begun(first, x);
+        let begun = match self.period {
+            // Rounding may bring a place into the period just before its start, where the first piece goes on.
+            Some(_) => begun.max(1),
+            None => begun,
+        };
+        let place = begun.checked_sub(1);
         let found = place.and_then(|place| self.starts.get(place).zip(self.pieces.get(place)));
         let Some((&start, &[a, b, c, d])) = found else {
             return [height + slope * (x - first), slope, T::ZERO, T::ZERO];
@@ -115,6 +121,39 @@ mod tests {
             [0.1, 0.2, 0.3, 0.4].map(|x| single.at(x)[0]),
             [0.0, 1.0, 2.0, 3.0]
         );
+    }
+
+    /// The cubic 1 + x + 2 x² + 3 x³ of the first piece holds on both sides of each boundary between periods, to rounding.
+    #[test]
+    fn a_period_goes_on_beside_its_start_wherever_it_starts() {
+        const PERIOD: f64 = 1.0;
+        for first in [0.2, -0.7, 0.1 + 0.2, 1e-3, 5.0 / 7.0, -123.4] {
+            let starts = [first, first + 0.3, first + 0.7, first + PERIOD];
+            let piece = [1.0, 1.0, 2.0, 3.0];
+            let table = Table {
+                pieces: [piece, [0.0; 4], piece.map(|_| f64::NAN), piece],
+                period: Some(starts[3] - first),
+                ..steps(starts, None)
+            };
+            for number in -40..40 {
+                let boundary = first + f64::from(number) * PERIOD;
+                for x in [boundary.next_down(), boundary, boundary.next_up()] {
+                    let [value, slope, second, third] = table.at(x);
+                    if value.is_nan() {
+                        // The end of the period before.
+                        continue;
+                    }
+                    assert!(
+                        (value - 1.0).abs() < 1e-12 && (slope - 1.0).abs() < 1e-12,
+                        "{first} {x}"
+                    );
+                    assert!(
+                        (second - 4.0).abs() < 1e-11 && third == 18.0,
+                        "{first} {x}: {second}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]

@@ -66,6 +66,17 @@ impl Identification {
         let mut is_determined: Vec<bool> = (0..count).map(|it| moves(&it)).collect();
         let mut determined: Vec<(f64, DVector<f64>)> = Vec::new();
         let mut hardly = Vec::new();
+        if moving.is_empty() {
+            // An empty matrix has no decomposition, and nothing is determined.
+            return Identification {
+                condition: f64::INFINITY,
+                names: names.to_vec(),
+                indistinct,
+                lengths,
+                determined,
+                is_determined,
+            };
+        }
         // With fewer rows than columns the decomposition would leave out what is not determined.
         let rows = jacobian.nrows().max(moving.len());
         let scaled = DMatrix::from_fn(rows, moving.len(), |row, column| {
@@ -235,6 +246,21 @@ mod tests {
                 "`p0` and `p2` cannot be told apart: changed as 1 : -0.5 they leave everything that is measured as it is",
             ]
         );
+    }
+
+    #[test]
+    fn what_moves_nothing_is_not_determined() {
+        let found = Identification::of(&DMatrix::zeros(5, 2), &[0.02, 0.0], &names(2));
+        assert_eq!(found.rank(), 0);
+        assert!(!found.determines(0) && !found.determines(1));
+        assert_eq!(
+            found.sentences(),
+            [
+                "`p0` changes nothing that is measured",
+                "`p1` changes nothing that is measured",
+            ]
+        );
+        assert!(found.covariance(1.0).iter().all(|it| *it == 0.0));
     }
 
     #[test]

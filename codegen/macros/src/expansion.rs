@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{env, path};
 
+use linkwright_codegen::diagnostic::internal::caught;
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::{Generated, Options, Page, attach_files, generate_with_page};
 use proc_macro2::{Ident, Span, TokenStream, fallback};
@@ -87,8 +88,11 @@ fn generated(
     fallback::force();
     let _aside = Aside;
     let source = attach_files(source, folder);
-    let generated = generate_with_page(&source, options);
-    (source, generated)
+    let generated = caught(|| generate_with_page(&source, options));
+    (
+        source,
+        generated.unwrap_or_else(|error| Err(error.findings())),
+    )
 }
 
 /// The folder that files are named from: that of the file of the description, or of the package.

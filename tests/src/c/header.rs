@@ -100,13 +100,7 @@ fn fields(lines: &[String], name: &str) -> Vec<String> {
 }
 
 /// What a header declares of the motion whose types begin so.
-pub fn declared(
-    header: &str,
-    prefix: &str,
-    type_name: &str,
-    shared: &str,
-    motion: Option<&str>,
-) -> Declared {
+pub fn declared(header: &str, prefix: &str, type_name: &str, motion: Option<&str>) -> Declared {
     let lines = flattened(header);
     let frame = fields(&lines, &format!("{type_name}Frame"));
     let mut modes = fields(&lines, &format!("{type_name}Branches"));
@@ -166,7 +160,7 @@ pub fn declared(
         motion: motion.map(str::to_string),
         coordinates: fields(&lines, &format!("{type_name}Coordinates")).len(),
         holds_coordinates: frame.iter().any(|field| field == "qdd"),
-        parameters: fields(&lines, &format!("{shared}Parameters")).len(),
+        parameters: fields(&lines, &format!("{type_name}Parameters")).len(),
         inputs: fields(&lines, &format!("{type_name}Inputs")).len(),
         stores_assemblies,
         modes: modes.into_iter().filter(|mode| mode != "none").collect(),

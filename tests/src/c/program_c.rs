@@ -88,16 +88,14 @@ pub fn main(header: &str, declared: &Declared, real: &str) -> String {
         "static {type_name} mechanism;\nstatic {type_name} fresh;\nstatic bool is_held = false;\n"
     );
     if has_parameters {
-        let shared = shared_type(header, declared);
         let _ = writeln!(
             text,
-            "typedef {shared} Given;\nstatic Given scaled(REAL factor)\n{{\n    Given given;\n    REAL values[{0}];",
+            "typedef {type_name}Parameters Given;\nstatic Given scaled(REAL factor)\n{{\n    Given given;\n    REAL values[{0}];",
             declared.parameters
         );
-        let nominal = format!("{}_NOMINAL", shared_name(declared).to_uppercase());
         let _ = writeln!(
             text,
-            "    memcpy(values, &{nominal}, sizeof(values));\n    for (size_t k = 0; k < {}; k += 2) {{\n        values[k] *= factor;\n    }}\n    memcpy(&given, values, sizeof(given));\n    return given;\n}}\n",
+            "    memcpy(values, &{capitals}_NOMINAL, sizeof(values));\n    for (size_t k = 0; k < {}; k += 2) {{\n        values[k] *= factor;\n    }}\n    memcpy(&given, values, sizeof(given));\n    return given;\n}}\n",
             declared.parameters
         );
     }
@@ -120,26 +118,6 @@ pub fn main(header: &str, declared: &Declared, real: &str) -> String {
     text.push_str("static void assembled(linkwright_status status)\n{\n    if (status == LINKWRIGHT_OK) {\n        mechanism = fresh;\n        is_held = true;\n        report(status);\n    } else {\n        failed(&fresh.failure);\n    }\n}\n\n");
     text.push_str(&calls(declared, suffix));
     text
-}
-
-/// What the mechanism is called whose motion this is.
-fn shared_name(declared: &Declared) -> String {
-    match &declared.motion {
-        Some(motion) => declared
-            .prefix
-            .trim_end_matches(motion.as_str())
-            .trim_end_matches('_')
-            .to_string(),
-        None => declared.prefix.clone(),
-    }
-}
-
-fn shared_type(_header: &str, declared: &Declared) -> String {
-    let name = shared_name(declared);
-    format!(
-        "{}Parameters",
-        linkwright_codegen::stages::emit::rust::type_name(&name)
-    )
 }
 
 /// The call of a function of a frame, and its numbers.

@@ -212,8 +212,8 @@ fn runner(motion: &Motion) -> String {
     }
     let parameters = match declared.parameters > 0 {
         true => format!(
-            "'p' => {{ if let Err(failure) = held.as_mut().expect(\"it is assembled\").set_parameters(&scaled(crate::{module}::Parameters::default(), call.value as {real})) {{ text.push_str(&failed(&failure)); }} continue; }}
-                'f' => {type_name}::assemble_for(&scaled(crate::{module}::Parameters::default(), call.value as {real}), t{inputs}).map(|it| {{ held = Some(it); }}),"
+            "'p' => {{ if let Err(failure) = held.as_mut().expect(\"it is assembled\").set_parameters(&scaled({path}::Parameters::default(), call.value as {real})) {{ text.push_str(&failed(&failure)); }} continue; }}
+                'f' => {type_name}::assemble_for(&scaled({path}::Parameters::default(), call.value as {real}), t{inputs}).map(|it| {{ held = Some(it); }}),"
         ),
         false => "'p' | 'f' => continue,".to_string(),
     };

@@ -99,13 +99,7 @@ fn motions(
     let mechanism = read.motions[0].mechanism.name.clone();
     let of = |motion: Option<&str>| -> program_rust::Motion {
         let prefix = motion.map_or(mechanism.clone(), |it| format!("{mechanism}_{it}"));
-        let declared: Declared = declared(
-            header,
-            &prefix,
-            &type_name(&prefix),
-            &type_name(&mechanism),
-            motion,
-        );
+        let declared: Declared = declared(header, &prefix, &type_name(&prefix), motion);
         program_rust::Motion {
             answers: motion.map_or(module.to_string(), |it| format!("{module}_{it}")),
             module: module.to_string(),

@@ -14,7 +14,8 @@ use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
-const SMALL: [&str; 30] = [
+const SMALL: [&str; 34] = [
+    "angle_and_slot",
     "asked",
     "both_ways",
     "cam_law",
@@ -28,9 +29,11 @@ const SMALL: [&str; 30] = [
     "forced_slider",
     "free_linkage",
     "laws",
+    "motion_parameters",
     "parallelogram",
     "parallelogram_unguarded",
     "pieces",
+    "periodic_from_elsewhere",
     "platform_given",
     "sensed_crane",
     "sensed_gears",
@@ -43,6 +46,7 @@ const SMALL: [&str; 30] = [
     "table_of_file",
     "tables",
     "three_cranks",
+    "torn_by_angles",
     "transmitted",
     "weighed_given",
 ];

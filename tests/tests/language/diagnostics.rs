@@ -78,8 +78,8 @@ fn every_case_yields_its_code_and_reads_as_in_its_snapshot() {
     }
 }
 
-/// Codes whose cases are bytes that no text file should hold; the tests below build them.
-const BUILT: [Code; 1] = [Code::UnreadableFile];
+/// Codes whose cases are bytes that no text file should hold, which the tests below build, and that of defects, which no text should cause.
+const BUILT: [Code; 2] = [Code::UnreadableFile, Code::InternalError];
 
 #[test]
 fn no_code_lacks_a_case() {

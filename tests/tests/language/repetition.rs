@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
+use std::sync::Arc;
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_codegen::{format, generate};
+use linkwright_codegen::{format, generate, read};
 use linkwright_tests::description;
 use linkwright_tests::solver::{Interpreted, Solver};
 
@@ -344,4 +345,23 @@ fn repeated_descriptions_are_formatted_and_mean_the_same() {
         "{tidy}"
     );
     assert_eq!(code(&tidy), code(&ladder(3)));
+}
+
+/// Every motion is a mechanism of its own: what it copied of all others' names would grow with the square of their count.
+#[test]
+fn motions_that_are_written_out_share_the_spellings_of_names() {
+    let text = "mechanism many {
+        body b at (0, 0);
+        absolute_x(b) = 0;
+        absolute_y(b) = 0;
+        repeat i from 1 to 5 { motion m[i] { drive phi(b) = t; } }
+    }";
+    let read =
+        read(&source(text)).unwrap_or_else(|found| panic!("{}", found.render(&source(text))));
+    assert_eq!(read.motions.len(), 5);
+    for pair in read.motions.windows(2) {
+        let [first, second] = [&pair[0], &pair[1]].map(|it| &it.mechanism.spellings);
+        assert_eq!(first["m3"], "m[3]");
+        assert!(Arc::ptr_eq(first, second));
+    }
 }

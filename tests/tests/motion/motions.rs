@@ -8,6 +8,44 @@ mod both_ways {
     linkwright::include_mechanism!(both_ways);
 }
 
+/// An arm whose motions have parameters of their own.
+mod motion_parameters {
+    linkwright::include_mechanism!(motion_parameters);
+}
+
+#[test]
+fn parameters_of_a_motion_are_its_own_behind_those_of_the_mechanism() {
+    use motion_parameters::{home, out, still};
+    let nominal = (out::Parameters::default(), home::Parameters::default());
+    let out::Parameters { reach, pace, rise } = nominal.0;
+    assert_eq!([reach, pace, rise], [0.4, 3.0, 0.25]);
+    let home::Parameters { reach, fall, pace } = nominal.1;
+    assert_eq!([reach, fall, pace], [0.4, 1.0, 0.7]);
+    let still::Parameters { reach } = still::Parameters::default();
+    assert_eq!(reach, 0.4);
+    let mut driven_out = out::MotionParameters::assemble(0.0).expect("as drawn");
+    let mut driven_home = home::MotionParameters::assemble(0.0).expect("as drawn");
+    for step in 0..=200 {
+        let t = 0.01 * f64::from(step);
+        let frame = driven_out.advance(t).expect("it turns");
+        assert!((frame.q.phi_arm - (0.25 + 3.0 * t)).abs() <= 1e-14, "{t}");
+        assert!((frame.qd.phi_arm - 3.0).abs() <= 1e-14, "{t}");
+        let frame = driven_home.advance(t).expect("it turns back");
+        assert!((frame.q.phi_arm - (1.0 - 0.7 * t)).abs() <= 1e-14, "{t}");
+        assert!((frame.point_p().position[0] - 0.4 * (1.0 - 0.7 * t).cos()).abs() <= 1e-14);
+    }
+    // What one motion is set to, the other does not know.
+    let changed = home::Parameters {
+        pace: 0.2,
+        ..nominal.1
+    };
+    driven_home.set_parameters(&changed).expect("it is finite");
+    let frame = driven_home.advance(2.1).expect("it turns back");
+    assert!((frame.q.phi_arm - (1.0 - 0.2 * 2.1)).abs() <= 1e-14);
+    let frame = driven_out.advance(2.1).expect("it turns");
+    assert!((frame.q.phi_arm - (0.25 + 3.0 * 2.1)).abs() <= 1e-14);
+}
+
 #[test]
 fn a_slider_crank_driven_from_either_end_moves_the_same_way() {
     let mut forward = both_ways::forward::BothWays::assemble(0.0).expect("as drawn");

@@ -221,3 +221,60 @@ fn what_cannot_be_fitted_is_said() {
         ran.stderr
     );
 }
+
+#[test]
+fn a_parameter_that_moves_nothing_alone_is_not_determined() {
+    let folder = Folder::new(
+        "calibrate_idle",
+        "mechanism idle {
+    param depth = 20mm;
+    point O = (0, 0);
+    body arm at O { O, P: (70mm, 0), E: (depth, 10mm) }
+    revolute O(ground, arm);
+    drive phi(arm) = 0.8*t;
+}
+",
+    );
+    let rows = (0..10).map(|step| {
+        let t = 0.1 * f64::from(step);
+        format!("{t},{}\n", 70.0 * (0.8 * t).cos())
+    });
+    let table = "t (s),P_x (mm)\n".to_string() + &rows.collect::<String>();
+    std::fs::write(folder.file("data.csv"), table).expect("it can be written");
+    let ran = folder
+        .run("calibrate a.mech data.csv --param depth")
+        .exits_with(1);
+    let said = ran.stdout + &ran.stderr;
+    assert!(
+        said.contains("`depth` changes nothing that is measured"),
+        "{said}"
+    );
+}
+
+#[test]
+fn parameters_of_a_motion_are_written_where_they_stood() {
+    let folder = Folder::new(
+        "calibrate_motion",
+        "mechanism arm {
+    body arm at (0, 0) { P: (0.4, 0) }
+    absolute_x(arm) = 0;
+    absolute_y(arm) = 0;
+    motion out { param pace = 3; drive phi(arm) = pace*t; }
+    motion home { param pace = 0.7; drive phi(arm) = 1 - pace*t; }
+}
+",
+    );
+    let rows = (0..20).map(|step| {
+        let t = 0.05 * f64::from(step);
+        format!("{t},{}\n", 0.4 * (1.0 - 0.75 * t).cos())
+    });
+    let table = "t (s),P_x (m)\n".to_string() + &rows.collect::<String>();
+    std::fs::write(folder.file("data.csv"), table).expect("it can be written");
+    folder
+        .run("calibrate a.mech data.csv --param pace --motion home --out new.mech")
+        .exits_with(0);
+    let text = folder.read("new.mech");
+    assert!(text.contains("motion out { param pace = 3; "), "{text}");
+    assert!(text.contains("motion home { param pace = 0.7"), "{text}");
+    assert!(!text.contains("param pace = 0.7;"), "{text}");
+}

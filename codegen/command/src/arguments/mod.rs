@@ -53,7 +53,7 @@ A description called `-` is read from stdin; its tables lie in the current folde
 
 Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` or `fmt --check` found a
 difference, `check --deny-warnings` something to look at, `compare` a difference beyond its
-tolerance), 2 bad input.";
+tolerance), 2 bad input, 70 an error of linkwright itself.";
 
 /// The commands.
 #[derive(Subcommand, Debug)]

@@ -34,6 +34,8 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory as _, FromArgMatches as _};
 
+use linkwright_codegen::diagnostic::internal::{self, InternalError};
+
 use crate::arguments::{Arguments, Command};
 use crate::colors;
 use crate::output::Refused;
@@ -72,7 +74,12 @@ pub fn run(version: &'static str) -> ExitCode {
     let matches = interface.clone().get_matches();
     let arguments = Arguments::from_arg_matches(&matches)
         .unwrap_or_else(|error| error.format(&mut interface.clone()).exit());
-    let outcome = match arguments.command {
+    internal::note_panics();
+    ended(internal::caught(|| outcome(arguments.command, interface)))
+}
+
+fn outcome(command: Command, interface: clap::Command) -> Result<Outcome, Problem> {
+    match command {
         Command::Solve(solve) => solve::run(&solve),
         Command::Simulate(simulate) => simulate::run(&simulate),
         Command::Draw(draw) => draw::run(&draw),
@@ -97,12 +104,21 @@ pub fn run(version: &'static str) -> ExitCode {
         Command::Man(man) => man::run(interface, &man),
         #[cfg(not(feature = "man"))]
         Command::Man(_) => Err(left_out::refusal("man", "writes manual pages")),
-    };
+    }
+}
+
+/// Exit code of a command, after what is to be said of a refusal or of an error of Linkwright itself.
+fn ended(outcome: Result<Result<Outcome, Problem>, InternalError>) -> ExitCode {
     match outcome {
-        Ok(outcome) => ExitCode::from(outcome as u8),
-        Err(Problem(text)) => {
+        Ok(Ok(outcome)) => ExitCode::from(outcome as u8),
+        Ok(Err(Problem(text))) => {
             say(&text);
             ExitCode::from(2)
+        }
+        Err(error) => {
+            say(&error.to_string());
+            // `EX_SOFTWARE` of `sysexits.h`.
+            ExitCode::from(70)
         }
     }
 }
@@ -142,4 +158,18 @@ pub fn in_folder(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
 pub fn say(text: &str) {
     let text = colors::on_terminal(text.trim_end_matches('\n'));
     let _ = writeln!(io::stderr(), "{text}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_of_linkwright_itself_is_no_bad_input() {
+        let code = |outcome| format!("{:?}", ended(outcome));
+        let exit = |number: u8| format!("{:?}", ExitCode::from(number));
+        assert_eq!(code(internal::caught(|| panic!("a defect"))), exit(70));
+        assert_eq!(code(Ok(Err(Problem("bad".to_string())))), exit(2));
+        assert_eq!(code(Ok(Ok(Outcome::Failed))), exit(1));
+    }
 }

@@ -12,6 +12,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
+use linkwright_codegen::diagnostic::internal::caught;
 use linkwright_codegen::stages::files;
 
 use super::description::{is_stdin, source};
@@ -107,6 +108,11 @@ fn stamp_of(path: &Path) -> Stamp {
     Some((found.modified().ok()?, found.len()))
 }
 
+/// Result of some work, of which an error of Linkwright itself is a problem as any other: the server lives on.
+fn survived<T>(work: impl FnOnce() -> Result<T, Problem>) -> Result<T, Problem> {
+    caught(work).unwrap_or_else(|error| Err(Problem(error.to_string())))
+}
+
 /// Makes the page anew; the files that it is made of, as they were before they were read.
 fn renew(arguments: &View, shared: &Shared) -> Vec<(PathBuf, Stamp)> {
     let version = shared.current().version + 1;
@@ -115,7 +121,8 @@ fn renew(arguments: &View, shared: &Shared) -> Vec<(PathBuf, Stamp)> {
         (path, stamp)
     };
     let mut seen = vec![stamped(arguments.described.file.clone())];
-    let made = source(&arguments.described.file).and_then(|source| {
+    let made = survived(|| {
+        let source = source(&arguments.described.file)?;
         let folder = files::folder_of(&arguments.described.file);
         let tables = source.attachments.iter().map(|it| folder.join(&it.path));
         seen.extend(tables.map(stamped));
@@ -219,4 +226,21 @@ fn wait(mut stream: TcpStream, shared: &Shared, after: u64) -> io::Result<()> {
     drop(current);
     write!(stream, "data: {version}\n\n")?;
     stream.flush()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_of_linkwright_itself_is_shown_and_survived() {
+        let Err(Problem(text)) = survived::<()>(|| panic!("a defect")) else {
+            unreachable!("it panics")
+        };
+        assert!(
+            text.starts_with("error[K90]: internal error: a defect"),
+            "{text}"
+        );
+        assert_eq!(survived(|| Ok(7)), Ok(7));
+    }
 }

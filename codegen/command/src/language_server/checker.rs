@@ -4,11 +4,11 @@
 //! and what solves them, is checked afterwards, if no newer text has come meanwhile.
 
 use std::collections::BTreeMap;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 
+use linkwright_codegen::diagnostic::internal::caught;
 use linkwright_codegen::diagnostic::{Diagnostics, Source, merged};
 use linkwright_codegen::{Read, check, read};
 
@@ -107,12 +107,10 @@ fn look(
     is_stale: impl Fn() -> bool,
     say: impl Fn(Diagnostics, Option<Arc<Equations>>, bool),
 ) {
-    // The generator does not panic; if it did, only this text would stay without findings.
-    let found = catch_unwind(|| read(source));
+    let found = caught(|| read(source)).unwrap_or_else(|error| Err(error.findings()));
     let read = match found {
-        Ok(Ok(read)) => read,
-        Ok(Err(findings)) => return say(findings, None, true),
-        Err(_) => return say(Diagnostics::new(), None, true),
+        Ok(read) => read,
+        Err(findings) => return say(findings, None, true),
     };
     let equations = Arc::new(Equations {
         text: source.text.clone(),
@@ -138,10 +136,8 @@ fn of_equations(read: &Read, is_stale: impl Fn() -> bool) -> Option<Diagnostics>
         }
         let motion = system.mechanism.motion.as_ref();
         let name = motion.map_or("", |motion| motion.name.as_str());
-        let checked = catch_unwind(AssertUnwindSafe(|| {
-            check(system).unwrap_or_else(|found| found)
-        }));
-        found.push((name, None, checked.unwrap_or_default()));
+        let checked = caught(|| check(system).unwrap_or_else(|found| found));
+        found.push((name, None, checked.unwrap_or_else(|error| error.findings())));
     }
     Some(merged(found))
 }

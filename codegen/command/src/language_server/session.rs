@@ -3,10 +3,10 @@
 
 use std::collections::{BTreeMap, VecDeque};
 use std::io;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
+use linkwright_codegen::diagnostic::internal::caught;
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response};
 use lsp_types as lsp;
 use serde::de::DeserializeOwned;
@@ -76,6 +76,18 @@ pub fn serve() -> io::Result<bool> {
     session.run(&events)
 }
 
+/// Result of taking something in. An error of the server itself is shown to the client, and the session goes on.
+fn survived(work: impl FnOnce() -> io::Result<()>) -> io::Result<()> {
+    caught(work).unwrap_or_else(|error| {
+        let params = lsp::ShowMessageParams {
+            typ: lsp::MessageType::ERROR,
+            message: error.to_string(),
+        };
+        let shown = Notification::new("window/showMessage".to_string(), params);
+        transport::send(&shown.into())
+    })
+}
+
 impl Session {
     fn run(&mut self, events: &Receiver<Event>) -> io::Result<bool> {
         let mut queue = VecDeque::new();
@@ -91,11 +103,11 @@ impl Session {
             match event {
                 Event::Gone => return Ok(false),
                 Event::Unreadable(reason) => transport::refuse(&reason)?,
-                Event::Found(found) => self.take(found)?,
+                Event::Found(found) => survived(|| self.take(found))?,
                 Event::Message(Message::Notification(it)) if it.method == "exit" => {
                     return Ok(self.state == State::ShutDown);
                 }
-                Event::Message(Message::Notification(it)) => self.note(it)?,
+                Event::Message(Message::Notification(it)) => survived(|| self.note(it))?,
                 Event::Message(Message::Request(it)) if cancelled.contains(&it.id) => {
                     let code = ErrorCode::RequestCanceled as i32;
                     let answer = Response::new_err(it.id, code, "cancelled".to_string());
@@ -151,13 +163,11 @@ impl Session {
                 Ok(Value::Null)
             }
             // Whatever is wrong with one answer, the next question is answered.
-            (State::Open, _) => catch_unwind(AssertUnwindSafe(|| {
-                requests::answer(&method, params, &mut self.documents)
-            }))
-            .unwrap_or_else(|_| {
-                let text = format!("`{method}` failed; this is an error of linkwright");
-                Err(Refusal::new(ErrorCode::InternalError, &text))
-            }),
+            (State::Open, _) => caught(|| requests::answer(&method, params, &mut self.documents))
+                .unwrap_or_else(|error| {
+                    let text = format!("`{method}` failed: {error}");
+                    Err(Refusal::new(ErrorCode::InternalError, &text))
+                }),
         };
         match result {
             Ok(result) => Response::new_ok(id, result),

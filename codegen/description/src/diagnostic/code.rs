@@ -4,7 +4,7 @@ use std::fmt;
 
 macro_rules! codes {
     ($($(#[doc = $title:literal])+ $variant:ident = $name:literal;)+) => {
-        /// The class of a finding. The first digit is the group: 0 syntax, 1 names, 2 values and units, 3 structure.
+        /// The class of a finding. The first digit is the group: 0 syntax, 1 names, 2 values and units, 3 structure, 9 Linkwright itself.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Code {
             $($(#[doc = $title])+ $variant,)+
@@ -104,6 +104,8 @@ codes! {
     TooMuchWork = "K37";
     /// An assembly mode that the drawing decides by little.
     UndecidedMode = "K38";
+    /// An error of Linkwright itself.
+    InternalError = "K90";
 }
 
 impl fmt::Display for Code {

@@ -7,6 +7,7 @@
 //! Messages are lower case, put names in backticks and have no full stop: the message says what is, `help` says what to do.
 
 mod code;
+pub mod internal;
 mod merge;
 mod render;
 mod sink;

@@ -47,8 +47,11 @@ impl Spline {
             None => argument,
         };
         let passed = self.starts.partition_point(|&start| start <= argument);
-        let Some(place) = passed.checked_sub(1) else {
-            return [height + slope * (argument - first), slope, 0.0, 0.0];
+        let place = match passed.checked_sub(1) {
+            Some(place) => place,
+            // Rounding may bring an argument into the period just before its start, where the first piece goes on.
+            None if self.period.is_some() => 0,
+            None => return [height + slope * (argument - first), slope, 0.0, 0.0],
         };
         let [a, b, c, d] = self.pieces[place];
         let along = argument - self.starts[place];

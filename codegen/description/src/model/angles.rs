@@ -29,15 +29,19 @@ impl Resolver<'_> {
             angle,
         };
         let angle = self.graph.variable(symbol);
-        self.linkage.push_body(Body {
-            name: name.text.clone(),
-            docs: written.docs.clone(),
-            span: name.span,
-            frame: frame(angle),
-            coordinates: self.linkage.numbered([None, None, Some(symbol)]),
-            drawn: frame(drawn.unwrap_or(zero)),
-            marks: Vec::new(),
-        });
+        let coordinates = self.linkage.numbered([None, None, Some(symbol)]);
+        self.finish_body(
+            name,
+            Body {
+                name: name.text.clone(),
+                docs: written.docs.clone(),
+                span: name.span,
+                frame: frame(angle),
+                coordinates,
+                drawn: frame(drawn.unwrap_or(zero)),
+                marks: Vec::new(),
+            },
+        );
     }
 
     /// Whether nothing that a formula could mean has this name already; an error where it has.

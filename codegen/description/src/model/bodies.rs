@@ -85,15 +85,27 @@ impl Resolver<'_> {
                 }
             }
         }
-        self.linkage.push_body(Body {
-            name: name.text.clone(),
-            docs: body.docs.clone(),
-            span: name.span,
-            frame,
-            coordinates: self.linkage.numbered(symbols.map(Some)),
-            drawn,
-            marks,
-        });
+        let coordinates = self.linkage.numbered(symbols.map(Some));
+        self.finish_body(
+            name,
+            Body {
+                name: name.text.clone(),
+                docs: body.docs.clone(),
+                span: name.span,
+                frame,
+                coordinates,
+                drawn,
+                marks,
+            },
+        );
+    }
+
+    /// Takes in a body that [`Self::new_body`] has numbered. Only now its name can be used, so that nothing of it depends on itself.
+    pub(super) fn finish_body(&mut self, name: &Name, body: Body) {
+        self.declared.unfinished_body = None;
+        // `new_body` has refused a name that is declared already.
+        let _ = self.declared.body_ids.declare(name, body.frame.body);
+        self.linkage.push_body(body);
     }
 
     /// The number of a body with this name; `None` after an error.
@@ -109,13 +121,15 @@ impl Resolver<'_> {
             );
             return None;
         }
-        let id = BodyId(self.linkage.bodies.len());
-        match self.declared.body_ids.declare(name, id) {
+        match self.declared.body_ids.duplicate(name) {
             Some(duplicate) => {
                 self.diagnostics.push(duplicate);
                 None
             }
-            None => Some(id),
+            None => {
+                self.declared.unfinished_body = Some(name.clone());
+                Some(BodyId(self.linkage.bodies.len()))
+            }
         }
     }
 

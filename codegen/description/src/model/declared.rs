@@ -41,6 +41,8 @@ pub(super) struct Declared<'a> {
     /// The first body in the whole description that carries a point of each name, and where it lists it; only looked up.
     pub carried: HashMap<&'a str, (&'a str, Span)>,
     pub body_ids: Namespace<BodyId>,
+    /// The body whose statement is being read: its name stands for nothing before the end of the statement.
+    pub unfinished_body: Option<syntax::Name>,
     /// The names that drivers were given.
     pub drivers: Namespace<()>,
     /// The names that equations were given.
@@ -68,6 +70,7 @@ impl Declared<'_> {
             curves: Namespace::new("curve"),
             carried: HashMap::new(),
             body_ids: Namespace::new("body"),
+            unfinished_body: None,
             drivers: Namespace::new("driver"),
             equations: Namespace::new("equation"),
             elements: Namespace::new("spring or damper"),

@@ -15,6 +15,17 @@ impl Resolver<'_> {
         }
         let carriers = self.names_of_carriers(&name.text);
         let diagnostic = self.declared.body_ids.unknown(&name.text, name.span);
+        let unfinished = self.declared.unfinished_body.as_ref();
+        if let Some(own) = unfinished.filter(|own| own.text == name.text) {
+            let message = format!("the body `{}` cannot depend on itself", name.text);
+            self.diagnostics.push(
+                Diagnostic::error(Code::UnknownName, name.span, message)
+                    .label("used before the body is complete")
+                    .also(own.span, "declared here")
+                    .help("name points of the drawing, or of bodies above this one"),
+            );
+            return None;
+        }
         self.diagnostics.push(match carriers.first() {
             Some(body) => diagnostic
                 .label("this is a point, and a body is wanted here")

@@ -64,6 +64,7 @@ pub use setting::set;
 pub use table::ENDS_OF_TABLES;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, SplineId, SymbolId};
@@ -116,7 +117,7 @@ pub struct Mechanism {
     /// Whether an `unguarded` statement leaves out what shows that frames lie on the path of the last one.
     pub is_unguarded: bool,
     /// How names are written that are called otherwise.
-    pub spellings: Spellings,
+    pub spellings: Arc<Spellings>,
     /// The largest coordinate of an origin or of a point that a joint holds, in m: what lengths are measured against. Never zero.
     pub characteristic_length: f64,
 }
@@ -322,6 +323,11 @@ impl Mechanism {
             rates.push((rate, self.graph.variable(acceleration)));
         }
         rates
+    }
+
+    /// Place of its name, or of that of its motion.
+    pub fn place(&self) -> Span {
+        self.motion.as_ref().map_or(self.span, |motion| motion.span)
     }
 
     /// How a person names it: `excavator`, and of several motions `excavator, motion reach`.

@@ -31,22 +31,24 @@ impl<T> Namespace<T> {
 
     /// Declares a name. Where it is declared already the error is returned and the first declaration stays.
     pub(super) fn declare(&mut self, name: &Name, value: T) -> Option<Diagnostic> {
-        if let Some(&first) = self.index.get(&name.text) {
-            let earlier = &self.declared[first].0;
-            return Some(
-                Diagnostic::error(
-                    Code::DuplicateName,
-                    name.span,
-                    format!("the {} `{}` is declared twice", self.sort, name.text),
-                )
+        let duplicate = self.duplicate(name);
+        if duplicate.is_none() {
+            self.index.insert(name.text.clone(), self.declared.len());
+            self.declared.push((name.clone(), value));
+        }
+        duplicate
+    }
+
+    /// The error for a name that is declared already.
+    pub(super) fn duplicate(&self, name: &Name) -> Option<Diagnostic> {
+        let (earlier, _) = self.declaration(&name.text)?;
+        let message = format!("the {} `{}` is declared twice", self.sort, name.text);
+        Some(
+            Diagnostic::error(Code::DuplicateName, name.span, message)
                 .label("declared again here")
                 .also(earlier.span, "first declared here")
                 .help("give one of them another name"),
-            );
-        }
-        self.index.insert(name.text.clone(), self.declared.len());
-        self.declared.push((name.clone(), value));
-        None
+        )
     }
 
     pub(super) fn get(&self, text: &str) -> Option<&T> {

@@ -1,6 +1,7 @@
 //! The statements of a document, in written order → a mechanism.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use super::bodies::coordinate_names;
 use super::bounds::beyond_bounds;
@@ -12,6 +13,7 @@ use super::linkage::Linkage;
 use super::naming::Naming;
 use super::request::Named;
 use super::{Constant, Dimension, Mechanism, Motion};
+use crate::diagnostic::internal::work_at;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::{Mark, Vector};
@@ -146,7 +148,7 @@ pub(super) fn resolve_statements<'a>(
         forces,
         monitor,
         is_unguarded,
-        spellings: document.spellings.clone(),
+        spellings: Arc::clone(&document.spellings),
         characteristic_length,
     }
 }
@@ -175,6 +177,7 @@ impl<'a> Resolver<'a> {
 impl Resolver<'_> {
     /// Carries out one statement.
     fn add(&mut self, statement: &syntax::Statement) {
+        let _work = work_at(statement.span());
         match statement {
             syntax::Statement::Constant(constant) => self.add_constant(constant),
             syntax::Statement::Parameter(parameter) => self.add_parameter(parameter),

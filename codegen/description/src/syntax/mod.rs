@@ -53,6 +53,8 @@ pub(crate) use scan::block_comment_length;
 pub use scan::{Kind, Lexeme, lexemes};
 pub use scope::Spellings;
 
+use std::sync::Arc;
+
 use proc_macro2::Delimiter;
 use syn::buffer::TokenBuffer;
 
@@ -150,7 +152,7 @@ pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document>
     diagnostics.extend(findings);
     let document = document.map(|document| Document {
         attachments: source.attachments.clone(),
-        spellings,
+        spellings: Arc::new(spellings),
         ..document
     });
     // What a statement that failed was to say is no concern of the documentation.
@@ -245,7 +247,7 @@ fn file(mut tokens: Tokens<'_>, idle: &mut Vec<Diagnostic>) -> Option<Document> 
         docs: file_docs,
         attachments: Vec::new(),
         mechanism,
-        spellings: Spellings::new(),
+        spellings: Arc::default(),
     })
 }
 

@@ -13,6 +13,7 @@ use super::{
     VectorForm,
 };
 use crate::diagnostic::Span;
+use crate::diagnostic::internal::work_at;
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{self, Quantity};
 use crate::model::{Body, Mechanism};
@@ -47,6 +48,7 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
         ..
     } = &mut mechanism;
     for (index, joint) in joints.iter().enumerate() {
+        let _work = work_at(joint.span);
         let bodies: Vec<usize> = joint
             .operands
             .marks

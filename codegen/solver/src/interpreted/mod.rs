@@ -14,6 +14,7 @@ use std::sync::Arc;
 
 use linkwright::{Blocks, Failure, Start};
 use linkwright_codegen::diagnostic::Diagnostics;
+use linkwright_codegen::diagnostic::internal::work_at;
 use linkwright_codegen::findings;
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::program::{Program, lower_with_unknowns};
@@ -65,6 +66,7 @@ impl Interpreted {
     /// # Errors
     /// Numbers in the blocks that become infinite or undefined, and work beyond its bounds.
     pub fn checked(system: &System) -> Result<(Option<Interpreted>, Diagnostics), Diagnostics> {
+        let _work = work_at(system.mechanism.place());
         let mut system = system.in_full();
         let Some(plan) = structure::plan(&mut system) else {
             return Ok((None, findings(&system, None)?));

@@ -245,11 +245,3 @@ fn set_parameters(printer: &Printer<'_>) -> Offered {
     body.line("return status;");
     offered
 }
-
-impl Printer<'_> {
-    /// The constant with the values that parameters have in the description, one for all motions.
-    pub(super) fn nominal_constant(&self) -> String {
-        let name = &self.module.system.mechanism.name;
-        format!("{}_NOMINAL", name.to_uppercase())
-    }
-}

@@ -18,7 +18,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let drawn_branches = format!("&{}", printer.constant("DRAWN_BRANCHES"));
     let nominal = match given.parameters.is_empty() {
         true => String::new(),
-        false => format!("&{}", printer.nominal_constant()),
+        false => format!("&{}", printer.constant("NOMINAL")),
     };
     let with = printer.function("assemble_with");
     let call = |arguments: &[&str]| format!("return {with}({});", listed(arguments));

@@ -91,16 +91,6 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
     text.line("#ifdef __cplusplus");
     text.line("extern \"C\" {");
     text.line("#endif");
-    parameters::parameters(first, &mut text);
-    if first.declared().parameters {
-        text.gap();
-        text.comment(["The values of the description."]);
-        text.line(format!(
-            "extern const {} {};",
-            first.type_of("Parameters"),
-            first.nominal_constant()
-        ));
-    }
     for printer in printers {
         if printer.module.system.mechanism.motion.is_some() {
             let mut lines = documentation::of_motion(printer.module.system);
@@ -122,6 +112,7 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
 
 /// The structures, constants and functions of one motion, as others see them.
 fn declarations(printer: &Printer<'_>, text: &mut Text) {
+    parameters::parameters(printer, text);
     coordinates::structure(printer, text);
     parameters::inputs(printer, text);
     block::branches(printer, text);
@@ -167,10 +158,8 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
     text.line("#ifdef __clang__");
     text.line("#pragma STDC FP_CONTRACT OFF");
     text.line("#endif");
-    if first.declared().parameters {
-        parameters::nominal(first, &first.nominal_constant(), &mut text);
-    }
     for printer in printers {
+        parameters::nominal(printer, &mut text);
         definitions(printer, &mut text);
     }
     text.finish()

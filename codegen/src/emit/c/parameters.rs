@@ -47,7 +47,7 @@ impl Printer<'_> {
     }
 }
 
-/// The structure with the parameters of all motions.
+/// The structure with the parameters, and the constant with their defaults, as others see them.
 pub(super) fn parameters(printer: &Printer<'_>, text: &mut Text) {
     if printer.declared().parameters {
         let fields = printer.parameters();
@@ -60,6 +60,13 @@ pub(super) fn parameters(printer: &Printer<'_>, text: &mut Text) {
             &fields,
             text,
         );
+        text.gap();
+        text.comment(["The values of the description."]);
+        text.line(format!(
+            "extern const {} {};",
+            printer.type_of("Parameters"),
+            printer.constant("NOMINAL")
+        ));
     }
 }
 
@@ -103,12 +110,15 @@ fn structure(
     text.close(format!("}} {structure};"));
 }
 
-/// The defaults of the parameters, which all motions share.
-pub(super) fn nominal(printer: &Printer<'_>, constant: &str, text: &mut Text) {
+/// The defaults of the parameters.
+pub(super) fn nominal(printer: &Printer<'_>, text: &mut Text) {
+    if !printer.declared().parameters {
+        return;
+    }
     let values = printer.parameters().into_iter();
     let values = values.map(|(.., value)| printer.number(printer.default(value)));
     let values: Vec<String> = values.collect();
-    let structure = printer.type_of("Parameters");
+    let (structure, constant) = (printer.type_of("Parameters"), printer.constant("NOMINAL"));
     text.gap();
     text.line(format!(
         "const {structure} {constant} = {{{}}};",

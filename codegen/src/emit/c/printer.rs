@@ -15,8 +15,6 @@ pub(super) struct Printer<'a> {
     pub prefix: String,
     /// What types begin with: `FourBar`, or `ExcavatorMotionsDig`.
     pub type_prefix: String,
-    /// What the type of the parameters begins with: that of the mechanism, whatever the motion is.
-    pub parameters_prefix: String,
     /// What functions of this file alone begin with: nothing, or the motion and an underscore.
     pub own: String,
 }
@@ -35,7 +33,6 @@ impl<'a> Printer<'a> {
         Printer {
             module,
             type_prefix: type_name(&prefix),
-            parameters_prefix: type_name(name),
             prefix,
             own,
         }
@@ -64,10 +61,7 @@ impl<'a> Printer<'a> {
 
     /// A type of the mechanism: `FourBarFrame`.
     pub(super) fn type_of(&self, name: &str) -> String {
-        match name {
-            "Parameters" => format!("{}Parameters", self.parameters_prefix),
-            _ => format!("{}{name}", self.type_prefix),
-        }
+        format!("{}{name}", self.type_prefix)
     }
 
     /// A function or a constant of the mechanism: `four_bar_advance`.

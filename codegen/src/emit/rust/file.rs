@@ -6,7 +6,6 @@ use super::code::comment;
 use super::docs::docs;
 use super::layout::laid_out;
 use super::names::{WORDS, identifier};
-use super::parameters;
 use super::pieces::{Around, block, formatted};
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
@@ -33,7 +32,7 @@ pub fn file(
     let items = match mechanism.motion {
         None => {
             lines.extend(facts::facts(first));
-            first.items(true, math, &[])
+            first.items(math, &[])
         }
         Some(_) => {
             let names = modules
@@ -41,12 +40,9 @@ pub fn file(
                 .filter_map(|module| module.system.mechanism.motion.as_ref());
             let names: Vec<String> = names.map(|motion| format!("`{}`", motion.name)).collect();
             lines.push(format!("A module for each motion: {}.", names.join(", ")));
-            let parameters = parameters::shared_parameters(first);
-            let parameters = laid_out(&formatted(parameters, &[]));
-            let parameters = Some(parameters).filter(|text| !text.is_empty());
             let motions = modules.iter().map(|module| motion(module, math));
-            let parts: Vec<String> = parameters.into_iter().chain(motions).collect();
-            parts.join("\n")
+            let motions: Vec<String> = motions.collect();
+            motions.join("\n")
         }
     };
     format!("{}\n{items}", header(&lines))
@@ -63,7 +59,7 @@ fn motion(module: &Module<'_>, math: Option<&str>) -> String {
     let comments = facts.iter().map(|line| comment(line));
     let around = [Around::Module];
     let facts = laid_out(&formatted(comments.collect(), &around));
-    let inner = facts + &module.items(false, math, &around);
+    let inner = facts + &module.items(math, &around);
     let head = quote! {
         #text
         #[allow(dead_code)]

@@ -53,18 +53,12 @@ impl Module<'_> {
 
     /// The items of the module, which stands in `around`. Its elementary functions are the runtime's,
     /// or those of the module at the path `math`.
-    pub(super) fn items(
-        &self,
-        owns_parameters: bool,
-        math: Option<&str>,
-        around: &[Around],
-    ) -> String {
+    pub(super) fn items(&self, math: Option<&str>, around: &[Around]) -> String {
         let precision = self.scalar.precision();
-        let structures = |module: &Self| parameters::structures(module, owns_parameters);
         // One at a time becomes text: as tokens all of them together would take far more room.
         let parts: [&dyn Fn(&Self) -> TokenStream; 13] = [
             &coordinates::coordinates,
-            &structures,
+            &parameters::structures,
             &textbook::functions,
             &frame::frame,
             &block::branches,

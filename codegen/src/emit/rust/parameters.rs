@@ -62,16 +62,6 @@ impl Declared {
     }
 }
 
-/// `struct Parameters` of all motions.
-pub(super) fn shared_parameters(module: &Module<'_>) -> TokenStream {
-    let precision = module.scalar.precision();
-    let structure = parameters(module);
-    only(
-        module.declared().parameters,
-        quote!(use ::linkwright::#precision::Scalar; #structure),
-    )
-}
-
 fn parameters(module: &Module<'_>) -> TokenStream {
     let own = module.system.mechanism.parameters.iter();
     let own = own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.nominal));
@@ -79,18 +69,9 @@ fn parameters(module: &Module<'_>) -> TokenStream {
 }
 
 /// `struct Parameters` and `struct Inputs` with their defaults, and the drawn pose.
-pub(super) fn structures(module: &Module<'_>, owns_parameters: bool) -> TokenStream {
+pub(super) fn structures(module: &Module<'_>) -> TokenStream {
     let mechanism = &module.system.mechanism;
-    let declared = module.declared();
-    let parameters = match owns_parameters {
-        true => parameters(module),
-        false => only(
-            declared.parameters,
-            quote!(
-                use super::Parameters;
-            ),
-        ),
-    };
+    let parameters = parameters(module);
     let own = mechanism.inputs.iter();
     let own = own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.initial));
     let inputs = structure(module, "inputs", "and at rest unless it is supplied", own);

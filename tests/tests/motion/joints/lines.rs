@@ -42,3 +42,25 @@ fn a_pinion_rolls_on_a_rack_that_slides_and_turns() {
         ]
     });
 }
+
+/// The pin is 0.35 m from its lever's pivot, 0.6 m beside the pivot of the slot: across the slot, 0.35 sin δ = 0.6 sin φ.
+#[test]
+fn a_slot_moves_in_the_orientation_that_a_driven_relative_angle_turns() {
+    follows!(angle_and_slot, AngleAndSlot, 5.0, 1e-12, |t| {
+        let delta = 5.0 * FRAC_PI_6 + 0.1 * t.sin();
+        let sine = (0.35 / 0.6) * delta.sin();
+        let slotted = sine.atan2((1.0 - sine.square()).sqrt());
+        vec![("phi_slotted", slotted), ("phi_pinned", slotted + delta)]
+    });
+}
+
+/// The same with an offset: 0.35 sin δ − 0.6 sin φ = 0.03.
+#[test]
+fn a_rail_moves_in_the_orientation_that_a_driven_relative_angle_turns() {
+    follows!(angle_and_block, AngleAndBlock, 5.0, 1e-12, |t| {
+        let delta = 5.0 * FRAC_PI_6 + 0.1 * t.sin();
+        let sine = (0.35 / 0.6) * delta.sin() - 0.05;
+        let rail = sine.atan2((1.0 - sine.square()).sqrt());
+        vec![("phi_rail", rail), ("phi_swing", rail + delta)]
+    });
+}

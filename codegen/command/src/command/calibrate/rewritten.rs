@@ -30,7 +30,7 @@ pub fn rewritten(
     let statements = document.map_or(Vec::new(), |it| it.mechanism.statements);
     let mut edits = Vec::new();
     for (name, value, deviation) in values {
-        let declared = statements.iter().find_map(|it| match it {
+        let declared = of_motion(&statements, system).find_map(|it| match it {
             Statement::Parameter(own) if own.name.text == *name => Some(own),
             _ => None,
         });
@@ -60,18 +60,41 @@ pub fn rewritten(
     for (range, now) in edits {
         text.replace_range(range, &now);
     }
-    confirm(source, &text, values)?;
+    confirm(source, &text, values, system)?;
     Ok(text)
 }
 
+/// The statements outside of motions, and those of the motion of this system.
+fn of_motion<'a>(
+    statements: &'a [Statement],
+    system: &'a System,
+) -> impl Iterator<Item = &'a Statement> {
+    let motion = system.mechanism.motion.as_ref();
+    let own = statements.iter().filter_map(move |it| match it {
+        Statement::Motion(own) if motion.is_some_and(|it| it.name == own.name.text) => Some(own),
+        _ => None,
+    });
+    statements.iter().chain(own.flat_map(|it| &it.statements))
+}
+
 /// Reads what is to be written.
-fn confirm(source: &Source, text: &str, values: &[(&str, f64, Option<f64>)]) -> Result<(), String> {
+fn confirm(
+    source: &Source,
+    text: &str,
+    values: &[(&str, f64, Option<f64>)],
+    fitted: &System,
+) -> Result<(), String> {
     let new = Source {
         text: text.to_string(),
         ..source.clone()
     };
     let read = linkwright_codegen::read(&new).map_err(|found| found.render(&new))?;
-    let Some(system) = read.motions.first() else {
+    let motion = fitted.mechanism.motion.as_ref();
+    let system = match motion {
+        Some(motion) => read.motion(&motion.name),
+        None => read.motions.first(),
+    };
+    let Some(system) = system else {
         return Ok(());
     };
     let mechanism = &system.mechanism;

@@ -12,6 +12,8 @@ pub use drawn::{Body, Curve, DrawnPoint, Member, Orientation, Origin, Points, Sh
 pub use table::{Ends, Table, TablePoints};
 pub use wanted::{Output, OutputItem, Sensitivity, Transmission, Wish, WishKind};
 
+use std::sync::Arc;
+
 use super::forces::{Element, Force, Gravity, Mass, Reaction, Torque};
 use super::formula::{Expression, Name};
 use super::scope::Spellings;
@@ -26,8 +28,8 @@ pub struct Document {
     pub attachments: Vec<Attachment>,
     /// The mechanism that the file describes, its last one; its parts are written out.
     pub mechanism: MechanismItem,
-    /// How names are written that are called otherwise.
-    pub spellings: Spellings,
+    /// How names are written that are called otherwise; shared by all motions.
+    pub spellings: Arc<Spellings>,
 }
 
 /// `mechanism NAME { statements }`.

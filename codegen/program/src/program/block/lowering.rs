@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::{Block, Branch};
+use crate::diagnostic::internal::work_at;
 use crate::program::builder::Builder;
 use crate::program::directional_derivatives::DirectionalDerivatives;
 use crate::program::forms::{Form, recognize};
@@ -40,6 +41,8 @@ impl<'a> Lowering<'a> {
 
     /// The function of the next block, which is the block `place` of the plan.
     pub(in crate::program) fn block(&mut self, place: usize, block: &SolvedBlock) -> Block {
+        let first = block.joints.first();
+        let _work = first.map(|&joint| work_at(self.system.mechanism.joints[joint].span));
         let forms: Vec<Arc<dyn Form>> = block
             .parts
             .iter()

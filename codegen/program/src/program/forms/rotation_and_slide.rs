@@ -13,6 +13,7 @@ use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Vector, perpendicular};
 use crate::program::builder::Builder;
 use crate::program::function::Level;
+use crate::program::stretch::Stretch;
 use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, phrase};
 
@@ -240,7 +241,7 @@ impl Found {
         k: ExprId,
         arranged: (usize, bool),
         chain: &[Vector],
-        stretch: Option<crate::program::stretch::Stretch>,
+        stretches: impl IntoIterator<Item = Stretch>,
         builder: &mut Builder<'_>,
     ) -> Found {
         Found {
@@ -248,7 +249,7 @@ impl Found {
             k,
             arranged,
             inverse: None,
-            closing: Closing::new(unknowns, chain, stretch, builder),
+            closing: Closing::new(unknowns, chain, stretches, builder),
         }
     }
 }

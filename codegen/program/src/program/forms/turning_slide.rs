@@ -21,9 +21,9 @@ use crate::words::{Phrase, Piece, Singular, phrase};
 struct TurningSlide {
     angle: usize,
     slide: usize,
-    /// p, where the line begins, constant in its body.
+    /// p, where the line begins, in the orientation of the angle.
     start: Vector,
-    /// u, the line's direction, constant in its body.
+    /// u, the line's direction, in the same orientation.
     direction: Vector,
     /// c, the known vector that closes the loop.
     closure: Vector,
@@ -169,6 +169,9 @@ impl Form for TurningSlide {
         };
         // What changes these links beside the angle turns with it.
         builder.arms(angle, direction);
+        // A line moves in the orientation of its angle where that differs from its body's by a driven angle.
+        let stretches = [(u, d), (p, start)]
+            .map(|(vector, turned)| builder.moving_link(angle, vector, turned, direction));
         builder.say(|_| {
             phrase![
                 "The sign of ",
@@ -187,7 +190,7 @@ impl Form for TurningSlide {
             k,
             arranged,
             &chain,
-            None,
+            stretches.into_iter().flatten(),
             builder,
         ))
     }

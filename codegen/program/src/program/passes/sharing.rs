@@ -72,13 +72,14 @@ fn name(function: &mut Function, roots: &[ExprId], system: &mut System) {
         named: std::mem::take(&mut function.named),
     };
     for statement in std::mem::take(&mut function.statements) {
+        let targets = statement.targets();
         for value in statement.values() {
-            sharing.define_parts(value, system);
+            sharing.define_parts(value, &targets, system);
         }
         sharing.statements.push(statement);
     }
     for result in &function.results {
-        sharing.define_parts(result.expr, system);
+        sharing.define_parts(result.expr, &[], system);
     }
     function.statements = sharing.statements;
     function.named = sharing.named;
@@ -96,18 +97,20 @@ struct Sharing {
 }
 
 impl Sharing {
-    /// Defines what in an expression deserves it and has no name yet, operands first.
-    fn define_parts(&mut self, expr: ExprId, system: &mut System) {
+    /// Defines what in an expression deserves it and has no name yet, operands first. An expression that the statement of these
+    /// `targets` names is written out there, so what it consists of must have been defined before.
+    fn define_parts(&mut self, expr: ExprId, targets: &[SymbolId], system: &mut System) {
         // Whether the operands of what is on the stack have been looked at.
         let mut stack = vec![(expr, false)];
         while let Some((expr, done)) = stack.pop() {
             let graph = &system.mechanism.graph;
+            let name = self.named.get(&expr);
             if done {
-                if self.deserving.contains(&expr) && !self.named.contains_key(&expr) {
+                if self.deserving.contains(&expr) && name.is_none() {
                     self.define(expr, system);
                 }
             } else if !graph.is_constant(expr)
-                && !self.named.contains_key(&expr)
+                && name.is_none_or(|name| targets.contains(name))
                 && self.seen.insert(expr)
             {
                 stack.push((expr, true));

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::{VectorForm, VectorRow};
+use crate::diagnostic::internal::work_at;
 use crate::expr::{Graph, SymbolId};
 use crate::joint::{Kind, Quantity, Resolved, Row};
 use crate::model::{Joint, Mechanism, Role};
@@ -62,6 +63,7 @@ impl VectorForm {
         let fixed = parameters.iter().map(|own| (own.symbol, graph.zero()));
         form.rates.extend(fixed);
         for (index, (joint, dropped)) in joints.iter().zip(dropped).enumerate() {
+            let _work = work_at(joint.span);
             if !dropped.contains(&true) {
                 form.add_auxiliaries(joint, bodies, graph);
             }

@@ -165,7 +165,11 @@ void linkwright$f_table_at(const linkwright$f_table *table, $real x, $real found
     if (table->period > 0.0$f) {
         inside = x - (table->period * floor$f((x - first) / table->period));
     }
-    const size_t begun = pieces_begun$f(table, inside);
+    size_t begun = pieces_begun$f(table, inside);
+    if ((begun == 0U) && (table->period > 0.0$f)) {
+        /* Rounding may bring a place into the period just before its start, where the first piece goes on. */
+        begun = 1U;
+    }
     if (begun == 0U) {
         const $real slope = table->pieces[0][1];
         found[0] = table->pieces[0][0] + (slope * (inside - first));

@@ -275,7 +275,8 @@ impl Step {
     }
 }
 
-/// Whether a line that a form turns lies still in its body, as that form asks.
+/// Whether a line that a form turns lies still in the orientation of its angle. Others move with the tears, which is as much work as
+/// what is saved.
 fn keeps_its_line(form: &dyn Form, candidate: &Candidate<'_>) -> bool {
     let Singular::TurningLine {
         start, direction, ..

@@ -1,0 +1,181 @@
+//! Catches panics: an error of Linkwright becomes a finding at the place of the description that was being worked on.
+//!
+//! Each thread notes the text that it reads and the place that it works on. A panic leaves both as they are, so that whoever catches it
+//! knows them; nothing else reads them, and no result depends on them.
+
+use std::any::Any;
+use std::cell::{Cell, RefCell};
+use std::fmt;
+use std::panic::{self, AssertUnwindSafe, catch_unwind};
+use std::thread;
+
+use super::{Code, Diagnostic, Diagnostics, Source, Span};
+
+thread_local! {
+    static SOURCE: RefCell<Option<Source>> = const { RefCell::new(None) };
+    static PLACE: Cell<Option<Span>> = const { Cell::new(None) };
+    static ORIGIN: RefCell<Option<String>> = const { RefCell::new(None) };
+}
+
+/// Request to the user, for help lines.
+const HELP: &str = "this is an error of Linkwright, not of the description; please report it with the description at \
+                    https://github.com/linkwright/linkwright/issues";
+
+/// Work on a place of the description, until it is dropped.
+#[must_use]
+#[derive(Debug)]
+pub struct WorkAt(Option<Span>);
+
+/// Notes which place of the description is being worked on.
+pub fn work_at(span: Span) -> WorkAt {
+    WorkAt(PLACE.replace(Some(span)))
+}
+
+impl Drop for WorkAt {
+    fn drop(&mut self) {
+        // The innermost place is what is reported.
+        if !thread::panicking() {
+            PLACE.set(self.0);
+        }
+    }
+}
+
+/// Notes which text is being read.
+pub fn reads(source: &Source) {
+    let noted = Source::new(source.name.as_str(), source.text.as_str());
+    SOURCE.set(Some(noted));
+}
+
+/// Has panics noted with the line of code where they begin, in place of printing them. For programs alone: it holds for a whole process.
+pub fn note_panics() {
+    panic::set_hook(Box::new(|info| {
+        let origin = info.location().map(ToString::to_string);
+        // A thread that ends has nothing left to note.
+        let _ = ORIGIN.try_with(|noted| noted.replace(origin));
+    }));
+}
+
+/// Error of Linkwright itself: a panic that was caught.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InternalError {
+    message: String,
+    source: Option<Source>,
+    place: Option<Span>,
+}
+
+/// Result of some work.
+///
+/// # Errors
+/// The work panicked.
+pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, InternalError> {
+    let outer = PLACE.take();
+    ORIGIN.set(None);
+    // What the work leaves behind is dropped, or replaced as a whole by every caller.
+    let result = catch_unwind(AssertUnwindSafe(work));
+    let place = PLACE.replace(outer);
+    result.map_err(|payload| {
+        let origin = ORIGIN.take().map_or(String::new(), |it| format!(" ({it})"));
+        InternalError {
+            message: format!("internal error: {}{origin}", words(payload.as_ref())),
+            source: SOURCE.with_borrow(Clone::clone),
+            place,
+        }
+    })
+}
+
+/// Message of a panic in one line.
+fn words(payload: &(dyn Any + Send)) -> String {
+    let text = payload.downcast_ref::<&str>().copied();
+    let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    let text = text.unwrap_or("a panic without a message");
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+impl InternalError {
+    /// Finding in the text that was read last.
+    pub fn finding(&self) -> Diagnostic {
+        let place = self.place.unwrap_or_default();
+        let finding = Diagnostic::error(Code::InternalError, place, self.message.as_str());
+        match self.place {
+            Some(_) => finding.label("while this was worked on").help(HELP),
+            None => finding
+                .note("the place in the description is not known")
+                .help(HELP),
+        }
+    }
+
+    /// Findings with this one alone.
+    pub fn findings(&self) -> Diagnostics {
+        let mut findings = Diagnostics::new();
+        findings.push(self.finding());
+        findings
+    }
+}
+
+/// Text as it is printed, with the place as far as it is known.
+impl fmt::Display for InternalError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (&self.source, self.place) {
+            (Some(source), Some(_)) => {
+                formatter.write_str(self.finding().render(source).trim_end())
+            }
+            (source, _) => {
+                let (code, message) = (Code::InternalError, &self.message);
+                write!(formatter, "error[{code}]: {message}")?;
+                if let Some(source) = source {
+                    write!(formatter, "\n  --> {}", source.name)?;
+                }
+                write!(formatter, "\n  = help: {HELP}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for InternalError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "mechanism m {\n    body a at (0, 0);\n}\n";
+
+    #[test]
+    fn reports_the_innermost_place_and_goes_on() {
+        reads(&Source::new("m.mech", TEXT));
+        let failing = || {
+            let _outer = work_at(Span::new(0, 11));
+            drop(work_at(Span::new(10, 11)));
+            let _inner = work_at(Span::new(18, 35));
+            let none: [u8; 0] = [];
+            none[TEXT.len()]
+        };
+        let error = caught(failing).expect_err("it panics");
+        let text = error.to_string();
+        for part in [
+            "error[K90]: internal error: index out of bounds: the len is 0 but the index is 38",
+            "m.mech:2:5",
+            "body a at (0, 0);",
+            "https://github.com/linkwright/linkwright/issues",
+        ] {
+            assert!(text.contains(part), "{part} in\n{text}");
+        }
+        // The next one knows nothing of the last one's place.
+        let error = caught(|| panic!("{}\n{}", "two", "lines")).expect_err("it panics");
+        assert_eq!(error.place, None);
+        assert!(
+            error
+                .to_string()
+                .starts_with("error[K90]: internal error: two lines\n  --> m.mech\n"),
+            "{error}"
+        );
+        assert_eq!(caught(|| 7), Ok(7));
+    }
+
+    #[test]
+    fn keeps_the_place_of_the_work_around_it() {
+        let _outer = work_at(Span::new(1, 2));
+        assert!(caught(|| panic!("inside")).is_err());
+        let place = PLACE.get();
+        assert_eq!(place, Some(Span::new(1, 2)));
+    }
+}
