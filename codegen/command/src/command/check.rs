@@ -23,7 +23,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
     let source = source(&arguments.described.file)?;
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     set_all(&mut system, &arguments.set)?;
-    let schedule = Schedule::range(arguments.from, arguments.to, arguments.step)
+    let schedule = Schedule::whole(arguments.from, arguments.to, arguments.step)
         .map_err(|text| Problem(format!("error: {text}")))?;
     let output = match &arguments.plot {
         Some(folder) => {
