@@ -60,7 +60,9 @@ pub mod program {
 /// Every pose of a block that Newton-Raphson solves.
 pub mod assemblies {
     #[doc(inline)]
-    pub use crate::assemblies::{Interval, Pose, Poses, counts_turns, order, poses, read};
+    pub use crate::assemblies::{
+        Enclosed, Enclosing, Interval, Place, Pose, Poses, counts_turns, order, poses, read,
+    };
 }
 
 /// What is written of it.

@@ -11,8 +11,8 @@ use crate::measures::{MeasuredPart, Measures, Sample};
 use crate::supplied::{InputLaws, Modes};
 use crate::view::View;
 
-/// How many places are refined for each part, the lowest first.
-const REFINED: usize = 64;
+/// How many places of each part wait to be refined: those that turn out higher than others need not be.
+const WAITING: usize = 64;
 
 /// Measures that differ by less are the same one, come back to.
 pub const SAME: f64 = 1e-9;
@@ -24,6 +24,8 @@ pub struct Approach {
     pub part: MeasuredPart,
     /// The smallest size of the measure: 0 is singular, 1 is as far from it as can be.
     pub measure: f64,
+    /// The same before it was divided by the largest, where only its course says how large it can be.
+    pub size: f64,
     /// The instant at which it is first so small.
     pub instant: Instant,
     /// How often it is, up to [`SAME`].
@@ -48,15 +50,23 @@ pub struct Watch {
 struct Watched {
     part: MeasuredPart,
     largest: f64,
-    ends: Vec<Low>,
-    /// By the size of the measure, the lowest first.
+    /// A size of the measure than which the lowest is no higher.
+    bound: f64,
+    /// Where it is lowest or zero, in no order.
     brackets: Vec<Bracket>,
+    /// The size of the measure at the ends and at the places that were refined, and when.
+    sizes: Vec<[f64; 2]>,
+    /// The first of the lowest of these, up to [`SAME`], and any that is lower than it.
+    first: Option<Low>,
+    /// Whether the measure changes its sign at any of them.
+    crosses: bool,
 }
 
 /// A place between two instants at which the measure is lowest or zero.
 #[derive(Clone, Debug)]
 struct Bracket {
-    low: f64,
+    /// Where the tangents at both ends meet: no lower is a measure that is curved upwards.
+    least: f64,
     near: Instant,
     /// The modes before it.
     modes: Modes,
@@ -79,8 +89,11 @@ impl Watch {
         let watched = measures.parts().iter().map(|part| Watched {
             part: part.clone(),
             largest: 0.0,
-            ends: Vec::new(),
+            bound: f64::INFINITY,
             brackets: Vec::new(),
+            sizes: Vec::new(),
+            first: None,
+            crosses: false,
         });
         Watch {
             watched: watched.collect(),
@@ -94,16 +107,22 @@ impl Watch {
     pub fn see<V: View>(&mut self, shell: &Shell<V>) -> Vec<f64> {
         let (instant, modes) = (shell.frame(), shell.branches());
         let samples = self.measures.at(instant);
+        let mut waiting = false;
         for (place, watched) in self.watched.iter_mut().enumerate() {
             let [value, _] = samples[place];
             watched.largest = watched.largest.max(value.abs());
+            watched.bound = watched.bound.min(value.abs());
             match &self.last {
-                None => watched.ends.push(Low::end(value, instant)),
+                None => watched.note(Low::end(value, instant)),
                 Some((near, modes, before)) => {
                     let measures = [before[place], samples[place]];
                     watched.bracket([near, instant], modes, measures)
                 }
             }
+            waiting |= watched.brackets.len() >= WAITING;
+        }
+        if waiting {
+            self.refine_all(shell);
         }
         let sizes = samples.iter().map(|[value, _]| value.abs()).collect();
         match &mut self.last {
@@ -121,64 +140,38 @@ impl Watch {
     pub fn finish<V: View>(mut self, shell: &Shell<V>) -> Vec<Approach> {
         if let Some((instant, _, samples)) = self.last.take() {
             for (watched, [value, _]) in self.watched.iter_mut().zip(samples) {
-                watched.ends.push(Low::end(value, &instant));
+                watched.note(Low::end(value, &instant));
             }
         }
-        let watched = std::mem::take(&mut self.watched);
-        let found = watched.into_iter().enumerate();
-        let found = found.filter_map(|(place, watched)| self.approach(place, watched, shell));
-        found.collect()
+        self.refine_all(shell);
+        let watched = self.watched.into_iter();
+        watched.filter_map(Watched::approach).collect()
     }
 
-    fn approach<V: View>(
-        &self,
-        place: usize,
-        watched: Watched,
-        shell: &Shell<V>,
-    ) -> Option<Approach> {
-        let Watched {
-            part,
-            largest,
-            ends: mut lowest,
-            brackets,
-        } = watched;
-        let refined = brackets
-            .iter()
-            .map(|bracket| self.refine(place, bracket, shell));
-        lowest.extend(refined);
-        let unit = if part.is_relative && largest > 0.0 {
-            largest
-        } else {
-            1.0
-        };
-        let sizes = lowest.iter().map(|it| it.size);
-        let smallest = sizes.min_by(f64::total_cmp)?;
-        lowest.retain(|it| it.size <= smallest + SAME * unit);
-        lowest.sort_by(|a, b| a.instant.t().total_cmp(&b.instant.t()));
-        // An end that is a stationary value too counts once.
-        lowest.dedup_by(|a, b| (a.instant.t() - b.instant.t()).abs() <= SAME);
-        let times = lowest.len();
-        let crosses = lowest.iter().any(|it| it.crosses);
-        let first = lowest.into_iter().next()?;
-        Some(Approach {
-            part,
-            measure: smallest / unit,
-            instant: first.instant,
-            times,
-            at_end: first.at_end,
-            crosses,
-        })
+    /// Refines whatever may be as low as the lowest, and forgets the rest.
+    fn refine_all<V: View>(&mut self, shell: &Shell<V>) {
+        let mut all = std::mem::take(&mut self.watched);
+        for (place, watched) in all.iter_mut().enumerate() {
+            let brackets = std::mem::take(&mut watched.brackets);
+            for bracket in &brackets {
+                if bracket.least <= watched.bound + SAME * watched.unit() {
+                    watched.note(self.refine(place, bracket, shell));
+                }
+            }
+        }
+        self.watched = all;
     }
 
     /// The last time in a bracket before the measure is stationary or zero, as closely as times can be told apart.
     fn refine<V: View>(&self, place: usize, bracket: &Bracket, shell: &Shell<V>) -> Low {
         let sample = |instant: &Instant| self.measures.at(instant)[place];
         let sign = sample(&bracket.near)[0].signum();
+        let direction = (bracket.far - bracket.near.t()).signum();
         let is_before = |instant: &Instant| {
             let [value, rate] = sample(instant);
             match bracket.crosses {
                 true => value * sign > 0.0,
-                false => rate * value.signum() < 0.0,
+                false => rate * value.signum() * direction < 0.0,
             }
         };
         let (mut near, mut far) = (bracket.near.clone(), bracket.far);
@@ -228,32 +221,74 @@ impl Low {
 }
 
 impl Watched {
-    /// Remembers the place between two instants, if the measure is lowest or zero there and not above all that are remembered.
+    /// What sizes are compared with.
+    fn unit(&self) -> f64 {
+        match self.part.is_relative && self.largest > 0.0 {
+            true => self.largest,
+            false => 1.0,
+        }
+    }
+
+    /// Remembers the place between two instants, if the measure is lowest or zero there.
     fn bracket(&mut self, [near, far]: [&Instant; 2], modes: &Modes, [before, after]: [Sample; 2]) {
-        let slope = |[value, rate]: Sample| rate * value.signum();
+        let h = far.t() - near.t();
+        let slope = |[value, rate]: Sample| rate * value.signum() * h.signum();
         let crosses = before[0] * after[0] < 0.0;
-        if !(crosses || (slope(before) < 0.0 && slope(after) >= 0.0)) {
+        let [falling, rising] = [slope(before), slope(after)];
+        if !(crosses || (falling < 0.0 && rising >= 0.0)) {
             return;
         }
-        let low = if crosses {
-            0.0
-        } else {
-            before[0].abs().min(after[0].abs())
+        let [first, last] = [before[0].abs(), after[0].abs()];
+        let after_first = (first - last + rising * h.abs()) / (rising - falling);
+        // Written so that what is curved downwards, or is no number, is refined.
+        let least = match !crosses && after_first >= 0.0 {
+            true => first + falling * after_first,
+            false => 0.0,
         };
-        let place = self.brackets.partition_point(|it| it.low <= low);
-        if place < REFINED {
-            self.brackets.truncate(REFINED - 1);
-            let near = near.clone();
-            self.brackets.insert(
-                place,
-                Bracket {
-                    low,
-                    near,
-                    modes: modes.clone(),
-                    far: far.t(),
-                    crosses,
-                },
-            );
+        self.brackets.push(Bracket {
+            least: least.min(first).min(last),
+            near: near.clone(),
+            modes: modes.clone(),
+            far: far.t(),
+            crosses,
+        });
+    }
+
+    /// Takes an end, or a place that was refined.
+    fn note(&mut self, low: Low) {
+        let (size, t) = (low.size, low.instant.t());
+        let same = SAME * self.unit();
+        self.bound = self.bound.min(size);
+        self.crosses |= low.crosses;
+        self.sizes.push([t, size]);
+        let is_first = self.first.as_ref().is_none_or(|first| {
+            size < first.size - same || (size <= first.size + same && t < first.instant.t())
+        });
+        if is_first {
+            self.first = Some(low);
         }
+    }
+
+    /// The closest approach of all that was noted.
+    fn approach(self) -> Option<Approach> {
+        let unit = self.unit();
+        let sizes = self.sizes.iter().map(|&[_, size]| size);
+        let smallest = sizes.min_by(f64::total_cmp)?;
+        let lowest = self.sizes.iter();
+        let lowest = lowest.filter(|[_, size]| *size <= smallest + SAME * unit);
+        let mut times: Vec<f64> = lowest.map(|&[t, _]| t).collect();
+        times.sort_by(f64::total_cmp);
+        // An end that is a stationary value too counts once.
+        times.dedup_by(|a, b| (*a - *b).abs() <= SAME);
+        let first = self.first?;
+        Some(Approach {
+            part: self.part,
+            measure: smallest / unit,
+            size: smallest,
+            instant: first.instant,
+            times: times.len(),
+            at_end: first.at_end,
+            crosses: self.crosses,
+        })
     }
 }

@@ -15,6 +15,7 @@ use crate::assemblies::{Assemblies, assemblies};
 use crate::condition::{Condition, dimensionless, jacobian};
 use crate::interpreted::Interpreted;
 use crate::measures::Measures;
+use crate::proof::Proof;
 use crate::schedule::Schedule;
 use crate::textbook::TextbookEquations;
 use crate::trajectory::follow;
@@ -122,6 +123,18 @@ impl Check {
             error,
             interpreted,
         }
+    }
+
+    /// Proves the motion over the schedule that was checked; the places of these outputs are wanted.
+    pub fn prove(&self, schedule: &Schedule, points: &[usize]) -> Proof {
+        Proof::new(&self.interpreted, schedule, &self.parts, points)
+    }
+
+    /// What a part of a block finds, in words; empty where it is never singular.
+    pub fn unknowns_of(&self, block: usize, part: usize) -> &str {
+        let mut poses = self.parts.iter().map(|it| &it.pose);
+        let own = poses.find(|it| (it.block, it.part) == (block, part));
+        own.map_or("", |it| &it.unknowns)
     }
 
     /// The part that comes closest to singular.

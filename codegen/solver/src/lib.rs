@@ -32,6 +32,7 @@ pub mod observable;
 mod operation;
 mod path;
 pub mod pressure;
+pub mod proof;
 pub mod reader;
 pub mod residuals;
 pub mod schedule;

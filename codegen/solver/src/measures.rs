@@ -115,6 +115,16 @@ pub(crate) fn measured(
 }
 
 impl MeasuredPart {
+    /// The order of the Jacobian that is evaluated; `None` where its measure is.
+    pub(crate) fn order(&self) -> Option<usize> {
+        self.size
+    }
+
+    /// What the value of its measure is multiplied by.
+    pub(crate) fn scale(&self) -> f64 {
+        self.scale
+    }
+
     /// The size of its measure as a number up to 1, also where it is relative; see [`Measure::slope`].
     pub fn bounded(&self, size: f64) -> f64 {
         match self.is_relative {

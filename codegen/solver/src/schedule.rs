@@ -7,6 +7,9 @@
 /// How many times may be visited at most.
 pub const LARGEST: usize = 10_000_000;
 
+/// How many times lie at least between the ends of a range that is visited as a whole.
+pub const BETWEEN: usize = 64;
+
 /// The relative deviation from a whole number of steps that is put down to rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -63,6 +66,29 @@ impl Schedule {
             backward: Leg::default(),
             forward: Leg::new(from, to, step, None)?,
         })
+    }
+
+    /// Both ends of a range and steps between them, of which the last one may be shorter. There are at least [`BETWEEN`] times
+    /// between the ends, where they can be told apart.
+    ///
+    /// # Errors
+    /// A sentence that says which number cannot be used.
+    pub fn whole(from: f64, to: f64, step: f64) -> Result<Schedule, String> {
+        let usable = step.is_finite() && step != 0.0;
+        // Twice what can be told apart, so that a short last step is no copy of the end.
+        let least = 4.0 * from.abs().max(to.abs()) * f64::EPSILON;
+        let longest = ((to - from) / (BETWEEN + 1) as f64).max(least);
+        let step = match usable && to > from {
+            true => step.min(longest),
+            false => step,
+        };
+        let mut schedule = Schedule::range(from, to, step)?;
+        let leg = &mut schedule.forward;
+        if to > from && leg.end.is_none() {
+            leg.count += 1;
+            leg.end = Some(to);
+        }
+        Ok(schedule)
     }
 
     /// Only the times `instants`, reached by steps from `from`; they may lie before it.
@@ -193,6 +219,27 @@ mod tests {
             assert_eq!(schedule.visits(), visits);
             assert_eq!(schedule.forward.visits().count(), visits - 1);
         }
+    }
+
+    #[test]
+    fn a_whole_range_has_both_ends_and_enough_between() {
+        for (from, to, step, visits) in [
+            (0.0, 0.008, 0.01, 66),
+            (0.0, 5.0, 0.01, 501),
+            (0.0, 0.25, 0.03, 66),
+            (0.0, 1.0, 0.003, 335),
+            (2.0, 2.0, 0.01, 1),
+            (1.0, 1.0_f64.next_up(), 0.01, 2),
+        ] {
+            let schedule = Schedule::whole(from, to, step).expect("a good range");
+            assert_eq!(schedule.visits(), visits, "{from} to {to}");
+            let all = [vec![from], times(&schedule.forward)].concat();
+            assert_eq!(all.last(), Some(&to));
+            assert!(all.windows(2).all(|it| it[0] < it[1]), "{all:?}");
+        }
+        assert!(Schedule::whole(0.0, 1.0, 0.0).is_err());
+        assert!(Schedule::whole(0.0, 1.0, f64::NAN).is_err());
+        assert!(Schedule::whole(1.0, 0.0, 0.1).is_err());
     }
 
     #[test]

@@ -160,9 +160,10 @@ Examples:
   linkwright check mechanisms/two_body.mech
   linkwright check mechanisms/excavator.mech --to 20 --plot pictures    assemblies.svg shows all assemblies
   linkwright check mechanisms/four_bar.mech --json | jq '.blocks[].closest'
+  linkwright check mechanisms/excavator.mech --prove --points K         what holds at every instant, not in frames alone
 
-Exit codes: 0 checked, 1 the mechanism cannot be assembled or its motion ends early, with `--deny-warnings` also where there
-are warnings, 2 bad input.")]
+Exit codes: 0 checked, 1 the mechanism cannot be assembled or its motion ends early, with `--prove` also where the motion
+cannot be proven, with `--deny-warnings` also where there are warnings, 2 bad input.")]
 pub struct Check {
     /// The description.
     #[command(flatten)]
@@ -173,12 +174,20 @@ pub struct Check {
     /// When the motion ends, in s
     #[arg(long, value_name = "T1", default_value = "5", value_parser = time, allow_hyphen_values = true)]
     pub to: f64,
-    /// The time between frames, in s; what lies between them is located, as long as it does not come and go within one step
+    /// The time between frames, in s; both ends and at least 64 frames between them are examined. What lies between frames is located,
+    /// as long as it does not come and go within one step
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
     /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub set: Vec<String>,
+    /// Prove for the whole range that the mechanism moves on one smooth path, how far each block stays from singular, and where
+    /// coordinates and points stay
+    #[arg(long)]
+    pub prove: bool,
+    /// Bounds of these points alone, separated by commas [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', requires = "prove")]
+    pub points: Vec<String>,
     /// The folder for a picture of all assemblies, `assemblies.svg`
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,

@@ -7,8 +7,9 @@ use linkwright_solver::view::View;
 use super::description::{determined, interpreted, outputs, set_all, source};
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Check as Arguments;
+use crate::motion;
 use crate::progress::Progress;
-use crate::report::{check_json, check_text, drawing, picture};
+use crate::report::{check_json, check_text, drawing, picture, proof_text};
 use crate::terminal;
 
 /// The width of tables, in characters, where no terminal is narrower.
@@ -23,7 +24,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
     let source = source(&arguments.described.file)?;
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     set_all(&mut system, &arguments.set)?;
-    let schedule = Schedule::range(arguments.from, arguments.to, arguments.step)
+    let schedule = Schedule::whole(arguments.from, arguments.to, arguments.step)
         .map_err(|text| Problem(format!("error: {text}")))?;
     let output = match &arguments.plot {
         Some(folder) => {
@@ -33,16 +34,22 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
         }
         None => None,
     };
+    let points = motion::points(&system, &arguments.points);
+    let points = points.map_err(|text| Problem(format!("error: {text}")))?;
     let mut progress = Progress::new(schedule.visits());
     let interpreted = interpreted(&system, &source, &arguments.described.file)?;
     let check = Check::new(interpreted, &schedule, |count| progress.reached(count));
     progress.finish();
+    let proof = arguments.prove.then(|| check.prove(&schedule, &points));
     print(|output| match arguments.json {
-        true => check_json::write(&check, output),
+        true => check_json::write(&check, proof.as_ref(), output),
         false => {
             let mut text = Vec::new();
             let width = terminal::columns().map_or(WIDTH, |it| it.min(WIDTH));
             check_text::write(&check, width, &mut text)?;
+            if let Some(proof) = &proof {
+                proof_text::write(&check, proof, &mut text)?;
+            }
             let text = String::from_utf8_lossy(&text).into_owned();
             output.write_all(terminal::fitted(text).as_bytes())
         }
@@ -66,9 +73,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
             }
         }
     }
+    let is_unproven = proof.is_some_and(|proof| proof.proven.is_none());
     let denied = arguments.deny_warnings && !check.warnings.is_empty();
     Ok(match check.error {
-        None if !denied => Outcome::Done,
+        None if !denied && !is_unproven => Outcome::Done,
         _ => Outcome::Failed,
     })
 }

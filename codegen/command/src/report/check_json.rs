@@ -13,6 +13,11 @@
 //! | `assemblies_proven` | whether it is proven that there are no others |
 //! | `assemblies_decided` | the part of all that could be assemblies of which it is proven whether they are, at most 1 |
 //! | `assemblies_undecided` | the rest: objects with the lower and the upper end of a range of each unknown |
+//! | `proof` | with `--prove`: `{status, from, to, windows, shortest_window, determinants, coordinates, points, unproven}` |
+//! | `status` there | `proven`, or `sampled` where the motion cannot be proven |
+//! | `determinants` there | `{block, unknowns, at_least, located}` each: a bound of the size of the normalised determinant in the whole range, and the smallest that was located |
+//! | `coordinates`, `points` there | by name, bounds in the whole range, in rad and m; `{x, y}` for points |
+//! | `unproven` there | `{from, to, block, reason}`: the first window that cannot be proven |
 //! | `warnings`, `error` | sentences; `error` only where the motion ends early |
 
 use std::collections::BTreeMap;
@@ -20,6 +25,7 @@ use std::io::{self, Write};
 
 use linkwright_solver::check::Check;
 use linkwright_solver::every_pose::Undecided;
+use linkwright_solver::proof::Proof;
 use linkwright_solver::view::View;
 use serde::Serialize;
 
@@ -38,6 +44,8 @@ struct Object<'a> {
     assemblies_proven: bool,
     assemblies_decided: f64,
     assemblies_undecided: Vec<BTreeMap<&'a str, [f64; 2]>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proof: Option<ProofObject<'a>>,
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
@@ -71,11 +79,98 @@ struct Assembly<'a> {
     q: &'a [f64],
 }
 
-/// Writes the object and a line break.
+#[derive(Serialize)]
+struct ProofObject<'a> {
+    status: &'static str,
+    from: f64,
+    to: f64,
+    windows: usize,
+    shortest_window: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    determinants: Option<Vec<Determinant<'a>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    coordinates: Option<BTreeMap<&'a str, [f64; 2]>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    points: Option<BTreeMap<&'a str, Point>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unproven: Option<Unproven<'a>>,
+}
+
+#[derive(Serialize)]
+struct Determinant<'a> {
+    block: usize,
+    unknowns: &'a str,
+    at_least: f64,
+    located: f64,
+}
+
+#[derive(Serialize)]
+struct Point {
+    x: [f64; 2],
+    y: [f64; 2],
+}
+
+#[derive(Serialize)]
+struct Unproven<'a> {
+    from: f64,
+    to: f64,
+    block: Option<usize>,
+    reason: &'a str,
+}
+
+fn proof_object<'a>(check: &'a Check, proof: &'a Proof) -> ProofObject<'a> {
+    let proven = proof.proven.as_ref();
+    let determinants = proven.map(|proven| {
+        let all = proven.determinants.iter();
+        let all = all.map(|it| Determinant {
+            block: it.block + 1,
+            unknowns: check.unknowns_of(it.block, it.part),
+            at_least: it.least,
+            located: it.located,
+        });
+        all.collect()
+    });
+    let points = proven.map(|proven| {
+        let all = proven.points.iter();
+        all.map(|[x, y]| {
+            let [x_bounds, y_bounds] = [x.bounds, y.bounds];
+            let point = Point {
+                x: x_bounds,
+                y: y_bounds,
+            };
+            (x.name.as_str(), point)
+        })
+        .collect()
+    });
+    ProofObject {
+        status: match proven {
+            Some(_) => "proven",
+            None => "sampled",
+        },
+        from: proof.range[0],
+        to: proof.range[1],
+        windows: proof.windows,
+        shortest_window: proof.shortest,
+        determinants,
+        coordinates: proven.map(|proven| {
+            let all = proven.coordinates.iter();
+            all.map(|it| (it.name.as_str(), it.bounds)).collect()
+        }),
+        points,
+        unproven: proof.unproven.as_ref().map(|it| Unproven {
+            from: it.window[0],
+            to: it.window[1],
+            block: it.block.map(|block| block + 1),
+            reason: &it.reason,
+        }),
+    }
+}
+
+/// Writes the object, with a proof where one was asked for, and a line break.
 ///
 /// # Errors
 /// Those of `output`.
-pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
+pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io::Result<()> {
     let found = &check.assemblies;
     let assemblies = found.found.iter().map(|assembly| Assembly {
         signs: assembly
@@ -131,6 +226,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
                     .collect()
             })
             .collect(),
+        proof: proof.map(|proof| proof_object(check, proof)),
         warnings: &check.warnings,
         error: check.error.as_deref(),
     };

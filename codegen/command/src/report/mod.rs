@@ -21,6 +21,7 @@ pub mod motion_table;
 pub mod paths;
 pub mod picture;
 pub mod plot;
+pub mod proof_text;
 #[cfg(feature = "png")]
 pub mod raster;
 pub mod summary;

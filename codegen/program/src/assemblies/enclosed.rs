@@ -11,17 +11,19 @@ use crate::program::{Function, Statement};
 
 /// Functions of some arguments.
 #[derive(Clone, Debug)]
-pub(super) struct Enclosed {
+pub struct Enclosed {
     operations: Vec<Operation>,
     results: Vec<Place>,
 }
 
 /// Where bounds are found.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Place {
+pub enum Place {
     /// They are known, whatever the arguments are.
     Known(Interval),
+    /// An argument, from 0.
     Argument(usize),
+    /// The result of an operation, from 0.
     Found(usize),
 }
 
@@ -45,7 +47,7 @@ enum Operation {
 
 /// Writes functions down.
 #[derive(Clone)]
-pub(super) struct Enclosing<'a> {
+pub struct Enclosing<'a> {
     graph: &'a Graph,
     symbols: HashMap<SymbolId, Place>,
     // Only looked up.

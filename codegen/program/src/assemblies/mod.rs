@@ -15,6 +15,7 @@ mod sought;
 mod stored;
 mod turns;
 
+pub use enclosed::{Enclosed, Enclosing, Place};
 pub use interval::Interval;
 pub use poses::{Pose, Poses, order, poses};
 pub use sought::read;

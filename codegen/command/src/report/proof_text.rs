@@ -1,0 +1,149 @@
+//! *A proof of a motion* → *what a person reads*.
+//!
+//! Bounds are rounded outwards.
+
+use std::io::{self, Write};
+
+use linkwright_solver::check::Check;
+use linkwright_solver::number::{counted, time};
+use linkwright_solver::proof::{Enclosed, Proof, Proven};
+use linkwright_solver::view::View;
+
+/// The digits after the point of a bound, and those of one whose range is shorter than [`NARROW`].
+const DIGITS: usize = 9;
+const MORE_DIGITS: usize = 15;
+const NARROW: f64 = 1e-4;
+
+/// Writes what is proven, or the first window that cannot be.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write(check: &Check, proof: &Proof, output: &mut dyn Write) -> io::Result<()> {
+    let [from, to] = proof.range.map(time);
+    let title = check.interpreted.system().mechanism.title();
+    if let Some(proven) = &proof.proven {
+        writeln!(
+            output,
+            "\nproven: `{title}` moves on one smooth path from t = {from} s to {to} s, as drawn"
+        )?;
+        let windows = counted(proof.windows, "window");
+        writeln!(
+            output,
+            "  {windows} of time cover the range, the shortest of {:.1e} s; at every instant of them:",
+            proof.shortest
+        )?;
+        return write_proven(check, proven, output);
+    }
+    let Some(unproven) = &proof.unproven else {
+        return Ok(());
+    };
+    let [first, last] = unproven.window.map(time);
+    let block = unproven
+        .block
+        .map_or(String::new(), |block| format!(", block {}", block + 1));
+    writeln!(
+        output,
+        "\nnot proven: the first window that cannot be proven goes from t = {first} s to {last} s{block}: {}",
+        unproven.reason
+    )?;
+    writeln!(
+        output,
+        "  there the motion is *sampled*: what is said above of the range holds in its frames"
+    )
+}
+
+fn write_proven(check: &Check, proven: &Proven, output: &mut dyn Write) -> io::Result<()> {
+    if !proven.determinants.is_empty() {
+        writeln!(output, "  normalized determinants, in size")?;
+    }
+    for own in &proven.determinants {
+        writeln!(
+            output,
+            "    block {}, {}: at least {} (smallest located {})",
+            own.block + 1,
+            check.unknowns_of(own.block, own.part),
+            rounded(own.least, DIGITS, false),
+            rounded(own.located, DIGITS, false),
+        )?;
+    }
+    let (angles, places): (Vec<&Enclosed>, Vec<&Enclosed>) =
+        proven.coordinates.iter().partition(|it| it.is_angle);
+    for (title, all) in [("angles (rad)", angles), ("coordinates (m)", places)] {
+        if !all.is_empty() {
+            writeln!(output, "  {title}")?;
+        }
+        for own in all {
+            writeln!(output, "    {} in {}", own.name, range(own.bounds))?;
+        }
+    }
+    if !proven.points.is_empty() {
+        writeln!(output, "  points (m)")?;
+    }
+    for [x, y] in &proven.points {
+        let name = &x.name;
+        writeln!(
+            output,
+            "    {name}: x in {}, y in {}",
+            range(x.bounds),
+            range(y.bounds)
+        )?;
+    }
+    Ok(())
+}
+
+fn range([low, high]: [f64; 2]) -> String {
+    let digits = match high - low < NARROW {
+        true => MORE_DIGITS,
+        false => DIGITS,
+    };
+    format!(
+        "[{}, {}]",
+        rounded(low, digits, false),
+        rounded(high, digits, true)
+    )
+}
+
+/// A bound with so many digits after the point, upwards or downwards.
+fn rounded(value: f64, digits: usize, upwards: bool) -> String {
+    let unit = 10_f64.powi(-i32::try_from(digits).unwrap_or(0));
+    let mut tried = value;
+    for _ in 0..4 {
+        let text = format!("{tried:.digits$}");
+        let read: f64 = text.parse().unwrap_or(f64::NAN);
+        // What is read is rounded itself, to less than the distance to the next number.
+        let is_outside = match upwards {
+            true => read > value,
+            false => read < value,
+        };
+        if is_outside || text.trim_start_matches('-').parse() == Ok(0.0) && value == 0.0 {
+            return text;
+        }
+        tried += match upwards {
+            true => unit,
+            false => -unit,
+        };
+    }
+    format!(
+        "{}",
+        if upwards {
+            value.next_up()
+        } else {
+            value.next_down()
+        }
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounded;
+
+    #[test]
+    fn bounds_are_rounded_outwards() {
+        assert_eq!(rounded(0.123_456_789_4, 9, false), "0.123456789");
+        assert_eq!(rounded(0.123_456_789_4, 9, true), "0.123456790");
+        assert_eq!(rounded(-0.123_456_789_4, 9, false), "-0.123456790");
+        assert_eq!(rounded(-0.123_456_789_4, 9, true), "-0.123456789");
+        assert_eq!(rounded(0.0, 9, false), "0.000000000");
+        assert_eq!(rounded(-1.0, 9, false), "-1.000000001");
+    }
+}

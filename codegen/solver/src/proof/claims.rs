@@ -1,0 +1,222 @@
+//! What is said of a whole motion: bounds of determinants, coordinates and points in each window, and how narrow they should be.
+
+use linkwright_codegen::stages::assemblies::Interval;
+use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::system::System;
+
+use super::functions::{Functions, Writing, is_bounded};
+use super::matrices::normalized_determinant;
+use super::window::Verified;
+use super::{Determinant, Enclosed, Node, Proven, Prover, Window};
+use crate::check::CheckedPart;
+use crate::interpreted::Interpreted;
+use crate::measures::MeasuredPart;
+use crate::view::View;
+
+/// The part of the smallest determinant that was located which its bound must be; a half is promised.
+const LEAST: f64 = 0.625;
+
+/// The part of the range that frames sweep by which bounds may go beyond each of its ends; a tenth of it is promised for both together.
+const BEYOND: f64 = 0.04;
+
+/// The part of a radian, or of the largest length that is swept, that bounds may always go beyond what is swept: what is at rest sweeps
+/// nothing.
+const ALWAYS: f64 = 1e-6;
+
+/// Two bounds.
+pub(super) type Bounds = [f64; 2];
+
+/// What bounds should lie in.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limit(Bounds);
+
+impl Limit {
+    pub fn holds(&self, [low, high]: Bounds) -> bool {
+        self.0[0] <= low && high <= self.0[1]
+    }
+}
+
+/// What is said.
+#[derive(Clone, Debug)]
+pub(super) struct Claims {
+    measures: Vec<(MeasuredPart, Functions)>,
+    /// The smallest normalized determinant of each, located and as a size of its measure.
+    located: Vec<[f64; 2]>,
+    /// Whether each coordinate is an angle.
+    are_angles: Vec<bool>,
+    points: Vec<(usize, Functions)>,
+}
+
+impl Claims {
+    pub fn new(
+        interpreted: &Interpreted,
+        parts: &[CheckedPart],
+        points: &[usize],
+        writing: &mut Writing,
+    ) -> Claims {
+        let (measured, values) = &interpreted.compiled().measured;
+        let mut rest = values.as_slice();
+        let (mut measures, mut located) = (Vec::new(), Vec::new());
+        for part in measured {
+            let count = part.order().map_or(1, |order| order * order);
+            let (own, others) = rest.split_at(2 * count);
+            rest = others;
+            let approaches = parts.iter().filter_map(|it| it.approach.as_ref());
+            let mut approaches = approaches.filter(|it| it.part == *part);
+            let Some(approach) = approaches.next() else {
+                continue;
+            };
+            located.push([approach.measure, approach.size]);
+            measures.push((part.clone(), writing.functions(&own[..count])));
+        }
+        let system = interpreted.system();
+        let functions = |&point: &usize| {
+            let position = system.outputs[point].position;
+            (point, writing.functions(&position))
+        };
+        Claims {
+            measures,
+            located,
+            are_angles: {
+                let coordinates = system.coordinates.iter();
+                coordinates
+                    .map(|it| it.quantity == Quantity::Angle)
+                    .collect()
+            },
+            points: points.iter().map(functions).collect(),
+        }
+    }
+
+    /// The bounds in a window: of the sizes of measures, of coordinates, of points.
+    pub fn bounds(&self, verified: &Verified) -> Vec<Bounds> {
+        let measures = self.measures.iter().map(|(part, functions)| {
+            let values = verified.values(functions);
+            match part.order() {
+                None => size(Interval::point(part.scale()).times(values[0])),
+                Some(order) => {
+                    let rows: Vec<Vec<Interval>> = values
+                        .chunks_exact(order)
+                        .map(<[Interval]>::to_vec)
+                        .collect();
+                    [normalized_determinant(&rows), 1.0]
+                }
+            }
+        });
+        let coordinates = (0..self.are_angles.len()).map(|it| bounds(verified.unknown(it)));
+        let points = self.points.iter().flat_map(|(_, functions)| {
+            let values = verified.values(functions);
+            [bounds(values[0]), bounds(values[1])]
+        });
+        measures.chain(coordinates).chain(points).collect()
+    }
+
+    /// What frames sweep, for all but the measures.
+    fn swept(&self, nodes: &[Node], windows: &[Window]) -> Vec<Bounds> {
+        let first = windows.first().map(|window| window.ends[0]);
+        let used = windows.iter().map(|window| window.ends[1]);
+        let mut swept: Vec<Bounds> = Vec::new();
+        for node in first.into_iter().chain(used) {
+            let found = self.bounds(&nodes[node].verified);
+            let own = found[self.measures.len()..].iter();
+            let middles = own.map(|[low, high]| low + 0.5 * (high - low));
+            if swept.is_empty() {
+                swept = middles.map(|it| [it; 2]).collect();
+                continue;
+            }
+            for (both, value) in swept.iter_mut().zip(middles) {
+                *both = [both[0].min(value), both[1].max(value)];
+            }
+        }
+        swept
+    }
+
+    /// What the bounds of every window should lie in.
+    pub fn limits(&self, nodes: &[Node], windows: &[Window]) -> Vec<Limit> {
+        let swept = self.swept(nodes, windows);
+        let is_angle = |place: usize| self.are_angles.get(place).copied().unwrap_or(false);
+        let lengths = swept
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| !is_angle(*place));
+        let lengths = lengths.flat_map(|(_, own)| own).map(|it| it.abs());
+        let largest = lengths.fold(0.0, f64::max);
+        let measures = self
+            .located
+            .iter()
+            .map(|&[_, size]| [LEAST * size, f64::INFINITY]);
+        let others = swept.iter().enumerate().map(|(place, &[low, high])| {
+            let always = ALWAYS * if is_angle(place) { 1.0 } else { largest };
+            let beyond = BEYOND * (high - low) + always;
+            [low - beyond, high + beyond]
+        });
+        measures.chain(others).map(Limit).collect()
+    }
+
+    /// What holds in all windows.
+    pub fn proven(&self, system: &System, prover: &Prover<'_>, windows: &[Window]) -> Proven {
+        let swept = self.swept(&prover.nodes, windows);
+        let mut all: Vec<Bounds> = match windows.first() {
+            Some(window) => window.bounds.clone(),
+            None => self.bounds(&prover.nodes[0].verified),
+        };
+        for window in windows {
+            for (all, own) in all.iter_mut().zip(&window.bounds) {
+                *all = [all[0].min(own[0]), all[1].max(own[1])];
+            }
+        }
+        let (measures, others) = all.split_at(self.measures.len());
+        let determinants = self.measures.iter().zip(&self.located).zip(measures);
+        let determinants = determinants.map(|(((part, _), &[located, _]), &[low, high])| {
+            let least = match part.is_relative {
+                // What it is compared with is no larger than this.
+                true => (low / high).next_down().max(0.0),
+                false => low,
+            };
+            Determinant {
+                block: part.block,
+                part: part.part,
+                least,
+                located,
+            }
+        });
+        let enclosed = |name: String, is_angle: bool, place: usize| Enclosed {
+            name,
+            is_angle,
+            bounds: others[place],
+            swept: swept.get(place).copied().unwrap_or(others[place]),
+        };
+        let coordinates = system.coordinates.iter().enumerate();
+        let coordinates = coordinates
+            .map(|(place, own)| enclosed(own.name.clone(), self.are_angles[place], place));
+        let points = self.points.iter().enumerate().map(|(place, (point, _))| {
+            let name = &system.outputs[*point].name;
+            let at = self.are_angles.len() + 2 * place;
+            [
+                enclosed(name.clone(), false, at),
+                enclosed(name.clone(), false, at + 1),
+            ]
+        });
+        Proven {
+            determinants: determinants.collect(),
+            coordinates: coordinates.collect(),
+            points: points.collect(),
+        }
+    }
+}
+
+/// The bounds of an interval, infinite where it says nothing.
+fn bounds(value: Interval) -> Bounds {
+    match is_bounded(value) {
+        true => [value.low, value.high],
+        false => [f64::NEG_INFINITY, f64::INFINITY],
+    }
+}
+
+/// The bounds of the size of a value.
+fn size(value: Interval) -> Bounds {
+    let [low, high] = bounds(value);
+    match low <= 0.0 && high >= 0.0 {
+        true => [0.0, high.max(-low)],
+        false => [low.abs().min(high.abs()), low.abs().max(high.abs())],
+    }
+}
