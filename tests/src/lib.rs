@@ -26,6 +26,7 @@ pub mod method;
 pub mod pantograph;
 pub mod plan;
 pub mod printed;
+pub mod proofs;
 pub mod random;
 pub mod reference;
 pub mod sample;

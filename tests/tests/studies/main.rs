@@ -5,5 +5,6 @@ mod calibration;
 mod chains;
 mod hunt;
 mod instruments;
+mod proofs;
 mod stability;
 mod study;

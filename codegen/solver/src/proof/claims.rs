@@ -6,8 +6,9 @@ use linkwright_codegen::stages::system::System;
 
 use super::functions::{Functions, Writing, is_bounded};
 use super::matrices::normalized_determinant;
+use super::prover::{Node, Prover, Window};
 use super::window::Verified;
-use super::{Determinant, Enclosed, Node, Proven, Prover, Window};
+use super::{Determinant, Enclosed, Proven};
 use crate::check::CheckedPart;
 use crate::interpreted::Interpreted;
 use crate::measures::MeasuredPart;
