@@ -20,6 +20,9 @@ const SMALL: f64 = 1e-7;
 /// How far a correction may lead from what is expected, in rad or characteristic lengths.
 const FAR: f64 = 1.0;
 
+/// How far ahead and back a pose is looked at, in parts of its distance from where Φ_q loses rank.
+const PROBE: f64 = 1e-4;
+
 /// The square of a pivot beside its diagonal entry, below which a reduced mass carries no digit.
 const SMALLEST_PIVOT: f64 = 64.0 * f64::EPSILON;
 
@@ -294,7 +297,7 @@ impl Chart {
         if speed == 0.0 || rows == 0 {
             return 0.0;
         }
-        let time = 1e-4 * self.measure.min(1.0) / speed;
+        let time = PROBE * self.measure.min(1.0) / speed;
         let ahead = |time: f64| {
             let mut instant = equations.instant(self.time + time);
             equations.set_level(&mut instant, 0, &self.ahead(time));
