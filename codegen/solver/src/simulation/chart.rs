@@ -190,7 +190,7 @@ impl Chart {
                 *q -= step[at] * scales[at];
             }
             let size = step.amax();
-            if !(size <= FAR) {
+            if size > FAR || size.is_nan() {
                 return Err(Stop::Unsettled { t });
             }
             if is_close {
