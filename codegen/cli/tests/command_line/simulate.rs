@@ -133,7 +133,7 @@ fn what_is_driven_throughout_is_refused() {
 #[test]
 fn a_piston_goes_over_its_dead_centers() {
     let folder = Folder::new("simulate_dead_centers", ENGINE);
-    let ran = folder.run("simulate a.mech --to 2 --json");
+    let ran = folder.run("simulate a.mech --to 2 --json --rtol 1e-12 --atol 1e-14");
     let found = json(&ran.exits_with(0).stdout);
     let drift = found["simulation"]["energy_drift"].as_f64().expect("known");
     let kinetic = found["simulation"]["kinetic_energy"]
