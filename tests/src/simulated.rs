@@ -1,8 +1,11 @@
 //! *A description with free coordinates* → *its simulated motion*, and what it is held against.
 
+use linkwright::{Blocks, Shell, Signal};
 use linkwright_codegen::stages::system::System;
+use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::simulation::{Options, Simulation, Tolerances};
+use linkwright_solver::supplied::{InputSignals, Numbers};
 use linkwright_solver::view::View;
 
 use crate::forces::systems;
@@ -14,8 +17,6 @@ pub fn options(relative: f64) -> Options {
             relative,
             absolute: relative * 1e-3,
         },
-        goes_through: false,
-        changes: false,
     }
 }
 
@@ -35,6 +36,34 @@ pub fn interpreted(text: &str) -> Interpreted {
 pub fn simulation(text: &str, end: f64, options: Options) -> Simulation {
     let view = interpreted(text);
     Simulation::new(&view, None, end, options).expect("it starts as drawn")
+}
+
+/// What blocks find at the frame of a simulation, from its free coordinates.
+///
+/// # Panics
+/// If they cannot be assembled there.
+pub fn by_blocks(view: &Interpreted, simulation: &Simulation) -> Instant {
+    let (frame, layout) = (simulation.frame(), simulation.view().layout());
+    let slot = |symbol| frame.values()[layout.slot(symbol).expect("kept")];
+    let inputs = view.system().mechanism.inputs.iter();
+    let inputs = inputs.map(|input| {
+        let [value, rate, acceleration] = input.symbols.map(slot);
+        Signal::new(value, rate, acceleration)
+    });
+    let (inputs, pose) = (InputSignals(inputs.collect()), Numbers(frame.q().to_vec()));
+    let (parameters, modes) = (view.nominal_parameters(), view.drawn_branches());
+    let settings = Default::default();
+    let blocks = view.clone();
+    let shell = Shell::assemble(
+        blocks,
+        &parameters,
+        &pose,
+        modes,
+        frame.t(),
+        &inputs,
+        settings,
+    );
+    shell.expect("as drawn").frame().clone()
 }
 
 /// A coordinate and its rate.

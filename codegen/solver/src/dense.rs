@@ -53,6 +53,30 @@ impl Dense {
         }
     }
 
+    /// The same of a mechanism that forces move: what is free carries nothing, so that forces are known wherever the joints are regular.
+    ///
+    /// # Panics
+    /// The same.
+    pub fn moved_by_forces(system: &System) -> Dense {
+        let mut view = Dense::new(system);
+        let mechanism = &system.mechanism;
+        let free = &mechanism.forces.free;
+        let is_free = |joint: usize| free.iter().any(|it| it.joint == joint);
+        // What other drivers follow carries their efforts.
+        let mut others = system.rows.iter().filter(|row| !is_free(row.joint));
+        let is_followed = others.any(|row| {
+            let symbols = mechanism.graph.symbols(row.residual);
+            let mut values = free.iter().map(|it| mechanism.inputs[it.input].symbols[0]);
+            values.any(|value| symbols.contains(&value))
+        });
+        if let Some(forces) = view.forces.as_mut().filter(|_| !is_followed) {
+            let rows = system.rows.iter().enumerate();
+            let own = rows.filter(|(_, row)| is_free(row.joint));
+            forces.release(own.map(|(row, _)| row).collect());
+        }
+        view
+    }
+
     /// The equations themselves.
     pub fn equations(&self) -> &TextbookEquations {
         &self.equations

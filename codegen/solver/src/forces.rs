@@ -70,6 +70,8 @@ pub(crate) struct DenseForces {
     shared: usize,
     /// The last columns, which are those that are to be smallest: what each is multiplied by.
     weights: Vec<f64>,
+    /// Rows that carry nothing, since forces alone move what they would hold.
+    released: Vec<usize>,
 }
 
 /// What a column is made of.
@@ -142,7 +144,13 @@ impl DenseForces {
             rows: system.coordinates.len(),
             shared,
             weights,
+            released: Vec::new(),
         })
+    }
+
+    /// Has these rows carry nothing.
+    pub(crate) fn release(&mut self, rows: Vec<usize>) {
+        self.released = rows;
     }
 
     /// The columns at an instant; `None` where Φ_q is singular.
@@ -155,7 +163,8 @@ impl DenseForces {
         for (place, value) in self.entries.iter().zip(entries) {
             all[*place] = *value;
         }
-        let jacobian = all.rows(0, self.rows).into_owned();
+        let mut jacobian = all.rows(0, self.rows).into_owned();
+        self.border(&mut jacobian);
         let mut found = DVector::from_column_slice(loads);
         multipliers::solve(&jacobian, &mut found).ok()?;
         found.resize_vertically_mut(self.rows + self.shared, 0.0);
@@ -181,11 +190,31 @@ impl DenseForces {
         }
         let mut columns = own.to_vec();
         columns.truncate(self.columns);
+        for &row in &self.released {
+            found[row] = 0.0;
+        }
         let terms = self.terms.iter().zip(factors);
         for ((column, row), factor) in terms.filter(|((column, _), _)| *column < self.columns) {
             columns[*column] += factor * found[*row];
         }
         Some(columns)
+    }
+}
+
+impl DenseForces {
+    /// Puts the null space of the other rows in place of those that carry nothing.
+    fn border(&self, jacobian: &mut DMatrix<f64>) {
+        if self.released.is_empty() {
+            return;
+        }
+        let count = jacobian.ncols();
+        let held = jacobian.clone().remove_rows_at(&self.released);
+        let mut whole = DMatrix::identity(count, count);
+        held.transpose().col_piv_qr().q_tr_mul(&mut whole);
+        for (place, &row) in self.released.iter().enumerate() {
+            let free = whole.row(count - self.released.len() + place).into_owned();
+            jacobian.set_row(row, &free);
+        }
     }
 }
 

@@ -21,7 +21,6 @@ pub mod drawn;
 pub mod every_pose;
 pub mod first_step;
 pub mod forces;
-mod in_pose;
 pub mod instant;
 pub mod interpreted;
 mod known_poses;

@@ -5,5 +5,6 @@ mod forces;
 mod forces_by_hand;
 mod forces_generated;
 mod least_norm;
+mod near_singular;
 mod simulation;
 mod transmissions;

@@ -8,9 +8,10 @@ use super::values::{step, time, tolerance};
 
 /// Integrates the motion that forces give a mechanism with `free` coordinates, from where its description says that it starts.
 ///
-/// Only the free coordinates and their rates are integrated, by a method of order 8 with steps of its own (DOP853); everything else
-/// follows from them by the blocks that a generated module runs, so that every frame lies on the constraints to rounding. Frames
-/// between the steps are those of its dense output.
+/// As many coordinates as are free are integrated with their rates, by a method of order 8 with steps of its own (DOP853): those of the
+/// tangent of all poses at one that was passed a moment ago, so that no dead center of what is called free matters. All else follows
+/// from the equations of the joints, so that every frame lies on them to rounding. Frames between the steps are those of its dense
+/// output. A motion whose energy does not change by the work that is done ends with an error.
 #[derive(Args, Debug)]
 #[command(after_help = SIMULATE_EXAMPLES)]
 pub struct Simulate {
@@ -23,19 +24,12 @@ pub struct Simulate {
     /// The time between frames, in s; the steps of the integration do not depend on it
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
-    /// The error of a step that is allowed, relative to each free coordinate and to each of their rates
+    /// The error of a step that is allowed, relative to each coordinate that is integrated and to each of their rates
     #[arg(long, value_name = "R", default_value = "1e-10", value_parser = tolerance, allow_hyphen_values = true)]
     pub rtol: f64,
-    /// What is allowed besides, in m or rad, and m/s or rad/s
+    /// What is allowed besides, in rad or characteristic lengths of the mechanism, and the same per s
     #[arg(long, value_name = "A", default_value = "1e-12", value_parser = tolerance, allow_hyphen_values = true)]
     pub atol: f64,
-    /// Go straight on through poses in which several loops are singular at once, where the motion otherwise ends
-    #[arg(long)]
-    pub through_singular: bool,
-    /// Let another coordinate of a body take the place of a free one that is about to stand still while the mechanism moves, as that of a
-    /// piston at its dead center, where the motion otherwise ends
-    #[arg(long)]
-    pub change_coordinates: bool,
     /// Another value of a parameter, the motion of an input as an expression of t, or of a free coordinate the start: `swing=0.3 + 1.5*t`
     /// begins at 0.3 with the rate 1.5; may be repeated
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]

@@ -50,10 +50,8 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
             relative: arguments.rtol,
             absolute: arguments.atol,
         },
-        goes_through: arguments.through_singular,
-        changes: arguments.change_coordinates,
     };
-    let motion = Followed::new(view, wanted, 0.0, chosen.clone());
+    let motion = Followed::moved_by_forces(&view, wanted, chosen.clone());
     report(
         reported,
         Layout::of(reported),
@@ -61,7 +59,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         &schedule,
         files,
         &mut |motion, schedule, sinks, reached| {
-            motion.simulate(schedule, chosen.clone(), options, sinks, reached)
+            motion.simulate((&view, chosen.clone()), schedule, options, sinks, reached)
         },
     )
 }

@@ -143,10 +143,9 @@ impl<V: View> Followed<V> {
             }
             if !sinks.is_empty() {
                 let asked = !self.derivative_names.is_empty();
-                let derivatives = match (asked, self.is_changed) {
-                    (false, _) => Some(Vec::new()),
-                    (true, true) => None,
-                    (true, false) => self.view.derivatives(instant),
+                let derivatives = match asked {
+                    false => Some(Vec::new()),
+                    true => self.view.derivatives(instant),
                 };
                 let shown = Shown {
                     instant,

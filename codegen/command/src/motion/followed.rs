@@ -58,8 +58,6 @@ pub struct Followed<V: View> {
     pub error: Option<String>,
     /// What its integration has taken, where forces move it.
     pub simulated: Option<Simulated>,
-    /// Whether another coordinate is free than the description says, so that derivatives along what it frees are not known.
-    pub(super) is_changed: bool,
     /// The last wanted instant.
     pub(super) last: Option<Instant>,
     pub(super) shell: Option<Shell<V>>,
@@ -131,12 +129,41 @@ impl<V: View> Followed<V> {
             smallest_measure: None,
             warnings: Vec::new(),
             simulated: None,
-            is_changed: false,
             last: None,
             measured,
             error,
             shell,
             wanted,
+            view,
+        }
+    }
+
+    /// The same before its first instant, seen by another view of the same mechanism.
+    pub(super) fn seen_by<W: View>(self, view: W) -> Followed<W> {
+        Followed {
+            residuals: ResidualCheck::new(view.system(), view.layout()),
+            pressure: PressureCheck::new(view.system(), view.layout()),
+            wanted: self.wanted,
+            condition: self.condition,
+            dimensionless_condition: self.dimensionless_condition,
+            start: self.start,
+            is_assembled: self.is_assembled,
+            count: self.count,
+            visits: self.visits,
+            rows: self.rows,
+            course: self.course,
+            derivative_names: self.derivative_names,
+            force_names: self.force_names,
+            largest_forces: self.largest_forces,
+            pulls: self.pulls,
+            measure_names: self.measure_names,
+            smallest_measure: self.smallest_measure,
+            warnings: self.warnings,
+            error: self.error,
+            simulated: self.simulated,
+            last: self.last,
+            shell: None,
+            measured: self.measured,
             view,
         }
     }

@@ -15,7 +15,7 @@
 //! | `residuals` | the largest over all frames: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` where equations are redundant |
 //! | `pressure_angles` | where bodies touch along curves: `{joint, angle, t}` each, the largest angle in rad and when; null at rest |
 //! | `newton_steps` | how many were taken in all |
-//! | `simulation` | of a simulated motion: `evaluations`, `steps`, `rejected`, `energy_drift` in J, null where drivers bring in work, `kinetic_energy`, the largest, and `changes` of free coordinates: `t`, `from`, `to`, and `part` with the `normalized_determinant` that it has then |
+//! | `simulation` | of a simulated motion: `evaluations`, `steps`, `rejected`, `energy_drift` in J, and `kinetic_energy`, the largest |
 //! | `warnings` | sentences |
 //! | `error` | only if the motion ends early: why; `frames` then holds what could be solved |
 
@@ -91,7 +91,7 @@ struct Tail<'a> {
     pressure_angles: Vec<Pressure<'a>>,
     newton_steps: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    simulation: Option<Integration<'a>>,
+    simulation: Option<Integration>,
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
@@ -108,39 +108,21 @@ struct Largest {
 }
 
 #[derive(Serialize)]
-struct Integration<'a> {
+struct Integration {
     evaluations: u64,
     steps: u64,
     rejected: u64,
-    energy_drift: Option<f64>,
+    energy_drift: f64,
     kinetic_energy: f64,
-    changes: Vec<Changed<'a>>,
 }
 
-#[derive(Serialize)]
-struct Changed<'a> {
-    t: f64,
-    from: &'a str,
-    to: &'a str,
-    part: Option<&'a str>,
-    normalized_determinant: Option<f64>,
-}
-
-impl<'a> From<&'a Simulated> for Integration<'a> {
-    fn from(it: &'a Simulated) -> Self {
-        let changes = it.changes.iter().map(|change| Changed {
-            t: change.t,
-            from: &change.from,
-            to: &change.to,
-            part: change.part.as_deref(),
-            normalized_determinant: change.part.as_ref().map(|_| change.determinant),
-        });
+impl From<&Simulated> for Integration {
+    fn from(it: &Simulated) -> Self {
         Integration {
-            changes: changes.collect(),
             evaluations: it.effort.evaluations,
             steps: it.effort.steps,
             rejected: it.effort.rejected,
-            energy_drift: it.drift.map(|(drift, _)| drift),
+            energy_drift: it.drift.0,
             kinetic_energy: it.kinetic,
         }
     }

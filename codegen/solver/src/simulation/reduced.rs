@@ -4,6 +4,8 @@ use linkwright_codegen::stages::program::{Program, Reduced};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use crate::instant::{Instant, Layout};
+use crate::interpreted::Interpreted;
+use crate::view::View;
 
 /// The square of a pivot beside its diagonal entry, below which a reduced mass carries no digit.
 const SMALLEST_PIVOT: f64 = 64.0 * f64::EPSILON;
@@ -19,8 +21,12 @@ pub struct ReducedMotion {
 }
 
 impl ReducedMotion {
-    /// Of a program; `None` where no coordinate is free.
-    pub(crate) fn new(program: &Program, layout: &Layout) -> Option<ReducedMotion> {
+    /// Of a mechanism; `None` where no coordinate is free.
+    pub fn of(view: &Interpreted) -> Option<ReducedMotion> {
+        ReducedMotion::new(view.program(), view.layout())
+    }
+
+    fn new(program: &Program, layout: &Layout) -> Option<ReducedMotion> {
         let reduced = program.forces.reduced.as_ref()?;
         let slots = |fields: Vec<_>| -> Option<Vec<usize>> {
             fields.into_iter().map(|field| layout.slot(field)).collect()

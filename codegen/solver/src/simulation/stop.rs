@@ -1,15 +1,15 @@
 //! Why a simulated motion ends.
 
-use linkwright::{Blocks, Failure};
+use linkwright::Failure;
+use nalgebra::DVector;
 
+use crate::concerned::Concerned;
+use crate::condition::{Weakness, dimensionless, jacobian};
+use crate::dense::Dense;
 use crate::instant::Instant;
 use crate::interpreted::Interpreted;
-use crate::measures::Measures;
 use crate::number::time;
 use crate::view::View;
-
-/// The measure below which a part of the last frame is about to be singular.
-pub(super) const SINGULAR: f64 = 1e-3;
 
 /// Why a motion ends before its time, or does not begin.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,14 +18,23 @@ pub enum Stop {
     NothingFree,
     /// It cannot be assembled where it starts.
     NotAssembled(Failure),
-    /// The mechanism cannot be solved there: an end of its motion, a singular pose, or one in which the free coordinate moves nothing on.
-    Unsolvable(Failure),
+    /// The equations of joints and of drivers that are not free lose rank there, and the motion has no smooth way through that is
+    /// known to be one.
+    LosesRank {
+        /// When (s).
+        t: f64,
+    },
+    /// No pose is found on the constraints: drivers or tables lead to where there is none.
+    Unsettled {
+        /// When (s).
+        t: f64,
+    },
     /// Nothing that moves with a free coordinate has a mass.
     Massless {
         /// When (s).
         t: f64,
-        /// Which: its place among the free coordinates.
-        coordinate: usize,
+        /// Which: its place among the free coordinates; `None` where it is a combination of several.
+        coordinate: Option<usize>,
     },
     /// An acceleration or a power is infinite or no number.
     NotFinite {
@@ -37,6 +46,13 @@ pub enum Stop {
         /// When (s).
         t: f64,
     },
+    /// The energy changes by something else than the work that is done: the motion is wrong from about there on.
+    Unbalanced {
+        /// When (s).
+        t: f64,
+        /// What the work does not account for (J).
+        drift: f64,
+    },
 }
 
 impl Stop {
@@ -44,86 +60,94 @@ impl Stop {
     pub fn time(&self) -> f64 {
         match self {
             Stop::NothingFree => 0.0,
-            Stop::NotAssembled(failure) | Stop::Unsolvable(failure) => failure.time,
-            Stop::Massless { t, .. } | Stop::NotFinite { t } | Stop::TooShort { t } => *t,
+            Stop::NotAssembled(failure) => failure.time,
+            Stop::LosesRank { t }
+            | Stop::Unsettled { t }
+            | Stop::Massless { t, .. }
+            | Stop::NotFinite { t }
+            | Stop::TooShort { t }
+            | Stop::Unbalanced { t, .. } => *t,
         }
     }
 
-    /// Whether the motion ends because several loops become singular at once.
-    pub fn is_where_loops_meet(&self, view: &Interpreted, last: &Instant) -> bool {
-        matches!(self, Stop::Unsolvable(_) | Stop::TooShort { .. })
-            && are_several(&sizes(view, last))
-    }
-
-    /// That and why the motion ends after its last instant, where it has one.
-    pub fn explained(&self, view: &Interpreted, last: Option<&Instant>) -> String {
-        let at = time(self.time());
-        let reached = time(last.map_or(0.0, Instant::t));
+    /// That and why the motion does not begin.
+    pub fn not_begun(&self, view: &Interpreted) -> String {
         match self {
-            Stop::NothingFree => "has no free coordinate".to_string(),
             Stop::NotAssembled(failure) => view.not_assembled(failure),
-            Stop::Unsolvable(failure) => {
-                let cause = view.explained(failure);
-                format!(
-                    "cannot be simulated beyond t = {reached} s: {}{}",
-                    cause.cause(),
-                    closeness(view, last)
-                )
-            }
-            Stop::Massless { coordinate, .. } => {
-                let free = view.system().mechanism.forces.free.get(*coordinate);
-                let joint = free.map(|it| &view.system().mechanism.joints[it.joint].label);
+            Stop::Massless {
+                coordinate: Some(place),
+                ..
+            } => {
+                let mechanism = &view.system().mechanism;
+                let free = mechanism.forces.free.get(*place);
+                let joint = free.map(|it| &mechanism.joints[it.joint].label);
                 let name = joint.map_or("", String::as_str);
                 format!(
-                    "has no acceleration at t = {at} s: nothing that moves along `{name}` alone has a mass"
+                    "has no acceleration at t = {} s: nothing that moves along `{name}` alone has a mass",
+                    time(self.time())
+                )
+            }
+            Stop::NothingFree => "has no free coordinate".to_string(),
+            _ => format!("cannot be simulated from t = 0 s: {}", self.cause()),
+        }
+    }
+
+    /// That and why the motion ends after its last instant.
+    pub fn explained(&self, view: &Dense, last: &Instant) -> String {
+        let reached = time(last.t());
+        let concerned = match self {
+            Stop::LosesRank { .. } | Stop::TooShort { .. } | Stop::Unsettled { .. } => {
+                concerned(view, last)
+            }
+            _ => String::new(),
+        };
+        format!(
+            "cannot be simulated beyond t = {reached} s: {}{concerned}",
+            self.cause()
+        )
+    }
+
+    fn cause(&self) -> String {
+        let at = time(self.time());
+        match self {
+            Stop::NothingFree => "no coordinate is free".to_string(),
+            Stop::NotAssembled(_) => "the mechanism cannot be assembled".to_string(),
+            Stop::LosesRank { .. } => format!(
+                "the equations of the joints lose rank at about t = {at} s, and no smooth way through is certain"
+            ),
+            Stop::Unsettled { .. } => {
+                format!(
+                    "the equations of joints and drivers have no solution on the way to t = {at} s"
+                )
+            }
+            Stop::Massless { .. } => {
+                format!(
+                    "there is no acceleration at t = {at} s: nothing that moves in one of its directions has a mass"
                 )
             }
             Stop::NotFinite { .. } => {
-                format!("cannot be simulated beyond t = {reached} s: an acceleration is infinite")
+                format!("an acceleration or a power is infinite at t = {at} s")
             }
-            Stop::TooShort { .. } => format!(
-                "cannot be simulated beyond t = {reached} s: no step is short enough for the tolerances{}",
-                closeness(view, last)
+            Stop::TooShort { .. } => "no step is short enough for the tolerances".to_string(),
+            Stop::Unbalanced { drift, .. } => format!(
+                "the energy is out of balance at t = {at} s: {drift:.1e} J more than the work accounts for; try a smaller `--rtol`"
             ),
         }
     }
 }
 
-/// The measures of all parts of a frame.
-fn sizes(view: &Interpreted, frame: &Instant) -> Vec<(String, f64)> {
-    let measures = Measures::new(view);
-    let samples = measures.at(frame);
-    let parts = measures.parts().iter().zip(samples);
-    let sizes =
-        parts.map(|(part, [size, _])| (part.unknowns.join(" and "), part.bounded(size.abs())));
-    sizes.collect()
-}
-
-/// The part of a frame that is closest to singular, and its measure.
-pub(super) fn closest(view: &Interpreted, frame: &Instant) -> Option<(String, f64)> {
-    smallest(&sizes(view, frame)).cloned()
-}
-
-fn smallest(sizes: &[(String, f64)]) -> Option<&(String, f64)> {
-    sizes
-        .iter()
-        .min_by(|(_, one), (_, other)| one.total_cmp(other))
-}
-
-/// How close to singular the closest part of a frame is.
-fn closeness(view: &Interpreted, frame: Option<&Instant>) -> String {
-    let sizes = frame.map_or(Vec::new(), |frame| sizes(view, frame));
-    let Some((part, size)) = smallest(&sizes) else {
-        return String::new();
-    };
-    let several = match are_several(&sizes) {
-        true => ", and several loops become singular there at once",
-        false => "",
-    };
-    format!("; in the last frame the normalized determinant of {part} is {size:.1e}{several}")
-}
-
-/// Whether more than one part is about to be singular.
-fn are_several(sizes: &[(String, f64)]) -> bool {
-    sizes.iter().filter(|(_, size)| *size < SINGULAR).count() > 1
+/// The joints and bodies that are closest to singular in a frame.
+fn concerned(view: &Dense, last: &Instant) -> String {
+    let equations = view.equations();
+    let inputs = view.layout().inputs(last);
+    equations.supply(
+        &crate::supplied::Numbers::nominal_parameters(view.system()),
+        &inputs,
+    );
+    let q = DVector::from_column_slice(last.q());
+    let matrix = jacobian(equations, &q, last.t());
+    let weakness = Weakness::of(&dimensionless(equations, matrix));
+    weakness.map_or(String::new(), |weakness| {
+        format!("; {}", Concerned::of(view.system(), &weakness))
+    })
 }

@@ -1,0 +1,232 @@
+//! *A mechanism with free coordinates* → *what its motion is found from*: constraints, masses, loads, energies and powers in any pose.
+//!
+//! What is free is an unknown like all others: with its values s after q, Φ(q, s, t) = 0 are joints and drivers, and f directions of (q, s)
+//! are left to the forces. No block of the solved formulation is used, so that nothing depends on which coordinate is called free.
+
+use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::system::System;
+use nalgebra::{DMatrix, DVector};
+
+use crate::instant::{Instant, Layout};
+use crate::reader::Reader;
+use crate::supplied::{InputLaws, Numbers};
+
+/// The equations of a mechanism that forces move.
+#[derive(Clone, Debug)]
+pub(super) struct MotionEquations {
+    layout: Layout,
+    parameters: Numbers,
+    laws: InputLaws,
+    /// Of each constraint its residual, then the entries of Φ_q.
+    constraints: Reader,
+    entries: Vec<(usize, usize)>,
+    /// Φ_t and γ of each constraint, Q − M q̈, the entries of M, the energies and the power.
+    dynamics: Reader,
+    masses: Vec<(usize, usize)>,
+    /// The inputs that are the values of what is free.
+    free: Vec<usize>,
+    /// Which unknowns are lengths.
+    pub is_length: Vec<bool>,
+    /// Lengths of the mechanism: what a row and a coordinate are measured in.
+    pub row_scales: Vec<f64>,
+    pub coordinate_scales: Vec<f64>,
+}
+
+/// What acts in a pose with rates, and what it stores.
+pub(super) struct Dynamics {
+    /// Φ_t of the constraints.
+    pub time_derivative: DVector<f64>,
+    /// γ of the constraints.
+    pub gamma: DVector<f64>,
+    /// Q − M q̈ for q̈ = 0.
+    pub loads: DVector<f64>,
+    pub mass: DMatrix<f64>,
+    /// Kinetic and potential energy (J).
+    pub energies: [f64; 2],
+    /// What forces, torques and dampers add, and what changes stores from outside (W).
+    pub power: f64,
+}
+
+impl MotionEquations {
+    /// Of a system; `None` where nothing is free or forces are not known.
+    pub fn new(system: &System) -> Option<MotionEquations> {
+        let mut system = system.clone();
+        let loads = system.forces.clone()?;
+        let layout = Layout::new(&system, &[]);
+        let free = system.mechanism.forces.free.clone();
+        if free.is_empty() {
+            return None;
+        }
+        let held = system.rows.clone();
+        let count = system.coordinates.len();
+        let mut quantities: Vec<Quantity> =
+            system.coordinates.iter().map(|it| it.quantity).collect();
+        for coordinate in &free {
+            let (_, _, quantity) = system
+                .driven()
+                .find(|(_, joint, _)| *joint == coordinate.joint)?;
+            quantities.push(quantity);
+        }
+        let (mut entries, mut values) = (Vec::new(), Vec::new());
+        for (row, own) in held.iter().enumerate() {
+            for entry in &own.jacobian {
+                entries.push((row, entry.coordinate));
+                values.push(entry.value);
+            }
+            for (place, coordinate) in free.iter().enumerate() {
+                let [value, ..] = system.mechanism.inputs[coordinate.input].symbols;
+                let graph = &mut system.mechanism.graph;
+                let entry = graph.derivative(own.residual, value);
+                if entry != graph.zero() {
+                    entries.push((row, count + place));
+                    values.push(entry);
+                }
+            }
+        }
+        let residuals = held.iter().map(|row| row.residual);
+        let constraints: Vec<ExprId> = residuals.chain(values).collect();
+        let constraints = Reader::new(&system.mechanism.graph, &layout, &constraints);
+        let form = &system.vector_form;
+        let graph = &mut system.mechanism.graph;
+        let mut written = |root: ExprId| {
+            let root = graph.substitute(root, &loads.lengths);
+            form.written_out(root, graph)
+        };
+        let own: Vec<ExprId> = loads.loads.iter().map(|it| written(*it)).collect();
+        let [kinetic, potential, added] =
+            [loads.kinetic, loads.potential, loads.added].map(&mut written);
+        let (mut masses, mut inertias) = (Vec::new(), Vec::new());
+        for (row, &load) in own.iter().enumerate() {
+            for (column, coordinate) in system.coordinates.iter().enumerate() {
+                let entry = graph.derivative(load, coordinate.acceleration);
+                if entry != graph.zero() {
+                    masses.push((row, column));
+                    inertias.push(graph.negate(entry));
+                }
+            }
+        }
+        // A store that depends on time or on inputs is changed from outside.
+        let one = graph.one();
+        let mut outside = vec![(system.mechanism.time, one)];
+        for input in &system.mechanism.inputs {
+            let [value, rate, acceleration] = input.symbols;
+            outside.push((value, graph.variable(rate)));
+            outside.push((rate, graph.variable(acceleration)));
+        }
+        let mut powers = vec![added];
+        for (symbol, rate) in outside {
+            let along = graph.derivative(potential, symbol);
+            powers.push(graph.multiply(along, rate));
+        }
+        let power = graph.sum(&powers);
+        let zero = graph.zero();
+        let mut roots: Vec<ExprId> = held.iter().map(|row| row.time_derivative).collect();
+        roots.extend(held.iter().map(|row| row.gamma));
+        roots.extend(own.into_iter().chain(std::iter::repeat(zero)).take(count));
+        roots.extend(inertias);
+        roots.extend([kinetic, potential, power]);
+        let dynamics = Reader::new(&system.mechanism.graph, &layout, &roots);
+        Some(MotionEquations {
+            parameters: Numbers::nominal_parameters(&system),
+            laws: InputLaws::of(&system),
+            row_scales: held.iter().map(|row| system.scale(row.quantity)).collect(),
+            coordinate_scales: quantities.iter().map(|it| system.scale(*it)).collect(),
+            is_length: quantities
+                .iter()
+                .map(|it| it.power_of_length() > 0)
+                .collect(),
+            free: free.iter().map(|it| it.input).collect(),
+            layout,
+            constraints,
+            entries,
+            dynamics,
+            masses,
+        })
+    }
+
+    /// How many equations there are, and how many unknowns.
+    pub fn dimensions(&self) -> [usize; 2] {
+        [self.row_scales.len(), self.coordinate_scales.len()]
+    }
+
+    /// An instant at a time with the laws of the inputs.
+    pub fn instant(&self, t: f64) -> Instant {
+        let mut instant = self.layout.empty();
+        instant.set_given(&self.parameters, &self.laws.at(t));
+        instant.values_mut()[0] = t;
+        instant
+    }
+
+    /// The unknowns of an instant, their rates or their accelerations.
+    pub fn level(&self, instant: &Instant, level: usize) -> Vec<f64> {
+        let inputs = self.layout.inputs(instant);
+        let free = self.free.iter().map(|&input| {
+            let signal = inputs.0[input];
+            [signal.value, signal.rate, signal.acceleration][level]
+        });
+        let own = [instant.q(), instant.qd(), instant.qdd()][level];
+        own.iter().copied().chain(free).collect()
+    }
+
+    /// Writes unknowns, their rates or their accelerations into an instant.
+    pub fn set_level(&self, instant: &mut Instant, level: usize, values: &[f64]) {
+        let mut frame = instant.frame();
+        let (own, free) = values.split_at(frame.q.len());
+        [&mut frame.q, &mut frame.qd, &mut frame.qdd][level].copy_from_slice(own);
+        instant.set_frame(&frame);
+        let mut inputs = self.layout.inputs(instant);
+        for (&input, value) in self.free.iter().zip(free) {
+            let signal = &mut inputs.0[input];
+            *[
+                &mut signal.value,
+                &mut signal.rate,
+                &mut signal.acceleration,
+            ][level] = *value;
+        }
+        instant.set_given(&self.parameters, &inputs);
+    }
+
+    /// Sets all rates and accelerations of the unknowns to 0.
+    pub fn still(&self, instant: &mut Instant) {
+        let [_, columns] = self.dimensions();
+        for level in [1, 2] {
+            self.set_level(instant, level, &vec![0.0; columns]);
+        }
+    }
+
+    /// R⁻¹ Φ and R⁻¹ Φ_q C in the pose of an instant.
+    pub fn constraints(&self, instant: &Instant) -> (DVector<f64>, DMatrix<f64>) {
+        let [rows, columns] = self.dimensions();
+        let values = self.constraints.values(instant);
+        let residual = DVector::from_fn(rows, |row, _| values[row] / self.row_scales[row]);
+        let mut matrix = DMatrix::zeros(rows, columns);
+        for (&(row, column), value) in self.entries.iter().zip(&values[rows..]) {
+            matrix[(row, column)] += value * self.coordinate_scales[column] / self.row_scales[row];
+        }
+        (residual, matrix)
+    }
+
+    /// What acts at an instant with pose and rates, whose accelerations are zero.
+    pub fn dynamics(&self, instant: &Instant) -> Dynamics {
+        let [rows, columns] = self.dimensions();
+        let bodies = instant.q().len();
+        let values = self.dynamics.values(instant);
+        let part =
+            |from: usize, count: usize| DVector::from_column_slice(&values[from..from + count]);
+        let mut mass = DMatrix::zeros(columns, columns);
+        let rest = &values[2 * rows + bodies..];
+        for (&place, value) in self.masses.iter().zip(rest) {
+            mass[place] = *value;
+        }
+        let energies = &rest[self.masses.len()..];
+        Dynamics {
+            time_derivative: part(0, rows),
+            gamma: part(rows, rows),
+            loads: part(2 * rows, bodies).resize_vertically(columns, 0.0),
+            mass,
+            energies: [energies[0], energies[1]],
+            power: energies[2],
+        }
+    }
+}
