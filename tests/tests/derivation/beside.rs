@@ -1,7 +1,7 @@
 //! What is drawn beside a mechanism changes nothing but rounding: points, bodies and curves that nothing uses, in sizes from 1e-9 to 1e9.
 
 use linkwright::{Blocks, Settings, Shell};
-use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::supplied::InputSignals;
@@ -15,11 +15,12 @@ const ROUNDING: f64 = 1e-9;
 /// How many steps of how long (s) a mechanism is moved.
 const STEPS: (u8, f64) = (24, 0.083);
 
-fn systems(text: &str) -> Option<Vec<System>> {
+fn systems(text: &str) -> Result<Vec<System>, String> {
     let source = Source::new("beside.mech", text);
-    let read = linkwright_codegen::read(&source).ok()?;
-    linkwright_codegen::check_all(&read.motions).ok()?;
-    Some(read.motions)
+    let refused = |found: Diagnostics| found.render(&source);
+    let read = linkwright_codegen::read(&source).map_err(refused)?;
+    linkwright_codegen::check_all(&read.motions).map_err(refused)?;
+    Ok(read.motions)
 }
 
 /// The coordinates after every step, or the kind of the failure.
@@ -90,14 +91,15 @@ fn changed(before: &System, after: &System) -> Option<String> {
 }
 
 fn is_unchanged(name: &str, text: &str, far: bool, random: &mut Random, counts: &mut [usize; 2]) {
-    let Some(before) = systems(text) else {
+    let Ok(before) = systems(text) else {
         counts[1] += 1;
         return;
     };
     // As large as links are at most, or larger.
     let more = junk(random, if far { 1.0 } else { 1e-10 });
     let text = with(text, &more);
-    let after = systems(&text).unwrap_or_else(|| panic!("{name} is refused with\n{more}"));
+    let after =
+        systems(&text).unwrap_or_else(|found| panic!("{name} is refused with\n{more}\n{found}"));
     for (before, after) in before.iter().zip(&after) {
         counts[0] += 1;
         if let Some(change) = changed(before, after) {

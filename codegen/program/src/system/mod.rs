@@ -11,7 +11,6 @@ mod auxiliary;
 mod carried;
 mod direction;
 mod drawn;
-mod exchange;
 mod forces;
 mod length;
 mod mark_names;

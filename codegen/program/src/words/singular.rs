@@ -213,11 +213,8 @@ impl Known {
                 }
             }
             _ => phrase![
-                "the line that ",
-                Piece::Unknown(angle),
-                " turns is perpendicular to the vector between the two points that ",
-                Piece::Unknown(slide),
-                " keeps on it"
+                line,
+                " is perpendicular to the vector between the two points that are kept on it"
             ],
         }
     }
