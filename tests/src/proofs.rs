@@ -20,6 +20,9 @@ use crate::stability::truth::{Given, Truth};
 /// The part of a normalized determinant that its value in f64 may be off.
 const ROUNDING: f64 = 1e-9;
 
+/// What an exact number may be off itself, in rad and m: coordinates that are at rest have bounds without width.
+const EXACT: f64 = 1e-60;
+
 /// What came of one mechanism.
 #[derive(Clone, Debug)]
 pub struct Verdict {
@@ -165,5 +168,7 @@ impl Exact {
 
 fn holds(own: &Enclosed, value: &Precise) -> bool {
     let [low, high] = own.bounds.map(Precise::from_f64);
-    !value.minus(&low).is_negative() && !high.minus(value).is_negative()
+    let [above, below] = [value.minus(&low), high.minus(value)];
+    let off = Precise::from_f64(EXACT);
+    [above, below].iter().all(|it| !it.plus(&off).is_negative())
 }

@@ -31,7 +31,7 @@ struct Arguments {
 const EXPLANATION: &str = "\
 `linkwright check --prove` of every mechanism with a reference and without tables, all points. At random instants the textbook equations
 are solved by Newton-Raphson in 384 bits, and every coordinate and both components of every point are compared with their proven bounds
-without rounding; normalized determinants in f64. Determinant: the smallest ratio of a proven bound to the minimum that was located.
+to 1e-60; normalized determinants in f64. Determinant: the smallest ratio of a proven bound to the minimum that was located.
 Wider: by which part of what frames sweep the loosest range is wider than that.
 ";
 
