@@ -12,7 +12,7 @@ pub fn grow(builder: &mut Builder, largest: usize) {
     for _ in 0..groups {
         let there = builder.mechanism.bodies.len() - 1;
         let room = largest.saturating_sub(there);
-        match builder.below(23) {
+        match builder.below(20) {
             0..=2 if room >= 1 => driven(builder),
             3..=9 if room >= 2 => dyad(builder),
             10..=13 if room >= 1 => pinned(builder),
@@ -22,7 +22,6 @@ pub fn grow(builder: &mut Builder, largest: usize) {
             17 if room >= 3 => chain(builder),
             18 if room >= 2 => two_dyads_tied(builder),
             19 if room >= 2 => free(builder),
-            20..=22 if room >= 7 => folded_legs(builder),
             _ => {}
         }
     }
@@ -152,73 +151,6 @@ fn triad(builder: &mut Builder) {
             builder.pin(x, leg, near);
         }
         builder.pin(leg, platform, far);
-    }
-}
-
-/// A body on three folded legs, each of two links, and three drivers of every kind inside the loops or between them and what was there
-/// before: blocks that are torn, or solved by Newton-Raphson, with some of their angles tied by drivers.
-fn folded_legs(builder: &mut Builder) {
-    let before = builder.mechanism.bodies.len();
-    builder.begin("driven folded legs");
-    let deck = builder.body();
-    let (mut places, mut links) = (Vec::new(), Vec::new());
-    for _ in 0..3 {
-        let x = builder.earlier(before);
-        let [near, far] = [0; 2].map(|_| builder.body());
-        for (i, j) in [(x, near), (near, far), (far, deck)] {
-            let place = builder.place_off(&places);
-            places.push(place);
-            builder.pin(i, j, place);
-        }
-        links.extend([near, far]);
-    }
-    for _ in 0..3 {
-        let body = links[builder.below(links.len())];
-        let others: Vec<usize> = links
-            .iter()
-            .copied()
-            .chain([deck])
-            .filter(|it| *it != body)
-            .collect();
-        let other = match builder.chance(0.8) {
-            true => others[builder.below(others.len())],
-            false => builder.earlier(before),
-        };
-        let joint = driver(builder, body, other);
-        builder.join(joint);
-    }
-}
-
-/// A driver of a body alone, or between it and another.
-fn driver(builder: &mut Builder, body: usize, other: usize) -> Joint {
-    let place = builder.place();
-    let away = builder.place_off(&[place]);
-    match builder.below(8) {
-        0..=3 if other != GROUND => {
-            let [i, j] = builder.either(body, other);
-            let law = builder.angle_law();
-            Joint::DriveRelativeAngle(i, j, law)
-        }
-        4 => {
-            let (axis, law) = (builder.below(2), builder.length_law());
-            Joint::Drive(builder.point(body, place), axis, law)
-        }
-        5 => {
-            let [i, j] = builder.either(body, other);
-            let (p, q) = (builder.point(i, place), builder.point(j, away));
-            let (axis, law) = (builder.below(2), builder.length_law());
-            Joint::DriveRelative(p, q, axis, law)
-        }
-        6 => {
-            let [i, j] = builder.either(body, other);
-            let (p, q) = (builder.point(i, place), builder.point(j, away));
-            let law = builder.length_law();
-            Joint::DriveDistance(p, q, law)
-        }
-        _ => {
-            let law = builder.angle_law();
-            Joint::DrivePhi(body, law)
-        }
     }
 }
 
