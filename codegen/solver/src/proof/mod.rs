@@ -1,7 +1,7 @@
 //! Proof that a mechanism moves on one smooth path over a whole range of time, and what holds all the while.
 //!
 //! The range is covered by windows between frames. In each of them the equations have one solution near the chord, which
-//! [`window`] verifies in intervals that are rounded outwards; every frame between two windows lies in both, so that their solutions are
+//! `window` verifies in intervals that are rounded outwards; every frame between two windows lies in both, so that their solutions are
 //! one path. A window that is too wide is halved. Frames are only where windows are looked for: how they were found proves nothing.
 
 mod claims;
