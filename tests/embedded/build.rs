@@ -33,7 +33,7 @@ fn main() {
         )
         .expect("the module is copied");
         declared += &format!(
-            "/// See the crate.\n#[allow(missing_docs)]\npub mod {variant} {{\n    linkwright::include_mechanism!({variant});\n}}\nmoved!({variant}, {type_name}, {real});\n"
+            "/// See the crate.\n#[allow(missing_docs)]\npub mod {variant} {{\n    include!(concat!(env!(\"OUT_DIR\"), \"/linkwright/{variant}.rs\"));\n}}\nmoved!({variant}, {type_name}, {real});\n"
         );
         calls += &format!(
             "    machine.write(\"variant {variant}\\n\");\n    motion::run::<{variant}::{type_name}, M>(machine);\n"
