@@ -42,6 +42,10 @@ pub fn write(folders: &[&str]) {
                 .step_by(3)
                 .map(|it| it.name.as_str())
                 .collect();
+            // Angles alone have no body that a driver could move.
+            if points.is_empty() && angle_fields.is_empty() {
+                continue;
+            }
             let wanted: Vec<&str> = points
                 .iter()
                 .copied()
