@@ -1,23 +1,25 @@
-//! Lists the repository's mechanisms, and generates those that only tests need.
+//! Takes the generated modules and the lists of them from the folder `MODULES`.
+//!
+//! The test `builds::freestanding` of `linkwright-tests` writes them, so that the generator is not compiled once more.
 
-// The list needs less of them than the tests do.
-#[allow(dead_code)]
-#[path = "../described.rs"]
-mod described;
-#[path = "../registry.rs"]
-mod registry;
+use std::path::PathBuf;
+use std::{env, fs};
 
 fn main() {
-    println!("cargo::rerun-if-changed=../../mechanisms");
-    println!("cargo::rerun-if-changed=../described.rs");
-    println!("cargo::rerun-if-changed=../registry.rs");
-    linkwright_codegen::build("../descriptions");
-    let functions = registry::listed("../../mechanisms").into_iter().map(|it| {
-        let (name, module) = (&it.name, format!("linkwright_mechanisms::{}", it.name));
-        format!(
-            "/// See [`run`].\n#[unsafe(no_mangle)]\npub fn {name}(call: &mut Call<'_>) -> bool {{\n    run::<{module}::{}, {module}::Textbook, _>(call)\n}}\n",
-            it.mechanism
-        )
-    });
-    registry::write("mechanisms.rs", &functions.collect::<String>());
+    println!("cargo::rerun-if-env-changed=MODULES");
+    let modules = env::var_os("MODULES").map(PathBuf::from);
+    let modules = modules
+        .expect("MODULES is the folder that `cargo test -p linkwright-tests --test builds` writes");
+    println!("cargo::rerun-if-changed={}", modules.display());
+    let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
+    fs::create_dir_all(output.join("linkwright")).expect("a folder for the modules");
+    for entry in fs::read_dir(modules).expect("the folder of modules") {
+        let path = entry.expect("a listed file").path();
+        let name = path.file_name().expect("a file");
+        let place = match name.to_str() {
+            Some("gallery.rs" | "functions.rs") => output.join(name),
+            _ => output.join("linkwright").join(name),
+        };
+        fs::copy(&path, place).expect("the file is copied");
+    }
 }

@@ -1,7 +1,7 @@
 //! The generated mechanisms → functions of the library: assemble, advance, one Newton-Raphson step, and every point.
 //!
-//! One exported function per mechanism does it all, so that nothing of a module can be dropped. The build script writes the
-//! list from the descriptions.
+//! One exported function per mechanism does it all, so that nothing of a module can be dropped. The test writes the list
+//! of them.
 
 use linkwright::nalgebra::{Const, SVector};
 use linkwright::{Blocks, Equations, Mechanism, PointMotion, Settings, Shell, Values, newton};
@@ -70,13 +70,19 @@ where
     true
 }
 
-include!(concat!(env!("OUT_DIR"), "/mechanisms.rs"));
+/// The mechanisms of the gallery.
+#[allow(missing_docs)]
+mod gallery {
+    include!(concat!(env!("OUT_DIR"), "/gallery.rs"));
+}
+
+include!(concat!(env!("OUT_DIR"), "/functions.rs"));
 
 /// Assembles at `start`, advances to `end`, and gives the motion of the one point that is asked for; false where one of them
 /// fails.
 #[unsafe(no_mangle)]
 pub extern "C" fn excavator_tool(start: f64, end: f64, point: &mut PointMotion) -> bool {
-    use linkwright_mechanisms::excavator_tool::ExcavatorTool;
+    use gallery::excavator_tool::ExcavatorTool;
     let Ok(mut mechanism) = ExcavatorTool::assemble(start) else {
         return false;
     };
@@ -93,11 +99,11 @@ pub extern "C" fn excavator_tool(start: f64, end: f64, point: &mut PointMotion) 
 pub extern "C" fn excavator_motions(
     start: f64,
     end: f64,
-    wanted: &linkwright_mechanisms::excavator_motions::reach::Inputs,
-    lengths: &linkwright_mechanisms::excavator_motions::forward::Inputs,
+    wanted: &gallery::excavator_motions::reach::Inputs,
+    lengths: &gallery::excavator_motions::forward::Inputs,
     points: &mut [PointMotion; 3],
 ) -> bool {
-    use linkwright_mechanisms::excavator_motions::{forward, reach};
+    use gallery::excavator_motions::{forward, reach};
     let Ok(mut arm) = reach::ExcavatorMotions::assemble(start, wanted) else {
         return false;
     };
@@ -120,11 +126,11 @@ pub extern "C" fn excavator_motions(
 #[unsafe(no_mangle)]
 pub extern "C" fn ankle(
     end: f64,
-    foot: &linkwright_mechanisms::ankle::to_motors::Inputs,
-    motors: &linkwright_mechanisms::ankle::to_joint::Inputs,
+    foot: &gallery::ankle::to_motors::Inputs,
+    motors: &gallery::ankle::to_joint::Inputs,
     angles: &mut [f64; 6],
 ) -> bool {
-    use linkwright_mechanisms::ankle::{to_joint, to_motors};
+    use gallery::ankle::{to_joint, to_motors};
     let Ok(mut ankle) = to_motors::Ankle::assemble(0.0, foot) else {
         return false;
     };
@@ -150,10 +156,10 @@ pub extern "C" fn ankle(
 #[unsafe(no_mangle)]
 pub extern "C" fn differential_wrist(
     end: f64,
-    motors: &linkwright_mechanisms::differential_wrist::to_joint::Inputs,
+    motors: &gallery::differential_wrist::to_joint::Inputs,
     angles: &mut [f64; 2],
 ) -> bool {
-    use linkwright_mechanisms::differential_wrist::to_joint::DifferentialWrist;
+    use gallery::differential_wrist::to_joint::DifferentialWrist;
     let Ok(mut wrist) = DifferentialWrist::assemble(0.0, motors) else {
         return false;
     };

@@ -13,6 +13,7 @@ use std::sync::mpsc;
 use std::thread;
 
 use clap::Parser;
+use linkwright_tests::embedded::c::Compiler;
 use linkwright_tests::embedded::calls::Calls;
 use linkwright_tests::embedded::figures::Known;
 use linkwright_tests::embedded::limits::{self, Figures};
@@ -125,9 +126,13 @@ fn measured(programs: &[Program], faults: &mut Vec<String>) -> io::Result<Vec<Kn
                 .collect::<Vec<_>>()
         });
         let builder = scope.spawn(move || {
-            in_c.into_iter()
-                .map(|it| look(it, build::c(&it)))
-                .collect::<Vec<_>>()
+            let mut known = Vec::new();
+            for processor in Processor::ALL {
+                let mut compiler = Compiler::for_board(processor);
+                let programs = in_c.iter().filter(|it| it.processor == processor);
+                known.extend(programs.map(|it| look(*it, compiler.firmware(it))));
+            }
+            known
         });
         for program in in_rust {
             let built = build::rust(&program, None);
@@ -172,9 +177,10 @@ fn compare_hosts(
         }
         println!("{name}: {} variants compared", found.len());
     }
+    let mut compiler = Compiler::for_host();
     for (mechanism, (name, _)) in MECHANISMS.iter().enumerate() {
         for scalar in [Scalar::F32, Scalar::F64] {
-            let found = Printed::read(&build::c_on_host(mechanism, scalar)?)?;
+            let found = Printed::read(&compiler.answers(mechanism, scalar)?)?;
             let variant = format!("{name}_{}", scalar.name());
             let difference = wanted[&variant].difference(&found);
             faults.extend(difference.map(|it| format!("{variant}, C on the host: {it}")));

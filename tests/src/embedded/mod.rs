@@ -4,6 +4,7 @@
 //! all others, bit by bit.
 
 pub mod build;
+pub mod c;
 pub mod calls;
 pub mod figures;
 pub mod limits;

@@ -18,6 +18,16 @@ pub struct Effort {
     pub shortest: f64,
 }
 
+impl Effort {
+    /// How often a method sweeps in a repeat, by the time (s) that it takes once; that is not asked where once is enough.
+    fn sweeps(&self, once: impl FnOnce() -> f64) -> usize {
+        if self.shortest == 0.0 {
+            return 1;
+        }
+        ((self.shortest / once()).ceil() as usize).max(1)
+    }
+}
+
 /// One method on one mechanism.
 #[derive(Clone, Debug)]
 pub struct Measurement {
@@ -57,10 +67,7 @@ pub fn measure(
         .collect();
     let sweeps: Vec<usize> = methods
         .iter_mut()
-        .map(|method| {
-            let once = seconds(&mut **method, &times, 1);
-            ((effort.shortest / once).ceil() as usize).max(1)
-        })
+        .map(|method| effort.sweeps(|| seconds(&mut **method, &times, 1)))
         .collect();
     let mut found: Vec<Vec<f64>> = vec![Vec::new(); methods.len()];
     for repeat in 0..effort.repeats {

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
+use linkwright_codegen::stages::emit::rust::type_name;
 use linkwright_tests::{description, files};
 
 /// What the compiler itself may call, also on a microcontroller: copying, filling and comparing memory.
@@ -17,6 +18,43 @@ const ALLOWED: [&str; 5] = ["memcpy", "memmove", "memset", "memcmp", "bcmp"];
 
 /// Only one build at a time: all of them write the library to the same path.
 static BUILDING: Mutex<()> = Mutex::new(());
+
+/// What the library takes of the descriptions that only tests need.
+const SMALL: [&str; 5] = [
+    "four_bar_given",
+    "platform_given",
+    "slider_given",
+    "forced_platform",
+    "tables",
+];
+
+/// Writes the modules that the library includes and, of the gallery, the list of them and the functions that move them; gives the folder.
+fn modules() -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("freestanding_modules");
+    fs::create_dir_all(&folder).expect("a folder");
+    let write = |name: &str, text: &str| {
+        files::write_if_changed(&folder.join(name).with_extension("rs"), text).expect("written");
+    };
+    let gallery = description::names();
+    for name in gallery.iter().map(String::as_str).chain(SMALL) {
+        let source = description::source(name);
+        let generated = linkwright_codegen::generate(&source)
+            .unwrap_or_else(|found| panic!("{}", found.render(&source)));
+        write(name, &generated.code);
+    }
+    let listed = |name: &String| {
+        format!("pub mod {name} {{\n    linkwright::include_mechanism!({name});\n}}\n")
+    };
+    write("gallery", &gallery.iter().map(listed).collect::<String>());
+    let moved = description::whole().into_iter().map(|name| {
+        let (module, mechanism) = (format!("gallery::{name}"), type_name(&name));
+        format!(
+            "/// See [`run`].\n#[unsafe(no_mangle)]\npub fn {name}(call: &mut Call<'_>) -> bool {{\n    run::<{module}::{mechanism}, {module}::Textbook, _>(call)\n}}\n"
+        )
+    });
+    write("functions", &moved.collect::<String>());
+    folder
+}
 
 /// Builds the library in release with these features and returns the path of a copy.
 fn build(features: &str) -> PathBuf {
@@ -29,6 +67,7 @@ fn build(features: &str) -> PathBuf {
         .args(["--no-default-features", "--features", features])
         .arg("--target-dir")
         .arg(&target)
+        .env("MODULES", modules())
         .output()
         .expect("cargo runs");
     assert!(
@@ -96,8 +135,10 @@ fn no_panic_path_and_no_allocator_survives_and_nothing_of_std_is_needed() {
         .filter(|symbol| !ALLOWED.contains(&symbol.as_str()))
         .collect();
     assert!(needed.is_empty(), "the library needs {needed:?}");
-    let given = ["four_bar_given", "platform_given", "slider_given"].map(String::from);
-    for name in description::names().into_iter().chain(given) {
+    for name in description::names()
+        .into_iter()
+        .chain(SMALL.map(String::from))
+    {
         assert!(defined.contains(&name), "{name} is not in the library");
     }
     println!("undefined: {own:?}");
