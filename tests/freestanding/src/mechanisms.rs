@@ -73,10 +73,10 @@ where
 /// The mechanisms of the gallery.
 #[allow(missing_docs)]
 mod gallery {
-    include!(concat!(env!("OUT_DIR"), "/gallery.rs"));
+    include!(concat!(env!("MODULES"), "/gallery.rs"));
 }
 
-include!(concat!(env!("OUT_DIR"), "/functions.rs"));
+include!(concat!(env!("MODULES"), "/functions.rs"));
 
 /// Assembles at `start`, advances to `end`, and gives the motion of the one point that is asked for; false where one of them
 /// fails.
