@@ -4,6 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
@@ -44,7 +45,12 @@ pub fn run(command: &mut Command) -> io::Result<()> {
 }
 
 /// The C compilers of this machine.
-pub fn compilers() -> Vec<&'static str> {
+pub fn compilers() -> &'static [&'static str] {
+    static FOUND: OnceLock<Vec<&str>> = OnceLock::new();
+    FOUND.get_or_init(found_compilers)
+}
+
+fn found_compilers() -> Vec<&'static str> {
     let is_there = |name: &&str| {
         Command::new(name)
             .arg("--version")
