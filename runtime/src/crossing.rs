@@ -15,8 +15,9 @@ const NEAR: f64 = 1.0 / (1u32 << 30) as f64;
 /// The multiple of ε to which it must fall there.
 const ROUNDING: f64 = 1024.0;
 
-/// The part of the square of the distance by which the pose beyond may miss what lies opposite.
-const MISS: f64 = 1.0 / 64.0;
+/// By which part of the distance of the modes the pose beyond may miss what lies opposite, towards the other mode; and by which part of
+/// the square of all that moves, in any direction.
+const MISS: [f64; 2] = [1.0 / 8.0, 1.0 / 64.0];
 
 /// How many steps before and beyond the meeting the poses are compared, and at least.
 const COMPARED: [f64; 2] = [256.0, 8.0];
@@ -187,7 +188,15 @@ where
             })
         };
         let [crossed, stayed] = [&beyond, &unchanged].map(missed);
-        (crossed <= B::Scalar::from_f64(MISS) * stayed).then_some([before, beyond])
+        let apart = self.sum_of_squares(|value| Some(value(&unchanged)? - value(&beyond)?));
+        let moved = self.sum_of_squares(|value| Some(value(&beyond)? - value(&before)?));
+        // What the path bends by in other units must not hide in which mode it goes on: twice the product of the miss and the way between
+        // the modes is what these squares differ by.
+        let [towards, in_all] = MISS.map(B::Scalar::from_f64);
+        let product = ((stayed - crossed) - apart) * B::Scalar::HALF;
+        let lies_opposite =
+            product.abs() <= towards * apart && crossed <= in_all * (stayed + moved);
+        lies_opposite.then_some([before, beyond])
     }
 
     /// The square of the distance between the poses in both modes.

@@ -9,8 +9,10 @@ static const $real NEAR_MEETING$f = 1.0$f / 1073741824.0$f;
 /* The multiple of the rounding to which it must fall there. */
 static const $real MEETING_ROUNDING$f = 1024.0$f;
 
-/* The part of the square of the distance by which the pose beyond may miss what lies opposite. */
-static const $real MISS$f = 1.0$f / 64.0$f;
+/* By which part of the distance of the modes the pose beyond may miss what lies opposite, towards the other mode; and
+   by which part of the square of all that moves, in any direction. */
+static const $real MISS_TOWARDS$f = 1.0$f / 8.0$f;
+static const $real MISS_IN_ALL$f = 1.0$f / 64.0$f;
 
 /* How many steps before and beyond the meeting the poses are compared, and at least. */
 static const $real COMPARED$f = 256.0$f;
@@ -182,6 +184,8 @@ static bool opposite$f(Way$f *way, const Meeting$f *meeting)
     }
     $real crossed = 0.0$f;
     $real stayed = 0.0$f;
+    $real between = 0.0$f;
+    $real moved = 0.0$f;
     for (uint16_t k = 0U; k < blocks->values; k++) {
         $real middle = 0.0$f;
         for (size_t place = 0U; place < 4U; place += 1U) {
@@ -190,10 +194,17 @@ static bool opposite$f(Way$f *way, const Meeting$f *meeting)
         const $real start = blocks->value(before, k);
         const $real missed = (blocks->value(beyond, k) + start) - middle;
         const $real missed_else = (blocks->value(unchanged, k) + start) - middle;
+        const $real difference = blocks->value(unchanged, k) - blocks->value(beyond, k);
+        const $real way_beyond = blocks->value(beyond, k) - start;
         crossed += missed * missed;
         stayed += missed_else * missed_else;
+        between += difference * difference;
+        moved += way_beyond * way_beyond;
     }
-    return crossed <= (MISS$f * stayed);
+    /* What the path bends by in other units must not hide in which mode it goes on: twice the product of the miss and the
+       way between the modes is what these squares differ by. */
+    const $real product = ((stayed - crossed) - between) * 0.5$f;
+    return (fabs$f(product) <= (MISS_TOWARDS$f * between)) && (crossed <= (MISS_IN_ALL$f * (stayed + moved)));
 }
 
 /* Goes through the pose at which the modes of a block meet, if it is where the way has broken. */
