@@ -158,9 +158,12 @@ pub trait Blocks {
         let place = usize::from(failure.block);
         Explained {
             failure: *failure,
-            block: match failure.kind {
-                FailureKind::NotPositive { .. } => self.requirement_name(place),
-                _ => self.block_name(place),
+            block: match (failure.input, failure.kind) {
+                (Some(input), _) => self
+                    .input_name(usize::from(input))
+                    .map(|name| BlockName::new(name, "")),
+                (None, FailureKind::NotPositive { .. }) => self.requirement_name(place),
+                (None, _) => self.block_name(place),
             },
         }
     }

@@ -114,6 +114,7 @@ pub fn failed<T: Real>(kind: FailureKind<T>, time: T, block: u16) -> Failure<T> 
         iterations: 0,
         residual: T::ZERO,
         row: 0,
+        input: None,
     }
 }
 

@@ -32,7 +32,7 @@ impl<'a> BlockName<'a> {
 pub struct Explained<'a, T = f64> {
     /// What happened.
     pub failure: Failure<T>,
-    /// What the block is called where it happened, if it is known.
+    /// What the block is called where it happened, or the input that is not finite, if it is known.
     pub block: Option<BlockName<'a>>,
 }
 
@@ -77,6 +77,9 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
                 formatter,
                 "{what} must be positive, and would be {value:.1e}"
             );
+        }
+        if self.0.failure.input.is_some() {
+            formatter.write_str("input ")?;
         }
         if let Some(block) = block {
             write!(formatter, "{}: ", block.name)?;
@@ -131,6 +134,7 @@ mod tests {
             iterations,
             residual: 2e-3,
             row: 0,
+            input: None,
         };
         let block = BLOCKS.get(usize::from(block)).copied();
         Explained { failure, block }.to_string()

@@ -22,6 +22,8 @@ pub struct Failure<T = f64> {
     pub residual: T,
     /// The equation with that residual; the first one that is not finite, if any.
     pub row: u16,
+    /// The place of the input that is not finite; `None` if the failure has another cause.
+    pub input: Option<u16>,
 }
 
 /// What happened to a solve that did not succeed.
@@ -80,8 +82,8 @@ pub enum FailureKind<T = f64> {
         /// What it would be.
         value: T,
     },
-    /// A time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is infinite or NaN,
-    /// or a scale of the equations is not a positive finite number.
+    /// An input (see [`Failure::input`]), a time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is
+    /// infinite or NaN, or a scale of the equations is not a positive finite number.
     NotFinite,
 }
 
@@ -122,7 +124,11 @@ impl<T: Real> fmt::Display for Failure<T> {
             iterations,
             residual,
             row,
+            input,
         } = self;
+        if let Some(input) = input {
+            return write!(formatter, "not finite: input {input}, t = {time}");
+        }
         let what = match kind {
             FailureKind::Singular {
                 pivot_ratio,

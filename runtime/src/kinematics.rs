@@ -161,6 +161,7 @@ where
             iterations: 0,
             residual: T::ZERO,
             row: 0,
+            input: None,
         }
     })
 }
@@ -184,6 +185,7 @@ where
         iterations: convergence.iterations,
         residual: convergence.residual,
         row: convergence.row,
+        input: None,
     };
     let dimension = equations.dimension();
     let mut jacobian = zero_matrix(dimension);

@@ -326,5 +326,6 @@ pub(crate) fn failure<T: Real>(
         iterations,
         residual: residual.magnitude,
         row: residual.row,
+        input: None,
     }
 }

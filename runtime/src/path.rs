@@ -169,6 +169,7 @@ fn no_verdict<T: Real>(kind: FailureKind<T>, time: T) -> Failure<T> {
         iterations: 0,
         residual: T::ZERO,
         row: 0,
+        input: None,
     }
 }
 

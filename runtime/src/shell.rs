@@ -7,8 +7,9 @@
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals, Values};
 use crate::closed_form::failed;
-use crate::failure::{Failure, FailureKind};
+use crate::failure::{Failure, FailureKind, index};
 use crate::guard::{Guard, Pair};
+use crate::math::Real;
 use crate::settings::Settings;
 use crate::way::Way;
 
@@ -72,11 +73,13 @@ impl<B: Blocks> Shell<B> {
     ///
     /// Where that is not possible in one step, it goes in at most [`Settings::substeps`] attempts, all blocks in each. On the way the
     /// inputs go from their last values to the new ones by the polynomial of the fifth degree that has values, rates and
-    /// accelerations of both ends.
+    /// accelerations of both ends. Where time does not pass, or by no more than one rounding, values, rates and accelerations go straight
+    /// to the new ones, at one time: an input that has changed is a step of its own.
     ///
     /// # Errors
     /// A [`Failure`] where the equations cannot be solved from there. Its time is where the motion ends, or how far it could be
-    /// followed; see [`crate::in_steps`].
+    /// followed; see [`crate::in_steps`]. An input that is not finite is [`FailureKind::NotFinite`] at the time `t`, with the input's
+    /// place.
     #[inline]
     pub fn advance(
         &mut self,
@@ -123,7 +126,8 @@ impl<B: Blocks> Shell<B> {
         t: B::Scalar,
         inputs: &B::Inputs,
     ) -> Result<(), Failure<B::Scalar>> {
-        if self.settings.substeps <= 1 {
+        // No way leads to an input that is not finite.
+        if failure.input.is_some() || self.settings.substeps <= 1 {
             return Err(failure);
         }
         let [first, second] = &mut self.frames;
@@ -137,6 +141,7 @@ impl<B: Blocks> Shell<B> {
             settings: &self.settings,
             ends: [B::time(last), t],
             inputs: [&self.inputs, inputs],
+            changed: None,
             start: self.start,
             reached: last.clone(),
             origin: last.clone(),
@@ -144,7 +149,7 @@ impl<B: Blocks> Shell<B> {
             branches: self.branches.clone(),
             guard: &mut self.guard,
         };
-        way.go()?;
+        way.go(failure)?;
         self.branches = way.branches;
         *way.next = way.reached;
         Ok(())
@@ -252,9 +257,24 @@ pub(crate) fn solve<B: Blocks>(
     conditions: &Conditions<'_, B::Scalar, B::Parameters, B::Inputs>,
 ) -> Result<(), Failure<B::Scalar>> {
     if !(conditions.parameters.are_finite() && conditions.inputs.are_finite()) {
-        return Err(failed(FailureKind::NotFinite, conditions.t, 0));
+        return Err(not_finite(conditions));
     }
     blocks.solve(at, last, branches, conditions)
+}
+
+/// The failure of an instant whose parameters or inputs are not finite: it names the first such input.
+#[cold]
+fn not_finite<T: Real, P, I: Signals<T>>(conditions: &Conditions<'_, T, P, I>) -> Failure<T> {
+    let input = (0..conditions.inputs.count()).find(|&place| {
+        conditions
+            .inputs
+            .signal(place)
+            .is_some_and(|signal| !signal.is_finite())
+    });
+    Failure {
+        input: input.map(index),
+        ..failed(FailureKind::NotFinite, conditions.t, 0)
+    }
 }
 
 /// Any mechanism: a type of its own around a [`Shell`], with its own names for what the shell does.

@@ -38,6 +38,22 @@ impl<T: Real> Signal<T> {
         }
     }
 
+    /// True if its value, rate and acceleration are finite.
+    pub fn is_finite(&self) -> bool {
+        self.value.is_finite() && self.rate.is_finite() && self.acceleration.is_finite()
+    }
+
+    /// The signal at the fraction `part` of the straight way from this one to `last`, on which no time passes.
+    #[must_use]
+    pub fn straight_towards(&self, last: &Self, part: T) -> Self {
+        let between = |from: T, to: T| from + part * (to - from);
+        Self {
+            value: between(self.value, last.value),
+            rate: between(self.rate, last.rate),
+            acceleration: between(self.acceleration, last.acceleration),
+        }
+    }
+
     /// What the signal is at the fraction `part` of the time `h` (s) that it takes from this value to `last`, if it goes the
     /// smoothest way: by the polynomial of the fifth degree that has value, rate and acceleration of both ends.
     #[must_use]

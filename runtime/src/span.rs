@@ -48,10 +48,14 @@ impl<T: Real> Span<T> {
     }
 
     /// How far a signal goes from its second value, and from the straight line, on the way that [`Signal::towards`] describes; beyond
-    /// the frames as far as [`Span::holds_signal`] lets it.
+    /// the frames as far as [`Span::holds_signal`] lets it. Where no time passes, it goes straight.
     pub fn signal(&self, before: &Signal<T>, now: &Signal<T>) -> [T; 2] {
         let moved = (now.value - before.value).abs();
-        let sag = bend_of_signal(self.step, before, now) + self.beyond * self.tube(moved);
+        let bend = match self.step == T::ZERO {
+            true => T::ZERO,
+            false => bend_of_signal(self.step, before, now),
+        };
+        let sag = bend + self.beyond * self.tube(moved);
         [self.stretch * moved + sag, sag]
     }
 

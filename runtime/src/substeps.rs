@@ -158,6 +158,7 @@ pub fn in_steps<T: Real>(
             iterations: 0,
             residual: T::ZERO,
             row: 0,
+            input: None,
         },
     };
     Err(Broken { reached, failure })

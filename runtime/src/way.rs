@@ -1,7 +1,7 @@
 //! The way from one frame of a mechanism to another time → the frame there, in as many steps as it takes.
 //!
 //! A step that fails is halved ([`in_steps`]). Where the modes of a block meet, the way goes straight on in the other one
-//! ([`crate::crossing`]). The module does not know equations.
+//! ([`crate::crossing`]). Where no time passes, the inputs alone are changed, in steps as well. The module does not know equations.
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals};
@@ -26,6 +26,8 @@ pub(crate) struct Way<'a, B: Blocks> {
     pub ends: [B::Scalar; 2],
     /// The signals at both ends.
     pub inputs: [&'a B::Inputs; 2],
+    /// The part of the inputs' change that was made, on a way without length.
+    pub changed: Option<B::Scalar>,
     /// What the frame is that was reached.
     pub start: Start,
     /// The last frame on the way.
@@ -39,12 +41,22 @@ pub(crate) struct Way<'a, B: Blocks> {
 }
 
 impl<B: Blocks> Way<'_, B> {
-    /// Goes to its end.
+    /// Goes to its end. `failure` is that of a single step.
     ///
     /// # Errors
     /// A [`Failure`] where that is not possible; see [`in_steps`].
-    pub fn go(&mut self) -> Result<(), Failure<B::Scalar>> {
-        let end = self.ends[1];
+    pub fn go(&mut self, failure: Failure<B::Scalar>) -> Result<(), Failure<B::Scalar>> {
+        let [from, end] = self.ends;
+        if self.is_without_length() && self.is_changed() {
+            return self.change();
+        }
+        if from == end {
+            // The last frame answers to no parameters but its own.
+            return match self.start {
+                Start::LastFrame => Ok(()),
+                Start::Estimate => Err(failure),
+            };
+        }
         let mut failure = match self.steps_to(end) {
             Ok(()) => return Ok(()),
             Err(broken) => broken.failure,
@@ -61,23 +73,99 @@ impl<B: Blocks> Way<'_, B> {
         Err(failure)
     }
 
+    /// True if time is too coarse to be divided between the ends.
+    fn is_without_length(&self) -> bool {
+        let [from, end] = self.ends;
+        let middle = from + B::Scalar::HALF * (end - from);
+        middle == from || middle == end
+    }
+
+    /// True if an input differs between the ends.
+    fn is_changed(&self) -> bool {
+        let [first, last] = self.inputs;
+        (0..last.count()).any(|index| first.signal(index) != last.signal(index))
+    }
+
+    /// Goes to its end where it has no length, in steps of the inputs.
+    ///
+    /// # Errors
+    /// A [`Failure`] where that is not possible, at the time of the end.
+    fn change(&mut self) -> Result<(), Failure<B::Scalar>> {
+        let [_, end] = self.ends;
+        self.changed = Some(B::Scalar::ZERO);
+        let steps = self.steps([B::Scalar::ZERO, B::Scalar::ONE]);
+        steps.map_err(|broken| Failure {
+            time: end,
+            ..broken.failure
+        })
+    }
+
     /// Goes on to a time.
     fn steps_to(&mut self, end: B::Scalar) -> Result<(), Broken<B::Scalar>> {
         let from = B::time(&self.reached);
         if from == end {
             return Ok(());
         }
-        in_steps(from, end, self.settings.substeps, |t| self.step(t)).map(|_| ())
+        self.steps([from, end])
     }
 
-    fn step(&mut self, t: B::Scalar) -> Result<(), Failure<B::Scalar>> {
-        let inputs = self.inputs_at(t);
-        let before = self.inputs_at(B::time(&self.reached));
+    /// Goes from one place to another in as many steps as it takes: from time to time, or from part to part of a change.
+    fn steps(&mut self, [from, end]: [B::Scalar; 2]) -> Result<(), Broken<B::Scalar>> {
+        let budget = self.settings.substeps;
+        in_steps(from, end, budget, |place| match self.changed {
+            None => {
+                let before = self.inputs_at(B::time(&self.reached));
+                let inputs = self.inputs_at(place);
+                self.step(place, &before, &inputs)
+            }
+            Some(reached) => self.change_step(reached, place),
+        })
+        .map(|_| ())
+    }
+
+    /// Goes from one part of a change of the inputs to another. The time of a failure is that part.
+    fn change_step(
+        &mut self,
+        reached: B::Scalar,
+        part: B::Scalar,
+    ) -> Result<(), Failure<B::Scalar>> {
+        let [from, end] = self.ends;
+        let [before, inputs] = [reached, part].map(|part| self.changed_inputs(part));
+        let t = if part < B::Scalar::ONE { from } else { end };
+        let step = self.step(t, &before, &inputs);
+        step.map_err(|failure| Failure {
+            time: part,
+            ..failure
+        })?;
+        self.changed = Some(part);
+        Ok(())
+    }
+
+    /// The signals at a part of their change.
+    fn changed_inputs(&self, part: B::Scalar) -> B::Inputs {
+        let [first, last] = self.inputs;
+        let mut inputs = last.clone();
+        if part < B::Scalar::ONE {
+            for index in 0..inputs.count() {
+                if let (Some(first), Some(last)) = (first.signal(index), last.signal(index)) {
+                    inputs.set(index, first.straight_towards(&last, part));
+                }
+            }
+        }
+        inputs
+    }
+
+    fn step(
+        &mut self,
+        t: B::Scalar,
+        before: &B::Inputs,
+        inputs: &B::Inputs,
+    ) -> Result<(), Failure<B::Scalar>> {
         let conditions = Conditions {
             t,
             start: self.start,
             parameters: self.parameters,
-            inputs: &inputs,
+            inputs,
             settings: self.settings,
         };
         solve(
@@ -90,7 +178,7 @@ impl<B: Blocks> Way<'_, B> {
         let pair = Pair {
             at: self.next,
             last: &self.reached,
-            before: &before,
+            before,
             conditions: &conditions,
         };
         self.guard.admit(self.blocks, pair)?;

@@ -301,6 +301,7 @@ fn every_kind_has_words() {
             iterations: 3,
             residual: 0.25,
             row: 4,
+            input: None,
         };
         failure.to_string()
     };

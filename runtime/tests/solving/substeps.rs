@@ -10,6 +10,7 @@ fn failure(kind: FailureKind, time: f64) -> Failure {
         iterations: 3,
         residual: 0.5,
         row: 1,
+        input: None,
     }
 }
 

@@ -30,9 +30,13 @@ pub fn script(end: f64) -> String {
         let _ = write!(text, "{letter} {:x} {:x}", t.to_bits(), number.to_bits());
         for place in 0..INPUTS {
             let phase = t + place as f64;
-            let value = match place % 3 {
-                0 => 0.03 * phase.sin(),
-                1 => 0.03 * phase.cos(),
+            let value = match (letter, place % 3) {
+                // The inputs jump by a number, or one of them is no number, while time stands still.
+                ('j', 0) => number,
+                ('j', _) => 0.0,
+                ('n', _) if place == 3 * number as usize => f64::NAN,
+                (_, 0) => 0.03 * phase.sin(),
+                (_, 1) => 0.03 * phase.cos(),
                 _ => -0.03 * phase.sin(),
             };
             let _ = write!(text, " {:x}", value.to_bits());
@@ -71,6 +75,12 @@ pub fn script(end: f64) -> String {
         call('v', 0.01 * end, 0.0);
         call('v', 0.02 * end, 0.0);
         call('f', 0.03 * end, factor);
+    }
+    for number in [0.05, 0.3, -0.2, 4.0, 0.1, -0.6, 0.0, 1e9] {
+        call('j', 0.0, number);
+        call('n', 0.0, 0.0);
+        call('n', 0.001, 1.0);
+        call('v', 0.0, 0.0);
     }
     call('v', f64::NAN, 0.0);
     call('a', 0.0, 0.0);

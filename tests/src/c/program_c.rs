@@ -271,7 +271,7 @@ fn calls(declared: &Declared, suffix: &str) -> String {
         {{
 {given}            if (letter == 'a') {{
                 assembled({prefix}_assemble(&fresh, t{inputs}));
-            }} else if ((letter == 'v') && is_held) {{
+            }} else if (((letter == 'v') || (letter == 'j') || (letter == 'n')) && is_held) {{
                 report({prefix}_advance(&mechanism, t{inputs}));
             }} else if ((letter == 'x') && is_held) {{
                 {type_name}Frame found;

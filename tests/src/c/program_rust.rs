@@ -37,7 +37,7 @@ pub fn failed<T: Real>(failure: &Failure<T>) -> String {
         FailureKind::WrongBranch => (7, T::ZERO, 0),
         FailureKind::StepTooLarge => (8, T::ZERO, 0),
         FailureKind::NotPositive { value } => (9, value, 0),
-        FailureKind::NotFinite => (10, T::ZERO, 0),
+        FailureKind::NotFinite => (10, T::ZERO, failure.input.map_or(0, |input| input + 1)),
         _ => panic!("a kind of failure that C does not know"),
     };
     let mut text = format!("no {status}");
@@ -244,12 +244,12 @@ fn run_{answers}(calls: &[Call]) -> String {{
         let t = call.t as {real};
         let given: Vec<{real}> = call.given.iter().map(|it| *it as {real}).collect();
         {moved}
-        if held.is_none() && matches!(call.letter, 'v' | 'x' | 'p') {{
+        if held.is_none() && matches!(call.letter, 'v' | 'j' | 'n' | 'x' | 'p') {{
             continue;
         }}
         let result = match call.letter {{
                 'a' => {type_name}::assemble(t{inputs}).map(|it| {{ held = Some(it); }}),
-                'v' => held.as_mut().expect("it is assembled").advance(t{inputs}).map(|_| ()),
+                'v' | 'j' | 'n' => held.as_mut().expect("it is assembled").advance(t{inputs}).map(|_| ()),
                 'x' => {{
                     match held.as_ref().expect("it is assembled").frame_at(t{inputs}) {{
                         Ok(frame) => print(&frame, text),

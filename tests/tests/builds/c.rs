@@ -14,7 +14,7 @@ use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
-const SMALL: [&str; 34] = [
+const SMALL: [&str; 35] = [
     "angle_and_slot",
     "asked",
     "both_ways",
@@ -49,6 +49,7 @@ const SMALL: [&str; 34] = [
     "torn_by_angles",
     "transmitted",
     "weighed_given",
+    "winch",
 ];
 
 /// How many random mechanisms are looked at, of how many bodies, and from which seed.

@@ -11,6 +11,7 @@ mod platforms;
 mod proven_assemblies;
 mod redundant;
 mod starts;
+mod standing_time;
 mod stored_assemblies;
 mod tears;
 mod two_links;

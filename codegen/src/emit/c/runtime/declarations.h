@@ -9,7 +9,8 @@ typedef struct linkwright$f_failure {
     uint16_t iterations;
     $real residual;
     uint16_t row;
-    /* What the status says of a value and a column; 0 for others. */
+    /* What the status says of a value and a column; 0 for others. The column of LINKWRIGHT_NOT_FINITE is the place of
+       the input that is not finite, counted from 1, or 0 if no input is the cause. */
     $real value;
     uint16_t column;
 } linkwright$f_failure;

@@ -58,7 +58,7 @@ typedef enum linkwright_status {
     /* Parameters make something not positive that must be. The value is what it would be, the block its place among
        what must be positive. */
     LINKWRIGHT_NOT_POSITIVE = 9,
-    /* A number is infinite or NaN. */
+    /* A number is infinite or NaN. Of an input, the failure's column is its place, counted from 1. */
     LINKWRIGHT_NOT_FINITE = 10
 } linkwright_status;
 

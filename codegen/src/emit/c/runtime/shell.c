@@ -76,19 +76,38 @@ linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, 
     return status;
 }
 
+/* Goes to the end of a way, through the poses at which modes meet. */
+static linkwright_status gone$f(Way$f *way)
+{
+    linkwright_status status = steps_to$f(way, way->end);
+    for (uint16_t crossings = 0U; (status != LINKWRIGHT_OK) && (crossings < CROSSINGS$F); crossings++) {
+        const linkwright$f_failure failure = way->failure;
+        if (is_crossed$f(way)) {
+            status = steps_to$f(way, way->end);
+        } else {
+            way->failure = failure;
+            break;
+        }
+    }
+    return status;
+}
+
 linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
     const linkwright$f_room *room)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     const linkwright$f_state *const state = mechanism->state;
     const void *const last = frame_of$f(mechanism, true);
-    if (state->settings.substeps <= 1U) {
+    /* No way leads to an input that is not finite. */
+    if (is_of_input$f(mechanism->failure) || (state->settings.substeps <= 1U)) {
         return mechanism->failure->status;
     }
     Way$f way;
     way.mechanism = mechanism;
     way.from = blocks->time(last);
     way.end = t;
+    way.is_change = false;
+    way.part = 0.0$f;
     way.first_inputs = mechanism->inputs;
     way.last_inputs = inputs;
     way.start = state->start;
@@ -111,15 +130,14 @@ linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *me
     (void)memcpy(way.reached, last, blocks->frame_size);
     (void)memcpy(way.origin, last, blocks->frame_size);
     (void)memcpy(way.branches, mechanism->branches, blocks->branches_size);
-    linkwright_status status = steps_to$f(&way, t);
-    for (uint16_t crossings = 0U; (status != LINKWRIGHT_OK) && (crossings < CROSSINGS$F); crossings++) {
-        const linkwright$f_failure failure = way.failure;
-        if (is_crossed$f(&way)) {
-            status = steps_to$f(&way, t);
-        } else {
-            way.failure = failure;
-            break;
-        }
+    linkwright_status status;
+    if (is_without_length$f(&way) && is_changed$f(&way)) {
+        status = changed$f(&way);
+    } else if ((way.from == t) && (way.start == LINKWRIGHT_ESTIMATE)) {
+        /* The last frame answers to no parameters but its own. */
+        status = way.failure.status;
+    } else {
+        status = gone$f(&way);
     }
     if (status == LINKWRIGHT_OK) {
         (void)memcpy(mechanism->branches, way.branches, blocks->branches_size);

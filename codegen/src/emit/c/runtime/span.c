@@ -38,7 +38,9 @@ void linkwright$f_span_signal(const linkwright$f_span *span, const linkwright$f_
     const linkwright$f_signal *now, $real found[2])
 {
     const $real moved = fabs$f(now->value - before->value);
-    const $real sag = bend_of_signal$f(span->step, before, now) + (span->beyond * tube_of_signal$f(span, moved));
+    /* Where no time passes, it goes straight. */
+    const $real bend = (span->step == 0.0$f) ? 0.0$f : bend_of_signal$f(span->step, before, now);
+    const $real sag = bend + (span->beyond * tube_of_signal$f(span, moved));
     found[0] = (span->stretch * moved) + sag;
     found[1] = sag;
 }

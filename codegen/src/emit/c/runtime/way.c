@@ -20,6 +20,9 @@ typedef struct Way$f {
     $real end;
     const void *first_inputs;
     const void *last_inputs;
+    /* Whether it has no length, so that the inputs alone are changed, and the part of their change that was made. */
+    bool is_change;
+    $real part;
     linkwright_start start;
     /* The last frame on the way, where the modes were exchanged last, or else its first frame, and where the next is
        written. */
@@ -68,6 +71,31 @@ static void inputs_at$f(const Way$f *way, $real t, void *inputs)
     }
 }
 
+/* True if a signal's value, rate and acceleration are finite. */
+static bool is_finite_signal$f(const linkwright$f_signal *signal)
+{
+    return linkwright$f_is_finite(signal->value) && linkwright$f_is_finite(signal->rate)
+        && linkwright$f_is_finite(signal->acceleration);
+}
+
+/* The failure of an instant whose parameters or inputs are not finite: it names the first such input. */
+static LINKWRIGHT_APART linkwright_status names_input$f(const linkwright$f_blocks *blocks,
+    const linkwright$f_conditions *conditions)
+{
+    uint16_t place = 0U;
+    while ((place < blocks->signals) && is_finite_signal$f(blocks->read_signal(conditions->inputs, place))) {
+        place++;
+    }
+    const uint16_t column = (place < blocks->signals) ? (uint16_t)(place + 1U) : (uint16_t)0U;
+    return noted$f(conditions->failure, LINKWRIGHT_NOT_FINITE, 0.0$f, column, conditions->t, 0U);
+}
+
+/* True if a failure is that of an input that is not finite. */
+static bool is_of_input$f(const linkwright$f_failure *failure)
+{
+    return (failure->status == LINKWRIGHT_NOT_FINITE) && (failure->column > 0U);
+}
+
 /* Solves all blocks for numbers that are finite. */
 static linkwright_status solve_all$f(const linkwright$f_mechanism *mechanism, void *at, const void *last,
     void *branches, const linkwright$f_conditions *conditions)
@@ -80,18 +108,49 @@ static linkwright_status solve_all$f(const linkwright$f_mechanism *mechanism, vo
     if (blocks->inputs_are_finite != NULL) {
         are_finite = are_finite && blocks->inputs_are_finite(conditions->inputs);
     }
-    return are_finite ? blocks->solve(at, last, branches, conditions) : linkwright$f_not_finite(conditions, 0U);
+    return are_finite ? blocks->solve(at, last, branches, conditions) : names_input$f(blocks, conditions);
 }
 
-static linkwright_status stepped$f(Way$f *way, $real t)
+/* The number at a part of the straight way from one to another. */
+static $real between$f($real first, $real last, $real part)
+{
+    return first + (part * (last - first));
+}
+
+/* Signals at a part of their change. */
+static void changed_inputs$f(const Way$f *way, $real part, void *inputs)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    for (uint16_t k = 0U; k < blocks->signals; k++) {
+        const linkwright$f_signal *const first = blocks->read_signal(way->first_inputs, k);
+        const linkwright$f_signal *const last = blocks->read_signal(way->last_inputs, k);
+        linkwright$f_signal *const found = blocks->signal(inputs, k);
+        *found = *last;
+        if (part < 1.0$f) {
+            found->value = between$f(first->value, last->value, part);
+            found->rate = between$f(first->rate, last->rate, part);
+            found->acceleration = between$f(first->acceleration, last->acceleration, part);
+        }
+    }
+}
+
+/* Goes on to a place: a time, or a part of the change of the inputs, which is then the time of a failure. */
+static linkwright_status stepped$f(Way$f *way, $real place)
 {
     const linkwright$f_mechanism *const mechanism = way->mechanism;
     const linkwright$f_blocks *const blocks = mechanism->blocks;
+    const $real end_of_change = (place < 1.0$f) ? way->from : way->end;
+    const $real t = way->is_change ? end_of_change : place;
     const linkwright$f_conditions conditions = {t, way->start, mechanism->parameters, way->inputs,
         &mechanism->state->settings, &way->failure};
     const linkwright$f_pair pair = {way->next, way->reached, way->before, &conditions};
-    inputs_at$f(way, t, way->inputs);
-    inputs_at$f(way, blocks->time(way->reached), way->before);
+    if (way->is_change) {
+        changed_inputs$f(way, place, way->inputs);
+        changed_inputs$f(way, way->part, way->before);
+    } else {
+        inputs_at$f(way, t, way->inputs);
+        inputs_at$f(way, blocks->time(way->reached), way->before);
+    }
     linkwright_status status = solve_all$f(mechanism, way->next, way->reached, way->branches, &conditions);
     if (status == LINKWRIGHT_OK) {
         status = admitted$f(mechanism, &pair);
@@ -101,6 +160,11 @@ static linkwright_status stepped$f(Way$f *way, $real t)
         way->next = way->reached;
         way->reached = reached;
         way->start = LINKWRIGHT_LAST_FRAME;
+        way->part = place;
+    } else if (way->is_change) {
+        way->failure.time = place;
+    } else {
+        /* The failure has the time of the step. */
     }
     return status;
 }
@@ -145,11 +209,9 @@ static void restate$f(linkwright$f_failure *failure, linkwright_status status, $
 
 /* Moves on to a time by as many steps as it takes, within the budget of the settings; the failure of the way says
    why it ends. */
-static linkwright_status in_steps$f(Way$f *way, $real to)
+static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
 {
-    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const uint16_t budget = way->mechanism->state->settings.substeps;
-    const $real from = blocks->time(way->reached);
     const $real refined = fabs$f(to - from) * REFINED$f;
     $real reached = from;
     $real step = to - from;
@@ -253,6 +315,38 @@ static linkwright_status in_steps$f(Way$f *way, $real to)
 /* Goes on to a time. */
 static linkwright_status steps_to$f(Way$f *way, $real end)
 {
-    const bool is_there = way->mechanism->blocks->time(way->reached) == end;
-    return is_there ? LINKWRIGHT_OK : in_steps$f(way, end);
+    const $real from = way->mechanism->blocks->time(way->reached);
+    return (from == end) ? LINKWRIGHT_OK : in_steps$f(way, from, end);
+}
+
+/* True if time is too coarse to be divided between the ends. */
+static bool is_without_length$f(const Way$f *way)
+{
+    const $real middle = way->from + (0.5$f * (way->end - way->from));
+    return (middle == way->from) || (middle == way->end);
+}
+
+/* True if an input differs between the ends. */
+static bool is_changed$f(const Way$f *way)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    bool is_found = false;
+    for (uint16_t k = 0U; (k < blocks->signals) && !is_found; k++) {
+        const linkwright$f_signal *const first = blocks->read_signal(way->first_inputs, k);
+        const linkwright$f_signal *const last = blocks->read_signal(way->last_inputs, k);
+        is_found = (first->value != last->value) || (first->rate != last->rate)
+            || (first->acceleration != last->acceleration);
+    }
+    return is_found;
+}
+
+/* Goes to the end of a way that has no length, in steps of the inputs. */
+static linkwright_status changed$f(Way$f *way)
+{
+    way->is_change = true;
+    const linkwright_status status = in_steps$f(way, 0.0$f, 1.0$f);
+    if (status != LINKWRIGHT_OK) {
+        way->failure.time = way->end;
+    }
+    return status;
 }
