@@ -3,11 +3,12 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use linkwright::{Failure, FailureKind, Settings};
+use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::view::View;
 use linkwright_tests::description;
-use linkwright_tests::values::assembled_with;
+use linkwright_tests::values::{assembled_with, levels};
 
 mod parallelogram {
     linkwright::include_mechanism!(parallelogram);
@@ -48,6 +49,70 @@ fn a_parallelogram_stays_one_through_its_change_points() {
                 off.iter().all(|it| it.abs() < 1e-9),
                 "step {h} to {t}: {off:?}"
             );
+        }
+    }
+}
+
+/// A parallelogram with cranks of 0.4 times the given coupler, drawn at 60° to a ground that is turned.
+fn slanted(coupler: f64, turned: f64) -> String {
+    let crank = 0.4 * coupler;
+    let along = |length: f64, angle: f64| [length * angle.cos(), length * angle.sin()];
+    let [dx, dy] = along(coupler, turned);
+    let [bx, by] = along(crank, turned + PI / 3.0);
+    let [first, second] = [turned + PI / 3.0, turned];
+    format!(
+        "mechanism slanted {{
+            point A = (0, 0), D = ({dx:?}, {dy:?});
+            body crank at (0, 0, {first:?}) {{ A: (0, 0), B: ({crank:?}, 0) }}
+            body coupler at ({bx:?}, {by:?}, {second:?}) {{ B: (0, 0), C: ({coupler:?}, 0) }}
+            body follower at ({dx:?}, {dy:?}, {first:?}) {{ D: (0, 0), C: ({crank:?}, 0) }}
+            revolute A(ground, crank);
+            revolute B(crank, coupler);
+            revolute C(coupler, follower);
+            revolute D(ground, follower);
+            drive phi(crank) = {first:?} + t;
+        }}"
+    )
+}
+
+/// How far a path bends in metres must not hide in which mode it goes on, which differs by angles alone.
+#[test]
+fn parallelograms_of_all_sizes_are_driven_through() {
+    for (coupler, turned) in [
+        (1e-4, 0.0),
+        (0.5, 1.1),
+        (30.0, -2.0),
+        (500.0, 0.0),
+        (1e5, 0.7),
+    ] {
+        let text = slanted(coupler, turned);
+        let system = read(&Source::new("slanted.mech", text)).expect("no errors");
+        let interpreted = Interpreted::new(&system.only().expect("one motion"));
+        let interpreted = interpreted.expect("its blocks");
+        let (laws, settings) = (interpreted.input_laws(), Settings::default());
+        for h in STEPS {
+            let mut mechanism =
+                assembled_with(interpreted.clone(), &[], 0.0, &laws.at(0.0), settings)
+                    .expect("as drawn");
+            for step in 1..=60 {
+                let t = h * f64::from(step);
+                let frame = mechanism.advance(t, &laws.at(t));
+                let frame = frame
+                    .unwrap_or_else(|failure| panic!("{coupler} m, step {h} to {t}: {failure}"));
+                let [q, qd, qdd] = levels(&interpreted, frame);
+                let off = [
+                    q[5] - turned,
+                    q[8] - (turned + PI / 3.0 + t),
+                    qd[5],
+                    qd[8] - 1.0,
+                    qdd[5],
+                    qdd[8],
+                ];
+                assert!(
+                    off.iter().all(|it| it.abs() < 1e-8),
+                    "{coupler} m, step {h} to {t}: {off:?}"
+                );
+            }
         }
     }
 }
