@@ -36,6 +36,7 @@ pub mod solver;
 pub mod stability;
 pub mod starts;
 pub mod stencil;
+pub mod stiff;
 pub mod study;
 pub mod swing;
 pub mod table;

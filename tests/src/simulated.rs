@@ -17,6 +17,7 @@ pub fn options(relative: f64) -> Options {
             relative,
             absolute: relative * 1e-3,
         },
+        method: Default::default(),
     }
 }
 

@@ -34,6 +34,7 @@ pub mod pressure;
 pub mod proof;
 pub mod reader;
 pub mod residuals;
+pub mod rosenbrock;
 pub mod schedule;
 pub mod search;
 pub mod simulation;

@@ -7,4 +7,5 @@ mod forces_generated;
 mod least_norm;
 mod near_singular;
 mod simulation;
+mod stiff;
 mod transmissions;

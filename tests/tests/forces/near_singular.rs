@@ -75,6 +75,77 @@ fn a_five_bar_folds_and_goes_on() {
     assert!((upper.sin() - 0.032_79).abs() <= 1e-4, "{upper}");
 }
 
+/// A slider-crank whose rod is longer than its crank by half a hundredth.
+const SLIDER: &str = "mechanism near_dead_slider {
+    point A = (0, 0);
+    body crank at (0, 0, 40deg) { A: (0, 0), B: (0.2, 0), S: (0.1, 0) }
+    body rod at (0.1532, 0.1286, -39.8deg) { B: (0, 0), C: (0.201, 0) }
+    body slider at (0.3077, 0) { C: (0, 0) }
+    revolute A(ground, crank);
+    revolute B(crank, rod);
+    revolute C(rod, slider);
+    absolute_y(slider) = 0;
+    absolute_angle(slider) = 0;
+    free turn: phi(crank) = 40deg rate 12;
+    mass crank = 1.2kg at S inertia 0.01;
+    mass slider = 2.5kg;
+    energy;
+}";
+
+#[test]
+fn a_slider_that_nearly_stands_still_keeps_its_motion() {
+    let mut slider = simulation(SLIDER, 2.0, options(1e-10));
+    // By DOP853 with multipliers at 1e-12, and by t = ∫ sqrt(M/2E) dφ.
+    for (t, expected) in [
+        (1.4, 25.839_656_634),
+        (1.6, 29.998_858_557),
+        (1.8, 32.615_145_886),
+        (2.0, 36.723_693_739),
+    ] {
+        slider.advance(t).expect("no end");
+        let [angle, _] = coordinate(&slider, "phi_crank");
+        assert!((angle - expected).abs() <= 1e-7, "{t}: {angle}");
+    }
+    let [_, rate] = coordinate(&slider, "phi_crank");
+    assert!((rate - 9.575_248_320).abs() <= 1e-6, "{rate}");
+    assert!((energy(&slider) - 13.383_319_706_2).abs() <= 1e-7);
+}
+
+/// Another five-bar, whose energy is what its torques have worked.
+const GAINING: &str = "mechanism five_bar_gains {
+    point A = (0, 0), E = (0.48, 0);
+    body left at (0, 0, 135deg) { A: (0, 0), B: (0.3, 0) }
+    body upper at (0, 0.3, 45deg) { B: (0, 0), C: (0.45, 0) }
+    body lower at (0.48, 0.3, 135deg) { D: (0, 0), C: (0.45, 0) }
+    body right at (0.48, 0, 105deg) { E: (0, 0), D: (0.3, 0) }
+    revolute A(ground, left);
+    revolute B(left, upper);
+    revolute C(upper, lower);
+    revolute D(lower, right);
+    revolute E(ground, right);
+    free one: phi(left) = 135deg;
+    free two: phi(right) = 105deg;
+    mass left = 1kg at B inertia 0.02;
+    mass upper = 0.5kg at C inertia 0.01;
+    mass right = 1kg at D inertia 0.02;
+    torque on left = -0.5Nm;
+    torque on right = 0.04Nm;
+    energy;
+}";
+
+#[test]
+fn a_five_bar_gains_what_its_torques_work() {
+    let mut gains = simulation(GAINING, 1.2, options(1e-10));
+    gains.advance(1.2).expect("no end");
+    let found = ["phi_left", "phi_right"].map(|name| coordinate(&gains, name)[0]);
+    // All 12 coordinates integrated with multipliers at 1e-12.
+    assert!((found[0] - 0.633_502_2).abs() <= 1e-6, "{found:?}");
+    assert!((found[1] - 2.442_418_7).abs() <= 1e-6, "{found:?}");
+    let work = gains.added_work().expect("on the step");
+    assert!((energy(&gains) - 0.885_739_1).abs() <= 1e-6);
+    assert!((work - 0.885_739_1).abs() <= 1e-6, "{work}");
+}
+
 /// Equal cranks, whose coupler is longer than the distance of their pivots by this.
 fn cranks(longer: f64) -> String {
     let right = 1.1 + longer;

@@ -43,6 +43,25 @@ fn a_pendulum_swings_as_elliptic_functions_do() {
     }
 }
 
+/// What has turned a thousand times is as accurate as what has not, in as many steps.
+#[test]
+fn turns_of_the_past_allow_no_larger_errors() {
+    let run = |turns: u32| {
+        let start = format!("150deg + {turns}*360deg");
+        let text = PENDULUM.replace("150deg", &start);
+        let mut pendulum = simulation(&text, 5.0, options(1e-8));
+        let first = energy(&pendulum);
+        pendulum.advance(5.0).expect("no end");
+        (pendulum.effort().steps, energy(&pendulum) - first)
+    };
+    let [(steps, drift), (more_steps, other_drift)] = [run(0), run(1000)];
+    assert!(steps.abs_diff(more_steps) <= 2, "{steps} {more_steps}");
+    assert!(
+        drift.abs().max(other_drift.abs()) <= 1e-6,
+        "{drift} {other_drift}"
+    );
+}
+
 /// At t = 0.03 s, of which 28 digits are known: β, θ, γ, φ, δ, Ω, ε and their rates.
 const ANDREWS: [[f64; 2]; 7] = [
     [15.810_771_195_153_707, 1_139.920_302_259_106_1],

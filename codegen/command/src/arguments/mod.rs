@@ -15,7 +15,7 @@ pub use measured::{Calibrate, Compare, Mark, Separator, Table};
 pub use reported::{Reported, TurnUnit};
 pub use setting::Setting;
 pub use shell::{Completions, Fmt, Lsp, Man, New};
-pub use simulate::Simulate;
+pub use simulate::{Simulate, StepMethod};
 pub use solve::{Equations, Solve};
 pub use view::View;
 

@@ -1,6 +1,6 @@
 //! What `linkwright simulate` is asked.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::described::Described;
 use super::reported::Reported;
@@ -9,7 +9,8 @@ use super::values::{step, time, tolerance};
 /// Integrates the motion that forces give a mechanism with `free` coordinates, from where its description says that it starts.
 ///
 /// As many coordinates as are free are integrated with their rates, by a method of order 8 with steps of its own (DOP853): those of the
-/// tangent of all poses at one that was passed a moment ago, so that no dead center of what is called free matters. All else follows
+/// tangent of all poses at one that was passed a moment ago, so that no dead center of what is called free matters. While the motion is
+/// stiff, as strong dampers make it, steps are those of an implicit method of order 5 (Rodas5P). All else follows
 /// from the equations of the joints, so that every frame lies on them to rounding. Frames between the steps are those of its dense
 /// output. A motion whose energy does not change by the work that is done ends with an error.
 #[derive(Args, Debug)]
@@ -24,12 +25,16 @@ pub struct Simulate {
     /// The time between frames, in s; the steps of the integration do not depend on it
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
-    /// The error of a step that is allowed, relative to each coordinate that is integrated and to each of their rates
+    /// The error of a step that is allowed, relative to each coordinate that is integrated, up to 1 rad or one characteristic length,
+    /// and to each of their rates
     #[arg(long, value_name = "R", default_value = "1e-10", value_parser = tolerance, allow_hyphen_values = true)]
     pub rtol: f64,
     /// What is allowed besides, in rad or characteristic lengths of the mechanism, and the same per s
     #[arg(long, value_name = "A", default_value = "1e-12", value_parser = tolerance, allow_hyphen_values = true)]
     pub atol: f64,
+    /// The method of all steps; without it explicit steps, and implicit ones while the motion is stiff
+    #[arg(long, value_enum)]
+    pub method: Option<StepMethod>,
     /// Another value of a parameter, the motion of an input as an expression of t, or of a free coordinate the start: `swing=0.3 + 1.5*t`
     /// begins at 0.3 with the rate 1.5; may be repeated
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
@@ -42,11 +47,21 @@ pub struct Simulate {
     pub reported: Reported,
 }
 
+/// The methods of steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum StepMethod {
+    /// DOP853: explicit, of order 8
+    Dop853,
+    /// Rodas5P: implicit, of order 5, for stiff motions
+    Implicit,
+}
+
 const SIMULATE_EXAMPLES: &str = "\
 Examples:
   linkwright simulate pendulum.mech --to 20                           summary, CSV and plots of twenty seconds
   linkwright simulate pendulum.mech --set swing=170deg --show phi1    from another start
   linkwright simulate pendulum.mech --rtol 1e-12 --csv - > motion.csv
+  linkwright simulate damped.mech --method implicit                   no explicit steps, not even the first ones
   linkwright simulate pendulum.mech --json | jq '.simulation'         evaluations, steps, drift of the energy
 
 Exit codes: 0 simulated, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.

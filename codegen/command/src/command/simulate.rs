@@ -1,14 +1,14 @@
 //! *A description with free coordinates* → *the motion that forces give it*: printed, and written as CSV and plots.
 
 use linkwright_solver::schedule::Schedule;
-use linkwright_solver::simulation::{Options, Tolerances};
+use linkwright_solver::simulation::{Method, Options, Tolerances};
 
 use super::description::{chosen, determined, interpreted, outputs, set_all, source};
 use super::report::{check_stdout, report};
 use super::solve::shown;
 use super::solve_files::Files;
 use super::{Outcome, Problem};
-use crate::arguments::Simulate;
+use crate::arguments::{Simulate, StepMethod};
 use crate::motion::{Followed, Wanted};
 use crate::report::summary::Layout;
 
@@ -49,6 +49,11 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         tolerances: Tolerances {
             relative: arguments.rtol,
             absolute: arguments.atol,
+        },
+        method: match arguments.method {
+            None => Method::Automatic,
+            Some(StepMethod::Dop853) => Method::Explicit,
+            Some(StepMethod::Implicit) => Method::Implicit,
         },
     };
     let motion = Followed::moved_by_forces(&view, wanted, chosen.clone());

@@ -15,7 +15,7 @@
 //! | `residuals` | the largest over all frames: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` where equations are redundant |
 //! | `pressure_angles` | where bodies touch along curves: `{joint, angle, t}` each, the largest angle in rad and when; null at rest |
 //! | `newton_steps` | how many were taken in all |
-//! | `simulation` | of a simulated motion: `evaluations`, `steps`, `rejected`, `energy_drift` in J, and `kinetic_energy`, the largest |
+//! | `simulation` | of a simulated motion: `evaluations`, `steps`, `implicit_steps` among them, `rejected`, `energy_drift` in J, and `kinetic_energy`, the largest |
 //! | `warnings` | sentences |
 //! | `error` | only if the motion ends early: why; `frames` then holds what could be solved |
 
@@ -111,6 +111,7 @@ struct Largest {
 struct Integration {
     evaluations: u64,
     steps: u64,
+    implicit_steps: u64,
     rejected: u64,
     energy_drift: f64,
     kinetic_energy: f64,
@@ -121,6 +122,7 @@ impl From<&Simulated> for Integration {
         Integration {
             evaluations: it.effort.evaluations,
             steps: it.effort.steps,
+            implicit_steps: it.effort.implicit,
             rejected: it.effort.rejected,
             energy_drift: it.drift.0,
             kinetic_energy: it.kinetic,

@@ -30,6 +30,9 @@ const FIRST_STEP: f64 = 1e-6;
 /// The slope of a state below which it says nothing about the length of a step, in tolerances.
 const SMALL: f64 = 1e-5;
 
+/// Up to which length, in times of the fastest decay, steps are stable.
+pub const STABLE: f64 = 6.1;
+
 /// The largest error of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances {
@@ -50,8 +53,19 @@ pub trait Rates {
     /// They do not exist there.
     fn rates(&mut self, t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Self::Failure>;
 
-    /// Of how many components, from the first, the error counts.
+    /// Number of components, from the first, whose error counts. Rates depend on them alone: all others are integrals along the way.
     fn judged(&self) -> usize;
+
+    /// Size beyond which a component allows no larger error: angles grow with every turn, and what happens at them does not.
+    fn largest(&self, _component: usize) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Sizes of judged components, beside which rates change slowly, at a state with these rates before a step of a length.
+    fn scales(&self, state: &[f64], _slope: &[f64], _length: f64) -> Vec<f64> {
+        let own = state.iter().take(self.judged());
+        own.map(|it| it.abs().max(1.0)).collect()
+    }
 }
 
 /// A step that has been tried.
@@ -74,17 +88,19 @@ pub struct Step {
 }
 
 impl Tolerances {
-    fn of(&self, one: f64, other: f64) -> f64 {
-        self.absolute + self.relative * one.abs().max(other.abs())
+    /// The error that a component may have which is as large as the larger of two values, at most `largest`.
+    pub(crate) fn of(&self, one: f64, other: f64, largest: f64) -> f64 {
+        self.absolute + self.relative * one.abs().max(other.abs()).min(largest)
     }
 
     /// The root of the mean square of values in tolerances at a state.
-    fn mean(&self, values: &[f64], state: &[f64], judged: usize) -> f64 {
-        let own = values.iter().zip(state).take(judged);
-        let sum: f64 = own
-            .map(|(value, at)| (value / self.of(*at, *at)).powi(2))
-            .sum();
-        (sum / judged as f64).sqrt()
+    fn mean<R: Rates>(&self, values: &[f64], state: &[f64], rates: &R) -> f64 {
+        let judged = rates.judged();
+        let squares = (0..judged).map(|component| {
+            let at = state[component];
+            (values[component] / self.of(at, at, rates.largest(component))).powi(2)
+        });
+        (squares.sum::<f64>() / judged as f64).sqrt()
     }
 }
 
@@ -116,9 +132,8 @@ pub fn first_length<R: Rates>(
     longest: f64,
     tolerances: &Tolerances,
 ) -> Result<f64, R::Failure> {
-    let judged = rates.judged();
-    let size = tolerances.mean(state, state, judged);
-    let steep = tolerances.mean(slope, state, judged);
+    let size = tolerances.mean(state, state, rates);
+    let steep = tolerances.mean(slope, state, rates);
     let tried = match size < SMALL || steep < SMALL {
         true => FIRST_STEP,
         false => FIRST_PART * size / steep,
@@ -132,7 +147,7 @@ pub fn first_length<R: Rates>(
         .zip(slope)
         .map(|(one, other)| one - other)
         .collect();
-    let bent = tolerances.mean(&bend, state, judged) / tried;
+    let bent = tolerances.mean(&bend, state, rates) / tried;
     let largest = steep.max(bent);
     let allowed = match largest > 0.0 {
         true => (FIRST_PART / largest).powf(1.0 / 8.0),
@@ -162,7 +177,8 @@ impl Step {
         let judged = rates.judged();
         let [mut fifth, mut third] = [0.0; 2];
         for component in 0..judged {
-            let tolerance = tolerances.of(state[component], end[component]);
+            let largest = rates.largest(component);
+            let tolerance = tolerances.of(state[component], end[component], largest);
             let [whole, inner] =
                 [&END[..], &THIRD].map(|terms| combined(&stages, terms, component));
             third += ((whole - inner) / tolerance).powi(2);
@@ -199,6 +215,26 @@ impl Step {
     /// The state at the end.
     pub fn end(&self) -> &[f64] {
         &self.end
+    }
+
+    /// The length in times of the fastest decay among the first components, as two stages at the end of a finished step show it, or their
+    /// rounding: beyond [`STABLE`], stability limits a step and not its error (Hairer and Wanner 1996, Solving Ordinary Differential
+    /// Equations II, section IV.2).
+    pub fn stiffness(&self, judged: usize) -> f64 {
+        let length = self.to - self.from;
+        let last = STAGES.len();
+        let place = moved(&self.start, &self.stages, STAGES[last - 1].terms, length);
+        let distance = |pairs: [&[f64]; 2]| {
+            let pairs = pairs[0].iter().zip(pairs[1]).take(judged);
+            let squares = pairs.map(|(one, other)| (one - other).powi(2));
+            squares.sum::<f64>().sqrt()
+        };
+        let apart = distance([&place, &self.end]);
+        let rates = distance([&self.stages[last], self.end_rates()]);
+        match apart > 0.0 {
+            true => length * rates / apart,
+            false => 0.0,
+        }
     }
 
     /// Finds the rates at the end, with which the next step begins.

@@ -3,18 +3,21 @@
 //! What is integrated are coordinates of the null space of Φ_q, in which what is free is an unknown, too, at a pose that was passed a moment ago, and
 //! their rates (tangent-space parametrization; Wehage and Haug 1982, Potra and Rheinboldt 1991). Every frame lies on the constraints
 //! to rounding, and nothing depends on which coordinate is called free. Beside them the work of all that brings energy in or takes it
-//! out is integrated: a motion whose energy is out of balance ends. Deliberately unknown here: files and how anything is printed.
+//! out is integrated: a motion whose energy is out of balance ends. Steps are explicit, or implicit while the motion is stiff. Deliberately
+//! unknown here: files and how anything is printed.
 
 mod balance;
 mod chart;
 mod crossing;
 mod equations;
+mod method;
 mod next_step;
 mod reduced;
 mod right_side;
 mod stop;
 
 pub use crate::dormand_prince::Tolerances;
+pub use method::Method;
 pub use reduced::ReducedMotion;
 pub use stop::Stop;
 
@@ -23,10 +26,11 @@ use chart::Solved;
 use crossing::Crossing;
 use equations::MotionEquations;
 use linkwright::{Blocks, Shell};
+use method::{Chosen, Step};
 use right_side::RightSide;
 
 use crate::dense::Dense;
-use crate::dormand_prince::{Step, first_length};
+use crate::dormand_prince::first_length;
 use crate::instant::Instant;
 use crate::interpreted::Interpreted;
 use crate::supplied::{Modes, Numbers};
@@ -41,6 +45,8 @@ const RETREAT: f64 = 0.25;
 pub struct Options {
     /// How accurate a step has to be.
     pub tolerances: Tolerances,
+    /// Method of its steps.
+    pub method: Method,
 }
 
 /// What a motion has taken.
@@ -50,6 +56,8 @@ pub struct Effort {
     pub evaluations: u64,
     /// Steps that were taken.
     pub steps: u64,
+    /// Those among them that were implicit.
+    pub implicit: u64,
     /// Steps that were tried and not taken.
     pub rejected: u64,
 }
@@ -79,7 +87,9 @@ pub struct Simulation {
     /// The frame that was asked for last.
     frame: Instant,
     balance: Balance,
+    method: Chosen,
     steps: u64,
+    implicit: u64,
     rejected: u64,
     /// How close to losing rank a crossing was last tried in vain.
     tried: f64,
@@ -141,7 +151,9 @@ impl Simulation {
             reached: solved.instant.clone(),
             frame: solved.instant.clone(),
             balance: Balance::new(solved.energies),
+            method: Chosen::new(options.method),
             steps: 0,
+            implicit: 0,
             rejected: 0,
             tried: f64::INFINITY,
             passed: Vec::new(),
@@ -236,6 +248,7 @@ impl Simulation {
         Effort {
             evaluations: self.right_side.evaluations,
             steps: self.steps,
+            implicit: self.implicit,
             rejected: self.rejected,
         }
     }

@@ -7,7 +7,6 @@ use super::chart::Solved;
 use super::crossing::Crossing;
 use super::right_side::RightSide;
 use super::{RETREAT, Segment, Simulation, Stop};
-use crate::dormand_prince::Step;
 use crate::trajectory::END;
 
 /// How much of the time to a pose in which constraints are expected to lose rank a step takes at most.
@@ -108,6 +107,7 @@ impl Simulation {
         let is_bounded = self.length < wanted;
         let mut held = false;
         let mut reason = None;
+        let mut differences = None;
         loop {
             let is_last = from + self.length >= self.end;
             let to = if is_last {
@@ -119,22 +119,22 @@ impl Simulation {
                 return Err(reason.unwrap_or(Stop::TooShort { t: from }));
             }
             let (tolerances, range) = (&self.options.tolerances, [from, to]);
-            let tried = Step::attempt(
+            let tried = self.method.attempt(
                 &mut self.right_side,
                 range,
-                &self.state,
-                &self.slope,
+                [&self.state, &self.slope],
+                &mut differences,
                 tolerances,
             );
             let finished = tried.and_then(|mut step| {
-                if step.error <= 1.0 {
+                if step.error() <= 1.0 {
                     step.finish(&mut self.right_side)?;
                 }
                 Ok(step)
             });
             match finished {
                 Ok(step) => {
-                    let is_taken = step.error <= 1.0;
+                    let is_taken = step.error() <= 1.0;
                     self.length = step.next_length(held || !is_taken);
                     if is_taken {
                         if is_bounded {
@@ -146,6 +146,9 @@ impl Simulation {
                         let work = state[state.len() - 1];
                         self.weigh(&solved, work)?;
                         self.steps += 1;
+                        self.implicit += u64::from(self.method.is_implicit());
+                        self.method
+                            .see(&step, &mut self.right_side, differences.as_ref());
                         self.segment = Some(Segment::Step(Box::new(step)));
                         self.reached = solved.instant;
                         return Ok(());
@@ -163,14 +166,11 @@ impl Simulation {
 
     /// Holds the energy of a frame against the work.
     fn weigh(&mut self, solved: &Solved, work: f64) -> Result<(), Stop> {
-        let count = self.right_side.chart.dimension();
-        let size = self.state[..count]
-            .iter()
-            .map(|it| it.abs())
-            .fold(0.0, f64::max);
+        let rates = self.right_side.level(&solved.instant, 1);
+        let rate = rates.iter().fold(0.0, |size: f64, it| size.hypot(*it));
         match self
             .balance
-            .see(solved.energies, work, size, &self.options.tolerances)
+            .see(solved.energies, work, rate, &self.options.tolerances)
         {
             true => Ok(()),
             false => Err(Stop::Unbalanced {

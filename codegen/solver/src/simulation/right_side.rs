@@ -116,4 +116,20 @@ impl Rates for RightSide {
     fn judged(&self) -> usize {
         2 * self.chart.dimension()
     }
+
+    fn largest(&self, component: usize) -> f64 {
+        match component < self.chart.dimension() {
+            true => 1.0,
+            false => f64::INFINITY,
+        }
+    }
+
+    fn scales(&self, state: &[f64], slope: &[f64], length: f64) -> Vec<f64> {
+        let count = self.chart.dimension();
+        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, it| most.max(it.abs()));
+        let [rate, bend] = [state, slope].map(|it| largest(&it[count..2 * count]));
+        let mut scales = vec![1.0; count];
+        scales.resize(2 * count, rate.max(length * bend).max(1.0));
+        scales
+    }
 }

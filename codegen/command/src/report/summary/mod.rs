@@ -179,8 +179,12 @@ fn integration<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Res
     };
     let effort = &found.effort;
     writeln!(output, "\nintegration of the free coordinates")?;
+    let implicit = match effort.implicit {
+        0 => String::new(),
+        some => format!(", {some} of them implicit"),
+    };
     let steps = format!(
-        "{}, {} tried in vain",
+        "{}{implicit}, {} tried in vain",
         counted(effort.steps as usize, "step"),
         effort.rejected
     );

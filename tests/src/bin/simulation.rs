@@ -1,0 +1,106 @@
+//! Errors of simulated motions beside their evaluations, with weak and strong dampers: `tests/reports/simulation.md`.
+
+use std::error::Error;
+use std::fs;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+use linkwright_solver::simulation::Method;
+use linkwright_tests::files;
+use linkwright_tests::stiff::{Damped, options};
+use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::table::aligned;
+
+/// Counts what the methods of `linkwright simulate` take for which error and writes a report
+#[derive(Parser)]
+struct Arguments {
+    /// When the motions end (s)
+    #[arg(long, default_value_t = 2.0)]
+    to: f64,
+    /// The commit that is looked at [default: what git says]
+    #[arg(long)]
+    commit: Option<String>,
+    /// Where the report is written [default: tests/reports]
+    #[arg(long)]
+    output: Option<PathBuf>,
+}
+
+const EXPLANATION: &str = "\
+Two mechanisms, each with a damper of 10 and of 1e6 N·s/m. *Slider*: 2 kg between a spring of 50 N/m and the damper, pushed by 3 N · sin 2t;
+its motion has a closed form. *Cart*: the same mass without that force carries a pendulum of 1 kg and 0.5 m that starts at 1 rad. Its
+Lagrange equations, written out, are integrated in steps of at most 2 divided by the damper.
+
+Error: the largest of all coordinates (m, rad) and rates (m/s, rad/s) at 40 instants, which lie between steps. Evaluations: how often the
+mechanism was solved for an acceleration, those for frames between steps and for derivatives of the implicit method among them. *dop853* and
+*implicit* are forced by `--method`; *automatic* is the default. Absolute tolerances are a thousandth of the relative ones. A dash is what
+was left out: explicit steps with the strong damper are about as many at every tolerance.
+";
+
+const DAMPERS: [f64; 2] = [10.0, 1e6];
+
+fn main() -> ExitCode {
+    match run(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let environment = Environment::here(arguments.commit.as_deref());
+    let mut report = format!(
+        "# Simulated motions: error beside evaluations\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin simulation`.\n\n{}- \
+         motions: up to {} s\n\n{EXPLANATION}",
+        environment.lines(),
+        arguments.to,
+    );
+    for damped in [Damped::Slider, Damped::Cart] {
+        for damper in DAMPERS {
+            report += &format!("\n## {damped:?}, {damper:e} N·s/m\n\n");
+            report += &table(damped, damper, arguments.to);
+        }
+    }
+    let folder = arguments
+        .output
+        .clone()
+        .unwrap_or_else(|| files::package("reports"));
+    let file = folder.join("simulation.md");
+    fs::write(&file, report)?;
+    println!("wrote {}", file.display());
+    Ok(())
+}
+
+/// Errors and evaluations of one mechanism with one damper.
+fn table(damped: Damped, damper: f64, end: f64) -> String {
+    let motion = damped.motion(damper, end);
+    let methods = [Method::Explicit, Method::Implicit, Method::Automatic];
+    let titles = [
+        "`--rtol`",
+        "dop853: error",
+        "evaluations",
+        "implicit: error",
+        "evaluations",
+        "automatic: error",
+        "evaluations",
+    ];
+    let mut rows = vec![titles.map(str::to_string)];
+    for digits in 4..=12 {
+        let relative = 10_f64.powi(-digits);
+        let mut cells = vec![format!("{relative:.0e}")];
+        for method in methods {
+            // The strong damper needs as many explicit steps whatever the tolerance.
+            if method == Method::Explicit && damper > 1e3 && digits != 6 {
+                cells.extend(["–".to_string(), "–".to_string()]);
+                continue;
+            }
+            let found = damped.compared(damper, &motion, end, options(method, relative));
+            cells.push(format!("{:.1e}", found.error));
+            cells.push(found.effort.evaluations.to_string());
+        }
+        rows.push(std::array::from_fn(|column| cells[column].clone()));
+    }
+    aligned(&rows, 0)
+}

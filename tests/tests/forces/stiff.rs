@@ -1,0 +1,105 @@
+//! Motions with strong dampers, against a closed form and Lagrange's equations in short steps.
+
+use linkwright_solver::simulation::{Method, Simulation};
+use linkwright_tests::simulated::{coordinate, elliptic, energy, simulation};
+use linkwright_tests::stiff::{Damped, Found, options};
+
+const END: f64 = 1.0;
+
+/// A damper of 1e6 N·s/m takes at most ten times the evaluations of one of 10 N·s/m, and both motions are right.
+#[test]
+fn a_strong_damper_costs_little() {
+    for damped in [Damped::Slider, Damped::Cart] {
+        let [weak, strong] = [10.0, 1e6].map(|damper| damped.motion(damper, END));
+        for relative in [1e-6, 1e-8, 1e-10] {
+            let automatic = options(Method::Automatic, relative);
+            let run = |damper, motion| damped.compared(damper, motion, END, automatic);
+            let found: [Found; 2] = [run(10.0, &weak), run(1e6, &strong)];
+            for it in &found {
+                assert!(it.error <= 300.0 * relative, "{damped:?} {relative} {it:?}");
+            }
+            let [weak, strong] = found.map(|it| it.effort);
+            assert_eq!(weak.implicit, 0, "{weak:?}");
+            assert!(strong.implicit > 0, "{strong:?}");
+            if relative == 1e-6 {
+                assert!(
+                    strong.evaluations <= 10 * weak.evaluations,
+                    "{weak:?} {strong:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Implicit steps alone are as right, stiff or not; explicit ones alone take as many as stability asks for.
+#[test]
+fn a_method_can_be_forced() {
+    let damped = Damped::Cart;
+    for damper in [10.0, 1e4] {
+        let motion = damped.motion(damper, END);
+        for relative in [1e-6, 1e-9] {
+            let implicit = options(Method::Implicit, relative);
+            let found = damped.compared(damper, &motion, END, implicit);
+            assert!(
+                found.error <= 300.0 * relative,
+                "{damper} {relative} {found:?}"
+            );
+            assert_eq!(found.effort.implicit, found.effort.steps);
+        }
+        let explicit = damped.compared(damper, &motion, END, options(Method::Explicit, 1e-6));
+        assert!(explicit.error <= 300.0 * 1e-6, "{damper} {explicit:?}");
+        assert_eq!(explicit.effort.implicit, 0);
+        // No step is longer than 6.1 in times of the decay, which is 1e4/3 per s or faster.
+        assert!(damper < 1e4 || explicit.effort.steps >= 540, "{explicit:?}");
+    }
+}
+
+/// A pendulum without any damper keeps its energy by implicit steps, and is where elliptic functions say.
+#[test]
+fn implicit_steps_keep_the_energy() {
+    let text = "mechanism pendulum {
+        point O = (0, 0);
+        body bob at O { O, S: (0, -2) }
+        revolute O(ground, bob);
+        free swing: phi(bob) = 150deg;
+        mass bob = 3kg at S inertia 0.5;
+        gravity = (0, -9.81);
+        energy;
+    }";
+    let mut pendulum = simulation(text, 5.0, options(Method::Implicit, 1e-9));
+    let first = energy(&pendulum);
+    let k = 75_f64.to_radians().sin();
+    let omega = (3.0_f64 * 2.0 * 9.81 / (0.5 + 3.0 * 4.0)).sqrt();
+    for step in 1..=50 {
+        let t = 0.1 * f64::from(step);
+        pendulum.advance(t).expect("no end");
+        let [_, cn, dn] = elliptic(omega * t, k * k);
+        let angle = 2.0 * (k * cn / dn).asin();
+        let [found, _] = coordinate(&pendulum, "phi_bob");
+        assert!((found - angle).abs() <= 1e-6, "{t}: {found} {angle}");
+        assert!((energy(&pendulum) - first).abs() <= 1e-6 * 3.0 * 9.81 * 4.0);
+    }
+}
+
+/// A damping that fades: steps become explicit again once it no longer matters.
+#[test]
+fn steps_are_explicit_again_when_a_motion_is_no_longer_stiff() {
+    let text = Damped::Cart.text(0.0).replace(
+        "damper (ground.W, mass.P) = 0;",
+        "force on mass.P = (-1e6*exp(-4*t)*rate(x(mass)), 0);",
+    );
+    let mut fading = simulation(&text, 8.0, options(Method::Automatic, 1e-8));
+    let steps_until = |simulation: &mut Simulation, t: f64| {
+        simulation.advance(t).expect("no end");
+        let effort = simulation.effort();
+        [effort.steps, effort.implicit]
+    };
+    let early = steps_until(&mut fading, 0.5);
+    let middle = steps_until(&mut fading, 6.0);
+    let late = steps_until(&mut fading, 8.0);
+    assert!(early[1] > 0, "{early:?}");
+    assert!(
+        late[0] > middle[0] && late[1] == middle[1],
+        "{middle:?} {late:?}"
+    );
+}
