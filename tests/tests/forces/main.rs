@@ -4,6 +4,7 @@ mod coordinate_changes;
 mod forces;
 mod forces_by_hand;
 mod forces_generated;
+mod free_motion;
 mod least_norm;
 mod near_singular;
 mod simulation;
