@@ -40,24 +40,31 @@ pub struct Freed {
     free: &'static [Range],
 }
 
-/// A free coordinate: its value in the drawing, and how far value and rate may be from there.
+/// A free coordinate, and where it starts.
 struct Range {
     free: &'static str,
-    /// `None` for a coordinate of this name that starts beside its dead center.
-    drawn: Result<(&'static str, f64, f64), &'static str>,
+    start: Place,
+}
+
+#[derive(Clone, Copy)]
+enum Place {
+    /// Beside the dead center of a coordinate of this name.
+    DeadCenter(&'static str),
+    /// Around its value in the drawing: how far value and rate may be from there.
+    Drawing(&'static str, f64, f64),
 }
 
 const fn turning(free: &'static str, name: &'static str) -> Range {
     Range {
         free,
-        drawn: Err(name),
+        start: Place::DeadCenter(name),
     }
 }
 
 const fn around(free: &'static str, drawn: &'static str, value: f64, rate: f64) -> Range {
     Range {
         free,
-        drawn: Ok((drawn, value, rate)),
+        start: Place::Drawing(drawn, value, rate),
     }
 }
 
@@ -166,10 +173,9 @@ impl Weighed {
     fn new(file: &str, random: &mut Random) -> Weighed {
         let path = files::repository().join(format!("mechanisms/{file}.mech"));
         let read = std::fs::read_to_string(path).expect("a mechanism of the gallery");
-        let mut lines = read.lines();
-        let own = lines.by_ref();
-        let own = own.filter(|line| !line.trim_start().starts_with("drive "));
-        let mut text = own.collect::<Vec<_>>().join("\n");
+        let lines = read.lines();
+        let kept = lines.filter(|line| !line.trim_start().starts_with("drive "));
+        let mut text = kept.collect::<Vec<_>>().join("\n");
         text.truncate(text.rfind('}').expect("an end"));
         let names: Vec<String> = text
             .lines()
@@ -361,7 +367,7 @@ impl Freed {
         if let [
             Range {
                 free,
-                drawn: Err(name),
+                start: Place::DeadCenter(name),
             },
         ] = self.free
         {
@@ -379,7 +385,9 @@ impl Freed {
         }
         for _ in 0..states {
             let free = self.free.iter().map(|range| {
-                let (drawn, value, rate) = range.drawn.expect("a place in the drawing");
+                let Place::Drawing(drawn, value, rate) = range.start else {
+                    panic!("{} is one of several", range.free);
+                };
                 let [value, rate] = [value, rate].map(|most| random.between(-most, most));
                 (range.free, format!("{drawn} + ({value})"), rate)
             });

@@ -91,9 +91,9 @@ mod tests {
     /// Of what creeps, rates below their absolute tolerance show no energy.
     #[test]
     fn rates_may_be_off_by_their_absolute_tolerance() {
-        let creeping = [0.5e-18, 1.0];
-        let mut balance = Balance::new([0.0, 1.0]);
-        assert!(balance.see(creeping, 1e-20, 1e-9, &TOLERANCES));
-        assert!(!balance.see(creeping, 1e-11, 1e-9, &TOLERANCES));
+        let creeping = [0.5e-18, 0.0];
+        let mut balance = Balance::new([0.0, 0.0]);
+        assert!(balance.see(creeping, 0.45e-18, 1e-9, &TOLERANCES));
+        assert!(!balance.see(creeping, 0.2e-18, 1e-9, &TOLERANCES));
     }
 }
