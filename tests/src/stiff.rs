@@ -1,7 +1,7 @@
 //! Mechanisms with a damper that makes them stiff, and their motions: in closed form, or by short steps in coordinates of their own.
 
 use linkwright_solver::dormand_prince::{Rates, Step, Tolerances};
-use linkwright_solver::simulation::{Effort, Method, Options, Simulation};
+use linkwright_solver::simulation::{Effort, Method, Options, Simulation, Stop};
 
 use crate::simulated::{coordinate, simulation};
 
@@ -79,25 +79,29 @@ impl Damped {
 
     /// A simulation beside that motion.
     ///
-    /// # Panics
-    /// If it ends early.
-    pub fn compared(self, damper: f64, motion: &[State], end: f64, options: Options) -> Found {
+    /// # Errors
+    /// It ends early.
+    pub fn compared(
+        self,
+        damper: f64,
+        motion: &[State],
+        end: f64,
+        options: Options,
+    ) -> Result<Found, Stop> {
         let mut simulation = simulation(&self.text(damper), end, options);
         let mut error = 0.0_f64;
         for (step, state) in motion.iter().enumerate() {
             let t = end * (step + 1) as f64 / motion.len() as f64;
-            if let Err(stop) = simulation.advance(t) {
-                panic!("{}", stop.explained(simulation.view(), simulation.frame()));
-            }
+            simulation.advance(t)?;
             let found = self.state(&simulation);
             for (one, other) in found.iter().zip(state) {
                 error = error.max((one - other).abs());
             }
         }
-        Found {
+        Ok(Found {
             error,
             effort: simulation.effort(),
-        }
+        })
     }
 
     /// Coordinates and rates of a simulation.

@@ -13,7 +13,10 @@ fn a_strong_damper_costs_little() {
         let [weak, strong] = [10.0, 1e6].map(|damper| damped.motion(damper, END));
         for relative in [1e-6, 1e-8, 1e-10] {
             let automatic = options(Method::Automatic, relative);
-            let run = |damper, motion| damped.compared(damper, motion, END, automatic);
+            let run = |damper, motion| {
+                let found = damped.compared(damper, motion, END, automatic);
+                found.expect("no end")
+            };
             let found: [Found; 2] = [run(10.0, &weak), run(1e6, &strong)];
             for it in &found {
                 assert!(it.error <= 300.0 * relative, "{damped:?} {relative} {it:?}");
@@ -40,6 +43,7 @@ fn a_method_can_be_forced() {
         for relative in [1e-6, 1e-9] {
             let implicit = options(Method::Implicit, relative);
             let found = damped.compared(damper, &motion, END, implicit);
+            let found = found.expect("no end");
             assert!(
                 found.error <= 300.0 * relative,
                 "{damper} {relative} {found:?}"
@@ -47,6 +51,7 @@ fn a_method_can_be_forced() {
             assert_eq!(found.effort.implicit, found.effort.steps);
         }
         let explicit = damped.compared(damper, &motion, END, options(Method::Explicit, 1e-6));
+        let explicit = explicit.expect("no end");
         assert!(explicit.error <= 300.0 * 1e-6, "{damper} {explicit:?}");
         assert_eq!(explicit.effort.implicit, 0);
         // No step is longer than 6.1 in times of the decay, which is 1e4/3 per s or faster.
