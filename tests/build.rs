@@ -1,4 +1,4 @@
-//! Generates the mechanisms that only tests need, the repository's, one with tables and those of the study of stability in
+//! Generates the mechanisms that only tests need, the repository's, two of the former and those of the study of stability in
 //! single precision, a list of the repository's, and all of them once more with what their drivers transmit, and those with
 //! parameters with their sensitivities, and some monitored; and writes some of the repository's into the middle of Rust code.
 
@@ -27,10 +27,13 @@ fn main() {
     linkwright_codegen::build_with("../mechanisms", &single);
     linkwright_codegen::build("stability");
     linkwright_codegen::build_with(single_study::write("stability"), &single);
-    let tables = fs::read_to_string("descriptions/tables.mech").expect("the description");
-    // One with errors is reported where it is built for itself.
-    if let Ok(tables) = generate_with(&Source::new("tables.mech", tables), &single) {
-        write_module("tables_single", &tables.code).expect("the module is written");
+    for name in ["tables", "winch"] {
+        let file = format!("{name}.mech");
+        let text = fs::read_to_string(format!("descriptions/{file}")).expect("the description");
+        // One with errors is reported where it is built for itself.
+        if let Ok(module) = generate_with(&Source::new(&file, text), &single) {
+            write_module(&format!("{name}_single"), &module.code).expect("the module is written");
+        }
     }
     write_counted();
     monitoring::write(&["descriptions", "../mechanisms"]);

@@ -52,8 +52,8 @@ pub mod program {
     #[doc(inline)]
     pub use crate::program::{
         Block, Branch, EVALUATIONS, Effort, Energy, Forces, Found, Function, Lengths, Level,
-        NewtonBlock, Operations, Program, Reaction, Reduced, STEPS, Statement, Tearing, Work,
-        forms_of, lower, lower_with_unknowns, unpruned, work,
+        NewtonBlock, Operations, Program, Reaction, Reduced, Requirements, STEPS, Statement,
+        Tearing, Work, forms_of, lower, lower_with_unknowns, unpruned, work,
     };
 }
 

@@ -104,6 +104,12 @@ pub fn singular_divisor<T: Real>(value: T, scale: T, time: T, block: u16) -> Fai
     failed(kind, time, block)
 }
 
+/// The failure of a driven length that is not positive, by its place among what must be.
+#[cold]
+pub fn not_positive<T: Real>(value: T, time: T, place: u16) -> Failure<T> {
+    failed(FailureKind::NotPositive { value }, time, place)
+}
+
 /// A failure of a closed-form block, which takes no iterations and leaves no residual.
 #[cold]
 pub fn failed<T: Real>(kind: FailureKind<T>, time: T, block: u16) -> Failure<T> {

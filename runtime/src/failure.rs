@@ -76,8 +76,8 @@ pub enum FailureKind<T = f64> {
     /// The motion could not be followed to the time asked for: its estimate is so far from the pose that
     /// Newton-Raphson may end at another one, and [`crate::Settings::substeps`] attempts did not bring it nearer.
     StepTooLarge,
-    /// Parameters make something not positive that must be: a length, a radius, a ratio. The failure's block is its place among what must
-    /// be positive.
+    /// Parameters make something not positive that must be, a length, a radius or a ratio; or inputs or t a length that is driven. The
+    /// failure's block is its place among what must be positive.
     NotPositive {
         /// What it would be.
         value: T,

@@ -81,6 +81,7 @@ pub mod block_equations;
 pub mod blocks;
 mod chain;
 pub mod chain_isolation;
+mod clock;
 pub mod closed_form;
 pub mod contact;
 mod crossing;

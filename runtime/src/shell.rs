@@ -6,6 +6,7 @@
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals, Values};
+use crate::clock::Clock;
 use crate::closed_form::failed;
 use crate::failure::{Failure, FailureKind, index};
 use crate::guard::{Guard, Pair};
@@ -27,6 +28,7 @@ pub struct Shell<B: Blocks> {
     inputs: B::Inputs,
     settings: Settings<B::Scalar>,
     guard: Guard<B::Scalar, B::Inputs, B::Tubes>,
+    clock: Clock<B::Scalar>,
 }
 
 impl<B: Blocks> Shell<B> {
@@ -66,6 +68,7 @@ impl<B: Blocks> Shell<B> {
             inputs: inputs.clone(),
             settings,
             guard: Guard::new(),
+            clock: Clock::at(t),
         })
     }
 
@@ -79,7 +82,7 @@ impl<B: Blocks> Shell<B> {
     /// # Errors
     /// A [`Failure`] where the equations cannot be solved from there. Its time is where the motion ends, or how far it could be
     /// followed; see [`crate::in_steps`]. An input that is not finite is [`FailureKind::NotFinite`] at the time `t`, with the input's
-    /// place.
+    /// place, and a length that inputs make not positive is [`FailureKind::NotPositive`] at that time.
     #[inline]
     pub fn advance(
         &mut self,
@@ -126,8 +129,10 @@ impl<B: Blocks> Shell<B> {
         t: B::Scalar,
         inputs: &B::Inputs,
     ) -> Result<(), Failure<B::Scalar>> {
-        // No way leads to an input that is not finite.
-        if failure.input.is_some() || self.settings.substeps <= 1 {
+        // No way leads to inputs that may not be.
+        let is_driven_so =
+            inputs.count() > 0 && matches!(failure.kind, FailureKind::NotPositive { .. });
+        if failure.input.is_some() || is_driven_so || self.settings.substeps <= 1 {
             return Err(failure);
         }
         let [first, second] = &mut self.frames;
@@ -165,6 +170,15 @@ impl<B: Blocks> Shell<B> {
         t: B::Scalar,
         inputs: &B::Inputs,
     ) -> Result<B::Frame, Failure<B::Scalar>> {
+        self.solved_at(t, inputs).map(|(at, _)| at)
+    }
+
+    /// The frame at time `t` (s) in the modes of now, and these modes with those that were found.
+    fn solved_at(
+        &self,
+        t: B::Scalar,
+        inputs: &B::Inputs,
+    ) -> Result<(B::Frame, B::Branches), Failure<B::Scalar>> {
         let last = self.frame();
         let (mut at, mut branches) = (last.clone(), self.branches.clone());
         let conditions = Conditions {
@@ -175,7 +189,56 @@ impl<B: Blocks> Shell<B> {
             settings: &self.settings,
         };
         solve(&self.blocks, &mut at, last, &mut branches, &conditions)?;
-        Ok(at)
+        Ok((at, branches))
+    }
+
+    /// Moves the mechanism on by the time `duration` (s) from the last frame, as [`Shell::advance`] does, which a failure leaves as it is.
+    ///
+    /// The times of successive calls are a compensated sum: that of the frame is the sum rounded, also where a single duration is less
+    /// than half a rounding of it. A failure does not let time pass: the next duration includes it.
+    ///
+    /// # Errors
+    /// Those of [`Shell::advance`].
+    pub fn advance_by(
+        &mut self,
+        duration: B::Scalar,
+        inputs: &B::Inputs,
+    ) -> Result<&B::Frame, Failure<B::Scalar>> {
+        let clock = self.clock.after(B::time(self.frame()), duration);
+        self.advance(clock.t, inputs)?;
+        self.clock = clock;
+        Ok(self.frame())
+    }
+
+    /// Assembles the mechanism at time `t` (s) near the last frame and in its modes, whether or not a path leads there, after signals
+    /// were missing for a while, say. Whole turns in between are not counted. A failure leaves the last frame as it is.
+    ///
+    /// Gives how far that jumps: for each coordinate its change, in its unit, m or rad; NaN where frames hold no coordinates.
+    ///
+    /// # Errors
+    /// A [`Failure`] where the mechanism cannot be assembled so.
+    pub fn recover(
+        &mut self,
+        t: B::Scalar,
+        inputs: &B::Inputs,
+    ) -> Result<B::Coordinates, Failure<B::Scalar>> {
+        let (at, branches) = self.solved_at(t, inputs)?;
+        let jump = self.jump(&at);
+        self.resume(&at, &branches, inputs);
+        Ok(jump)
+    }
+
+    /// The change of every coordinate from the last frame to another one.
+    fn jump(&self, at: &B::Frame) -> B::Coordinates {
+        let mut jump = self.blocks.drawn_pose(&self.parameters);
+        for index in 0..jump.count() {
+            let value = |frame: &B::Frame| {
+                let coordinate = self.blocks.coordinate(frame, index);
+                coordinate.map_or(B::Scalar::from_f64(f64::NAN), |[value, ..]| value)
+            };
+            jump.set(index, value(at) - value(self.frame()));
+        }
+        jump
     }
 
     /// The last solved instant.

@@ -34,8 +34,8 @@ pub struct Broken<T = f64> {
 /// # Errors
 /// What the attempt nearest to the last time reached has failed with, if shorter steps would not help:
 /// [`FailureKind::OutOfReach`], by what is missing at `to` if the same block does not reach there either, and where the step is at most [`REFINED`] times the whole way also
-/// [`FailureKind::Singular`], [`FailureKind::WrongBranch`] and [`FailureKind::NotFinite`]. All others are
-/// [`FailureKind::StepTooLarge`].
+/// [`FailureKind::Singular`], [`FailureKind::WrongBranch`], [`FailureKind::NotPositive`] and [`FailureKind::NotFinite`]. All others
+/// are [`FailureKind::StepTooLarge`].
 ///
 /// # Work
 /// At most `budget` attempts, and at least one.
@@ -100,7 +100,9 @@ pub fn in_steps<T: Real>(
                 if missing(&failure).is_some()
                     || matches!(
                         failure.kind,
-                        FailureKind::Singular { .. } | FailureKind::NotFinite
+                        FailureKind::Singular { .. }
+                            | FailureKind::NotPositive { .. }
+                            | FailureKind::NotFinite
                     )
                 {
                     beyond = Some(failure);
@@ -125,7 +127,9 @@ pub fn in_steps<T: Real>(
             if failure.kind == FailureKind::StepTooLarge
                 && step.abs() <= refined
                 && match beyond.kind {
-                    FailureKind::NotFinite => (beyond.time - reached).abs() <= refined,
+                    FailureKind::NotPositive { .. } | FailureKind::NotFinite => {
+                        (beyond.time - reached).abs() <= refined
+                    }
                     _ => beyond.block == failure.block,
                 } =>
         {
@@ -190,7 +194,10 @@ fn end_of_reach<T: Real>(reached: T, nearer: &Failure<T>, farther: &Failure<T>) 
 fn lasting<T: Real>(kind: FailureKind<T>, coarse: bool) -> FailureKind<T> {
     match kind {
         FailureKind::OutOfReach { .. } => kind,
-        FailureKind::Singular { .. } | FailureKind::WrongBranch | FailureKind::NotFinite
+        FailureKind::Singular { .. }
+        | FailureKind::WrongBranch
+        | FailureKind::NotPositive { .. }
+        | FailureKind::NotFinite
             if !coarse =>
         {
             kind

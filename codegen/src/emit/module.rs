@@ -153,4 +153,10 @@ impl<'a> Module<'a> {
     pub(super) fn block_number(&self, place: usize) -> u16 {
         self.program.number_of(place)
     }
+
+    /// The place of a driven joint's length among what must be positive.
+    pub(super) fn requirement_place(&self, joint: usize) -> usize {
+        let requirements = self.program.requirements.as_ref();
+        requirements.map_or(0, |it| it.place_of(joint))
+    }
 }

@@ -82,7 +82,7 @@ fn iterations(it: &Iterations) -> Vec<String> {
     lines
 }
 
-/// What a call of `advance` takes at most.
+/// What a call of `advance` takes at most, and one of `recover`.
 fn of_work(work: &Work) -> Vec<String> {
     let attempt = grouped(work.attempt.total());
     let substeps = work::SUBSTEPS;
@@ -101,14 +101,22 @@ fn of_work(work: &Work) -> Vec<String> {
             "Where a frame is the first of a window of its path: at most {looks} times {look} operations more{last}."
         ));
     }
+    let [fixed, each] = work.whole();
     lines.push(format!(
-        "Where one attempt does not lead to it: at most {substeps} attempts and {} operations in all{}.",
-        grouped(work.whole()),
+        "Where one attempt does not lead to it: with n substeps at most {} + {} n operations in all{}; {} with n = {substeps}, the default.",
+        grouped(fixed),
+        grouped(each),
         match work.window {
             Some(_) => ", dead points included",
             None => "",
-        }
+        },
+        grouped(fixed + substeps * each)
     ));
+    let recover = grouped(work.recover.total());
+    lines.push(match work.is_iterated {
+        false => format!("Recover: {recover} operations, always the same."),
+        true => format!("Recover: at most {recover} operations, with {STEPS} iterations."),
+    });
     lines
 }
 

@@ -16,6 +16,7 @@ macro_rules! mechanism {
         path: $path:ident $(, tubes: $tubes:literal)?;
         $(drawn: $drawn:ident;)?
         $(requirements: $requirements:ident;)?
+        $(driven: $driven:ident;)?
         $(assemblies: $assemblies:ident;)?
     ) => {
         /// What one instant is solved with.
@@ -165,6 +166,12 @@ macro_rules! mechanism {
                     $requirements.get(index).copied()
                 }
             )?
+
+            $(
+                fn requirement_name(&self, index: usize) -> Option<BlockName<'_>> {
+                    $driven.get(index).copied()
+                }
+            )?
         }
 
         $(#[$docs])*
@@ -255,6 +262,25 @@ macro_rules! mechanism {
             #[inline]
             pub fn advance(&mut self, t: Scalar $(, inputs: &$inputs)?) -> Result<&Frame, Failure> {
                 self.0.advance(t, $crate::or_unit!(@value inputs $(, $inputs)?))
+            }
+
+            /// Moves the mechanism on by the time `duration` (s) from the last frame, as `advance` does. The times of successive calls are
+            /// a compensated sum; a failure does not let time pass. See `linkwright::Shell::advance_by`.
+            ///
+            /// # Errors
+            /// Those of `advance`.
+            pub fn advance_by(&mut self, duration: Scalar $(, inputs: &$inputs)?) -> Result<&Frame, Failure> {
+                self.0.advance_by(duration, $crate::or_unit!(@value inputs $(, $inputs)?))
+            }
+
+            /// Assembles the mechanism at time `t` (s) near the last frame and in its modes, whether or not a path leads there, after
+            /// signals were missing for a while, say. Gives how far each coordinate jumps, in its unit, m or rad; NaN where frames hold no
+            /// coordinates.
+            ///
+            /// # Errors
+            /// A [`Failure`] where it cannot be assembled so; the last frame then stays.
+            pub fn recover(&mut self, t: Scalar $(, inputs: &$inputs)?) -> Result<Coordinates, Failure> {
+                self.0.recover(t, $crate::or_unit!(@value inputs $(, $inputs)?))
             }
 
             /// The last solved instant.

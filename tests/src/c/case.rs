@@ -23,7 +23,7 @@ pub struct Case {
 pub const INPUTS: usize = 18;
 
 /// A motion of many small steps, of large ones, back, and beyond what can be reached; assemblies in other modes, from estimates that are
-/// off, and of other parameters.
+/// off, and of other parameters; inputs that jump, recoveries and durations.
 pub fn script(end: f64) -> String {
     let mut text = String::new();
     let mut call = |letter: char, t: f64, number: f64| {
@@ -76,11 +76,19 @@ pub fn script(end: f64) -> String {
         call('v', 0.02 * end, 0.0);
         call('f', 0.03 * end, factor);
     }
-    for number in [0.05, 0.3, -0.2, 4.0, 0.1, -0.6, 0.0, 1e9] {
+    for number in [0.05, 0.3, -0.2, 4.0, 0.1, -0.6, -0.9, 0.0, 1e9] {
         call('j', 0.0, number);
         call('n', 0.0, 0.0);
         call('n', 0.001, 1.0);
         call('v', 0.0, 0.0);
+    }
+    // Recoveries from far away, and durations.
+    for part in [0.3, 0.9, 2.5, 0.05] {
+        call('r', part * end, 0.0);
+        call('v', (part + 0.01) * end, 0.0);
+    }
+    for duration in [1e-3 * end, 1e-9, 1e-9, -1e-2 * end, 2e-2 * end, f64::NAN] {
+        call('d', 0.06 * end, duration);
     }
     call('v', f64::NAN, 0.0);
     call('a', 0.0, 0.0);

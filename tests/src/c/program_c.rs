@@ -115,7 +115,19 @@ pub fn main(header: &str, declared: &Declared, real: &str) -> String {
         let _ = writeln!(text, "        textbook({prefix}_frame(&mechanism));");
     }
     text.push_str("    } else {\n        failed(&mechanism.failure);\n    }\n}\n\n");
-    text.push_str("static void assembled(linkwright_status status)\n{\n    if (status == LINKWRIGHT_OK) {\n        mechanism = fresh;\n        is_held = true;\n        report(status);\n    } else {\n        failed(&fresh.failure);\n    }\n}\n\n");
+    text.push_str("static void assembled(linkwright_status status)\n{\n    if (status == LINKWRIGHT_OK) {\n        mechanism = fresh;\n        is_held = true;\n        report(status);\n    } else {\n        failed(&fresh.failure);\n");
+    // What is not assembled has no frame, and can be given parameters nevertheless.
+    let _ = writeln!(
+        text,
+        "        if ({prefix}_frame(&fresh) != NULL) {{\n            printf(\"a frame\\n\");\n        }}"
+    );
+    if has_parameters {
+        let _ = writeln!(
+            text,
+            "        (void){prefix}_set_parameters(&fresh, &{capitals}_NOMINAL);"
+        );
+    }
+    text.push_str("    }\n}\n\n");
     text.push_str(&calls(declared, suffix));
     text
 }
@@ -243,6 +255,25 @@ fn calls(declared: &Declared, suffix: &str) -> String {
         false => String::new(),
     };
     let n = declared.coordinates;
+    let recovered = match declared.holds_coordinates {
+        true => format!(
+            "            }} else if ((letter == 'r') && is_held) {{
+                {type_name}Coordinates jump;
+                const linkwright_status status = {prefix}_recover(&mechanism, t{inputs}, &jump);
+                if (status == LINKWRIGHT_OK) {{
+                    printf(\"jump\");
+                    numbers(&jump, {n});
+                    printf(\"\\n\");
+                }}
+                report(status);
+"
+        ),
+        false => format!(
+            "            }} else if ((letter == 'r') && is_held) {{
+                report({prefix}_recover(&mechanism, t{inputs}));
+"
+        ),
+    };
     let frame = match declared.inputs > 0 {
         true => format!("{prefix}_frame_at(&mechanism, t, &inputs, &found)"),
         false => format!("{prefix}_frame_at(&mechanism, t, &found)"),
@@ -273,7 +304,9 @@ fn calls(declared: &Declared, suffix: &str) -> String {
                 assembled({prefix}_assemble(&fresh, t{inputs}));
             }} else if (((letter == 'v') || (letter == 'j') || (letter == 'n')) && is_held) {{
                 report({prefix}_advance(&mechanism, t{inputs}));
-            }} else if ((letter == 'x') && is_held) {{
+            }} else if ((letter == 'd') && is_held) {{
+                report({prefix}_advance_by(&mechanism, value{inputs}));
+{recovered}            }} else if ((letter == 'x') && is_held) {{
                 {type_name}Frame found;
                 if ({frame} == LINKWRIGHT_OK) {{
                     frame_numbers(&found);

@@ -217,6 +217,10 @@ fn runner(motion: &Motion) -> String {
         ),
         false => "'p' | 'f' => continue,".to_string(),
     };
+    let jumped = match declared.holds_coordinates {
+        true => "text.push_str(\"jump\"); numbers(text, &jump.to_array()); text.push('\\n');",
+        false => "",
+    };
     let last_inputs = match declared.inputs > 0 {
         true => "let mut last_inputs = Inputs::default();",
         false => "",
@@ -244,12 +248,14 @@ fn run_{answers}(calls: &[Call]) -> String {{
         let t = call.t as {real};
         let given: Vec<{real}> = call.given.iter().map(|it| *it as {real}).collect();
         {moved}
-        if held.is_none() && matches!(call.letter, 'v' | 'j' | 'n' | 'x' | 'p') {{
+        if held.is_none() && matches!(call.letter, 'v' | 'j' | 'n' | 'x' | 'p' | 'r' | 'd') {{
             continue;
         }}
         let result = match call.letter {{
                 'a' => {type_name}::assemble(t{inputs}).map(|it| {{ held = Some(it); }}),
                 'v' | 'j' | 'n' => held.as_mut().expect("it is assembled").advance(t{inputs}).map(|_| ()),
+                'd' => held.as_mut().expect("it is assembled").advance_by(call.value as {real}{inputs}).map(|_| ()),
+                'r' => held.as_mut().expect("it is assembled").recover(t{inputs}).map(|jump| {{ {jumped} }}),
                 'x' => {{
                     match held.as_ref().expect("it is assembled").frame_at(t{inputs}) {{
                         Ok(frame) => print(&frame, text),

@@ -53,14 +53,14 @@ pub fn outside(known: &Known) -> Vec<String> {
         ..work
     };
     let poses = if program.is_guarded {
-        work.poses()
+        work.poses(work::SUBSTEPS)
     } else {
-        unguarded.poses()
+        unguarded.poses(work::SUBSTEPS)
     };
     ask(
         "a long step",
         long.worst,
-        poses * attempt + work.windows() * window,
+        poses * attempt + work.windows(work::SUBSTEPS) * window,
     );
     if !work.is_iterated && (advance.mean() as usize) < work.attempt.total() {
         found.push(format!("{program}: fewer instructions than operations"));

@@ -14,7 +14,7 @@ use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
-const SMALL: [&str; 35] = [
+const SMALL: [&str; 36] = [
     "angle_and_slot",
     "asked",
     "both_ways",
@@ -28,6 +28,7 @@ const SMALL: [&str; 35] = [
     "forced_platform",
     "forced_slider",
     "free_linkage",
+    "hauled",
     "laws",
     "motion_parameters",
     "parallelogram",

@@ -1,4 +1,4 @@
-//! What headers say of the work of `advance` follows from the numbers of the runtime, and from the functions that are emitted.
+//! What headers say of the work of `advance` and `recover` follows from the numbers of the runtime, and from the functions that are emitted.
 
 use std::fs;
 
@@ -33,6 +33,7 @@ fn bounds_are_those_of_the_runtime() {
         ("crossing.rs", "REFINEMENTS", work::REFINEMENTS),
         ("crossing.rs", "DOUBLINGS", work::DOUBLINGS),
         ("sags.rs", "WIDENED", work::WIDENED),
+        ("least_squares.rs", "STEPS", work::LEAST_SQUARES),
     ];
     for (file, name, value) in same {
         assert_eq!(constant(file, name), value as f64, "{name}");
@@ -49,6 +50,13 @@ fn bounds_are_those_of_the_runtime() {
         stretch *= shrinking;
     }
     assert_eq!(looks, work::LOOKS);
+    let [residuals, jacobians] = [work::AFAR_RESIDUALS, work::AFAR_JACOBIANS];
+    let stated = format!(
+        "at most {} N + {} evaluations of the residual, {} N + {} of the Jacobian",
+        residuals[0], residuals[1], jacobians[0], jacobians[1]
+    );
+    let assembly = fs::read_to_string(files::repository().join("runtime/src/assembly.rs"));
+    assert!(assembly.expect("a source").contains(&stated));
 }
 
 /// The four-bar linkage as a person counts it: two additions and one multiplication for the crank's angle and so on, all levels
@@ -67,7 +75,13 @@ fn closed_forms_are_counted_exactly() {
     );
     assert_eq!(found, (2, 1, 2, 2));
     assert_eq!((attempt.additions, attempt.multiplications), (18, 44));
-    assert!(work.whole() > work.poses() * attempt.total());
+    assert_eq!(work.recover, attempt);
+    // Each attempt once and twice for each dead point, with its windows.
+    let [fixed, each] = work.whole();
+    let looks = work.window.expect("it is guarded").total();
+    assert_eq!(each, (1 + 2 * work::CROSSINGS) * (attempt.total() + looks));
+    assert!(fixed + 256 * each > work.poses(256) * attempt.total());
     let platform = work_of("platform_3rpr");
     assert!(platform.is_iterated && platform.attempt.total() > 25 * 4 * 4);
+    assert!(platform.recover.total() > platform.attempt.total());
 }

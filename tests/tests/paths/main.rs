@@ -1,5 +1,6 @@
 //! Assembly modes, paths through singular poses, and failures.
 
+mod driven_lengths;
 mod failing_blocks;
 mod failures;
 mod given_modes;
@@ -9,6 +10,7 @@ mod normalized_determinants;
 mod paths;
 mod platforms;
 mod proven_assemblies;
+mod recovery;
 mod redundant;
 mod standing_time;
 mod starts;

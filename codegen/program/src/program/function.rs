@@ -115,6 +115,13 @@ pub enum Statement {
         /// What it is scaled by.
         scale: ExprId,
     },
+    /// Fails where a driven length is not positive.
+    Positive {
+        /// The length.
+        length: ExprId,
+        /// The joint that is driven so.
+        joint: usize,
+    },
     /// Runs the block's Newton-Raphson, which finds the tears with their rates and accelerations.
     Newton {
         /// The tears with their rates and accelerations.
@@ -210,6 +217,7 @@ impl Statement {
                 shortest,
             } => vec![*excess, *scale, *distance, *longest, *shortest],
             Statement::Nonzero { value, scale } => vec![*value, *scale],
+            Statement::Positive { length, .. } => vec![*length],
             Statement::Solve {
                 right_hand_side, ..
             } => right_hand_side.clone(),
@@ -255,6 +263,7 @@ impl Statement {
                 shortest,
             } => vec![excess, scale, distance, longest, shortest],
             Statement::Nonzero { value, scale } => vec![value, scale],
+            Statement::Positive { length, .. } => vec![length],
             Statement::Solve {
                 right_hand_side, ..
             } => right_hand_side.iter_mut().collect(),
@@ -319,6 +328,7 @@ impl Statement {
             | Statement::Shown { .. }
             | Statement::Reach { .. }
             | Statement::Nonzero { .. }
+            | Statement::Positive { .. }
             | Statement::Require { .. }
             | Statement::Factorize => Vec::new(),
         }

@@ -1,7 +1,7 @@
-//! The joints, masses and loads of a mechanism → what must be positive whatever its parameters are.
+//! The joints, masses and loads of a mechanism → what must be positive whatever its parameters are, and whatever drives it.
 //!
 //! What a description may not say of a length, a ratio or a mass is refused when it is read where it is a constant, and by the runtime
-//! where parameters change it.
+//! where parameters change it. Lengths that t or inputs change are looked at by the blocks that find them, in every instant.
 
 use super::function::Function;
 use super::passes::sharing::share_all;
@@ -9,13 +9,28 @@ use crate::expr::{ExprId, Graph, SymbolId};
 use crate::model::{Mass, Mechanism};
 use crate::system::{SymbolRole, System};
 
-/// What parameters must leave positive.
+/// What must be positive.
 #[derive(Clone, Debug)]
 pub struct Requirements {
-    /// The values, as functions of parameters alone.
+    /// The values that are functions of parameters alone.
     pub function: Function,
-    /// Whose each value is, and what it is called.
+    /// Whose each value is, and what it is called: first those of the function, then those of the joints that are driven.
     pub names: Vec<(String, &'static str)>,
+    /// The joints whose lengths t or inputs change.
+    driven: Vec<usize>,
+}
+
+impl Requirements {
+    /// True if parameters alone can break one.
+    pub fn limit_parameters(&self) -> bool {
+        !self.function.results.is_empty()
+    }
+
+    /// The place of a driven joint's length.
+    pub fn place_of(&self, joint: usize) -> usize {
+        let driven = self.driven.iter().position(|&it| it == joint);
+        self.function.results.len() + driven.unwrap_or_default()
+    }
 }
 
 /// A value that must be positive.
@@ -27,7 +42,7 @@ struct Required {
     value: ExprId,
 }
 
-/// The requirements of all statements; `None` where no parameter can break one.
+/// The requirements of all statements; `None` where nothing can break one.
 pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
     let mut names = Vec::new();
     let mut values = Vec::new();
@@ -44,12 +59,44 @@ pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
             names.push((owner, what));
         }
     }
-    if values.is_empty() {
+    let mut driven = Vec::new();
+    for joint in 0..system.mechanism.joints.len() {
+        if let Some((_, what)) = driven_length(joint, &mut system.mechanism) {
+            names.push((system.mechanism.joints[joint].label.clone(), what));
+            driven.push(joint);
+        }
+    }
+    if names.is_empty() {
         return None;
     }
     let mut function = Function::of_results(values);
     share_all(&mut function, system);
-    Some(Requirements { function, names })
+    Some(Requirements {
+        function,
+        names,
+        driven,
+    })
+}
+
+/// The length of a joint that t or inputs change, and what it is called; `None` for other joints.
+pub(super) fn driven_length(
+    joint: usize,
+    mechanism: &mut Mechanism,
+) -> Option<(ExprId, &'static str)> {
+    let Mechanism {
+        joints,
+        graph,
+        time,
+        inputs,
+        ..
+    } = mechanism;
+    let joint = &joints[joint];
+    let (length, what) = joint.kind.positive(&joint.operands, graph)?;
+    let drives = |symbol: &SymbolId| {
+        symbol == time || inputs.iter().any(|input| input.symbols[0] == *symbol)
+    };
+    let is_driven = graph.symbols(length).iter().any(drives);
+    is_driven.then_some((length, what))
 }
 
 fn of_joints(mechanism: &mut Mechanism) -> Vec<Required> {

@@ -122,6 +122,7 @@ impl Compiled {
             .collect();
         let signs = program.branches.iter().map(|it| bound(it.symbol)).collect();
         let mut writer = Writer::new(recorder);
+        writer.requirements = program.requirements.as_ref();
         writer.last(system.mechanism.time);
         let blocks = InterpretedBlock::all(&program, &system, &mut writer);
         let kept = layout.symbols()[layout.solved()].iter();

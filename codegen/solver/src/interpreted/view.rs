@@ -1,6 +1,6 @@
 //! *The interpreted blocks* → *what is looked at in a motion*: points, derivatives, forces, measures, and failures in words.
 
-use linkwright::{Blocks, Failure, PointMotion};
+use linkwright::{Blocks, Failure, FailureKind, PointMotion};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::system::System;
 
@@ -80,7 +80,13 @@ impl View for Interpreted {
     }
 
     fn not_assembled(&self, failure: &Failure) -> String {
-        let others = match assemblies(self, failure.time).found.len() {
+        // What is refused is refused in every assembly.
+        let is_refused = matches!(failure.kind, FailureKind::NotPositive { .. });
+        let others = match is_refused {
+            true => 0,
+            false => assemblies(self, failure.time).found.len(),
+        };
+        let others = match others {
             0 => String::new(),
             1 => "; another assembly exists (`linkwright check` shows it)".to_string(),
             count => format!("; {count} other assemblies exist (`linkwright check` lists them)"),

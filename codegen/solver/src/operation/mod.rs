@@ -4,7 +4,7 @@ mod writer;
 
 use std::ops::Range;
 
-use linkwright::closed_form::{no_span, singular_divisor, spans};
+use linkwright::closed_form::{no_span, not_positive, singular_divisor, spans};
 use linkwright::math::angle_near;
 use linkwright::{Failure, FailureKind, multipliers};
 use linkwright_codegen::stages::expr::{Code, Register};
@@ -36,6 +36,8 @@ pub(crate) enum Operation {
     },
     /// Fails where a divisor vanishes.
     Nonzero { value: Register, scale: Register },
+    /// Fails where a driven length is not positive, by its place among what must be.
+    Positive { length: Register, place: u16 },
     /// Runs the Newton-Raphson of the block.
     Newton,
     /// Factorizes its Jacobian at the tears that were found.
@@ -100,6 +102,12 @@ pub(crate) fn run(
             let [value, scale] = [value, scale].map(|it| registers[it.index()]);
             if !spans(value * value, scale * scale) {
                 return Err(singular_divisor(value, scale, t, block));
+            }
+        }
+        Operation::Positive { length, place } => {
+            let length = registers[length.index()];
+            if length <= 0.0 {
+                return Err(not_positive(length, t, place));
             }
         }
         Operation::Multipliers {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId};
-use linkwright_codegen::stages::program::{Function, Statement};
+use linkwright_codegen::stages::program::{Function, Requirements, Statement};
 
 use super::Operation;
 use crate::path::Isolation;
@@ -12,6 +12,8 @@ use crate::path::Isolation;
 /// Writes the operations of one function after another.
 pub(crate) struct Writer<'a> {
     pub recorder: Recorder<'a>,
+    /// What must be positive, of which failures say the place.
+    pub requirements: Option<&'a Requirements>,
     /// The registers with the values that symbols had at the last instant.
     last: HashMap<SymbolId, Register>,
     last_order: Vec<(SymbolId, Register)>,
@@ -24,6 +26,7 @@ impl<'a> Writer<'a> {
         Writer {
             from: recorder.position(),
             recorder,
+            requirements: None,
             last: HashMap::new(),
             last_order: Vec::new(),
             written: Vec::new(),
@@ -125,6 +128,12 @@ impl<'a> Writer<'a> {
             Statement::Nonzero { value, scale } => Operation::Nonzero {
                 value: self.recorder.value(*value),
                 scale: self.recorder.value(*scale),
+            },
+            Statement::Positive { length, joint } => Operation::Positive {
+                length: self.recorder.value(*length),
+                place: self.requirements.map_or(0, |it| {
+                    u16::try_from(it.place_of(*joint)).unwrap_or(u16::MAX)
+                }),
             },
             Statement::Newton { .. } => Operation::Newton,
             Statement::Factorize => Operation::Factorize,

@@ -4,6 +4,7 @@ use super::assembly;
 use super::points::Offered;
 use super::printer::Printer;
 use super::text::Text;
+use super::words::identifier;
 use crate::emit::module::tubes::tube_count;
 
 /// Where everything of a mechanism is, as the runtime sees it.
@@ -202,7 +203,10 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
         printer.runtime("frame_at")
     ));
     let mut last = Offered {
-        lines: vec!["The last solved instant.".to_string()],
+        lines: vec![
+            "The last solved instant; NULL after an assembly that failed, from which only another one helps."
+                .to_string(),
+        ],
         declaration: format!(
             "const {frame} *{}(const {} *mechanism)",
             printer.function("frame"),
@@ -210,9 +214,103 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
         ),
         body: Text::default(),
     };
+    last.body.line(format!(
+        "const {frame} *const last = &mechanism->frames[mechanism->state.second_is_last ? 1 : 0];"
+    ));
     last.body
-        .line("return &mechanism->frames[mechanism->state.second_is_last ? 1 : 0];");
-    vec![advance, last, at]
+        .line("return mechanism->state.is_assembled ? last : NULL;");
+    vec![advance, last, at, advance_by(printer), recover(printer)]
+}
+
+fn advance_by(printer: &Printer<'_>) -> Offered {
+    let (given, real) = (Given::of(printer), printer.real());
+    let mechanism = format!("{} *mechanism", printer.type_prefix);
+    let mut offered = function(
+        printer,
+        &[
+            "Moves the mechanism on by a duration (s) from the last frame, as advance does. The times of successive calls are a compensated",
+            "sum; a failure does not let time pass.",
+        ],
+        "advance_by",
+        &[&mechanism, &format!("{real} duration"), &given.inputs],
+    );
+    let (parts, own) = (printer.runtime("mechanism"), printer.own("parts_of"));
+    let arguments = listed(&["mechanism", "t", given.passed_inputs]);
+    let body = &mut offered.body;
+    body.line(format!("const {parts} parts = {own}(mechanism);"));
+    body.line(format!("{real} rest;"));
+    body.line(format!(
+        "const {real} t = {}(&parts, duration, &rest);",
+        printer.runtime("time_after")
+    ));
+    body.line(format!(
+        "const linkwright_status status = {}({arguments});",
+        printer.function("advance")
+    ));
+    body.open("if (status == LINKWRIGHT_OK) {");
+    body.line("mechanism->state.sum = t;");
+    body.line("mechanism->state.rest = rest;");
+    body.close("}");
+    body.line("return status;");
+    offered
+}
+
+fn recover(printer: &Printer<'_>) -> Offered {
+    let given = Given::of(printer);
+    let holds_coordinates = printer.module.holds_coordinates();
+    let jump = match holds_coordinates {
+        true => format!("{} *jump", printer.type_of("Coordinates")),
+        false => String::new(),
+    };
+    let mut lines = vec![
+        "Assembles the mechanism at time t (s) near the last frame and in its modes, whether or not a path leads there, after signals",
+        "were missing for a while, say. A failure leaves the last frame as it is.",
+    ];
+    if holds_coordinates {
+        lines.push("The jump is the change of each coordinate, in its unit, m or rad.");
+    }
+    let mut offered = function(
+        printer,
+        &lines,
+        "recover",
+        &[
+            &format!("{} *mechanism", printer.type_prefix),
+            &format!("{} t", printer.real()),
+            &given.inputs,
+            &jump,
+        ],
+    );
+    let (parts, own) = (printer.runtime("mechanism"), printer.own("parts_of"));
+    let body = &mut offered.body;
+    body.line(format!("const {parts} parts = {own}(mechanism);"));
+    body.line(format!("{} branches;", printer.type_of("Branches")));
+    let call = format!(
+        "{}(&parts, t, {}, &branches)",
+        printer.runtime("recover"),
+        given.any_inputs
+    );
+    if !holds_coordinates {
+        body.line(format!("return {call};"));
+        return offered;
+    }
+    let frame = printer.type_of("Frame");
+    body.line(format!(
+        "const {frame} *const last = {}(&parts);",
+        printer.runtime("last_frame")
+    ));
+    body.line(format!("const linkwright_status status = {call};"));
+    body.open("if (status == LINKWRIGHT_OK) {");
+    body.line(format!(
+        "const {frame} *const found = {}(&parts);",
+        printer.runtime("last_frame")
+    ));
+    for coordinate in &printer.module.system.coordinates {
+        let name = identifier(&coordinate.name);
+        body.line(format!("jump->{name} = found->q.{name} - last->q.{name};"));
+    }
+    body.close("}");
+    body.line("return status;");
+    offered
 }
 
 fn set_parameters(printer: &Printer<'_>) -> Offered {
@@ -231,9 +329,13 @@ fn set_parameters(printer: &Printer<'_>) -> Offered {
     let body = &mut offered.body;
     body.line(format!("const {parts} parts = {own}(mechanism);"));
     body.line(format!(
-        "const linkwright_status status = {}(&parts, parameters, {}(mechanism)->t);",
-        printer.runtime("allow"),
+        "const {} *const last = {}(mechanism);",
+        printer.type_of("Frame"),
         printer.function("frame")
+    ));
+    body.line(format!(
+        "const linkwright_status status = {}(&parts, parameters, (last != NULL) ? last->t : mechanism->failure.time);",
+        printer.runtime("allow")
     ));
     body.open("if (status == LINKWRIGHT_OK) {");
     body.line("mechanism->parameters = *parameters;");

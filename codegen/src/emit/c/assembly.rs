@@ -160,6 +160,7 @@ fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> 
     body.line("linkwright_status status;");
     body.gap();
     body.line("mechanism->state.settings = *settings;");
+    body.line("mechanism->state.is_assembled = false;");
     body.line("mechanism->branches = *branches;");
     for name in [given.passed_parameters, given.passed_inputs] {
         if !name.is_empty() {

@@ -5,6 +5,7 @@ use super::parameters::requirement_names;
 use super::printer::Printer;
 use super::text::Text;
 use super::transmission::drivers;
+use crate::emit::module::documentation;
 
 /// The names as others see them.
 pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
@@ -16,10 +17,11 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
         printer.constant("BLOCKS"),
         count.max(1)
     ));
-    if let Some(names) = requirement_names(printer) {
-        text.comment([
-            "What must be positive whatever the parameters are: the joint, and what it is.",
-        ]);
+    if let (Some(names), Some(requirements)) = (
+        requirement_names(printer),
+        &printer.module.program.requirements,
+    ) {
+        text.comment([documentation::of_requirements(requirements)]);
         text.line(format!(
             "extern const linkwright_block_name {}[{}];",
             printer.constant("REQUIREMENTS"),

@@ -233,6 +233,9 @@ pub(super) fn requirements(printer: &Printer<'_>, text: &mut Text) {
     let Some(requirements) = &printer.module.program.requirements else {
         return;
     };
+    if !requirements.limit_parameters() {
+        return;
+    }
     let (function, structure) = (printer.own("not_positive"), printer.type_of("Parameters"));
     let scope = Scope::new(printer.module, &requirements.function, Place::Coordinates);
     text.gap();

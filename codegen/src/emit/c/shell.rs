@@ -10,6 +10,7 @@ use crate::emit::module::documentation;
 use crate::emit::module::drawing::frame_keeps_parameters;
 use crate::emit::module::needs::Needs;
 use crate::emit::module::tubes::tube_count;
+use crate::program::Requirements;
 
 /// The structure that a user holds.
 pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
@@ -202,6 +203,8 @@ pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
         true => format!("sizeof({})", printer.type_of("Inputs")),
         false => "0U".to_string(),
     };
+    let requirements = module.program.requirements.as_ref();
+    let limits_parameters = requirements.is_some_and(Requirements::limit_parameters);
     let entries = [
         format!("sizeof({})", printer.type_of("Frame")),
         format!("sizeof({})", printer.type_of("Branches")),
@@ -220,7 +223,7 @@ pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
         printer.own("time_of"),
         format!("{values}U"),
         some(values > 0, "value_of"),
-        some(module.program.requirements.is_some(), "not_positive"),
+        some(limits_parameters, "not_positive"),
     ];
     text.gap();
     text.comment(["What the runtime is told of the mechanism."]);

@@ -99,6 +99,13 @@ impl Printer<'_> {
                 let call = self.runtime("angle_near");
                 text.line(format!("{at} = {call}({sine}, {cosine}, {near});"));
             }
+            Statement::Positive { length, joint } => {
+                let (place, length) = (self.module.requirement_place(*joint), write(length));
+                let (zero, failed) = (self.number(0.0), self.runtime("not_positive"));
+                text.open(format!("if ({length} <= {zero}) {{"));
+                text.line(format!("return {failed}({length}, conditions, {place}U);"));
+                text.close("}");
+            }
             Statement::Reach {
                 excess,
                 scale,

@@ -11,7 +11,7 @@ use crate::emit::derivation::SingularPose;
 use crate::emit::{Notation, text};
 use crate::joint::Quantity;
 use crate::model::Dimension;
-use crate::program::{Block, Level, NewtonBlock, Output, Statement};
+use crate::program::{Block, Level, NewtonBlock, Output, Requirements, Statement};
 use crate::system::{Cause, Described, Pressure, Row, System, Unknown};
 
 /// The longest line of documentation that is not broken, in characters.
@@ -199,6 +199,14 @@ pub(in crate::emit) fn of_branch(meaning: &str) -> String {
     first.map_or(String::new(), |first| {
         first.chain(characters).chain(['.']).collect()
     })
+}
+
+/// The table of what must be positive.
+pub(in crate::emit) fn of_requirements(requirements: &Requirements) -> &'static str {
+    match requirements.limit_parameters() {
+        true => "What must be positive whatever the parameters are: the joint, and what it is.",
+        false => "What must be positive whatever drives it: the joint, and what it is.",
+    }
 }
 
 /// What the modes of all loops are.

@@ -28,7 +28,10 @@ impl Needs {
         let checks = has(|it| {
             matches!(
                 it,
-                Statement::Reach { .. } | Statement::Nonzero { .. } | Statement::Multipliers { .. }
+                Statement::Reach { .. }
+                    | Statement::Nonzero { .. }
+                    | Statement::Positive { .. }
+                    | Statement::Multipliers { .. }
             )
         });
         let fails = newton || checks || module.is_large();

@@ -95,6 +95,7 @@ const ITEMS: &[&str] = &[
     "angle_near",
     "all_finite",
     "not_finite",
+    "not_positive",
     "isolate",
     "isolate_chain",
     "required",

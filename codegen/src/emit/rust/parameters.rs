@@ -123,15 +123,23 @@ pub(super) fn requirements(module: &Module<'_>) -> TokenStream {
     let (statements, results) = (scope.plain_statements(), scope.results());
     let names = requirements.names.iter();
     let names = names.map(|(owner, what)| quote!(BlockName::new(#owner, #what)));
-    let length = count(results.len());
+    let [all, length] = [requirements.names.len(), results.len()].map(count);
+    let function = only(
+        requirements.limit_parameters(),
+        quote! {
+            fn requirements(parameters: &Parameters) -> [Scalar; #length] {
+                #statements
+                [#(#results),*]
+            }
+        },
+    );
+    let docs = documentation::of_requirements(requirements);
+    let docs = format!(" {docs}");
     quote! {
-        /// What must be positive whatever the parameters are: the joint, and what it is.
-        const REQUIREMENTS: [BlockName<'static>; #length] = [#(#names),*];
+        #[doc = #docs]
+        const REQUIREMENTS: [BlockName<'static>; #all] = [#(#names),*];
 
-        fn requirements(parameters: &Parameters) -> [Scalar; #length] {
-            #statements
-            [#(#results),*]
-        }
+        #function
     }
 }
 

@@ -41,8 +41,11 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
     if module.program.drawn.is_some() {
         text.line("drawn: drawn;");
     }
-    if module.program.requirements.is_some() {
-        text.line("requirements: REQUIREMENTS;");
+    if let Some(requirements) = &module.program.requirements {
+        text.line(match requirements.limit_parameters() {
+            true => "requirements: REQUIREMENTS;",
+            false => "driven: REQUIREMENTS;",
+        });
     }
     if module.assemblies.is_some() {
         text.line("assemblies: Branches;");

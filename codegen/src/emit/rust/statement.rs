@@ -70,6 +70,12 @@ impl Scope<'_> {
                 let number = self.module.block_number(*block);
                 Some(format!("required({}, {number})?;", write(value)))
             }
+            Statement::Positive { length, joint } => {
+                let (place, length) = (self.module.requirement_place(*joint), write(length));
+                Some(format!(
+                    "if {length} <= 0.0 {{\n    return Err(not_positive({length}, t, {place}));\n}}"
+                ))
+            }
             Statement::Reach {
                 excess,
                 scale,
@@ -136,6 +142,7 @@ impl Scope<'_> {
             | Statement::SineCosine { .. }
             | Statement::Angle { .. }
             | Statement::Require { .. }
+            | Statement::Positive { .. }
             | Statement::Reach { .. }
             | Statement::Nonzero { .. } => {}
             Statement::Lookup {

@@ -18,6 +18,7 @@ use crate::words::Known;
 pub(in crate::program) struct Lowering<'a> {
     pub system: &'a mut System,
     pub branches: Vec<Branch>,
+    pub driven: Vec<usize>,
     pub derivatives: DirectionalDerivatives,
     pub known: Known,
     pub paths: Paths,
@@ -33,6 +34,7 @@ impl<'a> Lowering<'a> {
             known: Known::nothing(system),
             paths: Paths::new(system),
             branches: Vec::new(),
+            driven: Vec::new(),
             names: Vec::new(),
             writes_prose,
             system,
@@ -59,6 +61,9 @@ impl<'a> Lowering<'a> {
         );
         let monitor = self.system.mechanism.monitor;
         let mut builder = Builder::new(self, place);
+        if !forms.is_empty() {
+            builder.positive(&block.joints);
+        }
         let mut solved = Vec::with_capacity(forms.len());
         for form in &forms {
             let found = form.position(&mut builder);
@@ -71,6 +76,7 @@ impl<'a> Lowering<'a> {
             solved.push(found);
         }
         builder.definitions(block);
+        builder.positive(&block.joints);
         builder.section(Level::Velocity);
         for found in &mut solved {
             found.prepare(&mut builder);

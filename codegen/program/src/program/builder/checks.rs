@@ -1,10 +1,12 @@
-//! What a closed form asks of its pose: that links reach, that nothing vanishes, which assembly mode it has, how far it is from singular.
+//! What a block asks of its pose: that driven lengths are positive, links reach, and nothing vanishes; which assembly mode it has, and
+//! how far it is from singular.
 
 use super::Builder;
 use crate::expr::{ExprId, Number, Rational};
 use crate::program::block::{Branch, Measured};
 use crate::program::forms::{Form, Solved};
 use crate::program::function::Statement;
+use crate::program::requirements::driven_length;
 
 /// A closed form inside a torn block is too close to singular where the square of its sine is one part in so many: it amplifies
 /// rounding eightfold.
@@ -47,6 +49,18 @@ impl Builder<'_> {
     pub fn nonzero(&mut self, value: ExprId, scale: ExprId) {
         if !self.system.mechanism.graph.is_constant(value) {
             self.statements.push(Statement::Nonzero { value, scale });
+        }
+    }
+
+    /// Fails where a length of these joints is driven and not positive. The first block that knows a joint looks at it.
+    pub(in crate::program) fn positive(&mut self, joints: &[usize]) {
+        for &joint in joints {
+            if let Some((length, _)) = driven_length(joint, &mut self.system.mechanism)
+                && !self.driven.contains(&joint)
+            {
+                self.driven.push(joint);
+                self.statements.push(Statement::Positive { length, joint });
+            }
         }
     }
 

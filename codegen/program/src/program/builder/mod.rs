@@ -29,6 +29,8 @@ pub struct Builder<'a> {
     /// The number of the block, from 0.
     pub(super) place: usize,
     branches: &'a mut Vec<Branch>,
+    /// The joints whose driven lengths a block looks at already.
+    driven: &'a mut Vec<usize>,
     pub(super) paths: &'a mut Paths,
     /// Arms that are defined already.
     pub(super) defined: IdSet<SymbolId>,
@@ -50,6 +52,7 @@ impl<'a> Builder<'a> {
             derivatives: &mut lowering.derivatives,
             paths: &mut lowering.paths,
             branches: &mut lowering.branches,
+            driven: &mut lowering.driven,
             writes_prose: lowering.writes_prose,
             statements: Vec::new(),
             place,

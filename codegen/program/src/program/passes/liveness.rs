@@ -74,6 +74,8 @@ fn needed(
             }
             Statement::Newton { .. } => remains || statement.targets().into_iter().any(wanted),
             Statement::Isolate { .. } | Statement::Require { .. } => true,
+            // What drives the mechanism must be allowed, whatever is asked for.
+            Statement::Positive { .. } => true,
             // What is checked is needed by all that follows in the function.
             Statement::Reach { .. } | Statement::Nonzero { .. } => remains,
             Statement::Section(_) => std::mem::take(&mut followed),

@@ -41,11 +41,22 @@ const CROSSING_POSES: usize = 2 * (1 + 2 * DOUBLINGS) + 2 * 5 * REFINEMENTS + 7 
 const DOUBTFUL_SOLVES: usize = 13;
 const RATE_SOLVES: usize = 2;
 
+/// The evaluations of residuals from a poor estimate, for each of Newton-Raphson's steps and besides, as the runtime states them.
+pub const AFAR_RESIDUALS: [usize; 2] = [13, 74];
+/// The same of the Jacobian.
+pub const AFAR_JACOBIANS: [usize; 2] = [5, 79];
+/// How often Newton-Raphson is tried from there.
+const AFAR_FINISHES: usize = 3;
+/// The steps of the least squares that a poor estimate is improved by.
+pub const LEAST_SQUARES: usize = 60;
+
 /// What a call of `advance` takes at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// All blocks once; without iterations exactly this.
     pub attempt: Operations,
+    /// All blocks once from an estimate, as `recover` solves them; without iterations exactly this.
+    pub recover: Operations,
     /// Whether blocks are iterated.
     pub is_iterated: bool,
     /// What is looked at of the path; `None` where nothing is guarded.
@@ -75,9 +86,6 @@ impl Work {
         }
         let iterated: Vec<&NewtonBlock> =
             blocks.iter().filter_map(|it| it.newton.as_ref()).collect();
-        for newton in &iterated {
-            attempt += of_newton(newton, system);
-        }
         // The multipliers of parts without a closed form.
         let statements = blocks.iter().flat_map(|it| &it.function.statements);
         for statement in statements {
@@ -86,8 +94,14 @@ impl Work {
                 attempt += substitution(forces.len());
             }
         }
+        let mut recover = attempt;
+        for newton in &iterated {
+            attempt += of_newton(newton, system);
+            recover += of_newton_from_afar(newton, system);
+        }
         Self {
             attempt,
+            recover,
             is_iterated: !iterated.is_empty(),
             window: path.map(|path| {
                 let mut window = Looks::default();
@@ -99,23 +113,26 @@ impl Work {
         }
     }
 
-    /// The poses that a way takes which one attempt does not lead along, the first one included.
-    pub fn poses(&self) -> usize {
+    /// The poses that a way of so many attempts takes which one does not lead along, the first one included.
+    pub fn poses(&self, substeps: usize) -> usize {
         match self.window {
-            Some(_) => 1 + SUBSTEPS + CROSSINGS * (CROSSING_POSES + 2 * SUBSTEPS),
-            None => 1 + SUBSTEPS,
+            Some(_) => 1 + substeps + CROSSINGS * (CROSSING_POSES + 2 * substeps),
+            None => 1 + substeps,
         }
     }
 
     /// How often the guard of such a way looks for a window.
-    pub fn windows(&self) -> usize {
-        1 + SUBSTEPS + CROSSINGS * 2 * SUBSTEPS
+    pub fn windows(&self, substeps: usize) -> usize {
+        1 + substeps + CROSSINGS * 2 * substeps
     }
 
-    /// The operations of such a way.
-    pub fn whole(&self) -> usize {
+    /// The operations of such a way: those that do not grow with the attempts, and those of each.
+    pub fn whole(&self) -> [usize; 2] {
         let window = self.window.map_or(0, |it| it.total());
-        self.poses() * self.attempt.total() + self.windows() * window
+        let with = |substeps: usize| {
+            self.poses(substeps) * self.attempt.total() + self.windows(substeps) * window
+        };
+        [with(0), with(1) - with(0)]
     }
 }
 
@@ -138,6 +155,25 @@ fn of_newton(newton: &NewtonBlock, system: &System) -> Operations {
         all.sines += order;
         all.arctangents += tearing.angles;
     }
+    all
+}
+
+/// Newton-Raphson from a poor estimate: least squares, then plain and damped Newton-Raphson, and whole turns that are taken off.
+fn of_newton_from_afar(newton: &NewtonBlock, system: &System) -> Operations {
+    let order = newton.unknowns.len();
+    let residuals = AFAR_RESIDUALS[0] * STEPS + AFAR_RESIDUALS[1] + 1 + order;
+    let jacobians = AFAR_JACOBIANS[0] * STEPS + AFAR_JACOBIANS[1] + 1;
+    let mut all = of_newton(newton, system);
+    all += of_function(&newton.residual, system).times(residuals);
+    all += of_function(&newton.jacobian, system).times(jacobians);
+    all += of_function(&newton.time_derivative, system).times(AFAR_FINISHES);
+    all += of_function(&newton.gamma, system).times(AFAR_FINISHES);
+    all += elimination(order).times(jacobians);
+    all += substitution(order).times(residuals + AFAR_FINISHES * (RATE_SOLVES + DOUBTFUL_SOLVES));
+    // The normal equations of each step: their matrix, the gradient, and what both are scaled by.
+    let mut normal = products(order, order + 2);
+    normal.divisions = order * order + 2 * order;
+    all += normal.times(1 + LEAST_SQUARES);
     all
 }
 

@@ -85,6 +85,11 @@ linkwright_status linkwright$f_singular_divisor($real value, $real scale, const 
     return noted$f(conditions->failure, LINKWRIGHT_SINGULAR, value / scale, 0U, conditions->t, block);
 }
 
+linkwright_status linkwright$f_not_positive($real value, const linkwright$f_conditions *conditions, uint16_t place)
+{
+    return noted$f(conditions->failure, LINKWRIGHT_NOT_POSITIVE, value, 0U, conditions->t, place);
+}
+
 linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditions, uint16_t block)
 {
     return noted$f(conditions->failure, LINKWRIGHT_NOT_FINITE, 0.0$f, 0U, conditions->t, block);

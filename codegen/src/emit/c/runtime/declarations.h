@@ -150,6 +150,8 @@ typedef struct linkwright$f_blocks {
 typedef struct linkwright$f_state {
     linkwright$f_settings settings;
     linkwright_start start;
+    /* Whether there is a last frame, which there is not after an assembly that failed. */
+    bool is_assembled;
     bool second_is_last;
     /* Whether something is known of the path, and of which time (s). */
     bool has_window;
@@ -158,6 +160,9 @@ typedef struct linkwright$f_state {
     /* How many steps are looked ahead next, and the same of closed forms by themselves. */
     $real stretch;
     $real stretch_of_closed_forms;
+    /* The last sum of durations (s), and what it is beyond its rounding. */
+    $real sum;
+    $real rest;
 } linkwright$f_state;
 
 /* A mechanism as the runtime sees it: where everything is. */
@@ -312,6 +317,8 @@ linkwright_status linkwright$f_no_span($real distance, $real longest, $real shor
 /* Notes that a divisor has vanished beside a scale. */
 linkwright_status linkwright$f_singular_divisor($real value, $real scale, const linkwright$f_conditions *conditions,
     uint16_t block);
+/* Notes that a driven length is not positive, by its place among what must be. */
+linkwright_status linkwright$f_not_positive($real value, const linkwright$f_conditions *conditions, uint16_t place);
 /* Notes that a number is not finite. */
 linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditions, uint16_t block);
 /* Whether a number is finite, and whether all are. */
@@ -379,6 +386,12 @@ linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *me
 /* Solves for a frame at a time in the modes of now, in room for a copy of them; the mechanism stays where it is. */
 linkwright_status linkwright$f_frame_at(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
     void *frame, void *branches);
+/* The time after a duration (s) from the last frame, as a compensated sum, and what it is beyond its rounding. */
+$real linkwright$f_time_after(const linkwright$f_mechanism *mechanism, $real duration, $real *rest);
+/* Goes on from the frame at a time in the modes of now, whether or not a path leads there, with room for a copy of the
+   modes. Without a last frame it is LINKWRIGHT_NOT_FINITE. */
+linkwright_status linkwright$f_recover(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
+    void *branches);
 /* The last frame. */
 const void *linkwright$f_last_frame(const linkwright$f_mechanism *mechanism);
 /* Whether parameters are allowed; notes a failure. */

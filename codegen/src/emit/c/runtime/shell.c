@@ -40,9 +40,12 @@ linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism,
     state->stretch = AHEAD$f;
     state->stretch_of_closed_forms = AHEAD$f;
     state->t = t;
+    state->sum = t;
+    state->rest = 0.0$f;
     (void)noted$f(mechanism->failure, LINKWRIGHT_OK, 0.0$f, 0U, t, 0U);
     const linkwright_status status = solve_all$f(mechanism, at, last, mechanism->branches, &conditions);
     mechanism->failure->status = status;
+    state->is_assembled = status == LINKWRIGHT_OK;
     return status;
 }
 
@@ -98,8 +101,9 @@ linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *me
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     const linkwright$f_state *const state = mechanism->state;
     const void *const last = frame_of$f(mechanism, true);
-    /* No way leads to an input that is not finite. */
-    if (is_of_input$f(mechanism->failure) || (state->settings.substeps <= 1U)) {
+    /* No way leads to inputs that may not be. */
+    const bool is_driven_so = (blocks->signals > 0U) && (mechanism->failure->status == LINKWRIGHT_NOT_POSITIVE);
+    if (is_of_input$f(mechanism->failure) || is_driven_so || (state->settings.substeps <= 1U)) {
         return mechanism->failure->status;
     }
     Way$f way;
@@ -159,6 +163,34 @@ linkwright_status linkwright$f_frame_at(const linkwright$f_mechanism *mechanism,
     (void)memcpy(frame, last, blocks->frame_size);
     (void)memcpy(branches, mechanism->branches, blocks->branches_size);
     return solve_all$f(mechanism, frame, last, branches, &conditions);
+}
+
+$real linkwright$f_time_after(const linkwright$f_mechanism *mechanism, $real duration, $real *rest)
+{
+    const linkwright$f_state *const state = mechanism->state;
+    const $real t = mechanism->blocks->time(frame_of$f(mechanism, true));
+    /* What is left of a sum counts where that is its time. */
+    const $real whole = duration + ((state->sum == t) ? state->rest : 0.0$f);
+    const $real sum = t + whole;
+    const $real added = sum - t;
+    *rest = (t - (sum - added)) + (whole - added);
+    return sum;
+}
+
+linkwright_status linkwright$f_recover(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
+    void *branches)
+{
+    linkwright$f_state *const state = mechanism->state;
+    if (!state->is_assembled) {
+        return noted$f(mechanism->failure, LINKWRIGHT_NOT_FINITE, 0.0$f, 0U, t, 0U);
+    }
+    const linkwright_status status = linkwright$f_frame_at(mechanism, t, inputs, frame_of$f(mechanism, false), branches);
+    if (status == LINKWRIGHT_OK) {
+        (void)memcpy(mechanism->branches, branches, mechanism->blocks->branches_size);
+        state->has_window = false;
+        keep$f(mechanism, inputs);
+    }
+    return status;
 }
 
 void linkwright$f_parameters_changed(const linkwright$f_mechanism *mechanism)
