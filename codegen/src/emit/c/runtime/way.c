@@ -186,7 +186,7 @@ static bool end_of_reach$f($real reached, const linkwright$f_failure *nearer, co
 }
 
 /* True of numbers that are refused, and do not say of which block there is no pose. */
-static bool is_refused$f(linkwright_status status)
+static bool refuses_number$f(linkwright_status status)
 {
     return (status == LINKWRIGHT_NOT_POSITIVE) || (status == LINKWRIGHT_NOT_FINITE);
 }
@@ -195,7 +195,7 @@ static bool is_refused$f(linkwright_status status)
 static linkwright_status lasting$f(linkwright_status status, bool is_coarse)
 {
     const bool may_last = (status == LINKWRIGHT_SINGULAR) || (status == LINKWRIGHT_WRONG_BRANCH)
-        || is_refused$f(status);
+        || refuses_number$f(status);
     const bool lasts = (status == LINKWRIGHT_OUT_OF_REACH) || (may_last && !is_coarse);
     return lasts ? status : LINKWRIGHT_STEP_TOO_LARGE;
 }
@@ -276,7 +276,7 @@ static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
             is_refused = true;
             latest = failure.block;
             has_latest = true;
-            if (is_end$f(&failure) || is_refused$f(failure.status)) {
+            if (is_end$f(&failure) || refuses_number$f(failure.status)) {
                 beyond = failure;
                 has_beyond = true;
             }
@@ -295,7 +295,7 @@ static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
     /* Where the steps of a block have become as short, and it has no pose farther on, or none has shortly beyond, that is
        why. */
     const bool has_end = has_beyond
-        && (is_refused$f(beyond.status) ? (fabs$f(beyond.time - reached) <= refined)
+        && (refuses_number$f(beyond.status) ? (fabs$f(beyond.time - reached) <= refined)
                                         : (beyond.block == refused.block));
     if (has_end && (refused.status == LINKWRIGHT_STEP_TOO_LARGE) && (fabs$f(step) <= refined)) {
         const $real time = refused.time;
