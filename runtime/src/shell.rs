@@ -170,17 +170,18 @@ impl<B: Blocks> Shell<B> {
         t: B::Scalar,
         inputs: &B::Inputs,
     ) -> Result<B::Frame, Failure<B::Scalar>> {
-        self.solved_at(t, inputs).map(|(at, _)| at)
+        self.solved_at(t, inputs, &mut self.branches.clone())
     }
 
-    /// The frame at time `t` (s) in the modes of now, and these modes with those that were found.
+    /// The frame at time `t` (s) in these modes, of which those that are found are noted.
     fn solved_at(
         &self,
         t: B::Scalar,
         inputs: &B::Inputs,
-    ) -> Result<(B::Frame, B::Branches), Failure<B::Scalar>> {
+        branches: &mut B::Branches,
+    ) -> Result<B::Frame, Failure<B::Scalar>> {
         let last = self.frame();
-        let (mut at, mut branches) = (last.clone(), self.branches.clone());
+        let mut at = last.clone();
         let conditions = Conditions {
             t,
             start: Start::Estimate,
@@ -188,8 +189,8 @@ impl<B: Blocks> Shell<B> {
             inputs,
             settings: &self.settings,
         };
-        solve(&self.blocks, &mut at, last, &mut branches, &conditions)?;
-        Ok((at, branches))
+        solve(&self.blocks, &mut at, last, branches, &conditions)?;
+        Ok(at)
     }
 
     /// Moves the mechanism on by the time `duration` (s) from the last frame, as [`Shell::advance`] does, which a failure leaves as it is.
@@ -213,7 +214,7 @@ impl<B: Blocks> Shell<B> {
     /// Assembles the mechanism at time `t` (s) near the last frame and in its modes, whether or not a path leads there, after signals
     /// were missing for a while, say. Whole turns in between are not counted. A failure leaves the last frame as it is.
     ///
-    /// Gives how far that jumps: for each coordinate its change, in its unit, m or rad; NaN where frames hold no coordinates.
+    /// Gives how far that jumps: for each coordinate its change, in its unit, m or rad; `None` where frames do not hold all coordinates.
     ///
     /// # Errors
     /// A [`Failure`] where the mechanism cannot be assembled so.
@@ -221,24 +222,22 @@ impl<B: Blocks> Shell<B> {
         &mut self,
         t: B::Scalar,
         inputs: &B::Inputs,
-    ) -> Result<B::Coordinates, Failure<B::Scalar>> {
-        let (at, branches) = self.solved_at(t, inputs)?;
+    ) -> Result<Option<B::Coordinates>, Failure<B::Scalar>> {
+        let mut branches = self.branches.clone();
+        let at = self.solved_at(t, inputs, &mut branches)?;
         let jump = self.jump(&at);
         self.resume(&at, &branches, inputs);
         Ok(jump)
     }
 
     /// The change of every coordinate from the last frame to another one.
-    fn jump(&self, at: &B::Frame) -> B::Coordinates {
+    fn jump(&self, at: &B::Frame) -> Option<B::Coordinates> {
         let mut jump = self.blocks.drawn_pose(&self.parameters);
         for index in 0..jump.count() {
-            let value = |frame: &B::Frame| {
-                let coordinate = self.blocks.coordinate(frame, index);
-                coordinate.map_or(B::Scalar::from_f64(f64::NAN), |[value, ..]| value)
-            };
-            jump.set(index, value(at) - value(self.frame()));
+            let value = |frame: &B::Frame| Some(self.blocks.coordinate(frame, index)?[0]);
+            jump.set(index, value(at)? - value(self.frame())?);
         }
-        jump
+        Some(jump)
     }
 
     /// The last solved instant.

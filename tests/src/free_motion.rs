@@ -410,7 +410,11 @@ fn beside_dead_center(
     let place = place.unwrap_or_else(|| panic!("no {name}"));
     let at = view.drawn_pose(&view.nominal_parameters()).0[place];
     let reference = Multipliers::new(view.system(), &weighed.weights, weighed.gravity);
-    let step = if random.bits().is_multiple_of(2) { 0.01 } else { -0.01 };
+    let step = if random.bits().is_multiple_of(2) {
+        0.01
+    } else {
+        -0.01
+    };
     let limit = dead_center(view, at, step * at.abs().clamp(0.1, 1.0))?;
     // Beside it, what is free moves in proportion to the root of its distance.
     let close = 10.0_f64.powf(random.between(CLOSENESS[0], CLOSENESS[1]));

@@ -274,12 +274,12 @@ macro_rules! mechanism {
             }
 
             /// Assembles the mechanism at time `t` (s) near the last frame and in its modes, whether or not a path leads there, after
-            /// signals were missing for a while, say. Gives how far each coordinate jumps, in its unit, m or rad; NaN where frames hold no
-            /// coordinates.
+            /// signals were missing for a while, say. Gives how far each coordinate jumps, in its unit, m or rad; `None` where frames do not
+            /// hold all coordinates.
             ///
             /// # Errors
             /// A [`Failure`] where it cannot be assembled so; the last frame then stays.
-            pub fn recover(&mut self, t: Scalar $(, inputs: &$inputs)?) -> Result<Coordinates, Failure> {
+            pub fn recover(&mut self, t: Scalar $(, inputs: &$inputs)?) -> Result<Option<Coordinates>, Failure> {
                 self.0.recover(t, $crate::or_unit!(@value inputs $(, $inputs)?))
             }
 

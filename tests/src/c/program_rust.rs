@@ -218,8 +218,10 @@ fn runner(motion: &Motion) -> String {
         false => "'p' | 'f' => continue,".to_string(),
     };
     let jumped = match declared.holds_coordinates {
-        true => "text.push_str(\"jump\"); numbers(text, &jump.to_array()); text.push('\\n');",
-        false => "",
+        true => {
+            "let jump = jump.expect(\"all coordinates\"); text.push_str(\"jump\"); numbers(text, &jump.to_array()); text.push('\\n');"
+        }
+        false => "assert!(jump.is_none());",
     };
     let last_inputs = match declared.inputs > 0 {
         true => "let mut last_inputs = Inputs::default();",

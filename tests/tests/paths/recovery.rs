@@ -76,6 +76,7 @@ fn a_dropout_in_the_middle_of_a_motion_ends_with_the_first_sample() {
         assert!((last - jib(0.3)).abs() < 1e-9);
         let t = 1.1;
         let jump = crane.recover(t, &measured(t)).expect("one cycle");
+        let jump = jump.expect("all coordinates");
         assert!((crane.frame().q.phi_jib - jib(t)).abs() < 1e-9);
         assert_eq!(crane.frame().t, t);
         assert!((jump.phi_jib - (jib(t) - jib(0.3))).abs() < 1e-9);
@@ -119,6 +120,7 @@ fn a_platform_recovers_in_its_assembly() {
     }
     let before = dropped.frame().q.to_array();
     let jump = dropped.recover(0.8, &inputs(0.8)).expect("one cycle");
+    let jump = jump.expect("all coordinates");
     assert_eq!(dropped.branches(), followed.branches());
     let [found, exact] = [&dropped, &followed].map(|it| it.frame().q.to_array());
     for (index, (found, exact)) in found.into_iter().zip(exact).enumerate() {
