@@ -112,33 +112,43 @@ impl<B: Blocks> Way<'_, B> {
     /// Goes from one place to another in as many steps as it takes: from time to time, or from part to part of a change.
     fn steps(&mut self, [from, end]: [B::Scalar; 2]) -> Result<(), Broken<B::Scalar>> {
         let budget = self.settings.substeps;
-        in_steps(from, end, budget, |place| match self.changed {
-            None => {
-                let before = self.inputs_at(B::time(&self.reached));
-                let inputs = self.inputs_at(place);
-                self.step(place, &before, &inputs)
-            }
-            Some(reached) => self.change_step(reached, place),
-        })
-        .map(|_| ())
+        in_steps(from, end, budget, |place| self.step_to(place)).map(|_| ())
     }
 
-    /// Goes from one part of a change of the inputs to another. The time of a failure is that part.
-    fn change_step(
-        &mut self,
-        reached: B::Scalar,
-        part: B::Scalar,
-    ) -> Result<(), Failure<B::Scalar>> {
-        let [from, end] = self.ends;
-        let [before, inputs] = [reached, part].map(|part| self.changed_inputs(part));
-        let t = if part < B::Scalar::ONE { from } else { end };
+    /// Goes on to a time, or to a part of a change of the inputs, which is then the time of a failure.
+    fn step_to(&mut self, place: B::Scalar) -> Result<(), Failure<B::Scalar>> {
+        let changed = self.changed();
+        let (t, before, inputs) = match changed {
+            None => (
+                place,
+                self.inputs_at(B::time(&self.reached)),
+                self.inputs_at(place),
+            ),
+            Some(reached) => {
+                let [from, end] = self.ends;
+                let t = if place < B::Scalar::ONE { from } else { end };
+                (t, self.changed_inputs(reached), self.changed_inputs(place))
+            }
+        };
         let step = self.step(t, &before, &inputs);
-        step.map_err(|failure| Failure {
-            time: part,
-            ..failure
-        })?;
-        self.changed = Some(part);
-        Ok(())
+        if changed.is_some() {
+            step.map_err(|failure| Failure {
+                time: place,
+                ..failure
+            })?;
+            self.changed = Some(place);
+            return Ok(());
+        }
+        step
+    }
+
+    /// The part of the inputs' change that was made. None without inputs, which the compiler then sees.
+    fn changed(&self) -> Option<B::Scalar> {
+        let [_, last] = self.inputs;
+        match last.count() {
+            0 => None,
+            _ => self.changed,
+        }
     }
 
     /// The signals at a part of their change.
