@@ -1,7 +1,9 @@
 //! Mechanisms with a damper that makes them stiff, and their motions: in closed form, or by short steps in coordinates of their own.
 
-use linkwright_solver::dormand_prince::{Rates, Step, Tolerances};
+use linkwright_solver::dormand_prince::Step;
+use linkwright_solver::rates::Rates;
 use linkwright_solver::simulation::{Effort, Method, Options, Simulation, Stop};
+use linkwright_solver::tolerances::Tolerances;
 
 use crate::simulated::{coordinate, simulation};
 
@@ -184,7 +186,7 @@ impl Rates for Lagrange {
     }
 }
 
-/// By steps of order 8 that are shorter than any decay.
+/// The motion of the cart by steps of order 8 that are shorter than any decay.
 fn swung(damper: f64, times: &[f64]) -> Vec<State> {
     let mut equations = Lagrange { damper };
     let tolerances = Tolerances {

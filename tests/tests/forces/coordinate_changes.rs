@@ -1,7 +1,9 @@
 //! Free coordinates that stand still on the way: the motion is that of a coordinate that never does.
 
-use linkwright_solver::dormand_prince::{Rates, Step, Tolerances};
+use linkwright_solver::dormand_prince::Step;
+use linkwright_solver::rates::Rates;
 use linkwright_solver::simulation::Simulation;
+use linkwright_solver::tolerances::Tolerances;
 use linkwright_solver::view::View;
 use linkwright_tests::description;
 use linkwright_tests::simulated::{

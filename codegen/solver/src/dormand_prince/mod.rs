@@ -9,14 +9,11 @@ mod coefficients;
 
 use coefficients::{DENSE, DENSE_STAGES, END, FIFTH, STAGES, Stage, THIRD, Term};
 
-/// How much longer a step may be than the one before it.
-const LARGEST_GROWTH: f64 = 6.0;
+use crate::rates::Rates;
+use crate::tolerances::{Tolerances, next_length};
 
-/// How much shorter a step that was too inaccurate is tried again at least.
+/// Part of its length that a step keeps at least when it is tried again.
 const LARGEST_LOSS: f64 = 1.0 / 3.0;
-
-/// Which part of the length that the error estimate allows is taken.
-const SAFETY: f64 = 0.9;
 
 /// The weight of the error of order 3 beside that of order 5.
 const THIRD_WEIGHT: f64 = 0.01;
@@ -30,50 +27,15 @@ const FIRST_STEP: f64 = 1e-6;
 /// The slope of a state below which it says nothing about the length of a step, in tolerances.
 const SMALL: f64 = 1e-5;
 
-/// Up to which length, in times of the fastest decay, steps are stable.
+/// Largest length of a stable step, in times of the fastest decay.
 pub const STABLE: f64 = 6.1;
-
-/// The largest error of a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tolerances {
-    /// Of each component, relative to itself.
-    pub relative: f64,
-    /// Added to that, in the unit of each component.
-    pub absolute: f64,
-}
-
-/// Rates of a state at a time; an error where there are none.
-pub trait Rates {
-    /// Why there are none.
-    type Failure;
-
-    /// Writes the rates.
-    ///
-    /// # Errors
-    /// They do not exist there.
-    fn rates(&mut self, t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Self::Failure>;
-
-    /// Number of components, from the first, whose error counts. Rates depend on them alone: all others are integrals along the way.
-    fn judged(&self) -> usize;
-
-    /// Size beyond which a component allows no larger error: angles grow with every turn, and what happens at them does not.
-    fn largest(&self, _component: usize) -> f64 {
-        f64::INFINITY
-    }
-
-    /// Sizes of judged components, beside which rates change slowly, at a state with these rates before a step of a length.
-    fn scales(&self, state: &[f64], _slope: &[f64], _length: f64) -> Vec<f64> {
-        let own = state.iter().take(self.judged());
-        own.map(|it| it.abs().max(1.0)).collect()
-    }
-}
 
 /// A step that has been tried.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// Where it begins (s).
+    /// Time of its beginning (s).
     pub from: f64,
-    /// Where it ends (s).
+    /// Time of its end (s).
     pub to: f64,
     /// Its error in tolerances: it may be taken up to 1.
     pub error: f64,
@@ -85,23 +47,6 @@ pub struct Step {
     stages: Vec<Vec<f64>>,
     /// What the dense output is made of.
     dense: Option<[Vec<f64>; 8]>,
-}
-
-impl Tolerances {
-    /// The error that a component may have which is as large as the larger of two values, at most `largest`.
-    pub(crate) fn of(&self, one: f64, other: f64, largest: f64) -> f64 {
-        self.absolute + self.relative * one.abs().max(other.abs()).min(largest)
-    }
-
-    /// The root of the mean square of values in tolerances at a state.
-    fn mean<R: Rates>(&self, values: &[f64], state: &[f64], rates: &R) -> f64 {
-        let judged = rates.judged();
-        let squares = (0..judged).map(|component| {
-            let at = state[component];
-            (values[component] / self.of(at, at, rates.largest(component))).powi(2)
-        });
-        (squares.sum::<f64>() / judged as f64).sqrt()
-    }
 }
 
 /// A state and multiples of stages times a length.
@@ -132,8 +77,8 @@ pub fn first_length<R: Rates>(
     longest: f64,
     tolerances: &Tolerances,
 ) -> Result<f64, R::Failure> {
-    let size = tolerances.mean(state, state, rates);
-    let steep = tolerances.mean(slope, state, rates);
+    let size = tolerances.mean(state, [state; 2], rates);
+    let steep = tolerances.mean(slope, [state; 2], rates);
     let tried = match size < SMALL || steep < SMALL {
         true => FIRST_STEP,
         false => FIRST_PART * size / steep,
@@ -147,7 +92,7 @@ pub fn first_length<R: Rates>(
         .zip(slope)
         .map(|(one, other)| one - other)
         .collect();
-    let bent = tolerances.mean(&bend, state, rates) / tried;
+    let bent = tolerances.mean(&bend, [state; 2], rates) / tried;
     let largest = steep.max(bent);
     let allowed = match largest > 0.0 {
         true => (FIRST_PART / largest).powf(1.0 / 8.0),
@@ -200,16 +145,9 @@ impl Step {
         })
     }
 
-    /// How long the next step should be, or the next attempt where this one is too inaccurate; `held` says that it may not be longer.
+    /// Length of the next step, or of the next attempt where this one is too inaccurate; `held` says that it may not be longer.
     pub fn next_length(&self, held: bool) -> f64 {
-        let length = self.to - self.from;
-        // An error that is no number is as large as can be.
-        let allowed = match self.error.is_finite() {
-            true => SAFETY * self.error.max(f64::MIN_POSITIVE).powf(-1.0 / 8.0),
-            false => LARGEST_LOSS,
-        };
-        let most = if held { 1.0 } else { LARGEST_GROWTH };
-        length * allowed.clamp(LARGEST_LOSS, most)
+        next_length(self.to - self.from, self.error, 8.0, LARGEST_LOSS, held)
     }
 
     /// The state at the end.

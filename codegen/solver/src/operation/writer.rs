@@ -12,7 +12,7 @@ use crate::path::Isolation;
 /// Writes the operations of one function after another.
 pub(crate) struct Writer<'a> {
     pub recorder: Recorder<'a>,
-    /// What must be positive, of which failures say the place.
+    /// Values that must be positive; failures give their places.
     pub requirements: Option<&'a Requirements>,
     /// The registers with the values that symbols had at the last instant.
     last: HashMap<SymbolId, Register>,

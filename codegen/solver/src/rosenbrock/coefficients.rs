@@ -7,7 +7,7 @@
 /// γ, of all stages one.
 pub const GAMMA: f64 = 0.21193756319429014;
 
-/// How many stages there are; the last one is the estimate of the error.
+/// Number of stages; the last one is the estimate of the error.
 pub const STAGES: usize = PLACES.len();
 
 /// αᵢ.

@@ -4,20 +4,20 @@
 
 use nalgebra::{DMatrix, DVector, Schur};
 
-use crate::dormand_prince::Rates;
+use crate::rates::Rates;
 
 /// Part of a scale by which a variable is moved: the cube root of a rounding error, where its square and rounding miss as much.
 pub const PART: f64 = 6e-6;
 
-/// How many iterations an eigenvalue may take.
+/// Most iterations of an eigenvalue.
 const ITERATIONS: usize = 100;
 
 /// Derivatives of the rates of a state.
 #[derive(Clone, Debug)]
 pub struct Differences {
-    /// By the components of the state.
+    /// Derivatives by the components of the state.
     pub jacobian: DMatrix<f64>,
-    /// By time.
+    /// Derivatives by time.
     pub time: DVector<f64>,
 }
 

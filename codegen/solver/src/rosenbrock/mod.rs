@@ -12,23 +12,18 @@ pub use differences::Differences;
 use coefficients::{CORRECTIONS, DENSE, GAMMA, NODES, PLACES, SLOPES, STAGES};
 use nalgebra::{DMatrix, DVector};
 
-use crate::dormand_prince::{Rates, Tolerances};
+use crate::rates::Rates;
+use crate::tolerances::{Tolerances, next_length};
 
-/// How much longer a step may be than the one before it.
-const LARGEST_GROWTH: f64 = 6.0;
-
-/// How much shorter a step that was too inaccurate is tried again at least.
+/// Part of its length that a step keeps at least when it is tried again.
 const LARGEST_LOSS: f64 = 0.2;
-
-/// Which part of the length that the error estimate allows is taken.
-const SAFETY: f64 = 0.9;
 
 /// A step that has been tried.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// Where it begins (s).
+    /// Time of its beginning (s).
     pub from: f64,
-    /// Where it ends (s).
+    /// Time of its end (s).
     pub to: f64,
     /// Its error in tolerances: it may be taken up to 1.
     pub error: f64,
@@ -82,13 +77,7 @@ impl Step {
         }
         let last = &stages[STAGES - 1];
         let end: Vec<f64> = place.iter().zip(last).map(|(at, own)| at + own).collect();
-        let judged = rates.judged();
-        let squares = (0..judged).map(|component| {
-            let tolerance =
-                tolerances.of(state[component], end[component], rates.largest(component));
-            (last[component] / tolerance).powi(2)
-        });
-        let error = (squares.sum::<f64>() / judged as f64).sqrt();
+        let error = tolerances.mean(last.as_slice(), [state, &end], rates);
         let dense = DENSE.map(|factors| {
             let term = |component| combined(&stages, &factors, component);
             (0..count).map(term).collect()
@@ -104,16 +93,9 @@ impl Step {
         })
     }
 
-    /// How long the next step should be, or the next attempt where this one is too inaccurate; `held` says that it may not be longer.
+    /// Length of the next step, or of the next attempt where this one is too inaccurate; `held` says that it may not be longer.
     pub fn next_length(&self, held: bool) -> f64 {
-        let length = self.to - self.from;
-        // An error that is no number is as large as can be.
-        let allowed = match self.error.is_finite() {
-            true => SAFETY * self.error.max(f64::MIN_POSITIVE).powf(-1.0 / 5.0),
-            false => LARGEST_LOSS,
-        };
-        let most = if held { 1.0 } else { LARGEST_GROWTH };
-        length * allowed.clamp(LARGEST_LOSS, most)
+        next_length(self.to - self.from, self.error, 5.0, LARGEST_LOSS, held)
     }
 
     /// The state at the end.

@@ -2,7 +2,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::coefficients::{CORRECTIONS, DENSE, GAMMA, NODES, PLACES, SLOPES, STAGES};
 use super::{Differences, Step};
-use crate::dormand_prince::{Rates, Tolerances};
+use crate::rates::Rates;
+use crate::tolerances::Tolerances;
 
 const TOLERANCES: Tolerances = Tolerances {
     relative: 1e-8,

@@ -3,7 +3,7 @@
 //! Each step may miss by what its tolerance allows; what is missed altogether is held against the sum of that. The unit is the largest
 //! energy that the motion has moved so far. Beside that, rates may be off by their absolute tolerance, which is much where a motion creeps.
 
-use crate::dormand_prince::Tolerances;
+use crate::tolerances::Tolerances;
 
 /// How many tolerances a step may miss the energy by.
 const ALLOWED: f64 = 100.0;
@@ -24,7 +24,7 @@ pub(super) struct Balance {
     summed: f64,
     /// How many tolerances were allowed, in parts of what was moved.
     allowed: f64,
-    /// What rates that are off by their absolute tolerance may miss (J).
+    /// Energy that rates off by their absolute tolerance may miss (J).
     beside: f64,
     /// What is missed (J).
     pub drift: f64,

@@ -9,8 +9,8 @@ use super::chart::Solved;
 use super::equations::MotionEquations;
 use super::right_side::RightSide;
 use super::stop::Stop;
-use crate::dormand_prince::Tolerances;
 use crate::instant::Instant;
+use crate::tolerances::Tolerances;
 
 /// How many Gauss points a crossing has: even, so that none lies in the middle.
 const POINTS: usize = 10;

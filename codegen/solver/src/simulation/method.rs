@@ -4,25 +4,27 @@
 //! (Hairer and Wanner 1996, section IV.2), and eigenvalues of the rates confirm it. It is no longer where an explicit step twice as long
 //! as the implicit one would be stable, since the explicit method has the higher order.
 
-use crate::dormand_prince::{self, Rates, STABLE, Tolerances};
+use crate::dormand_prince::{self, STABLE};
+use crate::rates::Rates;
 use crate::rosenbrock::{self, Differences};
+use crate::tolerances::Tolerances;
 
 use super::right_side::RightSide;
 use super::stop::Stop;
 
-/// How many steps have to be stiff before an implicit one is taken.
+/// Number of stiff steps before an implicit one is taken.
 const STIFF_STEPS: u32 = 15;
 
-/// How many steps that are not stiff end what was counted.
+/// Number of steps that are not stiff which end the count.
 const EASY_STEPS: u32 = 6;
 
 /// Part of the length of a stable explicit step up to which an implicit step is not needed.
 const NEEDLESS: f64 = 0.5;
 
-/// How steps are taken.
+/// Method of all steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// By the explicit method, and by the implicit one while a motion is stiff.
+    /// The explicit method, and the implicit one while a motion is stiff.
     #[default]
     Automatic,
     /// DOP853, explicit, of order 8.
@@ -147,7 +149,7 @@ impl Step {
         }
     }
 
-    /// How long the next step should be.
+    /// Length of the next step.
     pub fn next_length(&self, held: bool) -> f64 {
         match self {
             Step::Explicit(step) => step.next_length(held),

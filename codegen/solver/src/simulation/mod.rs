@@ -16,7 +16,7 @@ mod reduced;
 mod right_side;
 mod stop;
 
-pub use crate::dormand_prince::Tolerances;
+pub use crate::tolerances::Tolerances;
 pub use method::Method;
 pub use reduced::ReducedMotion;
 pub use stop::Stop;

@@ -6,8 +6,8 @@
 use super::chart::{Chart, Solved};
 use super::equations::MotionEquations;
 use super::stop::Stop;
-use crate::dormand_prince::Rates;
 use crate::instant::Instant;
+use crate::rates::Rates;
 
 /// How much a coordinate may be stretched in a chart: the tangent has turned by at most 60 degrees.
 const STRETCH: f64 = 2.0;
