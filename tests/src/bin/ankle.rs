@@ -1,9 +1,7 @@
 //! The ankle of a humanoid beside what robots run for it: `tests/reports/ankle.md`. Run it in release.
 
 use std::error::Error;
-use std::fs;
 use std::hint::black_box;
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -11,9 +9,8 @@ use clap::Parser;
 use linkwright::Signal;
 use linkwright_mechanisms::ankle::{to_joint, to_motors};
 use linkwright_tests::ankle::{SIDES, foot_of};
-use linkwright_tests::files;
 use linkwright_tests::jet::Jet;
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended};
 use linkwright_tests::swing::swing;
 
 /// Measures the time and the error of both maps of the ankle and writes a report
@@ -22,12 +19,8 @@ struct Arguments {
     /// How many sweeps of 1,000 frames are timed; the median counts
     #[arg(long, default_value_t = 201)]
     sweeps: usize,
-    /// The commit that is measured [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 const EXPLANATION: &str = "\
@@ -43,13 +36,7 @@ beside what the motors were computed from.
 const FRAMES: u32 = 1000;
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    ended(run(&Arguments::parse()))
 }
 
 /// What the foot is to do in each frame.
@@ -220,16 +207,12 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         eprintln!("{row}");
         rows.push(row);
     }
-    let environment = Environment::here(arguments.commit.as_deref());
+    let environment = arguments.destination.environment();
     let report = format!(
         "# The ankle of a humanoid\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin ankle`.\n\n{}\n{EXPLANATION}\n| way | finds | ns a frame | error in rad |\n|---|---|--:|--:|\n{}\n",
         environment.lines(),
         rows.join("\n")
     );
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    fs::write(folder.join("ankle.md"), report)?;
+    arguments.destination.write("ankle.md", &report)?;
     Ok(())
 }

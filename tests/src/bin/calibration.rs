@@ -1,14 +1,11 @@
 //! How often calibration finds the lengths of mechanisms within what it says: `tests/reports/calibration.md`.
 
 use std::error::Error;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
 use linkwright_tests::calibration::{SEED, Study};
-use linkwright_tests::files;
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended};
 
 /// Calibrates mechanisms from noisy points many times and writes a report
 #[derive(Parser)]
@@ -16,12 +13,8 @@ struct Arguments {
     /// How many trials there are of each mechanism
     #[arg(long, default_value_t = 10_000)]
     trials: u32,
-    /// The commit that is measured [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 /// What the shares have to be: 68.3 % and 99.7 % of normal errors are.
@@ -35,21 +28,15 @@ values left over about a tenth less. The errors are in m.
 ";
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => {
-            eprintln!("error: a share is out of its bounds");
-            ExitCode::FAILURE
-        }
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    let found = run(&Arguments::parse()).and_then(|is_good| match is_good {
+        true => Ok(()),
+        false => Err("a share is out of its bounds".into()),
+    });
+    ended(found)
 }
 
 fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
-    let environment = Environment::here(arguments.commit.as_deref());
+    let environment = arguments.destination.environment();
     let mut sections = String::new();
     let mut is_good = true;
     for study in [Study::four_bar(), Study::platform()] {
@@ -78,13 +65,6 @@ fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
         environment.lines(),
         arguments.trials,
     );
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    fs::create_dir_all(&folder)?;
-    let file = folder.join("calibration.md");
-    fs::write(&file, report)?;
-    println!("wrote {}", file.display());
+    arguments.destination.write("calibration.md", &report)?;
     Ok(is_good)
 }

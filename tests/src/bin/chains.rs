@@ -1,27 +1,20 @@
 //! How much tears lose along chains, in f64 and f32: `tests/reports/chains.md`.
 
 use std::error::Error;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
 use linkwright_tests::chains::compiled::CHAINS;
 use linkwright_tests::chains::measure::{COARSE, FINE, Measured, measure};
 use linkwright_tests::chains::report::{errors, name, sweeps};
-use linkwright_tests::files;
 use linkwright_tests::stability::verdict::Scalar;
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended};
 
 /// Follows chains by way of their tears and by all equations at once and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// The commit that is measured [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 const EXPLANATION: &str = "\
@@ -40,20 +33,14 @@ counts as rounding, and drift within that band: there errors depend on the step 
 ";
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    ended(run(&Arguments::parse()))
 }
 
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if !cfg!(feature = "long_chains") {
         return Err("the long chains are left out; run `cargo run --profile optimized -p linkwright-tests --features long_chains --bin chains`".into());
     }
-    let environment = Environment::here(arguments.commit.as_deref());
+    let environment = arguments.destination.environment();
     let (mut all, mut tables): (Vec<Measured>, String) = Default::default();
     for scalar in [Scalar::F64, Scalar::F32] {
         for sweep in [FINE, COARSE] {
@@ -78,13 +65,6 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         environment.lines(),
         tables.trim_end()
     );
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    fs::create_dir_all(&folder)?;
-    let file = folder.join("chains.md");
-    fs::write(&file, report)?;
-    println!("wrote {}", file.display());
+    arguments.destination.write("chains.md", &report)?;
     Ok(())
 }

@@ -3,8 +3,6 @@
 //! f32: every finite number. f64: samples. Run it in release.
 
 use std::error::Error;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::thread;
 
@@ -12,9 +10,8 @@ use clap::Parser;
 use linkwright_tests::elementary::{
     Angles, Worst, angle, followed, sine_and_cosine, single_angle, single_sine_and_cosine, vector,
 };
-use linkwright_tests::files;
 use linkwright_tests::random::Random;
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended};
 
 /// Measures the errors of the elementary functions and writes a report
 #[derive(Parser)]
@@ -22,12 +19,8 @@ struct Arguments {
     /// How many f64 of each kind are looked at
     #[arg(long, default_value_t = 200_000)]
     samples: u32,
-    /// The commit that is measured [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 const EXPLANATION: &str = "\
@@ -44,13 +37,7 @@ const BANDS: [(f32, &str); 3] = [
 ];
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    ended(run(&Arguments::parse()))
 }
 
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
@@ -109,17 +96,13 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     row("angle that is followed", "f32", "up to 1000", near[1]);
     row("angle that is followed", "f64", "up to 1000", near[0]);
 
-    let environment = Environment::here(arguments.commit.as_deref());
+    let environment = arguments.destination.environment();
     let report = format!(
         "# Errors of the elementary functions\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin elementary`.\n\n{}\n{EXPLANATION}\n| function | scalar | arguments | count | ulps | at |\n|---|---|---|--:|--:|---|\n{}\n",
         environment.lines(),
         rows.join("\n")
     );
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    fs::write(folder.join("elementary.md"), report)?;
+    arguments.destination.write("elementary.md", &report)?;
     Ok(())
 }
 

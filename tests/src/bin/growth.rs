@@ -3,14 +3,11 @@
 //! Run it in release, on an otherwise idle machine.
 
 use std::error::Error;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::Parser;
-use linkwright_tests::files;
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended};
 use linkwright_tests::study::exponent::fitted;
 use linkwright_tests::study::growth::{Cost, Scratch, generate};
 use linkwright_tests::study::table::aligned;
@@ -27,12 +24,8 @@ struct Arguments {
     /// How long the compiler or a run may take before it is ended, in s
     #[arg(long, default_value_t = 300)]
     limit: u64,
-    /// The commit that is measured [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 const EXPLANATION: &str = "\
@@ -44,13 +37,7 @@ all sizes, and the slope between the two largest, where what does not depend on 
 ";
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    ended(run(&Arguments::parse()))
 }
 
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
@@ -63,7 +50,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         &[1, 10, 100, 1000]
     };
     let limit = Duration::from_secs(arguments.limit);
-    let environment = Environment::here(arguments.commit.as_deref());
+    let environment = arguments.destination.environment();
     print!("{}", environment.lines());
     let scratch = if arguments.short {
         None
@@ -98,14 +85,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         environment.lines(),
         arguments.limit
     );
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    fs::create_dir_all(&folder)?;
-    let file = folder.join("growth.md");
-    fs::write(&file, report)?;
-    println!("wrote {}", file.display());
+    arguments.destination.write("growth.md", &report)?;
     Ok(())
 }
 

@@ -1,18 +1,15 @@
 //! Hunts for frames off the path among mechanisms that are hard to follow: `tests/reports/paths.md`.
 
 use std::error::Error;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Parser;
-use linkwright_tests::files;
 use linkwright_tests::hunt::paths::families::{FAMILIES, course};
 use linkwright_tests::hunt::paths::report;
 use linkwright_tests::hunt::paths::run::prepare;
 use linkwright_tests::hunt::paths::tally::Tally;
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended, none_wrong};
 
 /// Moves mechanisms that are hard to follow in steps of every size, and writes a report
 #[derive(Parser)]
@@ -29,26 +26,12 @@ struct Arguments {
     /// Only this mechanism of the family, which is printed
     #[arg(long, requires = "family")]
     only: Option<u64>,
-    /// The commit that is measured [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 fn main() -> ExitCode {
-    match hunt(&Arguments::parse()) {
-        Ok(0) => ExitCode::SUCCESS,
-        Ok(wrong) => {
-            eprintln!("error: {wrong} wrong answers");
-            ExitCode::FAILURE
-        }
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    ended(hunt(&Arguments::parse()).and_then(none_wrong))
 }
 
 fn hunt(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
@@ -88,17 +71,8 @@ fn hunt(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
         "cargo run --profile optimized -p linkwright-tests --bin hunt-paths -- --seed {} --count {}",
         arguments.seed, arguments.count
     );
-    let environment = Environment::here(arguments.commit.as_deref()).lines();
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    fs::create_dir_all(&folder)?;
-    let file = folder.join("paths.md");
-    fs::write(
-        &file,
-        report::report(&tally, arguments.seed, &command, &environment, &summary),
-    )?;
-    println!("wrote {}", file.display());
+    let environment = arguments.destination.environment().lines();
+    let report = report::report(&tally, arguments.seed, &command, &environment, &summary);
+    arguments.destination.write("paths.md", &report)?;
     Ok(tally.total().wrong())
 }

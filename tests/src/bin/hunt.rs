@@ -1,18 +1,15 @@
 //! Hunts for wrong answers among random mechanisms with known truth: `tests/reports/hunt.md`.
 
 use std::error::Error;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Parser;
-use linkwright_tests::files;
 use linkwright_tests::hunt::known::{Unused, known};
 use linkwright_tests::hunt::run::{self, Hunted, LARGEST};
 use linkwright_tests::hunt::tally::{Tally, View};
 use linkwright_tests::hunt::{compiled, interpreted, mechanism, report, seed_of};
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended, none_wrong};
 
 /// Solves random mechanisms with known truth in every way and writes a report
 #[derive(Parser)]
@@ -35,12 +32,8 @@ struct Arguments {
     /// With --only: print the smallest mechanism of which an interpreted view makes the same
     #[arg(long, requires = "only")]
     shrink: bool,
-    /// The commit that is measured [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 fn main() -> ExitCode {
@@ -49,17 +42,7 @@ fn main() -> ExitCode {
         Some(number) => only(&arguments, number),
         None => all(&arguments),
     };
-    match wrong {
-        Ok(0) => ExitCode::SUCCESS,
-        Ok(wrong) => {
-            eprintln!("error: {wrong} wrong answers");
-            ExitCode::FAILURE
-        }
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    ended(wrong.and_then(none_wrong))
 }
 
 /// One mechanism, with all that is not simply correct.
@@ -147,17 +130,8 @@ fn all(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
     let summary = report::summary(&tally, arguments.count, hunted.len(), seconds);
     println!("{summary}");
     print!("{}", report::wrong(&tally, arguments.seed, 40));
-    let environment = Environment::here(arguments.commit.as_deref());
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    fs::create_dir_all(&folder)?;
-    let file = folder.join("hunt.md");
-    fs::write(
-        &file,
-        report::report(&tally, arguments.seed, &environment.lines(), &summary),
-    )?;
-    println!("wrote {}", file.display());
+    let environment = arguments.destination.environment();
+    let report = report::report(&tally, arguments.seed, &environment.lines(), &summary);
+    arguments.destination.write("hunt.md", &report)?;
     Ok(total.wrong + contradictions)
 }

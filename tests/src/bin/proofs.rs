@@ -2,14 +2,12 @@
 
 use std::error::Error;
 use std::fmt::Write;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended};
 use linkwright_tests::study::table::aligned;
-use linkwright_tests::{description, files, proofs, reference};
+use linkwright_tests::{description, proofs, reference};
 
 /// Compares what is proven of the motions of the gallery with exact solutions and writes a report
 #[derive(Parser)]
@@ -20,12 +18,8 @@ struct Arguments {
     /// When the motions end (s)
     #[arg(long, default_value_t = 5.0)]
     to: f64,
-    /// The commit that is looked at [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 const EXPLANATION: &str = "\
@@ -36,19 +30,16 @@ Wider: by which part of what frames sweep the loosest range is wider than that.
 ";
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    let found = run(&Arguments::parse()).and_then(|is_good| match is_good {
+        true => Ok(()),
+        false => Err("a number is out of its bounds".into()),
+    });
+    ended(found)
 }
 
 /// Whether nothing lies outside its bounds.
 fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
-    let environment = Environment::here(arguments.commit.as_deref());
+    let environment = arguments.destination.environment();
     let titles = [
         "mechanism",
         "windows",
@@ -100,12 +91,6 @@ fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
         arguments.to,
         aligned(&rows, 1),
     );
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    let file = folder.join("proofs.md");
-    fs::write(&file, report)?;
-    println!("wrote {}", file.display());
+    arguments.destination.write("proofs.md", &report)?;
     Ok(is_good)
 }

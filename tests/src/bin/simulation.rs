@@ -1,15 +1,12 @@
 //! Errors of simulated motions beside their evaluations, with weak and strong dampers: `tests/reports/simulation.md`.
 
 use std::error::Error;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
 use linkwright_solver::simulation::Method;
-use linkwright_tests::files;
 use linkwright_tests::stiff::{Damped, options};
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended};
 use linkwright_tests::study::table::aligned;
 
 /// Counts what the methods of `linkwright simulate` take for which error and writes a report
@@ -18,12 +15,8 @@ struct Arguments {
     /// When the motions end (s)
     #[arg(long, default_value_t = 2.0)]
     to: f64,
-    /// The commit that is looked at [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 const EXPLANATION: &str = "\
@@ -41,17 +34,11 @@ was left out: explicit steps with the strong damper are about as many at every t
 const DAMPERS: [f64; 2] = [10.0, 1e6];
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    ended(run(&Arguments::parse()))
 }
 
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let environment = Environment::here(arguments.commit.as_deref());
+    let environment = arguments.destination.environment();
     let mut report = format!(
         "# Simulated motions: error beside evaluations\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin simulation`.\n\n{}- \
          motions: up to {} s\n\n{EXPLANATION}",
@@ -64,13 +51,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             report += &table(damped, damper, arguments.to);
         }
     }
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    let file = folder.join("simulation.md");
-    fs::write(&file, report)?;
-    println!("wrote {}", file.display());
+    arguments.destination.write("simulation.md", &report)?;
     Ok(())
 }
 

@@ -2,28 +2,21 @@
 
 use std::error::Error;
 use std::fmt::Write as _;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use linkwright_tests::files;
 use linkwright_tests::stability::chart::draw;
 use linkwright_tests::stability::families::families;
 use linkwright_tests::stability::report::{Counts, WAYS, cell, judged};
 use linkwright_tests::stability::texts;
 use linkwright_tests::stability::verdict::Scalar;
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended, none_wrong};
 
 /// Solves hard cases in every way and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// The commit that is measured [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 const EXPLANATION: &str = "\
@@ -47,26 +40,12 @@ of the same roundings, independent and evenly distributed; what the solver lets 
 ";
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(wrong) if wrong > 0 => {
-            eprintln!("error: {wrong} wrong answers");
-            ExitCode::FAILURE
-        }
-        Ok(_) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    ended(run(&Arguments::parse()).and_then(none_wrong))
 }
 
 fn run(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
-    let environment = Environment::here(arguments.commit.as_deref());
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    fs::create_dir_all(&folder)?;
+    let environment = arguments.destination.environment();
+    let folder = arguments.destination.folder()?;
     let mut counts = Counts::default();
     let mut body = String::new();
     for (index, family) in families().into_iter().enumerate() {
@@ -110,8 +89,6 @@ fn run(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
         "# Stability\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin stability`.\n\n{}\n{summary}\n## How to read the tables\n\n{EXPLANATION}{body}",
         environment.lines()
     );
-    let file = folder.join("stability.md");
-    fs::write(&file, report)?;
-    println!("wrote {}", file.display());
+    arguments.destination.write("stability.md", &report)?;
     Ok(counts.wrong)
 }

@@ -1,16 +1,14 @@
 //! How often every mechanism is assembled from estimates that are off by half a radian and half a link: `tests/reports/starts.md`.
 
 use std::error::Error;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
+use linkwright_tests::description;
 use linkwright_tests::starts::measure::{Measured, Outcomes, measure};
 use linkwright_tests::starts::perturbation::SEED;
 use linkwright_tests::starts::report::{table, work};
-use linkwright_tests::study::environment::Environment;
-use linkwright_tests::{description, files};
+use linkwright_tests::study::destination::{Destination, ended, none_wrong};
 
 /// Assembles every mechanism from many poor estimates and writes a report
 #[derive(Parser)]
@@ -18,12 +16,8 @@ struct Arguments {
     /// How many estimates there are of each mechanism
     #[arg(long, default_value_t = 10_000)]
     starts: u32,
-    /// The commit that is measured [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
-    /// Where the report is written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 const EXPLANATION: &str = "\
@@ -38,21 +32,11 @@ sign is not that which was asked for.
 ";
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(0) => ExitCode::SUCCESS,
-        Ok(wrong) => {
-            eprintln!("error: {wrong} wrong answers");
-            ExitCode::FAILURE
-        }
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    ended(run(&Arguments::parse()).and_then(|wrong| none_wrong(wrong as usize)))
 }
 
 fn run(arguments: &Arguments) -> Result<u32, Box<dyn Error>> {
-    let environment = Environment::here(arguments.commit.as_deref());
+    let environment = arguments.destination.environment();
     let mut measured: Vec<Measured> = Vec::new();
     for name in description::names() {
         for system in description::motions(&name) {
@@ -96,13 +80,6 @@ fn run(arguments: &Arguments) -> Result<u32, Box<dyn Error>> {
         table(&plain),
         work(&measured),
     );
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    fs::create_dir_all(&folder)?;
-    let file = folder.join("starts.md");
-    fs::write(&file, report)?;
-    println!("wrote {}", file.display());
+    arguments.destination.write("starts.md", &report)?;
     Ok(wrong)
 }

@@ -4,15 +4,12 @@
 
 use std::error::Error;
 use std::fmt::Write as _;
-use std::fs;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use linkwright_tests::files;
 use linkwright_tests::method::studied;
 use linkwright_tests::reference;
-use linkwright_tests::study::environment::Environment;
+use linkwright_tests::study::destination::{Destination, ended};
 use linkwright_tests::study::measurement::{Effort, measure};
 use linkwright_tests::study::{chart, outputs, table};
 
@@ -22,15 +19,11 @@ struct Arguments {
     /// Measure briefly: the numbers are rough, everything else is as always
     #[arg(long)]
     short: bool,
-    /// The commit that is measured [default: what git says]
-    #[arg(long)]
-    commit: Option<String>,
+    #[command(flatten)]
+    destination: Destination,
     /// Only these mechanisms, separated by commas [default: all with a reference]
     #[arg(long, value_delimiter = ',')]
     only: Vec<String>,
-    /// Where the report and the charts are written [default: tests/reports]
-    #[arg(long)]
-    output: Option<PathBuf>,
 }
 
 const EXPLANATION: &str = "\
@@ -43,13 +36,7 @@ form. A setting is the tolerance of scaled residuals; polishing is one more step
 ";
 
 fn main() -> ExitCode {
-    match run(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    ended(run(&Arguments::parse()))
 }
 
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
@@ -71,12 +58,8 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             shortest: 0.01,
         }
     };
-    let folder = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| files::package("reports"));
-    fs::create_dir_all(&folder)?;
-    let environment = Environment::here(arguments.commit.as_deref());
+    let folder = arguments.destination.folder()?;
+    let environment = arguments.destination.environment();
     let mut report = format!(
         "# Error against run time\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin work-precision`.\n\n{}- repeats: {}\n\n{EXPLANATION}",
         environment.lines(),
@@ -104,8 +87,6 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         println!("{section}");
         report.push_str(&section);
     }
-    let file = folder.join("work-precision.md");
-    fs::write(&file, report)?;
-    println!("wrote {}", file.display());
+    arguments.destination.write("work-precision.md", &report)?;
     Ok(())
 }

@@ -19,7 +19,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// How often a method sweeps in a repeat, by the time (s) that it takes once; that is not asked where once is enough.
+    /// Sweeps of a method in a repeat, by the time (s) that one takes; that is not asked where one is enough.
     fn sweeps(&self, once: impl FnOnce() -> f64) -> usize {
         if self.shortest == 0.0 {
             return 1;
