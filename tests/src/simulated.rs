@@ -99,6 +99,30 @@ pub fn energy(simulation: &Simulation) -> f64 {
         .sum()
 }
 
+/// A pendulum that starts at rest.
+pub const PENDULUM: &str = "mechanism pendulum {
+    point O = (0, 0);
+    body bob at O { O, S: (0, -2) }
+    revolute O(ground, bob);
+    free swing: phi(bob) = 150deg;
+    mass bob = 3kg at S inertia 0.5;
+    gravity = (0, -9.81);
+    energy;
+}";
+
+/// Its angle and the rate of it: sin(θ/2) = k cd(ω t, k²) with k = sin(θ₀/2).
+pub fn swung(t: f64) -> [f64; 2] {
+    let k = 75_f64.to_radians().sin();
+    let omega = (3.0_f64 * 2.0 * 9.81 / (0.5 + 3.0 * 4.0)).sqrt();
+    let [sn, cn, dn] = elliptic(omega * t, k * k);
+    let half = k * cn / dn;
+    let bend = -k * (1.0 - k * k) * sn / (dn * dn);
+    [
+        2.0 * half.asin(),
+        2.0 * omega * bend / (1.0 - half.powi(2)).sqrt(),
+    ]
+}
+
 /// sn, cn and dn of u with the parameter m, by the arithmetic-geometric mean (Abramowitz and Stegun 16.4).
 pub fn elliptic(u: f64, m: f64) -> [f64; 3] {
     let (mut a, mut b, mut ratios) = (1.0_f64, (1.0 - m).sqrt(), Vec::new());

@@ -3,7 +3,7 @@
 use linkwright_tests::free_motion::{ANYWHERE, DEAD_CENTERS, Freed, Outcome};
 use linkwright_tests::random::Random;
 
-/// How many tolerances of the start, as they grow, a motion may miss.
+/// Largest error of a motion, in tolerances of the start as they grow.
 const ALLOWED: f64 = 100.0;
 
 /// Judges mechanisms; none goes to its end with a larger error, and so many are compared.

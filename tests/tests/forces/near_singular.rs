@@ -1,7 +1,16 @@
 //! Motions past poses in which loops are nearly singular, against all coordinates integrated with multipliers and quadrature of the energy integral.
 
-use linkwright_solver::simulation::Stop;
+use linkwright_solver::simulation::{Simulation, Stop};
 use linkwright_tests::simulated::{coordinate, energy, options, simulation};
+
+/// Moves a simulation to angles of its crank at times, which were found by DOP853 with multipliers at 1e-12 and by t = ∫ sqrt(M/2E) dφ.
+fn passes(simulation: &mut Simulation, angles: &[(f64, f64)]) {
+    for &(t, expected) in angles {
+        simulation.advance(t).expect("no end");
+        let [angle, _] = coordinate(simulation, "phi_crank");
+        assert!((angle - expected).abs() <= 1e-7, "{t}: {angle}");
+    }
+}
 
 /// A crank-rocker whose links nearly fold onto one line.
 const ROCKER: &str = "mechanism near_change_rocker {
@@ -24,18 +33,16 @@ const ROCKER: &str = "mechanism near_change_rocker {
 fn a_rocker_that_nearly_folds_keeps_its_motion() {
     for relative in [1e-10, 1e-12] {
         let mut rocker = simulation(ROCKER, 5.0, options(relative));
-        // By DOP853 with multipliers at 1e-12, and by t = ∫ sqrt(M/2E) dφ.
-        for (t, expected) in [
-            (0.5, 2.587_629_860),
-            (1.0, 4.476_550_914),
-            (2.0, 8.101_530_379),
-            (3.0, 11.594_011_937),
-            (5.0, 18.600_905_209),
-        ] {
-            rocker.advance(t).expect("no end");
-            let [angle, _] = coordinate(&rocker, "phi_crank");
-            assert!((angle - expected).abs() <= 1e-7, "{t}: {angle}");
-        }
+        passes(
+            &mut rocker,
+            &[
+                (0.5, 2.587_629_860),
+                (1.0, 4.476_550_914),
+                (2.0, 8.101_530_379),
+                (3.0, 11.594_011_937),
+                (5.0, 18.600_905_209),
+            ],
+        );
         assert!((energy(&rocker) - 2.346_657_811_24).abs() <= 1e-8);
     }
 }
@@ -95,17 +102,15 @@ const SLIDER: &str = "mechanism near_dead_slider {
 #[test]
 fn a_slider_that_nearly_stands_still_keeps_its_motion() {
     let mut slider = simulation(SLIDER, 2.0, options(1e-10));
-    // By DOP853 with multipliers at 1e-12, and by t = ∫ sqrt(M/2E) dφ.
-    for (t, expected) in [
-        (1.4, 25.839_656_634),
-        (1.6, 29.998_858_557),
-        (1.8, 32.615_145_886),
-        (2.0, 36.723_693_739),
-    ] {
-        slider.advance(t).expect("no end");
-        let [angle, _] = coordinate(&slider, "phi_crank");
-        assert!((angle - expected).abs() <= 1e-7, "{t}: {angle}");
-    }
+    passes(
+        &mut slider,
+        &[
+            (1.4, 25.839_656_634),
+            (1.6, 29.998_858_557),
+            (1.8, 32.615_145_886),
+            (2.0, 36.723_693_739),
+        ],
+    );
     let [_, rate] = coordinate(&slider, "phi_crank");
     assert!((rate - 9.575_248_320).abs() <= 1e-6, "{rate}");
     assert!((energy(&slider) - 13.383_319_706_2).abs() <= 1e-7);
