@@ -82,7 +82,7 @@ fn iterations(it: &Iterations) -> Vec<String> {
     lines
 }
 
-/// What a call of `advance` takes at most, and one of `recover`.
+/// The largest work of a call of `advance`, and of one of `recover`.
 fn of_work(work: &Work) -> Vec<String> {
     let attempt = grouped(work.attempt.total());
     let substeps = work::SUBSTEPS;
@@ -103,13 +103,16 @@ fn of_work(work: &Work) -> Vec<String> {
     }
     let [fixed, each] = work.whole();
     lines.push(format!(
-        "Where one attempt does not lead to it: with n substeps at most {} + {} n operations in all{}; {} with n = {substeps}, the default.",
+        "Where one attempt does not lead to it: with n substeps at most {} + {} n operations in all{}.",
         grouped(fixed),
         grouped(each),
         match work.window {
             Some(_) => ", dead points included",
             None => "",
-        },
+        }
+    ));
+    lines.push(format!(
+        "With {substeps} substeps, the default, that is {}.",
         grouped(fixed + substeps * each)
     ));
     let recover = grouped(work.recover.total());

@@ -9,8 +9,8 @@ static const $real NEAR_MEETING$f = 1.0$f / 1073741824.0$f;
 /* The multiple of the rounding to which it must fall there. */
 static const $real MEETING_ROUNDING$f = 1024.0$f;
 
-/* By which part of the distance of the modes the pose beyond may miss what lies opposite, towards the other mode; and
-   by which part of the square of all that moves, in any direction. */
+/* Largest miss of what lies opposite by the pose beyond: towards the other mode, as a part of the distance of the modes,
+   and in any direction, as a part of the square of all that moves. */
 static const $real MISS_TOWARDS$f = 1.0$f / 8.0$f;
 static const $real MISS_IN_ALL$f = 1.0$f / 64.0$f;
 

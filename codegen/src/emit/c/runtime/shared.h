@@ -55,8 +55,8 @@ typedef enum linkwright_status {
     LINKWRIGHT_WRONG_BRANCH = 7,
     /* The motion could not be followed to the time asked for in as many steps as the settings allow. */
     LINKWRIGHT_STEP_TOO_LARGE = 8,
-    /* Parameters, inputs or t make something not positive that must be. The value is what it would be, the block its place among
-       what must be positive. */
+    /* Parameters, inputs or t make something not positive that must be. The value is what it would be, the block its
+       place among what must be positive. */
     LINKWRIGHT_NOT_POSITIVE = 9,
     /* A number is infinite or NaN. Of an input, the failure's column is its place, counted from 1. */
     LINKWRIGHT_NOT_FINITE = 10
