@@ -9,7 +9,7 @@ use crate::math::Real;
 pub(crate) struct Clock<T> {
     /// The sum, rounded, in s.
     pub t: T,
-    /// What the sum is beyond that, in s.
+    /// The part of the sum beyond that, in s.
     rest: T,
 }
 

@@ -15,8 +15,8 @@ const NEAR: f64 = 1.0 / (1u32 << 30) as f64;
 /// The multiple of ε to which it must fall there.
 const ROUNDING: f64 = 1024.0;
 
-/// By which part of the distance of the modes the pose beyond may miss what lies opposite, towards the other mode; and by which part of
-/// the square of all that moves, in any direction.
+/// Largest miss of what lies opposite by the pose beyond: towards the other mode, as a part of the distance of the modes, and in any
+/// direction, as a part of the square of all that moves.
 const MISS: [f64; 2] = [1.0 / 8.0, 1.0 / 64.0];
 
 /// How many steps before and beyond the meeting the poses are compared, and at least.

@@ -32,7 +32,7 @@ impl<'a> BlockName<'a> {
 pub struct Explained<'a, T = f64> {
     /// What happened.
     pub failure: Failure<T>,
-    /// What the block is called where it happened, or the input that is not finite, if it is known.
+    /// The name of the block where it happened, or of the input that is not finite, if it is known.
     pub block: Option<BlockName<'a>>,
 }
 

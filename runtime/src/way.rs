@@ -117,7 +117,7 @@ impl<B: Blocks> Way<'_, B> {
 
     /// Goes on to a time, or to a part of a change of the inputs, which is then the time of a failure.
     fn step_to(&mut self, place: B::Scalar) -> Result<(), Failure<B::Scalar>> {
-        let changed = self.changed();
+        let changed = self.part_changed();
         let (t, before, inputs) = match changed {
             None => (
                 place,
@@ -143,7 +143,7 @@ impl<B: Blocks> Way<'_, B> {
     }
 
     /// The part of the inputs' change that was made. None without inputs, which the compiler then sees.
-    fn changed(&self) -> Option<B::Scalar> {
+    fn part_changed(&self) -> Option<B::Scalar> {
         let [_, last] = self.inputs;
         match last.count() {
             0 => None,

@@ -17,14 +17,14 @@ use crate::random::Random;
 use crate::simulated::{interpreted, options};
 use crate::values::assembled_with;
 
-/// How long a motion is followed (s), and at how many times it is compared.
+/// Length of a motion (s), and number of times at which it is compared.
 const TIME: f64 = 0.6;
 const FRAMES: usize = 12;
 
 /// The relative error of a step of the reference.
 const EXACT: f64 = 1e-13;
 
-/// How much the start is changed to see what becomes of it.
+/// Change of the start whose growth is seen.
 const CHANGE: f64 = 1e-6;
 
 /// The relative tolerances of simulations.
@@ -137,7 +137,7 @@ pub const ANYWHERE: [Freed; 6] = [
     },
 ];
 
-/// What came of a simulation.
+/// The end of a simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// It went to the end, with this error in tolerances times growth.
@@ -153,11 +153,11 @@ pub enum Outcome {
 pub struct Verdict {
     /// The mechanism.
     pub file: &'static str,
-    /// How fast the slowest free coordinate moves, beside the norm of all rates.
+    /// Rate of the slowest free coordinate, beside the norm of all rates.
     pub closeness: f64,
     /// The relative tolerance.
     pub relative: f64,
-    /// What came of it.
+    /// Its end.
     pub outcome: Outcome,
 }
 
@@ -302,7 +302,7 @@ impl Expected {
         })
     }
 
-    /// What a simulation misses at most, in tolerances × growth.
+    /// The largest error of a simulation, in tolerances × growth.
     ///
     /// # Errors
     /// That it ends.

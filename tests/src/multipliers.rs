@@ -11,10 +11,10 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::forces::Weight;
 
-/// How many times the midpoint rule is extrapolated.
+/// Number of extrapolations of the midpoint rule.
 const COLUMNS: usize = 8;
 
-/// How many steps may be tried between two frames.
+/// Most steps between two frames.
 const STEPS: usize = 200;
 
 /// Corrections of a pose; each about doubles the digits.
@@ -40,7 +40,7 @@ pub struct Multipliers {
 }
 
 impl Multipliers {
-    /// Of a system with these weights.
+    /// The equations of a system with these weights.
     pub fn new(system: &System, weights: &[Weight], gravity: [f64; 2]) -> Multipliers {
         let drivers: Vec<usize> = system
             .mechanism
@@ -72,7 +72,7 @@ impl Multipliers {
         self.matrix(pose).select_rows(&self.held)
     }
 
-    /// What is nearest to a vector among those that the joints allow: its part in the null space of Φ_q.
+    /// The vector nearest to one among those that the joints allow: its part in the null space of Φ_q.
     pub fn allowed(&self, pose: &DVector<f64>, vector: &DVector<f64>) -> DVector<f64> {
         let matrix = self.held_matrix(pose);
         let nothing = DVector::zeros(self.held.len());

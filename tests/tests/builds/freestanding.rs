@@ -19,7 +19,7 @@ const ALLOWED: [&str; 5] = ["memcpy", "memmove", "memset", "memcmp", "bcmp"];
 /// Only one build at a time: all of them write the library to the same path.
 static BUILDING: Mutex<()> = Mutex::new(());
 
-/// What the library takes of the descriptions that only tests need.
+/// Descriptions that only tests need, of which the library takes modules.
 const SMALL: [&str; 5] = [
     "four_bar_given",
     "platform_given",

@@ -1,4 +1,4 @@
-//! What headers say of the work of `advance` and `recover` follows from the numbers of the runtime, and from the functions that are emitted.
+//! The work of `advance` and `recover` in headers follows from the numbers of the runtime, and from the functions that are emitted.
 
 use std::fs;
 

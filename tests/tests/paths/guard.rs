@@ -75,7 +75,7 @@ fn slanted(coupler: f64, turned: f64) -> String {
     )
 }
 
-/// How far a path bends in metres must not hide in which mode it goes on, which differs by angles alone.
+/// The bend of a path in metres must not hide in which mode it goes on, which differs by angles alone.
 #[test]
 fn parallelograms_of_all_sizes_are_driven_through() {
     for (coupler, turned) in [

@@ -16,7 +16,7 @@ mod single {
 
 use crane::Crane;
 
-/// What a controller allows a cycle.
+/// The attempts that a controller allows a cycle.
 fn two_attempts() -> Settings {
     Settings {
         substeps: 2,

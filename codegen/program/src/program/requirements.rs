@@ -9,7 +9,7 @@ use crate::expr::{ExprId, Graph, SymbolId};
 use crate::model::{Mass, Mechanism};
 use crate::system::{SymbolRole, System};
 
-/// What must be positive.
+/// Values that must be positive.
 #[derive(Clone, Debug)]
 pub struct Requirements {
     /// The values that are functions of parameters alone.

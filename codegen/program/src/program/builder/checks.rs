@@ -1,5 +1,5 @@
-//! What a block asks of its pose: that driven lengths are positive, links reach, and nothing vanishes; which assembly mode it has, and
-//! how far it is from singular.
+//! Demands of a block on its pose: driven lengths are positive, links reach, and nothing vanishes; its assembly mode, and its distance
+//! from singular poses.
 
 use super::Builder;
 use crate::expr::{ExprId, Number, Rational};
@@ -55,8 +55,8 @@ impl Builder<'_> {
     /// Fails where a length of these joints is driven and not positive. The first block that knows a joint looks at it.
     pub(in crate::program) fn positive(&mut self, joints: &[usize]) {
         for &joint in joints {
-            if let Some((length, _)) = driven_length(joint, &mut self.system.mechanism)
-                && !self.driven.contains(&joint)
+            if !self.driven.contains(&joint)
+                && let Some((length, _)) = driven_length(joint, &mut self.system.mechanism)
             {
                 self.driven.push(joint);
                 self.statements.push(Statement::Positive { length, joint });

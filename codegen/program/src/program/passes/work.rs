@@ -41,13 +41,13 @@ const CROSSING_POSES: usize = 2 * (1 + 2 * DOUBLINGS) + 2 * 5 * REFINEMENTS + 7 
 const DOUBTFUL_SOLVES: usize = 13;
 const RATE_SOLVES: usize = 2;
 
-/// The evaluations of residuals from a poor estimate, for each of Newton-Raphson's steps and besides, as the runtime states them.
+/// Evaluations of residuals from a poor estimate, for each step of Newton-Raphson and besides, as the runtime states them.
 pub const AFAR_RESIDUALS: [usize; 2] = [13, 74];
-/// The same of the Jacobian.
+/// Evaluations of the Jacobian from there, likewise.
 pub const AFAR_JACOBIANS: [usize; 2] = [5, 79];
-/// How often Newton-Raphson is tried from there.
+/// Attempts of Newton-Raphson from there.
 const AFAR_FINISHES: usize = 3;
-/// The steps of the least squares that a poor estimate is improved by.
+/// Steps of least squares that improve a poor estimate.
 pub const LEAST_SQUARES: usize = 60;
 
 /// What a call of `advance` takes at most.
