@@ -62,6 +62,9 @@ pub trait Blocks {
     /// The time of a frame (s).
     fn time(frame: &Self::Frame) -> Self::Scalar;
 
+    /// Changes the time of a frame (s), and nothing else.
+    fn set_time(frame: &mut Self::Frame, t: Self::Scalar);
+
     /// Solves all blocks for one instant from the last frame. The modes of blocks that find their mode are noted in `branches`.
     ///
     /// # Errors
@@ -133,6 +136,15 @@ pub trait Blocks {
     fn holds_coordinates(&self) -> bool {
         false
     }
+
+    /// Adds a multiple of the difference of two frames to a third one, in all numbers but the time.
+    fn add(
+        &self,
+        sum: &mut Self::Frame,
+        multiple: Self::Scalar,
+        frame: &Self::Frame,
+        base: &Self::Frame,
+    );
 
     /// What the point `index` is called whose motion frames offer; `None` beyond the last one.
     fn point_name(&self, index: usize) -> Option<&str>;
@@ -262,4 +274,17 @@ pub fn first_not_positive<T: Real>(values: &[T]) -> Option<(u16, T)> {
     let is_positive = |value: &T| *value > T::ZERO;
     let (place, value) = (0..).zip(values).find(|(_, value)| !is_positive(value))?;
     Some((place, *value))
+}
+
+/// Numbers with a multiple of the differences of others added.
+#[doc(hidden)]
+pub fn sum<T: Real, const N: usize>(
+    mut sum: [T; N],
+    multiple: T,
+    [numbers, base]: [[T; N]; 2],
+) -> [T; N] {
+    for ((sum, number), base) in sum.iter_mut().zip(numbers).zip(base) {
+        *sum += multiple * (number - base);
+    }
+    sum
 }

@@ -1,234 +1,204 @@
-//! A pose near which two assembly modes of a block meet → the frame beyond it on the smooth path, in the other mode.
+//! A pose near which two assembly modes of a block meet → its time, and the modes on both sides of it on the smooth path.
 //!
 //! Where the links of a parallelogram are in line, its two modes have the same pose. The smooth path goes straight on there, which
-//! exchanges the names of the modes: the sign of the determinant changes. Nearby the square of the distance between the modes is a
-//! smooth function of time. Where it vanishes to rounding they meet; where it does not, they only come close, and nothing is crossed.
-//! Beyond the meeting the pose must be the one that lies opposite to that before it. The module does not know equations.
+//! exchanges the names of the modes: the sign of the determinant changes. Before the meeting the square of the distance between the
+//! modes is a smooth function of time. Where it vanishes to rounding they meet; where it does not, they only come close, and nothing is
+//! crossed. Several blocks may cross in the same instant ([`crate::continuation`]). The module does not know equations.
 
 use crate::blocks::Blocks;
 use crate::math::Real;
 
-/// How far the square of the distance is fallen where the meeting is looked at: small enough that it is a parabola, large enough that
-/// it is known.
-const NEAR: f64 = 1.0 / (1u32 << 30) as f64;
+/// Part to which the square of the distance is fallen where the meeting is looked at: small enough that it is a parabola.
+const NEAR: f64 = 1.0 / (1u64 << 32) as f64;
 
-/// The multiple of ε to which it must fall there.
+/// Multiple of ε above which it is known there.
+const KNOWN: f64 = 16384.0;
+
+/// Part of that below which rounding is all that is seen.
+const TOO_NEAR: f64 = 1.0 / 64.0;
+
+/// Multiple of ε to which the square of the distance must fall at the meeting.
 const ROUNDING: f64 = 1024.0;
 
-/// Largest miss of what lies opposite by the pose beyond: towards the other mode, as a part of the distance of the modes, and in any
-/// direction, as a part of the square of all that moves.
-const MISS: [f64; 2] = [1.0 / 8.0, 1.0 / 64.0];
+/// Part of the largest square above which it is no parabola, and its vertex is not gone to.
+const BENT: f64 = 1.0 / 256.0;
 
-/// How many steps before and beyond the meeting the poses are compared, and at least.
-const COMPARED: [f64; 2] = [256.0, 8.0];
-
-/// The least distance of the first times about the meeting, as a part of the way so far.
-const FIRST_STEP: f64 = 1.0 / 16.0;
-
-/// By how much the times are brought closer together at once, and how many times their distance the middle may move.
+/// Factor by which the times before the meeting are brought closer to it or taken farther away.
 const CLOSER: f64 = 4.0;
+
+/// Distance of the vertex from the middle, in distances of the times, at which these may come closer, at which it is looked at, and to
+/// which it is followed at once.
+const REACHED: f64 = 1.5;
+const AT_VERTEX: f64 = 1.0 / 16.0;
 const LARGEST_SHIFT: f64 = 4.0;
 
-/// How often the times about the meeting are brought closer together.
+/// Number of attempts to find the meeting.
 const REFINEMENTS: u8 = 32;
 
-/// How often a way is doubled to see the modes well apart.
-const DOUBLINGS: u8 = 8;
+/// Number of the ways, each [`CLOSER`] times as long as the one before, at which the modes are seen well apart, and the first, which is no
+/// part of a turn.
+const WAYS: u8 = 12;
+pub(crate) const SHORTER: f64 = 0.381_966_011_250_105_1;
 
-/// The last frame before a meeting, and the first one beyond it.
+/// A pose at which modes meet.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Meeting<T> {
-    /// When the modes meet (s).
+    /// Its time (s).
     pub time: T,
-    /// How long before and after it they can be told apart (s), signed as time goes.
-    pub apart: T,
+    /// Time from it to the nearest frames by which the path is told (s), positive.
+    pub width: T,
+    /// The square of the distance of the modes there.
+    pub edge: T,
 }
 
-/// The two modes of one block, as they are solved at any time.
-pub(crate) struct TwoModes<'a, B: Blocks, S> {
+/// The modes of one block about a meeting, as they are solved at any time.
+pub(crate) struct Crossing<'a, B: Blocks, S> {
     pub blocks: &'a B,
-    /// The modes before the meeting, and beyond it.
-    pub modes: [B::Branches; 2],
+    /// The block of which two modes meet.
+    pub block: u16,
+    /// The modes before the meeting.
+    pub modes: B::Branches,
+    /// 1 where time grows on the way, and else −1.
+    pub direction: B::Scalar,
     /// Solves all blocks at a time (s) from a frame nearby.
     pub solve: S,
 }
 
-impl<B, S> TwoModes<'_, B, S>
+impl<B, S> Crossing<'_, B, S>
 where
     B: Blocks,
     S: FnMut(B::Scalar, &B::Frame, &B::Branches) -> Option<B::Frame>,
 {
-    /// The square of how far the modes are apart where they are well apart: at the first frame of a way, or as far before the way or
-    /// beyond it as it is long, or farther.
+    /// Square of the distance of the modes where they are well apart: about `place` (s), as far as a way is long, or farther.
     pub fn largest_distance(
         &mut self,
-        [origin, reached]: [&B::Frame; 2],
-        [from, to]: [B::Scalar; 2],
+        near: &B::Frame,
+        place: B::Scalar,
+        way: B::Scalar,
     ) -> Option<B::Scalar> {
-        let mut largest = self.distance(B::time(origin), origin);
-        let mut way = to - from;
-        for _ in 0..DOUBLINGS {
-            for t in [from - way, to + way] {
-                largest = match (largest, self.distance(t, reached)) {
-                    (Some(largest), Some(distance)) => Some(largest.max(distance)),
+        let mut largest = None;
+        let mut way = B::Scalar::from_f64(SHORTER) * way;
+        for _ in 0..WAYS {
+            for t in [place - way, place + way] {
+                largest = match (largest, self.distance(t, near)) {
+                    (Some(largest), Some(distance)) => Some(B::Scalar::max(largest, distance)),
                     (largest, distance) => largest.or(distance),
                 };
             }
-            way += way;
+            way *= B::Scalar::from_f64(CLOSER);
         }
         largest
     }
 
-    /// Where the modes meet, between `reached` and the time `to` (s), if they do. `whole` is the square of how far they are apart
-    /// elsewhere.
+    /// The meeting near the time `middle` (s), if there is one; times of the distance `step` (s) before it are looked at first.
+    /// `whole` is the square of the distance elsewhere.
     pub fn meeting(
         &mut self,
-        [origin, reached]: [&B::Frame; 2],
+        near: &B::Frame,
+        mut middle: B::Scalar,
+        mut step: B::Scalar,
         whole: B::Scalar,
-        refused: B::Scalar,
-        to: B::Scalar,
     ) -> Option<Meeting<B::Scalar>> {
-        let [from, near] = [origin, reached].map(B::time);
-        let four = B::Scalar::from_f64(4.0);
-        let mut middle = near;
-        let closer = B::Scalar::from_f64(CLOSER);
-        let first = B::Scalar::from_f64(FIRST_STEP) * (near - from).abs();
-        let mut step = (refused - near).abs().max(first);
-        let is_ahead = step > B::Scalar::ZERO;
-        if !is_ahead {
-            return None;
-        }
+        let number = B::Scalar::from_f64;
+        let (two, closer, shorter) = (number(2.0), number(CLOSER), number(SHORTER));
+        let known = number(NEAR).max(number(KNOWN) * B::Scalar::EPSILON);
         for _ in 0..REFINEMENTS {
-            let around = [middle - step, middle, middle + step];
-            let [before, at, after] = around.map(|t| self.distance(t, reached));
-            let (Some(before), Some(after)) = (before, after) else {
-                step /= closer;
-                continue;
-            };
-            // Where the modes meet, rounding may leave links apart, and where there is a gap, they are: the parabola through four other
-            // times says which.
-            let at = at.or_else(|| {
-                let [before_that, after_that] =
-                    [middle - step - step, middle + step + step].map(|t| self.distance(t, reached));
-                let (near, far) = (before + after, before_that? + after_that?);
-                Some((four * near - far) / B::Scalar::from_f64(6.0))
-            });
-            let Some(at) = at else {
-                step /= closer;
-                continue;
-            };
-            let curvature = before - at - at + after;
-            let is_lowest = curvature > B::Scalar::ZERO;
-            if !is_lowest {
+            let is_ahead = step > B::Scalar::ZERO && whole > B::Scalar::ZERO;
+            if !is_ahead {
                 return None;
             }
-            let slope = (after - before) * B::Scalar::HALF;
-            let shift = slope / curvature;
-            let lowest = at - slope * shift * B::Scalar::HALF;
-            if curvature <= B::Scalar::from_f64(NEAR) * whole && shift.abs() <= B::Scalar::ONE {
-                let time = middle - shift * step;
-                let is_between = (time - near) * (to - time) >= B::Scalar::ZERO;
-                // Below zero there is a gap between two dead points.
-                let meets =
-                    lowest.abs() <= B::Scalar::from_f64(ROUNDING) * B::Scalar::EPSILON * whole;
-                let apart = if to < near { -step } else { step };
-                return (is_between && meets).then_some(Meeting { time, apart });
-            }
-            // The parabola is followed as far as it can be trusted.
-            let limit = B::Scalar::from_f64(LARGEST_SHIFT);
-            let shift = if shift.abs() <= limit {
-                shift
-            } else {
-                limit * shift / shift.abs()
+            // Beyond the meeting other blocks may have left the smooth path, so that the distance has a kink there.
+            let squares = [1.0, 2.0, 3.0, 4.0]
+                .map(|part| self.distance(middle - self.direction * number(part) * step, near));
+            let [Some(first), Some(second), Some(third), Some(fourth)] = squares else {
+                step *= shorter;
+                continue;
             };
-            middle -= shift * step;
-            if shift.abs() <= B::Scalar::ONE {
+            let curvature = first - second - second + third;
+            let slope = (first - third) * B::Scalar::HALF;
+            let vertex = -two - slope / curvature;
+            let is_lowest = curvature > B::Scalar::ZERO && vertex.is_finite();
+            let is_bent = curvature.max(first) > number(BENT) * whole;
+            if !is_lowest || is_bent {
+                step *= shorter;
+                continue;
+            }
+            let is_near = curvature <= known * whole;
+            if is_near && curvature < number(TOO_NEAR) * known * whole {
+                step *= closer;
+                continue;
+            }
+            if is_near && vertex.abs() <= number(AT_VERTEX) {
+                // The polynomial of the third degree, at the middle; below zero there is a gap between two dead points.
+                let at_middle = number(4.0) * (first + third) - number(6.0) * second - fourth;
+                let lowest = at_middle - B::Scalar::HALF * curvature * vertex * vertex;
+                let meets = lowest.abs() <= number(ROUNDING) * B::Scalar::EPSILON * whole;
+                // What rounding leaves of the frames there, and what interpolation between them leaves, are alike.
+                let edge = B::Scalar::EPSILON.sqrt().sqrt() * whole;
+                return meets.then_some(Meeting {
+                    time: middle + self.direction * vertex * step,
+                    width: step * (two * edge / curvature).sqrt(),
+                    edge,
+                });
+            }
+            if vertex.abs() > number(LARGEST_SHIFT) {
+                // Seen from so far away, what is between is known better from a larger step.
+                step *= closer;
+                continue;
+            }
+            middle += self.direction * vertex * step;
+            if !is_near && vertex.abs() <= number(REACHED) {
                 step /= closer;
             }
         }
         None
     }
 
-    /// The frame beyond a meeting that lies opposite to the one as long before it, but not later than `to` (s); and that time before.
-    pub fn opposite(
-        &mut self,
-        meeting: &Meeting<B::Scalar>,
-        reached: &B::Frame,
-        to: B::Scalar,
-    ) -> Option<[B::Frame; 2]> {
-        let &Meeting { time, apart } = meeting;
-        let [far, least] = COMPARED.map(B::Scalar::from_f64);
-        let mut way = far * apart;
-        for limit in [(to - time).abs(), (time - B::time(reached)).abs()] {
-            if limit < way.abs() {
-                way = way * (limit / way.abs());
-            }
-        }
-        let is_told_apart = way.abs() >= least * apart.abs();
-        if !is_told_apart {
-            return None;
-        }
-        let [own, other] = self.modes.clone();
-        let before = (self.solve)(time - way, reached, &own)?;
-        let beyond = (self.solve)(time + way, &before, &other)?;
-        let unchanged = (self.solve)(time + way, &before, &own)?;
-        let center = [
-            (self.solve)(time - apart, &before, &own)?,
-            (self.solve)(time - apart, &before, &other)?,
-            (self.solve)(time + apart, &before, &own)?,
-            (self.solve)(time + apart, &before, &other)?,
-        ];
-        let missed = |frame: &B::Frame| {
-            self.sum_of_squares(|value| {
-                let half = B::Scalar::HALF;
-                let mut middle = B::Scalar::ZERO;
-                for frame in &center {
-                    middle += half * value(frame)?;
-                }
-                Some(value(frame)? + value(&before)? - middle)
-            })
-        };
-        let [crossed, stayed] = [&beyond, &unchanged].map(missed);
-        let apart = self.sum_of_squares(|value| Some(value(&unchanged)? - value(&beyond)?));
-        let moved = self.sum_of_squares(|value| Some(value(&beyond)? - value(&before)?));
-        // What the path bends by in other units must not hide in which mode it goes on: twice the product of the miss and the way between
-        // the modes is what these squares differ by.
-        let [towards, in_all] = MISS.map(B::Scalar::from_f64);
-        let product = ((stayed - crossed) - apart) * B::Scalar::HALF;
-        let lies_opposite =
-            product.abs() <= towards * apart && crossed <= in_all * (stayed + moved);
-        lies_opposite.then_some([before, beyond])
-    }
-
     /// The square of the distance between the poses in both modes.
-    fn distance(&mut self, t: B::Scalar, near: &B::Frame) -> Option<B::Scalar> {
-        let [first, second] = self.modes.clone();
-        let first = (self.solve)(t, near, &first)?;
-        let second = (self.solve)(t, near, &second)?;
-        Some(self.sum_of_squares(|value| Some(value(&first)? - value(&second)?)))
+    pub(crate) fn distance(&mut self, t: B::Scalar, near: &B::Frame) -> Option<B::Scalar> {
+        let own = self.modes.clone();
+        let other = self.blocks.exchanged(&own, self.block)?;
+        let first = (self.solve)(t, near, &own)?;
+        let second = (self.solve)(t, near, &other)?;
+        Some(square_of_distance(self.blocks, [&first, &second], 0))
     }
+}
 
-    /// The sum of the squares of what is made of each coordinate, or where frames hold none, of each component of the points.
-    fn sum_of_squares(
-        &self,
-        combine: impl Fn(&dyn Fn(&B::Frame) -> Option<B::Scalar>) -> Option<B::Scalar>,
-    ) -> B::Scalar {
-        let mut sum = B::Scalar::ZERO;
-        let mut index = 0;
-        while let Some(part) = combine(&|frame| Some(self.blocks.coordinate(frame, index)?[0])) {
-            sum += part * part;
-            index += 1;
+/// The sum of the squares of the differences of all coordinates, or where frames hold none, of all components of points; or, at the
+/// level 1, of the rates of coordinates.
+pub(crate) fn square_of_distance<B: Blocks>(
+    blocks: &B,
+    frames: [&B::Frame; 2],
+    level: usize,
+) -> B::Scalar {
+    sum_of_products(blocks, [frames, frames, [frames[0]; 2]], level)
+}
+
+/// The sum of the sizes of the products of the differences of two pairs of frames in those of these values that are equal in a third
+/// pair.
+pub(crate) fn sum_of_products<B: Blocks>(
+    blocks: &B,
+    pairs: [[&B::Frame; 2]; 3],
+    level: usize,
+) -> B::Scalar {
+    // Points follow from coordinates, and are then left out of a program that never asks for them.
+    let value = |frame: &B::Frame, index| match blocks.holds_coordinates() {
+        true => blocks.coordinate(frame, index)?.get(level).copied(),
+        false => blocks
+            .point(frame, index / 2)?
+            .position
+            .get(index % 2)
+            .copied(),
+    };
+    let difference =
+        |[first, second]: [&B::Frame; 2], index| Some(value(first, index)? - value(second, index)?);
+    let mut sum = B::Scalar::ZERO;
+    let mut index = 0;
+    while let [Some(one), Some(other), Some(change)] = pairs.map(|pair| difference(pair, index)) {
+        if change == B::Scalar::ZERO {
+            sum += (one * other).abs();
         }
-        // Points follow from coordinates, and are then left out of a program that never asks for them.
-        if index > 0 || self.blocks.holds_coordinates() {
-            return sum;
-        }
-        while let Some(part) = combine(&|frame| {
-            let point = self.blocks.point(frame, index / 2)?;
-            point.position.get(index % 2).copied()
-        }) {
-            sum += part * part;
-            index += 1;
-        }
-        sum
+        index += 1;
     }
+    sum
 }

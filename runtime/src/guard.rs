@@ -19,6 +19,12 @@ const AHEAD: [f64; 3] = [16.0, 2.0, 1024.0];
 const GROWTH: f64 = 1.125;
 const SHRINKING: f64 = 0.625;
 
+/// Rounding that must not make a frame singular: links that enclose less than some 6e-4 rad leave accelerations few digits.
+const WEAK: f64 = 1.0 / (1u32 << 26) as f64;
+
+/// Multiple of that for what is found beyond it.
+const FAR: f64 = 64.0;
+
 /// What is known of the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Guard<T, I, U> {
@@ -67,12 +73,18 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         self.window = None;
     }
 
-    /// Asks that a frame lies on the path of the last one. The first frame of a path lies on it.
+    /// Asks that a frame lies on the path of the last one. The first frame of a path lies on it. A frame that is nearly singular is
+    /// refused but where it `may_be_weak`.
     ///
     /// # Errors
     /// [`FailureKind::StepTooLarge`] where that cannot be shown, with the block.
     #[inline]
-    pub fn admit<B>(&mut self, blocks: &B, pair: Pair<'_, B>) -> Result<(), Failure<T>>
+    pub fn admit<B>(
+        &mut self,
+        blocks: &B,
+        pair: Pair<'_, B>,
+        may_be_weak: bool,
+    ) -> Result<(), Failure<T>>
     where
         B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
     {
@@ -81,14 +93,19 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         }
         match &self.window {
             Some(window) if window.holds(blocks, &pair) => Ok(()),
-            _ => self.look(blocks, pair),
+            _ => self.look(blocks, pair, may_be_weak),
         }
     }
 
     /// Looks at the path between two frames, and beyond: first at closed forms one after another, which takes little, then at all
     /// equations together.
     #[cold]
-    fn look<B>(&mut self, blocks: &B, pair: Pair<'_, B>) -> Result<(), Failure<T>>
+    fn look<B>(
+        &mut self,
+        blocks: &B,
+        pair: Pair<'_, B>,
+        may_be_weak: bool,
+    ) -> Result<(), Failure<T>>
     where
         B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
     {
@@ -98,7 +115,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         self.window = None;
         let mut tubes = blocks.tubes();
         if blocks.is_closed() {
-            let stays = |span: &Span<T>| blocks.stays_regular(pair, span).is_ok();
+            let stays = |span: &Span<T>| blocks.stays_regular(pair, &span.at_least(WEAK)).is_ok();
             if let Some(span) = farthest(&mut self.stretch_of_closed_forms, step, stays) {
                 self.window = Some(Window::new(pair, span, tubes));
                 return Ok(());
@@ -107,7 +124,15 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
                 return Ok(());
             }
         }
-        let keeps = |span: &Span<T>| blocks.keeps_to_path(pair, span, &mut tubes).is_ok();
+        // Where it is not far from singular, what is found beyond the frames may be nearer.
+        let is_far = !blocks.is_closed() || weak(blocks, pair, WEAK * FAR).is_none();
+        if !is_far
+            && !may_be_weak
+            && let Some(block) = weak(blocks, pair, WEAK)
+        {
+            return Err(failed(FailureKind::StepTooLarge, t, block));
+        }
+        let keeps = |span: &Span<T>| is_far && blocks.keeps_to_path(pair, span, &mut tubes).is_ok();
         if let Some(span) = farthest(&mut self.stretch, step, keeps) {
             self.window = Some(Window::new(pair, span, tubes));
             return Ok(());
@@ -115,6 +140,32 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         let kept = blocks.keeps_to_path(pair, &Span::between(step), &mut tubes);
         kept.map_err(|block| failed(FailureKind::StepTooLarge, t, block))
     }
+}
+
+/// The first block that is nearly singular in a frame, as far as closed forms tell.
+pub(crate) fn weak_block<B: Blocks>(
+    blocks: &B,
+    frame: &B::Frame,
+    conditions: &Conditions<'_, B::Scalar, B::Parameters, B::Inputs>,
+) -> Option<u16> {
+    let pair = Pair {
+        at: frame,
+        last: frame,
+        before: conditions.inputs,
+        conditions,
+    };
+    weak(blocks, &pair, WEAK)
+}
+
+/// The first block that such a rounding might make singular in the second of two frames.
+fn weak<B: Blocks>(blocks: &B, pair: &Pair<'_, B>, rounding: f64) -> Option<u16> {
+    let pair = Pair {
+        last: pair.at,
+        before: pair.conditions.inputs,
+        ..*pair
+    };
+    let span = Span::between(B::Scalar::ZERO).at_least(rounding);
+    blocks.stays_regular(&pair, &span).err()
 }
 
 /// The widest span about two frames, at most so many steps, of which something can be shown; `None` where no span beyond the frames

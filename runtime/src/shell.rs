@@ -109,7 +109,7 @@ impl<B: Blocks> Shell<B> {
                     before: &self.inputs,
                     conditions: &conditions,
                 };
-                self.guard.admit(&self.blocks, pair)
+                self.guard.admit(&self.blocks, pair, false)
             });
         if let Err(failure) = solved {
             self.advance_in_steps(failure, t, inputs)?;
@@ -147,6 +147,7 @@ impl<B: Blocks> Shell<B> {
             ends: [B::time(last), t],
             inputs: [&self.inputs, inputs],
             changed: None,
+            may_be_weak: false,
             start: self.start,
             reached: last.clone(),
             origin: last.clone(),

@@ -43,6 +43,17 @@ impl<T: Real> Signal<T> {
         self.value.is_finite() && self.rate.is_finite() && self.acceleration.is_finite()
     }
 
+    /// The signal after a time (s) in which its acceleration does not change.
+    #[must_use]
+    pub fn after(&self, time: T) -> Self {
+        let change = self.acceleration * time;
+        Self {
+            value: self.value + (self.rate + T::HALF * change) * time,
+            rate: self.rate + change,
+            acceleration: self.acceleration,
+        }
+    }
+
     /// The signal at the fraction `part` of the straight way from this one to `last`, on which no time passes.
     #[must_use]
     pub fn straight_towards(&self, last: &Self, part: T) -> Self {

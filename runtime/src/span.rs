@@ -47,6 +47,15 @@ impl<T: Real> Span<T> {
         }
     }
 
+    /// The same span with at least this rounding.
+    #[must_use]
+    pub fn at_least(self, rounding: f64) -> Self {
+        Self {
+            rounding: self.rounding.max(T::from_f64(rounding)),
+            ..self
+        }
+    }
+
     /// How far a signal goes from its second value, and from the straight line, on the way that [`Signal::towards`] describes; beyond
     /// the frames as far as [`Span::holds_signal`] lets it. Where no time passes, it goes straight.
     pub fn signal(&self, before: &Signal<T>, now: &Signal<T>) -> [T; 2] {

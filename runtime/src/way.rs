@@ -5,13 +5,11 @@
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals};
-use crate::crossing::TwoModes;
-use crate::failure::{Failure, FailureKind};
+use crate::failure::Failure;
 use crate::guard::{Guard, Pair};
 use crate::math::Real;
 use crate::settings::Settings;
 use crate::shell::solve;
-use crate::signal::Signal;
 use crate::substeps::{Broken, in_steps};
 
 /// How many meetings of modes one way may pass.
@@ -30,6 +28,8 @@ pub(crate) struct Way<'a, B: Blocks> {
     pub changed: Option<B::Scalar>,
     /// What the frame is that was reached.
     pub start: Start,
+    /// True if the frame at the end may be nearly singular, because no modes meet there.
+    pub may_be_weak: bool,
     /// The last frame on the way.
     pub reached: B::Frame,
     /// Where the modes were exchanged last, or else its first frame.
@@ -57,12 +57,13 @@ impl<B: Blocks> Way<'_, B> {
                 Start::Estimate => Err(failure),
             };
         }
+        self.pass_ends();
         let mut failure = match self.steps_to(end) {
             Ok(()) => return Ok(()),
             Err(broken) => broken.failure,
         };
         for _ in 0..CROSSINGS {
-            if self.cross(&failure).is_none() {
+            if self.cross(&failure).is_err() {
                 break;
             }
             match self.steps_to(end) {
@@ -101,7 +102,7 @@ impl<B: Blocks> Way<'_, B> {
     }
 
     /// Goes on to a time.
-    fn steps_to(&mut self, end: B::Scalar) -> Result<(), Broken<B::Scalar>> {
+    pub(crate) fn steps_to(&mut self, end: B::Scalar) -> Result<(), Broken<B::Scalar>> {
         let from = B::time(&self.reached);
         if from == end {
             return Ok(());
@@ -121,8 +122,8 @@ impl<B: Blocks> Way<'_, B> {
         let (t, before, inputs) = match changed {
             None => (
                 place,
-                self.inputs_at(B::time(&self.reached)),
-                self.inputs_at(place),
+                self.inputs_at(B::time(&self.reached), None),
+                self.inputs_at(place, None),
             ),
             Some(reached) => {
                 let [from, end] = self.ends;
@@ -191,54 +192,24 @@ impl<B: Blocks> Way<'_, B> {
             before,
             conditions: &conditions,
         };
-        self.guard.admit(self.blocks, pair)?;
+        // What lies on the way is nobody's answer.
+        let may_be_weak = self.may_be_weak || t != self.ends[1] || self.changed.is_some();
+        self.guard.admit(self.blocks, pair, may_be_weak)?;
         self.start = Start::LastFrame;
         core::mem::swap(self.next, &mut self.reached);
         Ok(())
     }
 
-    /// Goes through the pose at which the modes of a block meet, if it is where the way has broken.
-    fn cross(&mut self, failure: &Failure<B::Scalar>) -> Option<()> {
-        // Where modes meet, links may be apart by rounding.
-        let may_meet = matches!(
-            failure.kind,
-            FailureKind::StepTooLarge
-                | FailureKind::Singular { .. }
-                | FailureKind::WrongBranch
-                | FailureKind::OutOfReach { .. }
-        );
-        if !may_meet || !self.blocks.is_guarded() || self.start == Start::Estimate {
-            return None;
-        }
-        let other = self.blocks.exchanged(&self.branches, failure.block)?;
-        let [from, end] = self.ends;
-        let [before, beyond] = {
-            let mut modes = TwoModes {
-                blocks: self.blocks,
-                modes: [self.branches.clone(), other.clone()],
-                solve: |t, near: &B::Frame, modes: &B::Branches| self.frame_at(t, near, modes),
-            };
-            let near = [&self.origin, &self.reached];
-            let whole = modes.largest_distance(near, [from, end])?;
-            let meeting = modes.meeting(near, whole, failure.time, end)?;
-            modes.opposite(&meeting, &self.origin, end)?
-        };
-        // The way has come nearer than the modes can be told apart: the frame before the meeting must lie on the path.
-        self.reached = self.origin.clone();
-        self.guard.forget();
-        self.steps_to(B::time(&before)).ok()?;
-        // From where the way has led, angles go on without a jump; what was found from farther away may be off by whole turns.
-        let beyond = self.frame_at(B::time(&beyond), &self.reached, &other)?;
-        self.reached = beyond.clone();
-        self.origin = beyond;
-        self.branches = other;
-        self.guard.forget();
-        Some(())
-    }
-
-    /// The frame at a time in these modes, from one nearby; no path leads there.
-    fn frame_at(&self, t: B::Scalar, near: &B::Frame, branches: &B::Branches) -> Option<B::Frame> {
-        let inputs = self.inputs_at(t);
+    /// The frame at a time in these modes, from one nearby; no path leads there. Signals are those of the way, or go on from one of its
+    /// ends.
+    pub(crate) fn solved_at(
+        &self,
+        t: B::Scalar,
+        about: Option<B::Scalar>,
+        near: &B::Frame,
+        branches: &B::Branches,
+    ) -> Result<B::Frame, Failure<B::Scalar>> {
+        let inputs = self.inputs_at(t, about);
         let conditions = Conditions {
             t,
             start: Start::Estimate,
@@ -247,17 +218,17 @@ impl<B: Blocks> Way<'_, B> {
             settings: self.settings,
         };
         let (mut at, mut branches) = (near.clone(), branches.clone());
-        solve(self.blocks, &mut at, near, &mut branches, &conditions).ok()?;
-        Some(at)
+        solve(self.blocks, &mut at, near, &mut branches, &conditions)?;
+        Ok(at)
     }
 
-    /// The signals at a time on the way; beyond it they go on at their rates.
-    fn inputs_at(&self, t: B::Scalar) -> B::Inputs {
+    /// The signals at a time on the way; beyond it, and about one of its ends, they go on from there.
+    pub(crate) fn inputs_at(&self, t: B::Scalar, about: Option<B::Scalar>) -> B::Inputs {
         let ([from, end], [first, last]) = (self.ends, self.inputs);
         let part = (t - from) / (end - from);
-        if part <= B::Scalar::ZERO {
+        if about == Some(from) || part <= B::Scalar::ZERO && about.is_none() {
             gone_on(first, t - from)
-        } else if part >= B::Scalar::ONE {
+        } else if about.is_some() || part >= B::Scalar::ONE {
             gone_on(last, t - end)
         } else {
             first.towards(last, end - from, part)
@@ -265,14 +236,13 @@ impl<B: Blocks> Way<'_, B> {
     }
 }
 
-/// Signals after a time (s) in which their rates do not change.
+/// Signals after a time (s) in which their accelerations do not change.
 fn gone_on<T: Real, I: Signals<T>>(inputs: &I, time: T) -> I {
     let mut later = inputs.clone();
     if time != T::ZERO {
         for index in 0..inputs.count() {
             if let Some(signal) = inputs.signal(index) {
-                let value = signal.value + signal.rate * time;
-                later.set(index, Signal { value, ..signal });
+                later.set(index, signal.after(time));
             }
         }
     }

@@ -147,6 +147,14 @@ impl Blocks for Dense {
         frame.t()
     }
 
+    fn set_time(frame: &mut Instant, t: f64) {
+        frame.values_mut()[0] = t;
+    }
+
+    fn add(&self, sum: &mut Instant, multiple: f64, frame: &Instant, base: &Instant) {
+        sum.add(multiple, frame, base);
+    }
+
     fn solve(
         &self,
         at: &mut Instant,

@@ -110,6 +110,14 @@ impl Instant {
         &self.values
     }
 
+    /// Adds a multiple of the difference of two instants to all values but the time.
+    pub(crate) fn add(&mut self, multiple: f64, instant: &Instant, base: &Instant) {
+        let values = instant.values.iter().zip(&base.values);
+        for (sum, (value, base)) in self.values.iter_mut().zip(values).skip(1) {
+            *sum += multiple * (value - base);
+        }
+    }
+
     pub(crate) fn values_mut(&mut self) -> &mut [f64] {
         &mut self.values
     }

@@ -35,6 +35,22 @@ macro_rules! frame {
                 let of = |values: &Coordinates| values.to_array().get(index).copied();
                 Some([of(&self.q)?, of(&self.qd)?, of(&self.qdd)?])
             }
+
+            /// Adds a multiple of the difference of two frames.
+            fn add(&mut self, multiple: Scalar, frame: &Self, base: &Self) {
+                for (sum, frame, base) in [
+                    (&mut self.q, &frame.q, &base.q),
+                    (&mut self.qd, &frame.qd, &base.qd),
+                    (&mut self.qdd, &frame.qdd, &base.qdd),
+                ] {
+                    *sum = Coordinates::from_array($crate::blocks::sum(
+                        sum.to_array(),
+                        multiple,
+                        [frame.to_array(), base.to_array()],
+                    ));
+                }
+                $(self.$field += multiple * (frame.$field - base.$field);)*
+            }
         }
     };
     (
@@ -52,6 +68,11 @@ macro_rules! frame {
             /// Frames hold what is asked for alone.
             fn coordinate(&self, _index: usize) -> Option<[Scalar; 3]> {
                 None
+            }
+
+            /// Adds a multiple of the difference of two frames.
+            fn add(&mut self, multiple: Scalar, frame: &Self, base: &Self) {
+                $(self.$field += multiple * (frame.$field - base.$field);)*
             }
         }
     };

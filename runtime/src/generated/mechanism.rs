@@ -77,6 +77,10 @@ macro_rules! mechanism {
                 frame.t
             }
 
+            fn set_time(frame: &mut Frame, t: Scalar) {
+                frame.t = t;
+            }
+
             #[inline]
             fn solve(
                 &self,
@@ -137,6 +141,10 @@ macro_rules! mechanism {
 
             fn holds_coordinates(&self) -> bool {
                 Frame::HOLDS_COORDINATES
+            }
+
+            fn add(&self, sum: &mut Frame, multiple: Scalar, frame: &Frame, base: &Frame) {
+                sum.add(multiple, frame, base);
             }
 
             fn point_name(&self, index: usize) -> Option<&str> {

@@ -31,7 +31,8 @@ fn bounds_are_those_of_the_runtime() {
         ("settings.rs", "SUBSTEPS", work::SUBSTEPS),
         ("way.rs", "CROSSINGS", work::CROSSINGS),
         ("crossing.rs", "REFINEMENTS", work::REFINEMENTS),
-        ("crossing.rs", "DOUBLINGS", work::DOUBLINGS),
+        ("crossing.rs", "WAYS", work::WAYS),
+        ("continuation.rs", "BLOCKS", work::BLOCKS),
         ("sags.rs", "WIDENED", work::WIDENED),
         ("least_squares.rs", "STEPS", work::LEAST_SQUARES),
     ];
@@ -79,7 +80,10 @@ fn closed_forms_are_counted_exactly() {
     // Each attempt once and twice for each dead point, with its windows.
     let [fixed, each] = work.whole();
     let looks = work.window.expect("it is guarded").total();
-    assert_eq!(each, (1 + 2 * work::CROSSINGS) * (attempt.total() + looks));
+    assert_eq!(
+        each,
+        (1 + 2 * (work::CROSSINGS + work::ENDS)) * (attempt.total() + looks)
+    );
     assert!(fixed + 256 * each > work.poses(256) * attempt.total());
     let platform = work_of("platform_3rpr");
     assert!(platform.is_iterated && platform.attempt.total() > 25 * 4 * 4);

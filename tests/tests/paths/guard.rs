@@ -28,12 +28,15 @@ use parallelogram::Parallelogram;
 use parallelogram_unguarded::ParallelogramUnguarded;
 use rocker_limit::RockerLimit;
 
-/// Steps from thousandths of a turn to several turns, none of which hits a change point.
+/// Steps from thousandths of a turn to several turns.
 const STEPS: [f64; 8] = [0.0037, 0.01, 0.1, 0.3, 0.9, 1.8, 2.7, 7.0];
+
+/// Steps that hit change points.
+const HITS: [f64; 4] = [PI / 64.0, PI / 6.0, FRAC_PI_2, 1.5 * PI];
 
 #[test]
 fn a_parallelogram_stays_one_through_its_change_points() {
-    for h in STEPS {
+    for h in STEPS.into_iter().chain(HITS) {
         let mut mechanism = Parallelogram::assemble(0.0).expect("as drawn");
         for step in 1..=60 {
             let t = h * f64::from(step);

@@ -1,5 +1,6 @@
 //! Assembly modes, paths through singular poses, and failures.
 
+mod change_points;
 mod driven_lengths;
 mod failing_blocks;
 mod failures;

@@ -139,6 +139,14 @@ impl Blocks for Interpreted {
         frame.t()
     }
 
+    fn set_time(frame: &mut Instant, t: f64) {
+        frame.values_mut()[0] = t;
+    }
+
+    fn add(&self, sum: &mut Instant, multiple: f64, frame: &Instant, base: &Instant) {
+        sum.add(multiple, frame, base);
+    }
+
     fn solve(
         &self,
         at: &mut Instant,
@@ -190,6 +198,10 @@ impl Blocks for Interpreted {
 
     fn coordinate(&self, frame: &Instant, index: usize) -> Option<[f64; 3]> {
         frame.coordinate(index)
+    }
+
+    fn holds_coordinates(&self) -> bool {
+        true
     }
 
     fn point_name(&self, index: usize) -> Option<&str> {

@@ -6,7 +6,7 @@
 use crate::emit::scalar::Scalar;
 
 /// The parts that both scalars share, in the order in which they build on each other.
-const PARTS: [&str; 14] = [
+const PARTS: [&str; 16] = [
     include_str!("runtime/angle.c"),
     include_str!("runtime/closed_form.c"),
     include_str!("runtime/linear.c"),
@@ -20,6 +20,8 @@ const PARTS: [&str; 14] = [
     include_str!("runtime/guard.c"),
     include_str!("runtime/way.c"),
     include_str!("runtime/crossing.c"),
+    include_str!("runtime/continuation.c"),
+    include_str!("runtime/passage.c"),
     include_str!("runtime/shell.c"),
 ];
 

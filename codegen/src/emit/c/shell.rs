@@ -4,7 +4,6 @@ use super::block;
 use super::points::point_functions;
 use super::printer::Printer;
 use super::text::Text;
-use super::words::identifier;
 use crate::emit::module::checks::checked;
 use crate::emit::module::documentation;
 use crate::emit::module::drawing::frame_keeps_parameters;
@@ -142,23 +141,19 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
     text.line(format!("const {frame} *const at = found;"));
     text.line("return at->t;");
     text.close("}");
-    let coordinates = match module.holds_coordinates() {
-        true => module.system.coordinates.as_slice(),
-        false => &[],
-    };
-    // Points follow from coordinates.
-    let points = match coordinates.is_empty() {
-        true => point_functions(printer),
-        false => Vec::new(),
-    };
-    let count = coordinates.len() + 2 * points.len();
-    if module.program.path.is_none() || count == 0 {
+    if module.program.path.is_none() {
+        return 0;
+    }
+    // Coordinates are found by their place in the frame.
+    if module.holds_coordinates() {
+        return module.system.coordinates.len();
+    }
+    let points = point_functions(printer);
+    if points.is_empty() {
         return 0;
     }
     text.gap();
-    text.comment([
-        "The coordinates of a frame, or where it holds none the components of its points, by which poses are compared.",
-    ]);
+    text.comment(["The components of a frame's points, by which poses are compared."]);
     text.line(format!(
         "static {real} {}(const void *found, uint16_t index)",
         printer.own("value_of")
@@ -167,15 +162,9 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
     text.line(format!("const {frame} *const at = found;"));
     text.line(format!("{real} value = {};", printer.number(0.0)));
     text.line("switch (index) {");
-    for (index, coordinate) in coordinates.iter().enumerate() {
-        text.open(format!("case {index}U:"));
-        text.line(format!("value = at->q.{};", identifier(&coordinate.name)));
-        text.line("break;");
-        text.close_without_line();
-    }
     for (place, point) in points.iter().enumerate() {
         for axis in 0..2 {
-            let index = coordinates.len() + 2 * place + axis;
+            let index = 2 * place + axis;
             text.open(format!("case {index}U:"));
             text.line(format!("value = {point}(at).position[{axis}];"));
             text.line("break;");
@@ -188,7 +177,7 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
     text.line("}");
     text.line("return value;");
     text.close("}");
-    count
+    2 * points.len()
 }
 
 /// What the runtime is told of the mechanism.
@@ -222,7 +211,8 @@ pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
         some(is_guarded && tube_count(module) > 0, "is_within"),
         printer.own("time_of"),
         format!("{values}U"),
-        some(values > 0, "value_of"),
+        module.holds_coordinates().to_string(),
+        some(values > 0 && !module.holds_coordinates(), "value_of"),
         some(limits_parameters, "not_positive"),
     ];
     text.gap();

@@ -20,8 +20,10 @@ pub const SUBSTEPS: usize = 256;
 pub const CROSSINGS: usize = 8;
 /// How often the times about a dead point are brought closer together.
 pub const REFINEMENTS: usize = 32;
-/// How often a way is doubled to see the modes well apart.
-pub const DOUBLINGS: usize = 8;
+/// Number of the ways at which the modes are seen well apart.
+pub const WAYS: usize = 12;
+/// Number of the first blocks whose modes may be exchanged in one instant.
+pub const BLOCKS: usize = 64;
 
 /// How often a guard looks at most: at windows of 1024 to 2 steps, each 0.625 of the last one, and at the step alone.
 pub const LOOKS: usize = 15;
@@ -33,9 +35,18 @@ pub const WIDENED: usize = 8;
 const OF_CELL: [usize; 3] = [240, 280, 16];
 const OF_CELL_IN_ROUND: usize = 32;
 
-/// The poses of one crossing: two modes at a first time and at two times for each doubling, at five times for each refinement; seven on
-/// both sides, and the one that the way goes on from.
-const CROSSING_POSES: usize = 2 * (1 + 2 * DOUBLINGS) + 2 * 5 * REFINEMENTS + 7 + 1;
+/// Poses of one path about a dead point: eight on both sides, the nearest one, and three modes there.
+const PATH_POSES: usize = 8 + 1 + 3;
+
+/// Poses of one crossing: two modes on both sides of each way, and at four times for each refinement. The path is told twice, as it
+/// leads to the dead point and as it leads away, and interpolated three times.
+const CROSSING_POSES: usize = 2 * 2 * WAYS + 2 * 4 * REFINEMENTS + 3 * 2 * PATH_POSES;
+
+/// Poses of one crossing for each block that may cross: two modes, and two paths, told twice.
+const POSES_OF_BLOCK: usize = 2 * (2 + 2 * PATH_POSES);
+
+/// Crossings at both ends of a way.
+pub const ENDS: usize = 2;
 
 /// The solves of a regularity that is in doubt, and those of rates and accelerations.
 const DOUBTFUL_SOLVES: usize = 13;
@@ -59,6 +70,8 @@ pub struct Work {
     pub recover: Operations,
     /// Whether blocks are iterated.
     pub is_iterated: bool,
+    /// Number of blocks that may cross in one instant.
+    pub crossing: usize,
     /// What is looked at of the path; `None` where nothing is guarded.
     pub window: Option<Looks>,
 }
@@ -103,6 +116,7 @@ impl Work {
             attempt,
             recover,
             is_iterated: !iterated.is_empty(),
+            crossing: blocks.len().min(BLOCKS),
             window: path.map(|path| {
                 let mut window = Looks::default();
                 for function in [&path.function].into_iter().chain(&path.closed) {
@@ -116,14 +130,17 @@ impl Work {
     /// The poses that a way of so many attempts takes which one does not lead along, the first one included.
     pub fn poses(&self, substeps: usize) -> usize {
         match self.window {
-            Some(_) => 1 + substeps + CROSSINGS * (CROSSING_POSES + 2 * substeps),
+            Some(_) => {
+                let crossing = CROSSING_POSES + self.crossing * POSES_OF_BLOCK;
+                2 + substeps + (CROSSINGS + ENDS) * (crossing + 2 * substeps)
+            }
             None => 1 + substeps,
         }
     }
 
     /// How often the guard of such a way looks for a window.
     pub fn windows(&self, substeps: usize) -> usize {
-        1 + substeps + CROSSINGS * 2 * substeps
+        1 + substeps + (CROSSINGS + ENDS) * 2 * substeps
     }
 
     /// The operations of such a way: those that do not grow with the attempts, and those of each.

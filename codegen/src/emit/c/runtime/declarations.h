@@ -138,9 +138,12 @@ typedef struct linkwright$f_blocks {
     /* Whether no block is singular anywhere in a span, or else the block; null where not all have a closed form. */
     bool (*stays_regular)(const linkwright$f_pair *pair, const linkwright$f_span *span, uint16_t *block);
     bool (*is_within)(const void *at, const linkwright$f_tube *tubes, $real steps);
-    /* The time of a frame, and its coordinates and components of points, by which poses are compared. */
+    /* The time of a frame, and the number of coordinates or components of points by which poses are compared. Where
+       frames hold coordinates, these are the first numbers after the time. */
     $real (*time)(const void *frame);
     uint16_t values;
+    bool holds_coordinates;
+    /* A component of a point; null where frames hold coordinates. */
     $real (*value)(const void *frame, uint16_t index);
     /* The least place of what parameters leave not positive, and its value; null where none can. */
     bool (*not_positive)(const void *parameters, uint16_t *place, $real *value);

@@ -10,6 +10,11 @@ static const $real MOST_AHEAD$f = 1024.0$f;
 static const $real AHEAD_GROWTH$f = 1.125$f;
 static const $real AHEAD_SHRINKING$f = 0.625$f;
 
+/* Rounding that must not make a frame singular: links that enclose less than some 6e-4 rad leave accelerations few
+   digits; and the multiple of it for what is found beyond the frame. */
+static const $real WEAK$f = 1.0$f / 67108864.0$f;
+static const $real FAR_FROM_WEAK$f = 64.0$f;
+
 /* The signals of both frames and of the way between them stay where the window supposes them. */
 static bool holds_signals$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair, $real since)
 {
@@ -41,13 +46,30 @@ static linkwright$f_span span_around$f($real step, $real stretch)
     return span;
 }
 
+/* The same span with at least this rounding. */
+static linkwright$f_span at_least$f(linkwright$f_span span, $real rounding)
+{
+    span.rounding = larger$f(span.rounding, rounding);
+    return span;
+}
+
+/* The first block that such a rounding might make singular in the second of two frames. */
+static bool is_weak$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair, $real rounding,
+    uint16_t *block)
+{
+    const linkwright$f_pair same = {pair->at, pair->at, pair->conditions->inputs, pair->conditions};
+    const linkwright$f_span span = at_least$f(span_between$f(0.0$f), rounding);
+    return !mechanism->blocks->stays_regular(&same, &span, block);
+}
+
 /* Whether something can be shown of a span: of closed forms one after another, or of all equations together, which
    fills the tubes. */
 static bool shown$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
     const linkwright$f_span *span, bool is_closed, uint16_t *block)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
-    return is_closed ? blocks->stays_regular(pair, span, block)
+    const linkwright$f_span wide = at_least$f(*span, WEAK$f);
+    return is_closed ? blocks->stays_regular(pair, &wide, block)
                      : blocks->keeps_to_path(pair, span, mechanism->tubes, block);
 }
 
@@ -82,29 +104,38 @@ static bool finds_window$f(const linkwright$f_mechanism *mechanism, const linkwr
 
 /* Looks at the path between two frames, and beyond: first at closed forms one after another, which takes little, then
    at all equations together. */
-static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair)
+static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
+    bool may_be_weak)
 {
     linkwright$f_state *const state = mechanism->state;
     const $real t = pair->conditions->t;
     const $real step = t - mechanism->blocks->time(pair->last);
     const linkwright$f_span between = span_between$f(step);
     uint16_t block = 0U;
+    bool is_far = true;
     state->has_window = false;
     if (mechanism->blocks->stays_regular != NULL) {
         if (finds_window$f(mechanism, pair, step, true, &state->stretch_of_closed_forms)
             || shown$f(mechanism, pair, &between, true, &block)) {
             return LINKWRIGHT_OK;
         }
+        /* Where it is not far from singular, what is found beyond the frames may be nearer. */
+        is_far = !is_weak$f(mechanism, pair, WEAK$f * FAR_FROM_WEAK$f, &block);
+        if (!is_far && !may_be_weak && is_weak$f(mechanism, pair, WEAK$f, &block)) {
+            return noted$f(pair->conditions->failure, LINKWRIGHT_STEP_TOO_LARGE, 0.0$f, 0U, t, block);
+        }
     }
-    if (finds_window$f(mechanism, pair, step, false, &state->stretch)
+    if ((is_far && finds_window$f(mechanism, pair, step, false, &state->stretch))
         || shown$f(mechanism, pair, &between, false, &block)) {
         return LINKWRIGHT_OK;
     }
     return noted$f(pair->conditions->failure, LINKWRIGHT_STEP_TOO_LARGE, 0.0$f, 0U, t, block);
 }
 
-/* Asks that a frame lies on the path of the last one. The first frame of a path lies on it. */
-static linkwright_status admitted$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair)
+/* Asks that a frame lies on the path of the last one. The first frame of a path lies on it. A frame that is nearly
+   singular is refused but where it may be. */
+static linkwright_status admitted$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
+    bool may_be_weak)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     const linkwright$f_state *const state = mechanism->state;
@@ -116,7 +147,7 @@ static linkwright_status admitted$f(const linkwright$f_mechanism *mechanism, con
             && ((blocks->is_within == NULL) || blocks->is_within(pair->at, mechanism->tubes,
                 since / state->span.step));
         if (!holds) {
-            status = look$f(mechanism, pair);
+            status = look$f(mechanism, pair, may_be_weak);
         }
     }
     return status;

@@ -102,6 +102,6 @@ typedef struct linkwright_block_name {
 #endif
 
 /* How many frames and how many assembly modes moving in several steps works with. */
-#define LINKWRIGHT_WAY_FRAMES 10
-#define LINKWRIGHT_WAY_BRANCHES 4
+#define LINKWRIGHT_WAY_FRAMES 9
+#define LINKWRIGHT_WAY_BRANCHES 7
 #define LINKWRIGHT_WAY_INPUTS 2

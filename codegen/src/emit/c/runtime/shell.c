@@ -71,7 +71,7 @@ linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, 
     const linkwright$f_pair pair = {at, last, mechanism->inputs, &conditions};
     linkwright_status status = solve_all$f(mechanism, at, last, mechanism->branches, &conditions);
     if (status == LINKWRIGHT_OK) {
-        status = admitted$f(mechanism, &pair);
+        status = admitted$f(mechanism, &pair, false);
     }
     if (status == LINKWRIGHT_OK) {
         keep$f(mechanism, inputs);
@@ -82,6 +82,7 @@ linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, 
 /* Goes to the end of a way, through the poses at which modes meet. */
 static linkwright_status gone$f(Way$f *way)
 {
+    pass_ends$f(way);
     linkwright_status status = steps_to$f(way, way->end);
     for (uint16_t crossings = 0U; (status != LINKWRIGHT_OK) && (crossings < CROSSINGS$F); crossings++) {
         const linkwright$f_failure failure = way->failure;
@@ -115,22 +116,29 @@ linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *me
     way.first_inputs = mechanism->inputs;
     way.last_inputs = inputs;
     way.start = state->start;
-    for (size_t k = 0U; k < 7U; k += 1U) {
+    for (size_t k = 0U; k < 6U; k += 1U) {
         way.frames[k] = element$f(room->frames, blocks->frame_size, k);
     }
-    way.reached = element$f(room->frames, blocks->frame_size, 7U);
-    way.origin = element$f(room->frames, blocks->frame_size, 8U);
-    way.next = element$f(room->frames, blocks->frame_size, 9U);
+    way.reached = element$f(room->frames, blocks->frame_size, 6U);
+    way.origin = element$f(room->frames, blocks->frame_size, 7U);
+    way.next = element$f(room->frames, blocks->frame_size, 8U);
     way.branches = room->branches;
     way.others = element$f(room->branches, blocks->branches_size, 1U);
     way.kept_branches = element$f(room->branches, blocks->branches_size, 2U);
     way.solved_branches = element$f(room->branches, blocks->branches_size, 3U);
+    way.found_branches = element$f(room->branches, blocks->branches_size, 4U);
+    way.tried_branches = element$f(room->branches, blocks->branches_size, 5U);
+    way.later_branches = element$f(room->branches, blocks->branches_size, 6U);
+    way.may_be_weak = false;
+    way.direction = 1.0$f;
+    way.law = LAW_OF_WAY$F;
     way.inputs = room->inputs;
     way.before = room->inputs;
     if (blocks->signals > 0U) {
         way.before = element$f(room->inputs, blocks->inputs_size, 1U);
     }
     way.failure = *mechanism->failure;
+    way.tried = *mechanism->failure;
     (void)memcpy(way.reached, last, blocks->frame_size);
     (void)memcpy(way.origin, last, blocks->frame_size);
     (void)memcpy(way.branches, mechanism->branches, blocks->branches_size);

@@ -12,6 +12,13 @@ static const $real LEFT$f = 1.0$f / 16.0$f;
 /* How many meetings of modes one way may pass. */
 #define CROSSINGS$F 8U
 
+/* The signals on a way: its own, or those that go on from its first or last ones. */
+typedef enum Law$f {
+    LAW_OF_WAY$F = 0,
+    FIRST_LAW$F = 1,
+    LAST_LAW$F = 2
+} Law$f;
+
 /* A way, and how far it has been gone. */
 typedef struct Way$f {
     const linkwright$f_mechanism *mechanism;
@@ -30,14 +37,24 @@ typedef struct Way$f {
     void *origin;
     void *next;
     void *branches;
-    /* Room for frames of meetings, for two other modes, and for the inputs of two times. */
-    void *frames[7];
+    /* Whether the frame at the end may be nearly singular, because no modes meet there. */
+    bool may_be_weak;
+    /* 1 where time grows on the way, and else -1, and the signals at a meeting. */
+    $real direction;
+    Law$f law;
+    /* Room for frames of meetings, for other modes, and for the inputs of two times. */
+    void *frames[6];
     void *others;
     void *kept_branches;
     void *solved_branches;
+    void *found_branches;
+    void *tried_branches;
+    void *later_branches;
     void *inputs;
     void *before;
     linkwright$f_failure failure;
+    /* That of a frame which is only tried. */
+    linkwright$f_failure tried;
 } Way$f;
 
 /* The element of an array of elements of any size. */
@@ -46,8 +63,18 @@ static void *element$f(void *array, size_t size, size_t index)
     return &((unsigned char *)array)[index * size];
 }
 
-/* Signals at a time on the way; beyond it they go on at their rates. */
-static void inputs_at$f(const Way$f *way, $real t, void *inputs)
+/* The signal after a time (s) in which its acceleration does not change. */
+static void go_on$f(linkwright$f_signal *signal, $real time)
+{
+    if (time != 0.0$f) {
+        const $real change = signal->acceleration * time;
+        signal->value += (signal->rate + (0.5$f * change)) * time;
+        signal->rate += change;
+    }
+}
+
+/* Signals at a time on the way; beyond it, and by the law of one of its ends, they go on from there. */
+static void inputs_at$f(const Way$f *way, $real t, Law$f law, void *inputs)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const $real part = (t - way->from) / (way->end - way->from);
@@ -55,18 +82,14 @@ static void inputs_at$f(const Way$f *way, $real t, void *inputs)
         const linkwright$f_signal *const first = blocks->read_signal(way->first_inputs, k);
         const linkwright$f_signal *const last = blocks->read_signal(way->last_inputs, k);
         linkwright$f_signal *const found = blocks->signal(inputs, k);
-        $real time = 0.0$f;
-        if (part <= 0.0$f) {
+        if ((law == FIRST_LAW$F) || ((law == LAW_OF_WAY$F) && (part <= 0.0$f))) {
             *found = *first;
-            time = t - way->from;
-        } else if (part >= 1.0$f) {
+            go_on$f(found, t - way->from);
+        } else if ((law == LAST_LAW$F) || (part >= 1.0$f)) {
             *found = *last;
-            time = t - way->end;
+            go_on$f(found, t - way->end);
         } else {
             *found = signal_towards$f(first, last, way->end - way->from, part);
-        }
-        if (time != 0.0$f) {
-            found->value += found->rate * time;
         }
     }
 }
@@ -148,12 +171,13 @@ static linkwright_status stepped$f(Way$f *way, $real place)
         changed_inputs$f(way, place, way->inputs);
         changed_inputs$f(way, way->part, way->before);
     } else {
-        inputs_at$f(way, t, way->inputs);
-        inputs_at$f(way, blocks->time(way->reached), way->before);
+        inputs_at$f(way, t, LAW_OF_WAY$F, way->inputs);
+        inputs_at$f(way, blocks->time(way->reached), LAW_OF_WAY$F, way->before);
     }
     linkwright_status status = solve_all$f(mechanism, way->next, way->reached, way->branches, &conditions);
     if (status == LINKWRIGHT_OK) {
-        status = admitted$f(mechanism, &pair);
+        /* What lies on the way is nobody's answer. */
+        status = admitted$f(mechanism, &pair, way->may_be_weak || (t != way->end) || way->is_change);
     }
     if (status == LINKWRIGHT_OK) {
         void *const reached = way->next;

@@ -1,0 +1,251 @@
+
+/* Frames on both sides of a pose at which modes meet: the smooth path through it. Four frames on each side know it. Their
+   even and odd differences of the highest order vanish for a smooth motion; a kink shows in them. Near the meeting,
+   where equations are nearly singular, frames are interpolated between these eight. */
+
+/* Number of frames on each side. */
+#define NODES$F 4U
+
+/* Differences of the highest order of frames at the distances 1, 2, 3 and 4 on both sides: of their sums, and of their
+   differences. */
+static const $real EVEN$f[NODES$F] = {-7.0$f, 14.0$f, -9.0$f, 2.0$f};
+static const $real ODD$f[NODES$F] = {-14.0$f, 14.0$f, -6.0$f, 1.0$f};
+
+/* Largest difference of the smooth path, as a part of the distance of the modes: where it is gone through, and where it
+   is interpolated. */
+static const $real SMOOTH$f = 1.0$f / 64.0$f;
+static const $real EXACT$f = 1.0$f / 16384.0$f;
+
+/* Multiple of the square of the distance of the modes up to which those of other blocks meet in the same instant. */
+static const $real ALIKE$f = 64.0$f;
+
+/* Number of the first blocks whose modes may be exchanged. */
+#define MEETING_BLOCKS$F 64U
+
+/* The modes before a meeting and beyond it. */
+typedef struct Sides$f {
+    const void *before;
+    const void *beyond;
+} Sides$f;
+
+/* The weights of a frame: its side, its distance from the meeting and the index of that. */
+typedef void Weights$f($real place, $real side, $real distance, size_t index, $real weights[2]);
+
+/* Those of the highest differences. */
+static void differences$f($real place, $real side, $real distance, size_t index, $real weights[2])
+{
+    (void)place;
+    (void)distance;
+    weights[0] = EVEN$f[index];
+    weights[1] = side * ODD$f[index];
+}
+
+/* Those of interpolation at a place, but for their sum. */
+static void parts$f($real place, $real side, $real distance, size_t index, $real weights[2])
+{
+    weights[0] = (side * ODD$f[index]) / (place - (side * distance));
+    weights[1] = 0.0$f;
+}
+
+/* Changes the number k of a frame. */
+static void set_number$f(void *frame, size_t k, $real number)
+{
+    (void)memcpy(&((unsigned char *)frame)[k * sizeof number], &number, sizeof number);
+}
+
+/* Adds a multiple of the difference of two frames to a third one, in all numbers but the time. */
+static void add_difference$f(size_t frame_size, void *sum, $real multiple, const void *frame, const void *base)
+{
+    const size_t count = frame_size / sizeof($real);
+    for (size_t k = 1U; k < count; k += 1U) {
+        const $real change = multiple * (number_of$f(frame, k) - number_of$f(base, k));
+        set_number$f(sum, k, number_of$f(sum, k) + change);
+    }
+}
+
+/* Finds the nearest frame before a meeting, in frames[0], and two weighted sums of the differences of all eight from it,
+   on top of it, in frames[1] and frames[2]. */
+static bool are_sums$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real place,
+    $real divisor, Weights$f *weigh)
+{
+    const size_t size = way->mechanism->blocks->frame_size;
+    const $real length = way->direction * meeting->width;
+    void *const base = way->frames[0];
+    void *const last = way->frames[3];
+    void *const node = way->frames[4];
+    bool are_found = is_frame_at$f(way, meeting->time - length, near_frame, sides.before, base);
+    (void)memcpy(way->frames[1], base, size);
+    (void)memcpy(way->frames[2], base, size);
+    for (size_t k = 0U; (k < 2U) && are_found; k += 1U) {
+        const $real side = (k == 0U) ? -1.0$f : 1.0$f;
+        $real distance = 0.0$f;
+        (void)memcpy(last, base, size);
+        for (size_t index = 0U; (index < NODES$F) && are_found; index += 1U) {
+            distance += 1.0$f;
+            are_found = is_frame_at$f(way, meeting->time + ((side * distance) * length), last,
+                (k == 0U) ? sides.before : sides.beyond, node);
+            if (are_found) {
+                $real weights[2];
+                weigh(place, side, distance, index, weights);
+                add_difference$f(size, way->frames[1], weights[0] / divisor, node, base);
+                add_difference$f(size, way->frames[2], weights[1], node, base);
+                (void)memcpy(last, node, size);
+            }
+        }
+    }
+    return are_found;
+}
+
+/* The highest differences of the path with these modes, as a part of the distance of the own modes from changed ones,
+   along it, in what others do not change; false where it is larger than a limit. */
+static bool is_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, const void *own,
+    const void *changed, const void *others, $real limit)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    void *const base = way->frames[0];
+    void *const found_own = way->frames[3];
+    void *const found_changed = way->frames[4];
+    void *const found_others = way->frames[5];
+    bool is_found = are_sums$f(way, near_frame, meeting, sides, 0.0$f, 1.0$f, differences$f);
+    if (is_found) {
+        const $real t = blocks->time(base);
+        is_found = is_frame_at$f(way, t, base, own, found_own) && is_frame_at$f(way, t, base, changed, found_changed)
+            && is_frame_at$f(way, t, base, others, found_others);
+    }
+    if (!is_found) {
+        return false;
+    }
+    const void *const even[3][2] = {{way->frames[1], base}, {found_changed, found_own}, {found_others, found_own}};
+    const void *const odd[3][2] = {{way->frames[2], base}, {found_changed, found_own}, {found_others, found_own}};
+    const void *const apart[3][2] = {{found_changed, found_own}, {found_changed, found_own},
+        {found_others, found_own}};
+    const $real roughness = larger$f(sum_of_products$f(blocks, even), sum_of_products$f(blocks, odd));
+    return (roughness / sum_of_products$f(blocks, apart)) <= limit;
+}
+
+/* The blocks of which two modes are as near to each other as those of the meeting. */
+static void blocks_that_meet$f(Way$f *way, uint16_t own, const void *near_frame, const Meeting$f *meeting,
+    bool meets[MEETING_BLOCKS$F])
+{
+    const $real t = meeting->time - (way->direction * meeting->width);
+    for (uint16_t block = 0U; block < MEETING_BLOCKS$F; block++) {
+        $real square;
+        const bool is_near = distance_of_modes$f(way, block, t, near_frame, &square)
+            && (square <= (ALIKE$f * meeting->edge));
+        meets[block] = is_near || (block == own);
+    }
+}
+
+/* The sides with the own modes before the meeting, or beyond it. */
+static Sides$f sides_of$f(const void *own, const void *other, bool is_before)
+{
+    Sides$f sides;
+    sides.before = is_before ? own : other;
+    sides.beyond = is_before ? other : own;
+    return sides;
+}
+
+/* Finds the modes on the other side of a meeting on the smooth path, which has the own ones before it, or beyond it;
+   false where no path is smooth. */
+static bool are_sides$f(Way$f *way, uint16_t own_block, const void *near_frame, const Meeting$f *meeting,
+    bool is_before, void *found)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    const size_t size = blocks->branches_size;
+    const void *const own = way->branches;
+    void *const tried = way->tried_branches;
+    void *const later = way->later_branches;
+    void *const changed = way->others;
+    bool meets[MEETING_BLOCKS$F];
+    bool is_exchanged = false;
+    blocks_that_meet$f(way, own_block, near_frame, meeting, meets);
+    (void)memcpy(found, own, size);
+    /* Each block by what no later one changes, because those are not decided yet. */
+    for (uint16_t block = 0U; block < MEETING_BLOCKS$F; block++) {
+        if (!meets[block]) {
+            continue;
+        }
+        (void)memcpy(later, own, size);
+        for (uint16_t other = (uint16_t)(block + 1U); other < MEETING_BLOCKS$F; other++) {
+            if (meets[other]) {
+                if (!blocks->exchanged(later, other, changed)) {
+                    return false;
+                }
+                (void)memcpy(later, changed, size);
+            }
+        }
+        if (!blocks->exchanged(own, block, changed) || !blocks->exchanged(found, block, tried)) {
+            return false;
+        }
+        if (is_smooth$f(way, near_frame, meeting, sides_of$f(own, tried, is_before), own, changed, later, SMOOTH$f)) {
+            (void)memcpy(found, tried, size);
+            is_exchanged = true;
+        } else if (!is_smooth$f(way, near_frame, meeting, sides_of$f(own, found, is_before), own, changed, later,
+            SMOOTH$f)) {
+            return false;
+        } else {
+            /* The block stays in its mode. */
+        }
+    }
+    return is_exchanged;
+}
+
+/* Finds the frame at a time near a meeting, in frames[1]; false where the path is too rough to be interpolated. */
+static bool is_interpolated$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real t)
+{
+    if (!is_smooth$f(way, near_frame, meeting, sides, sides.before, sides.beyond, sides.before, EXACT$f)) {
+        return false;
+    }
+    const $real place = (way->direction * (t - meeting->time)) / meeting->width;
+    $real whole = 0.0$f;
+    for (size_t k = 0U; k < 2U; k += 1U) {
+        $real distance = 0.0$f;
+        for (size_t index = 0U; index < NODES$F; index += 1U) {
+            $real weights[2];
+            distance += 1.0$f;
+            parts$f(place, (k == 0U) ? -1.0$f : 1.0$f, distance, index, weights);
+            whole += weights[0];
+        }
+    }
+    const bool is_found = are_sums$f(way, near_frame, meeting, sides, place, whole, parts$f);
+    if (is_found) {
+        set_number$f(way->frames[1], 0U, t);
+    }
+    return is_found;
+}
+
+/* Finds by how much the rates of the path with the own modes before a meeting, or beyond it, miss those of a frame near
+   it. */
+static bool misses$f(Way$f *way, uint16_t block, const void *frame, const Meeting$f *meeting, bool is_before,
+    void *found, $real *missed)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    const bool is_found = are_sides$f(way, block, frame, meeting, is_before, found)
+        && is_interpolated$f(way, frame, meeting, sides_of$f(way->branches, found, is_before), blocks->time(frame));
+    *missed = 0.0$f;
+    /* Rates follow on coordinates, and these on the time. */
+    for (size_t k = 0U; is_found && (k < blocks->values); k += 1U) {
+        const size_t place = (1U + (size_t)blocks->values) + k;
+        const $real part = number_of$f(way->frames[1], place) - number_of$f(frame, place);
+        *missed += fabs$f(part * part);
+    }
+    return is_found;
+}
+
+/* Finds the modes on the other side of a meeting on the smooth path through a frame near it; false where that is not
+   told. */
+static bool are_sides_through$f(Way$f *way, uint16_t block, const void *frame, const Meeting$f *meeting,
+    bool *is_before, void *found)
+{
+    $real first;
+    $real second;
+    if (!misses$f(way, block, frame, meeting, true, found, &first) || !misses$f(way, block, frame, meeting, false,
+        way->kept_branches, &second)) {
+        return false;
+    }
+    *is_before = first <= ((SMOOTH$f * SMOOTH$f) * second);
+    if (!*is_before) {
+        (void)memcpy(found, way->kept_branches, way->mechanism->blocks->branches_size);
+    }
+    return *is_before || (second <= ((SMOOTH$f * SMOOTH$f) * first));
+}

@@ -1,0 +1,139 @@
+
+/* A way that ends near a pose at which modes meet, or has broken there: the way beyond it, or its end, on the smooth
+   path. Frames that are nearly singular are not solved but interpolated, and only they. */
+
+/* Least distance of the first times about a meeting, as a part of the way so far. */
+static const $real FIRST_STEP$f = 1.0$f / 16.0$f;
+
+/* What comes of a meeting of modes: it is passed, there is none, or nothing shows the path through it. */
+typedef enum Passage$f {
+    PASSED$F = 0,
+    NO_MEETING$F = 1,
+    NO_PATH$F = 2
+} Passage$f;
+
+/* Finds the frame at the end of the way or beyond a meeting, in frames[1]. */
+static bool is_passed$f(Way$f *way, const Meeting$f *meeting, Sides$f sides, $real beyond, bool lands,
+    const void *modes)
+{
+    if (lands && way->mechanism->blocks->holds_coordinates) {
+        way->law = LAST_LAW$F;
+        return is_interpolated$f(way, way->reached, meeting, sides, way->end);
+    }
+    way->law = LAW_OF_WAY$F;
+    return is_frame_at$f(way, lands ? way->end : beyond, way->reached, modes, way->frames[1]);
+}
+
+/* Goes through a meeting of modes near a time, or to the end where that is near it. Times of the distance step (s) before
+   it are looked at first; a meeting at an end may lie on both sides of it. Signals then go on from there. */
+static Passage$f pass$f(Way$f *way, $real place, uint16_t block, $real step, Law$f law)
+{
+    const linkwright$f_mechanism *const mechanism = way->mechanism;
+    const linkwright$f_blocks *const blocks = mechanism->blocks;
+    const bool is_end = law != LAW_OF_WAY$F;
+    const void *const near_frame = is_end ? way->origin : way->reached;
+    const $real origin = blocks->time(way->origin);
+    Meeting$f meeting;
+    $real whole = 0.0$f;
+    way->direction = (way->end < way->from) ? -1.0$f : 1.0$f;
+    way->law = law;
+    if (!largest_distance$f(way, block, near_frame, place, &whole) || !meet$f(way, block, near_frame, place,
+        fabs$f(step), whole, &meeting)) {
+        return NO_MEETING$F;
+    }
+    const $real from_place = way->direction * (meeting.time - place);
+    const $real until_end = is_end ? from_place : (way->direction * (meeting.time - way->end));
+    const $real before = meeting.time - (way->direction * meeting.width);
+    const $real beyond = meeting.time + (way->direction * meeting.width);
+    const bool is_here = (-from_place <= meeting.width) && (until_end <= meeting.width);
+    if (!is_here || ((way->direction * (beyond - origin)) < 0.0$f)) {
+        return NO_MEETING$F;
+    }
+    const bool is_outside = (way->direction * (before - origin)) > 0.0$f;
+    bool is_before = true;
+    void *const found = way->found_branches;
+    const bool are_found = (is_end && !is_outside)
+        ? are_sides_through$f(way, block, way->origin, &meeting, &is_before, found)
+        : are_sides$f(way, block, near_frame, &meeting, true, found);
+    if (!are_found) {
+        return NO_PATH$F;
+    }
+    /* The way may have come nearer than the modes can be told apart: what lies before the meeting must lie on the path. */
+    (void)memcpy(way->reached, way->origin, blocks->frame_size);
+    mechanism->state->has_window = false;
+    if (is_outside && (steps_to$f(way, before) != LINKWRIGHT_OK)) {
+        return NO_PATH$F;
+    }
+    /* From where the way has led, angles go on without a jump; what was found from farther away may be off by whole
+       turns. */
+    const Sides$f sides = sides_of$f(way->branches, found, is_before);
+    const bool lands = (way->direction * (way->end - beyond)) < 0.0$f;
+    const bool stays_before = lands && ((way->direction * (way->end - meeting.time)) < 0.0$f);
+    const void *const modes = stays_before ? sides.before : sides.beyond;
+    if (!is_passed$f(way, &meeting, sides, beyond, lands, modes)) {
+        return NO_PATH$F;
+    }
+    (void)memmove(way->branches, modes, blocks->branches_size);
+    (void)memcpy(way->reached, way->frames[1], blocks->frame_size);
+    (void)memcpy(way->origin, way->frames[1], blocks->frame_size);
+    mechanism->state->has_window = false;
+    return PASSED$F;
+}
+
+/* The first block that is nearly singular in a frame, as far as closed forms tell. */
+static bool is_weak_frame$f(Way$f *way, const void *frame, $real t, uint16_t *block)
+{
+    const linkwright$f_mechanism *const mechanism = way->mechanism;
+    const linkwright$f_conditions conditions = {t, LINKWRIGHT_LAST_FRAME, mechanism->parameters, way->inputs,
+        &mechanism->state->settings, &way->tried};
+    const linkwright$f_pair pair = {frame, frame, way->inputs, &conditions};
+    inputs_at$f(way, t, LAW_OF_WAY$F, way->inputs);
+    return is_weak$f(mechanism, &pair, WEAK$f, block);
+}
+
+/* Goes through meetings of modes where the way begins or ends so near to one that equations are nearly singular. */
+static void pass_ends$f(Way$f *way)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    const $real step = SHORTER$f * (way->end - way->from);
+    uint16_t block = 0U;
+    Passage$f passage = PASSED$F;
+    if ((blocks->stays_regular == NULL) || !blocks->holds_coordinates || (way->start == LINKWRIGHT_ESTIMATE)
+        || (way->from == way->end)) {
+        return;
+    }
+    if (is_weak_frame$f(way, way->reached, way->from, &block)) {
+        passage = pass$f(way, way->from, block, step, FIRST_LAW$F);
+    }
+    if (blocks->time(way->reached) == way->end) {
+        return;
+    }
+    way->law = LAW_OF_WAY$F;
+    bool is_near = true;
+    if (is_frame_at$f(way, way->end, way->reached, way->branches, way->frames[0])) {
+        is_near = is_weak_frame$f(way, way->frames[0], way->end, &block);
+    } else {
+        block = way->tried.block;
+    }
+    if (is_near) {
+        passage = pass$f(way, way->end, block, step, LAST_LAW$F);
+    }
+    way->may_be_weak = passage == NO_MEETING$F;
+}
+
+/* Goes through the pose at which the modes of a block meet, if it is where the way has broken. */
+static bool is_crossed$f(Way$f *way)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    const linkwright_status status = way->failure.status;
+    /* Where modes meet, links may be apart by rounding. */
+    const bool may_meet = (status == LINKWRIGHT_STEP_TOO_LARGE) || (status == LINKWRIGHT_SINGULAR)
+        || (status == LINKWRIGHT_WRONG_BRANCH) || (status == LINKWRIGHT_OUT_OF_REACH);
+    if (!may_meet || !blocks->is_guarded || (way->start == LINKWRIGHT_ESTIMATE)) {
+        return false;
+    }
+    const $real near_time = blocks->time(way->reached);
+    const $real first = FIRST_STEP$f * fabs$f(near_time - blocks->time(way->origin));
+    const $real step = larger$f(fabs$f(way->failure.time - near_time), first);
+    return pass$f(way, near_time, way->failure.block, step, LAW_OF_WAY$F) == PASSED$F;
+}

@@ -1,0 +1,218 @@
+//! Frames on both sides of a pose at which modes meet → the smooth path through it.
+//!
+//! The path is known by four frames on each side. Their even and odd differences of the highest order vanish for a smooth motion; where
+//! the modes beyond are not those of the path, it has a kink, which they show. Near the meeting, where equations are nearly singular,
+//! frames are interpolated between these eight. The module does not know equations.
+
+use crate::blocks::Blocks;
+use crate::crossing::{Crossing, Meeting, square_of_distance, sum_of_products};
+use crate::math::Real;
+
+/// Differences of the highest order of frames at the distances 1, 2, 3 and 4 on both sides: of their sums, and of their differences.
+const EVEN: [f64; 4] = [-7.0, 14.0, -9.0, 2.0];
+const ODD: [f64; 4] = [-14.0, 14.0, -6.0, 1.0];
+
+/// Largest difference of the smooth path, as a part of the distance of the modes: where it is gone through, and where it is
+/// interpolated. A kink leaves four times that distance.
+const SMOOTH: f64 = 1.0 / 64.0;
+const EXACT: f64 = 1.0 / 16384.0;
+
+/// Multiple of the square of the distance of the modes up to which those of other blocks meet in the same instant.
+const ALIKE: f64 = 64.0;
+
+/// Number of the first blocks whose modes may be exchanged.
+const BLOCKS: u16 = 64;
+
+/// The modes before a meeting and beyond it, in the direction of the way.
+pub(crate) struct Sides<M> {
+    pub before: M,
+    pub beyond: M,
+}
+
+impl<M> Sides<M> {
+    /// The same with these modes before the meeting, or beyond it.
+    fn new(own: M, other: M, is_before: bool) -> Self {
+        match is_before {
+            true => Self {
+                before: own,
+                beyond: other,
+            },
+            false => Self {
+                before: other,
+                beyond: own,
+            },
+        }
+    }
+}
+
+impl<B, S> Crossing<'_, B, S>
+where
+    B: Blocks,
+    S: FnMut(B::Scalar, &B::Frame, &B::Branches) -> Option<B::Frame>,
+{
+    /// The modes on both sides of a meeting on the smooth path, which has the own ones before it, or beyond it; `None` where no path
+    /// is smooth.
+    pub fn sides(
+        &mut self,
+        near: &B::Frame,
+        meeting: &Meeting<B::Scalar>,
+        is_before: bool,
+    ) -> Option<Sides<B::Branches>> {
+        let own = self.modes.clone();
+        let smooth = B::Scalar::from_f64(SMOOTH);
+        let meets = self.blocks_that_meet(near, meeting);
+        let mut found = own.clone();
+        let mut is_exchanged = false;
+        // Each block by what no later one changes, because those are not decided yet.
+        for block in (0..BLOCKS).filter(|block| meets & (1 << block) != 0) {
+            let mut later = own.clone();
+            for other in (block + 1..BLOCKS).filter(|other| meets & (1 << other) != 0) {
+                later = self.blocks.exchanged(&later, other)?;
+            }
+            let change = [&self.blocks.exchanged(&own, block)?, &later];
+            let tried = self.blocks.exchanged(&found, block)?;
+            let mut is_smooth = |other: &B::Branches| {
+                let sides = Sides::new(&own, other, is_before);
+                let roughness = self.roughness(near, meeting, &sides, &own, change);
+                roughness.is_some_and(|it| it <= smooth)
+            };
+            if is_smooth(&tried) {
+                (found, is_exchanged) = (tried, true);
+            } else if !is_smooth(&found) {
+                return None;
+            }
+        }
+        is_exchanged.then(|| Sides::new(own, found, is_before))
+    }
+
+    /// The blocks of which two modes are as near to each other as those of the meeting: a bit for each.
+    fn blocks_that_meet(&mut self, near: &B::Frame, meeting: &Meeting<B::Scalar>) -> u64 {
+        let own = self.block;
+        let t = meeting.time - self.direction * meeting.width;
+        let limit = B::Scalar::from_f64(ALIKE) * meeting.edge;
+        let mut meets = 0;
+        for block in 0..BLOCKS {
+            self.block = block;
+            let is_near = self.distance(t, near).is_some_and(|it| it <= limit);
+            meets |= u64::from(is_near || block == own) << block;
+        }
+        self.block = own;
+        meets
+    }
+
+    /// The modes on both sides of a meeting on the smooth path through a frame near it, of which one side has the own ones; `None` where
+    /// that is not told.
+    pub fn sides_through(
+        &mut self,
+        frame: &B::Frame,
+        meeting: &Meeting<B::Scalar>,
+    ) -> Option<Sides<B::Branches>> {
+        let mut path = |is_before| {
+            let sides = self.sides(frame, meeting, is_before)?;
+            let found = self.interpolated(frame, meeting, &sides, B::time(frame))?;
+            let missed = square_of_distance(self.blocks, [&found, frame], 1);
+            Some((sides, missed))
+        };
+        let (first, first_missed) = path(true)?;
+        let (second, second_missed) = path(false)?;
+        let part = B::Scalar::from_f64(SMOOTH * SMOOTH);
+        if first_missed <= part * second_missed {
+            return Some(first);
+        }
+        (second_missed <= part * first_missed).then_some(second)
+    }
+
+    /// The frame at a time (s) near a meeting; `None` where the path is too rough to be interpolated.
+    pub fn interpolated(
+        &mut self,
+        near: &B::Frame,
+        meeting: &Meeting<B::Scalar>,
+        sides: &Sides<B::Branches>,
+        t: B::Scalar,
+    ) -> Option<B::Frame> {
+        let sides = Sides {
+            before: &sides.before,
+            beyond: &sides.beyond,
+        };
+        let change = [sides.beyond, sides.before];
+        let roughness = self.roughness(near, meeting, &sides, sides.before, change)?;
+        let is_exact = roughness <= B::Scalar::from_f64(EXACT);
+        if !is_exact {
+            return None;
+        }
+        let place = self.direction * (t - meeting.time) / meeting.width;
+        let part = |side: B::Scalar, distance: B::Scalar, index: usize| {
+            side * B::Scalar::from_f64(ODD[index]) / (place - side * distance)
+        };
+        let mut whole = B::Scalar::ZERO;
+        for side in [-B::Scalar::ONE, B::Scalar::ONE] {
+            let mut distance = B::Scalar::ZERO;
+            for index in 0..ODD.len() {
+                distance += B::Scalar::ONE;
+                whole += part(side, distance, index);
+            }
+        }
+        let [_, mut found, _] = self.sums(near, meeting, &sides, |side, distance, index| {
+            [part(side, distance, index) / whole, B::Scalar::ZERO]
+        })?;
+        B::set_time(&mut found, t);
+        Some(found)
+    }
+
+    /// The highest differences of the path with these modes, as a part of the distance of the own modes from changed ones, along it,
+    /// in what others do not change.
+    fn roughness(
+        &mut self,
+        near: &B::Frame,
+        meeting: &Meeting<B::Scalar>,
+        sides: &Sides<&B::Branches>,
+        own: &B::Branches,
+        [changed, others]: [&B::Branches; 2],
+    ) -> Option<B::Scalar> {
+        let [base, even, odd] = self.sums(near, meeting, sides, |side, _, index| {
+            [
+                B::Scalar::from_f64(EVEN[index]),
+                side * B::Scalar::from_f64(ODD[index]),
+            ]
+        })?;
+        let t = B::time(&base);
+        let own = (self.solve)(t, &base, own)?;
+        let changed = (self.solve)(t, &base, changed)?;
+        let others = (self.solve)(t, &base, others)?;
+        let blocks = self.blocks;
+        let apart = [&changed, &own];
+        let along = |pair| sum_of_products(blocks, [pair, apart, [&others, &own]], 0);
+        let roughness = along([&even, &base]).max(along([&odd, &base]));
+        Some(roughness / along(apart))
+    }
+
+    /// The nearest frame before a meeting, and two weighted sums of the differences of all eight from it, on top of it. Weights follow
+    /// from the side, −1 or 1, the distance and its index.
+    fn sums(
+        &mut self,
+        near: &B::Frame,
+        meeting: &Meeting<B::Scalar>,
+        sides: &Sides<&B::Branches>,
+        weights: impl Fn(B::Scalar, B::Scalar, usize) -> [B::Scalar; 2],
+    ) -> Option<[B::Frame; 3]> {
+        let way = self.direction * meeting.width;
+        let base = (self.solve)(meeting.time - way, near, sides.before)?;
+        let mut sums = [base.clone(), base.clone()];
+        for (side, modes) in [
+            (-B::Scalar::ONE, sides.before),
+            (B::Scalar::ONE, sides.beyond),
+        ] {
+            let mut last = base.clone();
+            let mut distance = B::Scalar::ZERO;
+            for index in 0..ODD.len() {
+                distance += B::Scalar::ONE;
+                last = (self.solve)(meeting.time + side * distance * way, &last, modes)?;
+                for (sum, weight) in sums.iter_mut().zip(weights(side, distance, index)) {
+                    self.blocks.add(sum, weight, &last, &base);
+                }
+            }
+        }
+        let [first, second] = sums;
+        Some([base, first, second])
+    }
+}

@@ -1,0 +1,172 @@
+//! A way that ends near a pose at which modes meet, or has broken there → the way beyond it, or its end, on the smooth path.
+//!
+//! Frames that are nearly singular are not solved but interpolated, and only they; what lies before and beyond them is shown to lie on
+//! the path as any other frame. The module does not know equations.
+
+use crate::block::Start;
+use crate::blocks::{Blocks, Conditions};
+use crate::crossing::{Crossing, Meeting, SHORTER};
+use crate::failure::{Failure, FailureKind};
+use crate::guard::weak_block;
+use crate::math::Real;
+use crate::way::Way;
+
+/// Least distance of the first times about a meeting, as a part of the way so far.
+const FIRST_STEP: f64 = 1.0 / 16.0;
+
+/// The obstacle to going through a meeting of modes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Barred {
+    /// No modes meet there.
+    NoMeeting,
+    /// They do, but nothing shows the path to the meeting or through it.
+    NoPath,
+}
+
+impl<B: Blocks> Way<'_, B> {
+    /// Goes through meetings of modes where the way begins or ends so near to one that equations are nearly singular.
+    pub(crate) fn pass_ends(&mut self) {
+        let is_told = self.blocks.is_closed() && self.blocks.holds_coordinates();
+        if !is_told || self.start == Start::Estimate {
+            return;
+        }
+        let [from, end] = self.ends;
+        let step = B::Scalar::from_f64(SHORTER) * (end - from);
+        let mut passage = self
+            .weak_block(&self.reached, from)
+            .map(|block| self.pass(from, block, step, true));
+        if B::time(&self.reached) == end {
+            return;
+        }
+        let block = match self.solved_at(end, None, &self.reached, &self.branches) {
+            Ok(frame) => self.weak_block(&frame, end),
+            Err(failure) => Some(failure.block),
+        };
+        if let Some(block) = block {
+            passage = Some(self.pass(end, block, step, true));
+        }
+        self.may_be_weak = passage == Some(Err(Barred::NoMeeting));
+    }
+
+    /// Goes through the pose at which the modes of a block meet, if it is where the way has broken.
+    pub(crate) fn cross(&mut self, failure: &Failure<B::Scalar>) -> Result<(), Barred> {
+        // Where modes meet, links may be apart by rounding.
+        let may_meet = matches!(
+            failure.kind,
+            FailureKind::StepTooLarge
+                | FailureKind::Singular { .. }
+                | FailureKind::WrongBranch
+                | FailureKind::OutOfReach { .. }
+        );
+        if !may_meet || !self.blocks.is_guarded() || self.start == Start::Estimate {
+            return Err(Barred::NoMeeting);
+        }
+        let [from, near] = [&self.origin, &self.reached].map(B::time);
+        let first = B::Scalar::from_f64(FIRST_STEP) * (near - from).abs();
+        let step = (failure.time - near).abs().max(first);
+        self.pass(near, failure.block, step, false)
+    }
+
+    /// Goes through a meeting of modes near a time, or to the end where that is near it. Times of the distance `step` (s) before it are
+    /// looked at first; a meeting at an end may lie on both sides of it.
+    fn pass(
+        &mut self,
+        place: B::Scalar,
+        block: u16,
+        step: B::Scalar,
+        is_end: bool,
+    ) -> Result<(), Barred> {
+        let [from, end] = self.ends;
+        let direction = if end < from {
+            -B::Scalar::ONE
+        } else {
+            B::Scalar::ONE
+        };
+        // Signals go on from one instant as smoothly as they can.
+        let about = is_end.then_some(place);
+        let origin = B::time(&self.origin);
+        let ahead = |time: B::Scalar| direction * (time - origin);
+        let mut crossing = Crossing {
+            blocks: self.blocks,
+            block,
+            modes: self.branches.clone(),
+            direction,
+            solve: |t, near: &B::Frame, modes: &B::Branches| {
+                self.solved_at(t, about, near, modes).ok()
+            },
+        };
+        let near = match is_end {
+            true => &self.origin,
+            false => &self.reached,
+        };
+        let whole = crossing.largest_distance(near, place, end - from);
+        let meeting = whole.and_then(|whole| crossing.meeting(near, place, step.abs(), whole));
+        let Some(meeting) = meeting else {
+            return Err(Barred::NoMeeting);
+        };
+        let Meeting { time, width, .. } = meeting;
+        let from_place = direction * (time - place);
+        let is_here = -from_place <= width
+            && match is_end {
+                true => from_place <= width,
+                false => direction * (time - end) <= width,
+            };
+        let [before, beyond] = [time - direction * width, time + direction * width];
+        if !is_here || ahead(beyond) < B::Scalar::ZERO {
+            return Err(Barred::NoMeeting);
+        }
+        let is_outside = ahead(before) > B::Scalar::ZERO;
+        let sides = match is_end && !is_outside {
+            true => crossing.sides_through(&self.origin, &meeting),
+            false => crossing.sides(near, &meeting, true),
+        };
+        let sides = sides.ok_or(Barred::NoPath)?;
+        // The way may have come nearer than the modes can be told apart: what lies before the meeting must lie on the path.
+        self.reached = self.origin.clone();
+        self.guard.forget();
+        if is_outside {
+            self.steps_to(before).map_err(|_| Barred::NoPath)?;
+        }
+        // From where the way has led, angles go on without a jump; what was found from farther away may be off by whole turns.
+        let lands = direction * (end - beyond) < B::Scalar::ZERO;
+        let is_before = lands && direction * (end - time) < B::Scalar::ZERO;
+        let modes = match is_before {
+            true => &sides.before,
+            false => &sides.beyond,
+        };
+        let frame = if lands && self.blocks.holds_coordinates() {
+            let mut crossing = Crossing {
+                blocks: self.blocks,
+                block,
+                modes: self.branches.clone(),
+                direction,
+                solve: |t, near: &B::Frame, modes: &B::Branches| {
+                    self.solved_at(t, Some(end), near, modes).ok()
+                },
+            };
+            crossing.interpolated(&self.reached, &meeting, &sides, end)
+        } else {
+            let t = if lands { end } else { beyond };
+            self.solved_at(t, None, &self.reached, modes).ok()
+        };
+        let frame = frame.ok_or(Barred::NoPath)?;
+        self.branches = modes.clone();
+        self.reached = frame.clone();
+        self.origin = frame;
+        self.guard.forget();
+        Ok(())
+    }
+
+    /// The first block that is nearly singular in a frame, as far as closed forms tell.
+    fn weak_block(&self, frame: &B::Frame, t: B::Scalar) -> Option<u16> {
+        let inputs = self.inputs_at(t, None);
+        let conditions = Conditions {
+            t,
+            start: Start::LastFrame,
+            parameters: self.parameters,
+            inputs: &inputs,
+            settings: self.settings,
+        };
+        weak_block(self.blocks, frame, &conditions)
+    }
+}
