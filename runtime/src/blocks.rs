@@ -43,6 +43,11 @@ pub trait Blocks {
     /// The modes that the block of this number exchanges with another one where both meet; `None` where it has no other.
     fn exchanged(&self, branches: &Self::Branches, block: u16) -> Option<Self::Branches>;
 
+    /// True if a block may exchange its mode. Where none may, nothing of that becomes part of a program.
+    fn may_cross(&self) -> bool {
+        true
+    }
+
     /// The pose in the drawing of these parameters.
     fn drawn_pose(&self, parameters: &Self::Parameters) -> Self::Coordinates;
 

@@ -45,20 +45,53 @@ impl<M> Sides<M> {
     }
 }
 
-impl<B, S> Crossing<'_, B, S>
-where
-    B: Blocks,
-    S: FnMut(B::Scalar, &B::Frame, &B::Branches) -> Option<B::Frame>,
-{
+/// The weights of frames in sums.
+#[derive(Clone, Copy)]
+enum Weights<T> {
+    /// Those of the highest differences.
+    Differences,
+    /// Those of interpolation at a place, and their sum.
+    Interpolation(T, T),
+}
+
+impl<T: Real> Weights<T> {
+    /// The weights of a frame on a side, −1 or 1, at a distance with this index.
+    fn of(self, side: T, distance: T, index: usize) -> [T; 2] {
+        match self {
+            Self::Differences => [T::from_f64(EVEN[index]), side * T::from_f64(ODD[index])],
+            Self::Interpolation(place, whole) => {
+                let part = side * T::from_f64(ODD[index]) / (place - side * distance);
+                [part / whole, T::ZERO]
+            }
+        }
+    }
+
+    /// Those of interpolation at a place.
+    fn at(place: T) -> Self {
+        let parts = Self::Interpolation(place, T::ONE);
+        let mut whole = T::ZERO;
+        for side in [-T::ONE, T::ONE] {
+            let mut distance = T::ZERO;
+            for index in 0..ODD.len() {
+                distance += T::ONE;
+                whole += parts.of(side, distance, index)[0];
+            }
+        }
+        Self::Interpolation(place, whole)
+    }
+}
+
+impl<B: Blocks> Crossing<'_, '_, B> {
     /// The modes on both sides of a meeting on the smooth path, which has the own ones before it, or beyond it; `None` where no path
     /// is smooth.
+    #[inline(never)]
     pub fn sides(
-        &mut self,
+        &self,
         near: &B::Frame,
         meeting: &Meeting<B::Scalar>,
         is_before: bool,
     ) -> Option<Sides<B::Branches>> {
-        let own = self.modes.clone();
+        let own = self.way.branches.clone();
         let smooth = B::Scalar::from_f64(SMOOTH);
         let meets = self.blocks_that_meet(near, meeting);
         let mut found = own.clone();
@@ -67,11 +100,11 @@ where
         for block in (0..BLOCKS).filter(|block| meets & (1 << block) != 0) {
             let mut later = own.clone();
             for other in (block + 1..BLOCKS).filter(|other| meets & (1 << other) != 0) {
-                later = self.blocks.exchanged(&later, other)?;
+                later = self.way.blocks.exchanged(&later, other)?;
             }
-            let change = [&self.blocks.exchanged(&own, block)?, &later];
-            let tried = self.blocks.exchanged(&found, block)?;
-            let mut is_smooth = |other: &B::Branches| {
+            let change = [&self.way.blocks.exchanged(&own, block)?, &later];
+            let tried = self.way.blocks.exchanged(&found, block)?;
+            let is_smooth = |other: &B::Branches| {
                 let sides = Sides::new(&own, other, is_before);
                 let roughness = self.roughness(near, meeting, &sides, &own, change);
                 roughness.is_some_and(|it| it <= smooth)
@@ -86,31 +119,28 @@ where
     }
 
     /// The blocks of which two modes are as near to each other as those of the meeting: a bit for each.
-    fn blocks_that_meet(&mut self, near: &B::Frame, meeting: &Meeting<B::Scalar>) -> u64 {
-        let own = self.block;
+    fn blocks_that_meet(&self, near: &B::Frame, meeting: &Meeting<B::Scalar>) -> u64 {
         let t = meeting.time - self.direction * meeting.width;
         let limit = B::Scalar::from_f64(ALIKE) * meeting.edge;
         let mut meets = 0;
         for block in 0..BLOCKS {
-            self.block = block;
-            let is_near = self.distance(t, near).is_some_and(|it| it <= limit);
-            meets |= u64::from(is_near || block == own) << block;
+            let is_near = self.distance(block, t, near).is_some_and(|it| it <= limit);
+            meets |= u64::from(is_near || block == self.block) << block;
         }
-        self.block = own;
         meets
     }
 
     /// The modes on both sides of a meeting on the smooth path through a frame near it, of which one side has the own ones; `None` where
     /// that is not told.
     pub fn sides_through(
-        &mut self,
+        &self,
         frame: &B::Frame,
         meeting: &Meeting<B::Scalar>,
     ) -> Option<Sides<B::Branches>> {
-        let mut path = |is_before| {
+        let path = |is_before| {
             let sides = self.sides(frame, meeting, is_before)?;
             let found = self.interpolated(frame, meeting, &sides, B::time(frame))?;
-            let missed = square_of_distance(self.blocks, [&found, frame], 1);
+            let missed = square_of_distance(self.way.blocks, [&found, frame], 1);
             Some((sides, missed))
         };
         let (first, first_missed) = path(true)?;
@@ -123,8 +153,9 @@ where
     }
 
     /// The frame at a time (s) near a meeting; `None` where the path is too rough to be interpolated.
+    #[inline(never)]
     pub fn interpolated(
-        &mut self,
+        &self,
         near: &B::Frame,
         meeting: &Meeting<B::Scalar>,
         sides: &Sides<B::Branches>,
@@ -141,62 +172,45 @@ where
             return None;
         }
         let place = self.direction * (t - meeting.time) / meeting.width;
-        let part = |side: B::Scalar, distance: B::Scalar, index: usize| {
-            side * B::Scalar::from_f64(ODD[index]) / (place - side * distance)
-        };
-        let mut whole = B::Scalar::ZERO;
-        for side in [-B::Scalar::ONE, B::Scalar::ONE] {
-            let mut distance = B::Scalar::ZERO;
-            for index in 0..ODD.len() {
-                distance += B::Scalar::ONE;
-                whole += part(side, distance, index);
-            }
-        }
-        let [_, mut found, _] = self.sums(near, meeting, &sides, |side, distance, index| {
-            [part(side, distance, index) / whole, B::Scalar::ZERO]
-        })?;
+        let [_, mut found, _] = self.sums(near, meeting, &sides, Weights::at(place))?;
         B::set_time(&mut found, t);
         Some(found)
     }
 
     /// The highest differences of the path with these modes, as a part of the distance of the own modes from changed ones, along it,
     /// in what others do not change.
+    #[inline(never)]
     fn roughness(
-        &mut self,
+        &self,
         near: &B::Frame,
         meeting: &Meeting<B::Scalar>,
         sides: &Sides<&B::Branches>,
         own: &B::Branches,
         [changed, others]: [&B::Branches; 2],
     ) -> Option<B::Scalar> {
-        let [base, even, odd] = self.sums(near, meeting, sides, |side, _, index| {
-            [
-                B::Scalar::from_f64(EVEN[index]),
-                side * B::Scalar::from_f64(ODD[index]),
-            ]
-        })?;
+        let [base, even, odd] = self.sums(near, meeting, sides, Weights::Differences)?;
         let t = B::time(&base);
-        let own = (self.solve)(t, &base, own)?;
-        let changed = (self.solve)(t, &base, changed)?;
-        let others = (self.solve)(t, &base, others)?;
-        let blocks = self.blocks;
+        let own = self.solved(t, &base, own)?;
+        let changed = self.solved(t, &base, changed)?;
+        let others = self.solved(t, &base, others)?;
+        let blocks = self.way.blocks;
         let apart = [&changed, &own];
         let along = |pair| sum_of_products(blocks, [pair, apart, [&others, &own]], 0);
         let roughness = along([&even, &base]).max(along([&odd, &base]));
         Some(roughness / along(apart))
     }
 
-    /// The nearest frame before a meeting, and two weighted sums of the differences of all eight from it, on top of it. Weights follow
-    /// from the side, −1 or 1, the distance and its index.
+    /// The nearest frame before a meeting, and two weighted sums of the differences of all eight from it, on top of it.
+    #[inline(never)]
     fn sums(
-        &mut self,
+        &self,
         near: &B::Frame,
         meeting: &Meeting<B::Scalar>,
         sides: &Sides<&B::Branches>,
-        weights: impl Fn(B::Scalar, B::Scalar, usize) -> [B::Scalar; 2],
+        weights: Weights<B::Scalar>,
     ) -> Option<[B::Frame; 3]> {
         let way = self.direction * meeting.width;
-        let base = (self.solve)(meeting.time - way, near, sides.before)?;
+        let base = self.solved(meeting.time - way, near, sides.before)?;
         let mut sums = [base.clone(), base.clone()];
         for (side, modes) in [
             (-B::Scalar::ONE, sides.before),
@@ -206,9 +220,9 @@ where
             let mut distance = B::Scalar::ZERO;
             for index in 0..ODD.len() {
                 distance += B::Scalar::ONE;
-                last = (self.solve)(meeting.time + side * distance * way, &last, modes)?;
-                for (sum, weight) in sums.iter_mut().zip(weights(side, distance, index)) {
-                    self.blocks.add(sum, weight, &last, &base);
+                last = self.solved(meeting.time + side * distance * way, &last, modes)?;
+                for (sum, weight) in sums.iter_mut().zip(weights.of(side, distance, index)) {
+                    self.way.blocks.add(sum, weight, &last, &base);
                 }
             }
         }

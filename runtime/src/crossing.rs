@@ -7,6 +7,7 @@
 
 use crate::blocks::Blocks;
 use crate::math::Real;
+use crate::way::Way;
 
 /// Part to which the square of the distance is fallen where the meeting is looked at: small enough that it is a parabola.
 const NEAR: f64 = 1.0 / (1u64 << 32) as f64;
@@ -51,27 +52,27 @@ pub(crate) struct Meeting<T> {
     pub edge: T,
 }
 
-/// The modes of one block about a meeting, as they are solved at any time.
-pub(crate) struct Crossing<'a, B: Blocks, S> {
-    pub blocks: &'a B,
+/// The modes of one block of a way about a meeting, as they are solved at any time.
+pub(crate) struct Crossing<'a, 'w, B: Blocks> {
+    pub way: &'a Way<'w, B>,
     /// The block of which two modes meet.
     pub block: u16,
-    /// The modes before the meeting.
-    pub modes: B::Branches,
     /// 1 where time grows on the way, and else −1.
     pub direction: B::Scalar,
-    /// Solves all blocks at a time (s) from a frame nearby.
-    pub solve: S,
+    /// The end of the way from which signals go on as smoothly as they can; `None` for those of the way.
+    pub about: Option<B::Scalar>,
 }
 
-impl<B, S> Crossing<'_, B, S>
-where
-    B: Blocks,
-    S: FnMut(B::Scalar, &B::Frame, &B::Branches) -> Option<B::Frame>,
-{
+impl<B: Blocks> Crossing<'_, '_, B> {
+    /// The frame at a time (s) in these modes, from one nearby.
+    #[inline(never)]
+    pub fn solved(&self, t: B::Scalar, near: &B::Frame, modes: &B::Branches) -> Option<B::Frame> {
+        self.way.solved_at(t, self.about, near, modes).ok()
+    }
+
     /// Square of the distance of the modes where they are well apart: about `place` (s), as far as a way is long, or farther.
     pub fn largest_distance(
-        &mut self,
+        &self,
         near: &B::Frame,
         place: B::Scalar,
         way: B::Scalar,
@@ -80,7 +81,7 @@ where
         let mut way = B::Scalar::from_f64(SHORTER) * way;
         for _ in 0..WAYS {
             for t in [place - way, place + way] {
-                largest = match (largest, self.distance(t, near)) {
+                largest = match (largest, self.distance(self.block, t, near)) {
                     (Some(largest), Some(distance)) => Some(B::Scalar::max(largest, distance)),
                     (largest, distance) => largest.or(distance),
                 };
@@ -93,7 +94,7 @@ where
     /// The meeting near the time `middle` (s), if there is one; times of the distance `step` (s) before it are looked at first.
     /// `whole` is the square of the distance elsewhere.
     pub fn meeting(
-        &mut self,
+        &self,
         near: &B::Frame,
         mut middle: B::Scalar,
         mut step: B::Scalar,
@@ -108,8 +109,13 @@ where
                 return None;
             }
             // Beyond the meeting other blocks may have left the smooth path, so that the distance has a kink there.
-            let squares = [1.0, 2.0, 3.0, 4.0]
-                .map(|part| self.distance(middle - self.direction * number(part) * step, near));
+            let squares = [1.0, 2.0, 3.0, 4.0].map(|part| {
+                self.distance(
+                    self.block,
+                    middle - self.direction * number(part) * step,
+                    near,
+                )
+            });
             let [Some(first), Some(second), Some(third), Some(fourth)] = squares else {
                 step *= shorter;
                 continue;
@@ -154,13 +160,14 @@ where
         None
     }
 
-    /// The square of the distance between the poses in both modes.
-    pub(crate) fn distance(&mut self, t: B::Scalar, near: &B::Frame) -> Option<B::Scalar> {
-        let own = self.modes.clone();
-        let other = self.blocks.exchanged(&own, self.block)?;
-        let first = (self.solve)(t, near, &own)?;
-        let second = (self.solve)(t, near, &other)?;
-        Some(square_of_distance(self.blocks, [&first, &second], 0))
+    /// The square of the distance between the poses in both modes of a block.
+    #[inline(never)]
+    pub fn distance(&self, block: u16, t: B::Scalar, near: &B::Frame) -> Option<B::Scalar> {
+        let own = &self.way.branches;
+        let other = self.way.blocks.exchanged(own, block)?;
+        let first = self.solved(t, near, own)?;
+        let second = self.solved(t, near, &other)?;
+        Some(square_of_distance(self.way.blocks, [&first, &second], 0))
     }
 }
 
@@ -176,6 +183,7 @@ pub(crate) fn square_of_distance<B: Blocks>(
 
 /// The sum of the sizes of the products of the differences of two pairs of frames in those of these values that are equal in a third
 /// pair.
+#[inline(never)]
 pub(crate) fn sum_of_products<B: Blocks>(
     blocks: &B,
     pairs: [[&B::Frame; 2]; 3],

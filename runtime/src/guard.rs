@@ -115,7 +115,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         self.window = None;
         let mut tubes = blocks.tubes();
         if blocks.is_closed() {
-            let stays = |span: &Span<T>| blocks.stays_regular(pair, &span.at_least(WEAK)).is_ok();
+            let stays = |span: &Span<T>| stays_regular(blocks, pair, &span.at_least(WEAK)).is_ok();
             if let Some(span) = farthest(&mut self.stretch_of_closed_forms, step, stays) {
                 self.window = Some(Window::new(pair, span, tubes));
                 return Ok(());
@@ -165,7 +165,17 @@ fn weak<B: Blocks>(blocks: &B, pair: &Pair<'_, B>, rounding: f64) -> Option<u16>
         ..*pair
     };
     let span = Span::between(B::Scalar::ZERO).at_least(rounding);
-    blocks.stays_regular(&pair, &span).err()
+    stays_regular(blocks, &pair, &span).err()
+}
+
+/// See [`Blocks::stays_regular`]: asked at many places, and seldom.
+#[inline(never)]
+fn stays_regular<B: Blocks>(
+    blocks: &B,
+    pair: &Pair<'_, B>,
+    span: &Span<B::Scalar>,
+) -> Result<(), u16> {
+    blocks.stays_regular(pair, span)
 }
 
 /// The widest span about two frames, at most so many steps, of which something can be shown; `None` where no span beyond the frames

@@ -25,6 +25,7 @@ pub(crate) enum Barred {
 
 impl<B: Blocks> Way<'_, B> {
     /// Goes through meetings of modes where the way begins or ends so near to one that equations are nearly singular.
+    #[inline(never)]
     pub(crate) fn pass_ends(&mut self) {
         let is_told = self.blocks.is_closed() && self.blocks.holds_coordinates();
         if !is_told || self.start == Start::Estimate {
@@ -58,7 +59,7 @@ impl<B: Blocks> Way<'_, B> {
                 | FailureKind::WrongBranch
                 | FailureKind::OutOfReach { .. }
         );
-        if !may_meet || !self.blocks.is_guarded() || self.start == Start::Estimate {
+        if !may_meet || self.start == Start::Estimate {
             return Err(Barred::NoMeeting);
         }
         let [from, near] = [&self.origin, &self.reached].map(B::time);
@@ -69,6 +70,7 @@ impl<B: Blocks> Way<'_, B> {
 
     /// Goes through a meeting of modes near a time, or to the end where that is near it. Times of the distance `step` (s) before it are
     /// looked at first; a meeting at an end may lie on both sides of it.
+    #[inline(never)]
     fn pass(
         &mut self,
         place: B::Scalar,
@@ -86,14 +88,11 @@ impl<B: Blocks> Way<'_, B> {
         let about = is_end.then_some(place);
         let origin = B::time(&self.origin);
         let ahead = |time: B::Scalar| direction * (time - origin);
-        let mut crossing = Crossing {
-            blocks: self.blocks,
+        let crossing = Crossing {
+            way: &*self,
             block,
-            modes: self.branches.clone(),
             direction,
-            solve: |t, near: &B::Frame, modes: &B::Branches| {
-                self.solved_at(t, about, near, modes).ok()
-            },
+            about,
         };
         let near = match is_end {
             true => &self.origin,
@@ -135,14 +134,11 @@ impl<B: Blocks> Way<'_, B> {
             false => &sides.beyond,
         };
         let frame = if lands && self.blocks.holds_coordinates() {
-            let mut crossing = Crossing {
-                blocks: self.blocks,
+            let crossing = Crossing {
+                way: &*self,
                 block,
-                modes: self.branches.clone(),
                 direction,
-                solve: |t, near: &B::Frame, modes: &B::Branches| {
-                    self.solved_at(t, Some(end), near, modes).ok()
-                },
+                about: Some(end),
             };
             crossing.interpolated(&self.reached, &meeting, &sides, end)
         } else {
@@ -158,6 +154,7 @@ impl<B: Blocks> Way<'_, B> {
     }
 
     /// The first block that is nearly singular in a frame, as far as closed forms tell.
+    #[inline(never)]
     fn weak_block(&self, frame: &B::Frame, t: B::Scalar) -> Option<u16> {
         let inputs = self.inputs_at(t, None);
         let conditions = Conditions {

@@ -57,13 +57,16 @@ impl<B: Blocks> Way<'_, B> {
                 Start::Estimate => Err(failure),
             };
         }
-        self.pass_ends();
+        let may_cross = self.blocks.is_guarded() && self.blocks.may_cross();
+        if may_cross {
+            self.pass_ends();
+        }
         let mut failure = match self.steps_to(end) {
             Ok(()) => return Ok(()),
             Err(broken) => broken.failure,
         };
         for _ in 0..CROSSINGS {
-            if self.cross(&failure).is_err() {
+            if !may_cross || self.cross(&failure).is_err() {
                 break;
             }
             match self.steps_to(end) {
@@ -102,6 +105,7 @@ impl<B: Blocks> Way<'_, B> {
     }
 
     /// Goes on to a time.
+    #[inline(never)]
     pub(crate) fn steps_to(&mut self, end: B::Scalar) -> Result<(), Broken<B::Scalar>> {
         let from = B::time(&self.reached);
         if from == end {
@@ -202,6 +206,7 @@ impl<B: Blocks> Way<'_, B> {
 
     /// The frame at a time in these modes, from one nearby; no path leads there. Signals are those of the way, or go on from one of its
     /// ends.
+    #[inline(never)]
     pub(crate) fn solved_at(
         &self,
         t: B::Scalar,

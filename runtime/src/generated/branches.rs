@@ -20,6 +20,9 @@ macro_rules! branches {
             /// The modes of the drawing.
             pub const DRAWN: Self = Self { $($field: $drawn,)* };
 
+            /// True if a block can exchange its mode.
+            const MAY_CROSS: bool = !<[u16]>::is_empty(&[$($($number,)?)*]);
+
             /// Those beyond a pose at which the two modes of a block meet.
             #[allow(unused_mut)]
             fn exchanged(mut self, block: u16) -> Option<Self> {

@@ -64,6 +64,11 @@ macro_rules! mechanism {
                 branches.exchanged(block)
             }
 
+            #[inline]
+            fn may_cross(&self) -> bool {
+                Branches::MAY_CROSS
+            }
+
             fn drawn_pose(&self, _parameters: &Self::Parameters) -> Coordinates {
                 $crate::or_drawn!(Coordinates, _parameters $(, $drawn)?)
             }

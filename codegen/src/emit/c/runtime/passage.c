@@ -73,7 +73,9 @@ static Passage$f pass$f(Way$f *way, $real place, uint16_t block, $real step, Law
     if (!is_passed$f(way, &meeting, sides, beyond, lands, modes)) {
         return NO_PATH$F;
     }
-    (void)memmove(way->branches, modes, blocks->branches_size);
+    if (modes != way->branches) {
+        (void)memcpy(way->branches, modes, blocks->branches_size);
+    }
     (void)memcpy(way->reached, way->frames[1], blocks->frame_size);
     (void)memcpy(way->origin, way->frames[1], blocks->frame_size);
     mechanism->state->has_window = false;
