@@ -39,7 +39,7 @@ const REFINEMENTS: u8 = 32;
 /// Number of the ways, each [`CLOSER`] times as long as the one before, at which the modes are seen well apart, and the first, which is no
 /// part of a turn.
 const WAYS: u8 = 12;
-pub(crate) const SHORTER: f64 = 0.381_966_011_250_105_1;
+pub const SHORTER: f64 = 0.381_966_011_250_105_1;
 
 /// A pose at which modes meet.
 #[derive(Clone, Copy, Debug)]
