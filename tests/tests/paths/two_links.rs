@@ -3,6 +3,8 @@
 //! Chains of random dyads are looked at in spans of every size; where their path is vouched for, poses all over the span must exist,
 //! follow one another without a jump, and turn no link by more than is supposed.
 
+mod rows;
+
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 

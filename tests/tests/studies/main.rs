@@ -3,6 +3,7 @@
 mod baseline;
 mod calibration;
 mod chains;
+mod growth;
 mod hunt;
 mod instruments;
 mod proofs;

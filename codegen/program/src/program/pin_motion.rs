@@ -6,6 +6,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::builder::Builder;
 use super::passes::enclosure::Enclosure;
+use super::two_links::Course;
 use crate::expr::{ExprId, Node, Number, Rational, SymbolId};
 use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
@@ -24,6 +25,10 @@ pub(super) struct Known {
     pub bows: HashMap<usize, ExprId>,
     /// The unknowns that links move.
     pub linked: HashSet<usize>,
+    /// True if so many pairs stand in a row that courses are followed.
+    pub is_row: bool,
+    /// How angles run over the span, where courses are followed.
+    pub courses: HashMap<usize, Course>,
 }
 
 impl Builder<'_> {
@@ -79,16 +84,7 @@ impl Builder<'_> {
 
     /// How far a vector goes: what turns with one angle together, and the rest.
     pub(super) fn motion_of(&mut self, vector: Vector, known: &mut Known) -> Enclosure {
-        let mut angles: Vec<usize> = Vec::new();
-        for part in vector {
-            for symbol in self.system.mechanism.graph.symbols(part) {
-                if let SymbolRole::Arm(place) = self.system.roles[symbol.index()] {
-                    angles.push(self.system.vector_form.arms[place].angle);
-                }
-            }
-        }
-        angles.sort_unstable();
-        angles.dedup();
+        let angles = self.angles_in(vector);
         let bend = self.paths.span.bend;
         let bend = self.graph().variable(bend);
         let (mut rest, mut radii, mut sags) = (vector, Vec::new(), Vec::new());
@@ -129,6 +125,21 @@ impl Builder<'_> {
             radius: self.graph().sum(&radii),
             sag: self.graph().sum(&sags),
         }
+    }
+
+    /// The angles that turn arms in a vector.
+    pub(super) fn angles_in(&self, vector: Vector) -> Vec<usize> {
+        let mut angles: Vec<usize> = Vec::new();
+        for part in vector {
+            for symbol in self.system.mechanism.graph.symbols(part) {
+                if let SymbolRole::Arm(place) = self.system.roles[symbol.index()] {
+                    angles.push(self.system.vector_form.arms[place].angle);
+                }
+            }
+        }
+        angles.sort_unstable();
+        angles.dedup();
+        angles
     }
 
     /// How far a vector goes at most, component by component.

@@ -126,7 +126,7 @@ impl<'a> Lowering<'a> {
     /// The same for closed forms one after another; `None` where some are of another form.
     pub(in crate::program) fn closed_path<'b>(
         &mut self,
-        blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
+        blocks: impl Iterator<Item = (usize, &'b SolvedBlock)> + Clone,
     ) -> Option<Function> {
         Builder::new(self, 0).two_links(blocks)
     }

@@ -62,10 +62,10 @@ impl Builder<'_> {
         }
     }
 
-    /// Sine and cosine of an angle that is known explicitly, where an arm turns with it.
-    pub fn explicit_angle(&mut self, unknown: usize) {
+    /// Sine and cosine of an angle that is known explicitly; `None` where no arm turns with it.
+    pub fn explicit_angle(&mut self, unknown: usize) -> Option<Direction> {
         if self.inside.is_none() && self.system.vector_form.arms_of(unknown).next().is_none() {
-            return;
+            return None;
         }
         let name = self.system.unknown_name(unknown).to_string();
         let angle = self.position(unknown);
@@ -84,6 +84,7 @@ impl Builder<'_> {
             inside.directions.insert(unknown, direction);
         }
         self.arms(unknown, direction);
+        Some(direction)
     }
 
     /// The statements that compute the arms of these unknowns from the unknowns themselves; as if nothing had been defined.

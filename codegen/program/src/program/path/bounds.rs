@@ -10,7 +10,18 @@ impl Builder<'_> {
     /// How far an unknown goes along the line: what it has moved since the last frame, stretched.
     pub(super) fn way(&mut self, unknown: usize) -> SymbolId {
         let way = self.bound(unknown, "way");
-        let moved = match self.paths.directions.get(&unknown) {
+        let moved = self.moved_since(unknown);
+        let moved = self.graph().magnitude(moved);
+        let stretch = self.paths.span.stretch;
+        let stretch = self.graph().variable(stretch);
+        let value = self.graph().multiply(stretch, moved);
+        self.assign(way, value);
+        way
+    }
+
+    /// How far an unknown has moved since the last frame.
+    pub(in crate::program) fn moved_since(&mut self, unknown: usize) -> ExprId {
+        match self.paths.directions.get(&unknown) {
             // Where the angle itself is not kept, the way is less than half a turn.
             Some(&[cosine, sine]) => {
                 let both = [cosine, sine].map(|symbol| [symbol, self.system.last(symbol)]);
@@ -20,20 +31,13 @@ impl Builder<'_> {
                     self.combined_product([c, c_last], [s, s_last], false),
                     self.combined_product([s, c_last], [c, s_last], true),
                 );
-                let moved = self.graph().atan2(across, along);
-                self.graph().magnitude(moved)
+                self.graph().atan2(across, along)
             }
             None => {
                 let symbol = self.system.vector_form.unknowns[unknown].position;
-                let moved = self.moved(symbol);
-                self.graph().magnitude(moved)
+                self.moved(symbol)
             }
-        };
-        let stretch = self.paths.span.stretch;
-        let stretch = self.graph().variable(stretch);
-        let value = self.graph().multiply(stretch, moved);
-        self.assign(way, value);
-        way
+        }
     }
 
     /// a b + c d, or else their difference.

@@ -42,8 +42,8 @@ pub(super) struct Paths {
     keeps_angles: bool,
     /// The inputs that have been met.
     signals: HashSet<usize>,
-    /// The angles whose arms have been computed.
-    turned: HashSet<usize>,
+    /// The angles whose arms have been computed, with their directions where arms turn with them.
+    turned: HashMap<usize, Option<Direction>>,
     sags: HashMap<usize, SymbolId>,
 }
 
@@ -65,7 +65,7 @@ impl Paths {
             awaited: HashMap::new(),
             keeps_angles: system.mechanism.requests.is_empty(),
             signals: HashSet::new(),
-            turned: HashSet::new(),
+            turned: HashMap::new(),
             sags: HashMap::new(),
         }
     }
@@ -181,17 +181,26 @@ impl Builder<'_> {
         angles.sort_unstable();
         angles.dedup();
         for angle in angles {
-            if !self.paths.turned.insert(angle) {
-                continue;
-            }
-            match self.paths.directions.get(&angle) {
-                Some(&[cosine, sine]) => {
-                    let [cosine, sine] = [cosine, sine].map(|it| self.graph().variable(it));
-                    self.arms(angle, Direction { cosine, sine });
-                }
-                None => self.explicit_angle(angle),
-            }
+            self.path_direction(angle);
         }
+    }
+
+    /// The direction of an angle in this frame, whose arms are computed with it; `None` where there are none.
+    pub(super) fn path_direction(&mut self, angle: usize) -> Option<Direction> {
+        if let Some(&direction) = self.paths.turned.get(&angle) {
+            return direction;
+        }
+        let direction = match self.paths.directions.get(&angle) {
+            Some(&[cosine, sine]) => {
+                let [cosine, sine] = [cosine, sine].map(|it| self.graph().variable(it));
+                let direction = Direction { cosine, sine };
+                self.arms(angle, direction);
+                Some(direction)
+            }
+            None => self.explicit_angle(angle),
+        };
+        self.paths.turned.insert(angle, direction);
+        direction
     }
 
     fn path_of_part(&mut self, part: &Part, block: usize, loops: &mut Loops) {

@@ -9,7 +9,10 @@
 //!
 //! A mechanism that has other blocks is not looked at so. Deliberately unknown here: how a part is solved.
 
+mod course;
 mod pair;
+
+use std::collections::HashMap;
 
 use super::builder::Builder;
 use super::function::Function;
@@ -18,6 +21,11 @@ use super::pin_motion::Known;
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 use crate::structure::{Part, SolvedBlock};
+
+pub(super) use course::Course;
+
+/// The number of pairs one behind the other from which on courses are followed. Fewer have windows of many steps without, for less.
+const ROW: usize = 16;
 
 /// R(φ_a) p + R(φ_b) q + c = 0, as a closed form has noted it.
 #[derive(Clone, Copy, Debug)]
@@ -45,10 +53,13 @@ impl Builder<'_> {
     /// `None` where one of them is something else.
     pub(super) fn two_links<'b>(
         mut self,
-        blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
+        blocks: impl Iterator<Item = (usize, &'b SolvedBlock)> + Clone,
     ) -> Option<Function> {
         self.begin_path();
-        let mut known = Known::default();
+        let mut known = Known {
+            is_row: self.longest_row(blocks.clone().map(|(_, block)| block)) >= ROW,
+            ..Known::default()
+        };
         let mut pairs = 0;
         for (place, block) in blocks {
             for part in &block.parts {
@@ -63,6 +74,35 @@ impl Builder<'_> {
             statements: self.statements,
             ..Function::default()
         })
+    }
+
+    /// The largest number of pairs of which each moves the next one.
+    fn longest_row<'b>(&mut self, blocks: impl Iterator<Item = &'b SolvedBlock>) -> usize {
+        let mut rows: HashMap<usize, usize> = HashMap::new();
+        for block in blocks {
+            for part in &block.parts {
+                let residuals = part.equations.iter().map(|it| it.residual);
+                let before = residuals.map(|it| self.row_before(it, &rows)).max();
+                let is_pair = |unknown| self.paths.links.contains_key(unknown);
+                let own = usize::from(part.unknowns.first().is_some_and(is_pair));
+                let row = before.unwrap_or(0) + own;
+                rows.extend(part.unknowns.iter().map(|&unknown| (unknown, row)));
+            }
+            for definition in &block.definitions {
+                let row = self.row_before(definition.value, &rows);
+                rows.insert(definition.unknown, row);
+            }
+        }
+        rows.into_values().max().unwrap_or(0)
+    }
+
+    fn row_before(&self, expr: ExprId, rows: &HashMap<usize, usize>) -> usize {
+        let symbols = self.system.mechanism.graph.symbols(expr).iter();
+        let moving = symbols.filter_map(|&symbol| self.moving(symbol));
+        moving
+            .filter_map(|unknown| rows.get(&unknown).copied())
+            .max()
+            .unwrap_or(0)
     }
 
     /// Bounds what a part finds; false where it does not move.
@@ -112,6 +152,9 @@ impl Builder<'_> {
             let radius = self.graph().add(way, sag);
             let radius = self.bounded(&format!("{name}_radius"), radius);
             self.know(unknown, Enclosure { radius, sag });
+            if known.is_row {
+                self.note_driven(unknown, value, rounding, known);
+            }
         }
     }
 }

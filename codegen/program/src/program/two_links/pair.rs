@@ -2,7 +2,7 @@
 //!
 //! The letters are those of the [room](super): d, ψ, m, σ.
 
-use super::TwoLinks;
+use super::{Course, TwoLinks};
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 use crate::program::builder::Builder;
@@ -14,18 +14,28 @@ use crate::program::pin_motion::Known;
 const LARGEST_TURN: (i64, i64) = (3, 2);
 
 /// What is known of two links before it is asked whether they come in line.
-struct Pair {
+pub(super) struct Pair {
+    pub block: usize,
+    pub angles: [usize; 2],
     /// What the angles are called, and both together.
-    names: [String; 2],
-    name: String,
+    pub names: [String; 2],
+    pub name: String,
+    /// p and q.
+    pub links: [Vector; 2],
+    /// c.
+    pub closure: Vector,
+    /// The scalar product of both links.
+    pub product: ExprId,
     /// a and b in this frame.
-    lengths: [ExprId; 2],
+    pub lengths: [ExprId; 2],
     /// How the ends of the links move in their bodies.
     stretched: [Enclosure; 2],
     /// Where a length changes along a line that passes the pin, the link turns in its body by that, too.
     is_oblique: [bool; 2],
     /// Whether links that turn move the pins.
     is_linked: bool,
+    /// What rounding moves.
+    pub rounding: ExprId,
     /// m: how far all of it goes.
     moved: ExprId,
     /// σ: how far it is from a straight line.
@@ -33,64 +43,108 @@ struct Pair {
 }
 
 /// How the lengths enter a pair's bounds: 1/a, 1/b and their sum, at the least lengths.
-struct Slopes {
-    each: [ExprId; 2],
-    both: ExprId,
+pub(super) struct Slopes {
+    pub each: [ExprId; 2],
+    pub both: ExprId,
 }
 
 /// How far the angle between two links goes.
-struct Turn {
+pub(super) struct Turn {
     /// At most |cos ψ|.
-    cosine: ExprId,
+    pub cosine: ExprId,
     /// At most 1/|sin ψ|.
-    inverse: ExprId,
+    pub inverse: ExprId,
     /// At most m/|sin ψ|, which the lengths divide.
     turned: ExprId,
 }
 
 impl Pair {
     /// Whether no link changes its length.
-    fn is_fixed(&self, zero: ExprId) -> bool {
+    pub fn is_fixed(&self, zero: ExprId) -> bool {
         self.stretched.iter().all(|it| it.radius == zero)
     }
+}
+
+/// Two links that do not come in line.
+pub(super) struct Bounded {
+    pub pair: Pair,
+    pub slopes: Slopes,
+    pub turn: Turn,
+    /// How far the links stray while they turn, which the lengths divide.
+    pub bent: ExprId,
 }
 
 impl Builder<'_> {
     /// Asks that two links are not in line, and bounds how far they turn.
     pub(super) fn bound_links(&mut self, links: TwoLinks, block: usize, known: &mut Known) {
-        let pair = self.moving_pair(links, known);
+        let pair = self.moving_pair(links, block, known);
         self.require(block);
-        let slopes = self.slopes_of(&pair, block);
-        let turn = self.turn_of(&pair, &slopes, links.product, block);
+        let slopes = self.slopes_of(&pair);
+        let turn = self.turn_of(&pair, &slopes);
         let bent = self.straying_of(&pair, &slopes, &turn);
-        for side in [0, 1] {
-            let [sag, first] =
-                [bent, turn.turned].map(|it| self.graph().multiply(it, slopes.each[side]));
-            let way = self.way_of_angle(links.angles[side]);
-            let sag = match pair.is_oblique[side] {
-                true => self.graph().add(way, first),
-                false => sag,
-            };
-            let sag = self.bounded(&format!("{}_sag", pair.names[side]), sag);
-            // Where links move the pins, bounds of bounds grow by more than what they bound, and frames know better.
-            let radius = match pair.is_oblique[side] || !pair.is_linked {
-                true => first,
-                false => self.graph().add(way, sag),
-            };
-            let radius = self.bounded(&format!("{}_radius", pair.names[side]), radius);
-            self.know(links.angles[side], Enclosure { radius, sag });
-            known.linked.insert(links.angles[side]);
+        let bounded = Bounded {
+            pair,
+            slopes,
+            turn,
+            bent,
+        };
+        let courses = match known.is_row {
+            true => self.courses_of(&bounded, known),
+            false => None,
+        };
+        for (side, angle) in links.angles.into_iter().enumerate() {
+            let course = courses.map(|courses| courses[side]);
+            let enclosure = self.enclosure_of(side, &bounded, course);
+            self.know(angle, enclosure);
+            known.linked.insert(angle);
+            known.courses.extend(course.map(|course| (angle, course)));
         }
     }
 
+    /// The bounds of one angle.
+    fn enclosure_of(
+        &mut self,
+        side: usize,
+        bounded: &Bounded,
+        course: Option<Course>,
+    ) -> Enclosure {
+        let Bounded {
+            pair,
+            slopes,
+            turn,
+            bent,
+        } = bounded;
+        let [sag, first] =
+            [*bent, turn.turned].map(|it| self.graph().multiply(it, slopes.each[side]));
+        let way = self.way_of_angle(pair.angles[side]);
+        let name = &pair.names[side];
+        let sag = match course {
+            Some(course) => course.sag(name, self),
+            None => {
+                let sag = match pair.is_oblique[side] {
+                    true => self.graph().add(way, first),
+                    false => sag,
+                };
+                self.bounded(&format!("{name}_sag"), sag)
+            }
+        };
+        // Where links move the pins, bounds of bounds grow by more than what they bound, and frames know better.
+        let radius = match course.is_none() && (pair.is_oblique[side] || !pair.is_linked) {
+            true => first,
+            false => self.graph().add(way, sag),
+        };
+        let radius = self.bounded(&format!("{name}_radius"), radius);
+        Enclosure { radius, sag }
+    }
+
     /// How far pins and the ends of links go, and how far they are from a straight line.
-    fn moving_pair(&mut self, links: TwoLinks, known: &mut Known) -> Pair {
-        let names = links
+    fn moving_pair(&mut self, found: TwoLinks, block: usize, known: &mut Known) -> Pair {
+        let names = found
             .angles
             .map(|angle| self.system.unknown_name(angle).to_string());
         let name = names.join("_");
-        let closure = links.closure.map(|part| self.undriven(part));
-        let links = links.links.map(|link| link.map(|part| self.in_short(part)));
+        let closure = found.closure.map(|part| self.undriven(part));
+        let links = found.links.map(|link| link.map(|part| self.in_short(part)));
         let lengths = links.map(|link| self.length_of(link));
         let rounding = {
             let [x, y] = closure.map(|part| self.size_of(part, known));
@@ -129,19 +183,25 @@ impl Builder<'_> {
             self.bounded(&format!("{name}_strayed"), strayed)
         };
         Pair {
+            block,
+            angles: found.angles,
             names,
             name,
+            links,
+            closure,
+            product: found.product,
             lengths,
             stretched,
             is_oblique,
             is_linked,
+            rounding,
             moved,
             strayed,
         }
     }
 
     /// Asks that no link vanishes, and says how steep angles can be in what moves.
-    fn slopes_of(&mut self, pair: &Pair, block: usize) -> Slopes {
+    fn slopes_of(&mut self, pair: &Pair) -> Slopes {
         let zero = self.graph().zero();
         let shortest = [0, 1].map(|side| {
             let (length, radius) = (pair.lengths[side], pair.stretched[side].radius);
@@ -150,6 +210,7 @@ impl Builder<'_> {
             }
             let value = self.graph().subtract(length, radius);
             let value = self.bounded(&format!("{}_length", pair.names[side]), value);
+            let block = pair.block;
             self.state(Statement::Require { value, block });
             value
         });
@@ -164,8 +225,8 @@ impl Builder<'_> {
         Slopes { each, both }
     }
 
-    /// Asks that the links do not come in line; `product` is ab cos ψ in this frame.
-    fn turn_of(&mut self, pair: &Pair, slopes: &Slopes, product: ExprId, block: usize) -> Turn {
+    /// Asks that the links do not come in line.
+    fn turn_of(&mut self, pair: &Pair, slopes: &Slopes) -> Turn {
         let name = &pair.name;
         let bend = self.paths.span.bend;
         let bend = self.graph().variable(bend);
@@ -175,10 +236,10 @@ impl Builder<'_> {
         let cosine = {
             let area = self.graph().multiply(pair.lengths[0], pair.lengths[1]);
             let inverse = self.graph().divide(one, area);
-            let now = self.graph().magnitude(product);
+            let now = self.graph().magnitude(pair.product);
             let (scaled, further) = match pair.is_fixed(zero) {
                 true => {
-                    let way = self.way_of(product);
+                    let way = self.way_of(pair.product);
                     let curved = self.graph().multiply(bend, moved_square);
                     let scaled = self.graph().sum(&[now, way, curved]);
                     let scaled = self.bounded(&format!("{name}_product"), scaled);
@@ -205,6 +266,7 @@ impl Builder<'_> {
             self.graph().subtract(sine_square, least)
         };
         self.path_geometry(&[value]);
+        let block = pair.block;
         self.state(Statement::Require { value, block });
         let inverse = {
             let sine = self.graph().sqrt(sine_square);

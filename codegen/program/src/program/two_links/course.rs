@@ -1,0 +1,480 @@
+//! Parabolas through both frames that angles run near, and how far they may be from these, for long rows of pairs.
+//!
+//! Bounds of bounds grow from pair to pair by more than what they bound. So signs are kept here as far as frames know them: the
+//! parabola of an angle follows from those of the angles before it, and what is left beside it goes on by the transmission ratio, which
+//! itself runs on over the span. The unit of time is the length of the span from the second frame. The letters are those of the
+//! [room](super); the guide (`theory.md`) has the argument.
+
+use super::pair::Bounded;
+use crate::expr::ExprId;
+use crate::joint::geometry::Vector;
+use crate::program::builder::Builder;
+use crate::program::function::Statement;
+use crate::program::passes::enclosure::Enclosure;
+use crate::program::pin_motion::Known;
+
+/// How an angle runs over a span.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::program) struct Course {
+    /// y: how far the straight line through both frames goes, with its sign.
+    turn: ExprId,
+    /// c: the second derivative of the parabola.
+    curve: ExprId,
+    /// S: bounds of the deviation from the parabola at both ends of the span; between these their geometric means are bounds.
+    strays: [ExprId; 2],
+}
+
+impl Course {
+    /// How far the angle is from the straight line.
+    pub fn sag(&self, name: &str, builder: &mut Builder<'_>) -> ExprId {
+        let [before, after] = self.strays;
+        let difference = builder.graph().subtract(before, after);
+        let stray = builder.graph().choose(difference, after, before);
+        let bend = builder.paths.span.bend;
+        let [bend, curve] = [
+            builder.graph().variable(bend),
+            builder.graph().magnitude(self.curve),
+        ];
+        let curved = builder.graph().multiply(bend, curve);
+        let sag = builder.graph().add(curved, stray);
+        builder.bounded(&format!("{name}_sag"), sag)
+    }
+}
+
+/// An arm of fixed length that moves a pair.
+struct Arm {
+    vector: Vector,
+    length: ExprId,
+    /// How far the angle that turns it is from the straight line.
+    sag: ExprId,
+    course: Course,
+    /// The largest rate on the parabola.
+    rate: ExprId,
+}
+
+/// What both angles of a pair have in common.
+struct Triangle<'a> {
+    bounded: &'a Bounded,
+    arms: Vec<Arm>,
+    /// Both links in this frame.
+    links: [Vector; 2],
+    /// y of both angles.
+    turns: [ExprId; 2],
+    /// The largest rates while the angles before run on parabolas.
+    rates: [ExprId; 2],
+    /// How far the angle between the links goes.
+    opened: ExprId,
+    determinant: Determinant,
+}
+
+/// The determinant of a pair, w_a × w_b, as it runs on over the span.
+struct Determinant {
+    inverse: ExprId,
+    /// Its change along the lines, as a part of it, with its sign.
+    slope: ExprId,
+    /// How far the logarithm of its magnitude may be below that.
+    rest: ExprId,
+}
+
+impl Builder<'_> {
+    /// Notes the course of what follows a law of time, whose second derivative is known with its sign.
+    pub(super) fn note_driven(
+        &mut self,
+        unknown: usize,
+        value: ExprId,
+        rounding: ExprId,
+        known: &mut Known,
+    ) {
+        let on_line = self.on_line(value);
+        if on_line.curvature == self.graph().zero() {
+            return;
+        }
+        let turn = self.turn_over_span(unknown);
+        self.path_geometry(&[on_line.curvature, on_line.bound]);
+        let name = self.system.unknown_name(unknown).to_string();
+        let curve = self.bounded(&format!("{name}_curve"), on_line.curvature);
+        let stray = self.graph().add(on_line.bound, rounding);
+        let stray = self.bounded(&format!("{name}_stray"), stray);
+        let course = Course {
+            turn,
+            curve,
+            strays: [stray; 2],
+        };
+        known.courses.insert(unknown, course);
+    }
+
+    /// The courses of both angles of a pair; `None` where something else than arms of fixed lengths moves it.
+    pub(super) fn courses_of(
+        &mut self,
+        bounded: &Bounded,
+        known: &mut Known,
+    ) -> Option<[Course; 2]> {
+        let pair = &bounded.pair;
+        if !pair.is_fixed(self.graph().zero()) {
+            return None;
+        }
+        let arms = self.arms_before(pair.closure, known)?;
+        let [first, second] = pair.angles.map(|angle| self.path_direction(angle));
+        let directions = [first?, second?];
+        let links = [0, 1].map(|side| {
+            let vector = self.turn(directions[side], pair.links[side]);
+            let name = |axis| format!("{}_{axis}", pair.names[side]);
+            [
+                self.bounded(&name("x"), vector[0]),
+                self.bounded(&name("y"), vector[1]),
+            ]
+        });
+        let turns = pair.angles.map(|angle| self.turn_over_span(angle));
+        let opened = {
+            let difference = self.graph().subtract(turns[1], turns[0]);
+            let difference = self.graph().magnitude(difference);
+            let stray = self.graph().multiply(bounded.slopes.both, bounded.bent);
+            let opened = self.graph().add(difference, stray);
+            self.bounded(&format!("{}_opened", pair.name), opened)
+        };
+        let rates = self.rates_of(bounded, &arms, turns);
+        let determinant = self.determinant_over_span(bounded, links, turns, opened);
+        let triangle = Triangle {
+            bounded,
+            arms,
+            links,
+            turns,
+            rates,
+            opened,
+            determinant,
+        };
+        Some([0, 1].map(|side| self.course_of(side, &triangle)))
+    }
+
+    /// What moves a pair, if that is nothing but arms of fixed lengths.
+    fn arms_before(&mut self, closure: Vector, known: &mut Known) -> Option<Vec<Arm>> {
+        let zero = self.graph().zero();
+        let mut rest = closure;
+        let mut arms = Vec::new();
+        for angle in self.angles_in(closure) {
+            let graph = &mut self.system.mechanism.graph;
+            let turned = self.system.vector_form.turned_vector(rest, angle, graph);
+            let (local, others) = turned?;
+            let position = self.position(angle);
+            let Enclosure { radius, sag } = self.enclosure(position);
+            let vector = [0, 1].map(|axis| self.graph().subtract(rest[axis], others[axis]));
+            rest = others;
+            if self.components(local).radius != zero {
+                return None;
+            }
+            if radius == zero {
+                continue;
+            }
+            let course = match known.courses.get(&angle) {
+                Some(&course) => course,
+                None => {
+                    let course = Course {
+                        turn: self.turn_over_span(angle),
+                        curve: zero,
+                        strays: [sag; 2],
+                    };
+                    known.courses.insert(angle, course);
+                    course
+                }
+            };
+            arms.push(Arm {
+                vector,
+                length: self.length_of(local),
+                sag,
+                course,
+                rate: self.rate_on(course),
+            });
+        }
+        (self.components(rest).radius == zero).then_some(arms)
+    }
+
+    /// y of an angle.
+    fn turn_over_span(&mut self, angle: usize) -> ExprId {
+        let moved = self.moved_since(angle);
+        let stretch = self.paths.span.stretch;
+        let stretch = self.graph().variable(stretch);
+        let turn = self.graph().multiply(stretch, moved);
+        let name = format!("{}_turn", self.system.unknown_name(angle));
+        self.bounded(&name, turn)
+    }
+
+    /// The largest rate on a parabola: |y| + |c| (½ + b), since its slope is that of the line half a step before the second frame.
+    fn rate_on(&mut self, course: Course) -> ExprId {
+        let beyond = self.paths.span.beyond;
+        let [beyond, half] = [self.graph().variable(beyond), self.graph().rational(1, 2)];
+        let farthest = self.graph().add(half, beyond);
+        let [turn, curve] = [course.turn, course.curve].map(|it| self.graph().magnitude(it));
+        let curved = self.graph().multiply(curve, farthest);
+        self.graph().add(turn, curved)
+    }
+
+    /// The largest rates of both angles: somewhere between both frames they are y, from which their second derivatives lead away.
+    fn rates_of(&mut self, bounded: &Bounded, arms: &[Arm], turns: Vector) -> [ExprId; 2] {
+        let Bounded {
+            pair, slopes, turn, ..
+        } = bounded;
+        let beyond = self.paths.span.beyond;
+        let [beyond, one] = [self.graph().variable(beyond), self.graph().one()];
+        let farthest = self.graph().add(one, beyond);
+        let (mut pins, mut drifts) = (Vec::new(), Vec::new());
+        for arm in arms {
+            let curve = self.graph().magnitude(arm.course.curve);
+            let square = self.square(arm.rate);
+            let both = self.graph().add(curve, square);
+            pins.push(self.graph().multiply(arm.length, arm.rate));
+            drifts.push(self.graph().multiply(arm.length, both));
+        }
+        let pins = self.graph().sum(&pins);
+        let speed = self.graph().multiply(turn.inverse, pins);
+        let square = self.square(speed);
+        let square = self.bounded(&format!("{}_speed_square", pair.name), square);
+        let drift = self.graph().sum(&drifts);
+        let drift = self.bounded(&format!("{}_drift", pair.name), drift);
+        [0, 1].map(|side| {
+            let [own, other] = [slopes.each[side], slopes.each[1 - side]];
+            let opening = self.graph().multiply(turn.cosine, own);
+            let slope = self.graph().add(other, opening);
+            let turning = self.graph().multiply(square, slope);
+            let second = self.graph().add(drift, turning);
+            let change = self.graph().product(&[farthest, turn.inverse, own, second]);
+            let size = self.graph().magnitude(turns[side]);
+            let rate = self.graph().add(size, change);
+            self.bounded(&format!("{}_rate", pair.names[side]), rate)
+        })
+    }
+
+    /// The determinant over the span. Asks that it changes by no more than half of itself.
+    fn determinant_over_span(
+        &mut self,
+        bounded: &Bounded,
+        links: [Vector; 2],
+        turns: Vector,
+        opened: ExprId,
+    ) -> Determinant {
+        let Bounded {
+            pair, slopes, bent, ..
+        } = bounded;
+        let name = &pair.name;
+        let one = self.graph().one();
+        let value = self.cross(links[0], links[1]);
+        let inverse = self.graph().divide(one, value);
+        let inverse = self.bounded(&format!("{name}_inverse_determinant"), inverse);
+        let cotangent = self.graph().multiply(pair.product, inverse);
+        let cotangent = self.bounded(&format!("{name}_cotangent"), cotangent);
+        let difference = self.graph().subtract(turns[1], turns[0]);
+        let slope = self.graph().multiply(cotangent, difference);
+        let slope = self.bounded(&format!("{name}_slope"), slope);
+        let size = self.graph().magnitude(cotangent);
+        let stray = self.graph().multiply(slopes.both, *bent);
+        let beside = self.beside_sine(one, size, stray, opened, one);
+        let beside = self.bounded(&format!("{name}_beside"), beside);
+        let size = self.graph().magnitude(slope);
+        let largest = self.graph().add(size, beside);
+        let largest = self.bounded(&format!("{name}_change"), largest);
+        let half = self.graph().rational(1, 2);
+        let value = self.graph().subtract(half, largest);
+        self.state(Statement::Require {
+            value,
+            block: pair.block,
+        });
+        // ln (1 + z) ≥ z − z² where z ≥ −½.
+        let square = self.square(largest);
+        let rest = self.graph().add(beside, square);
+        let rest = self.bounded(&format!("{name}_rest"), rest);
+        Determinant {
+            inverse,
+            slope,
+            rest,
+        }
+    }
+
+    /// How far a sine (`sine` in size) is from its tangent where its angle goes `opened` and strays from a line: ½ x² of itself, and of
+    /// the cosine what the angle strays and x³/6; and rounding of what both are a part of.
+    fn beside_sine(
+        &mut self,
+        sine: ExprId,
+        cosine: ExprId,
+        stray: ExprId,
+        opened: ExprId,
+        whole: ExprId,
+    ) -> ExprId {
+        let rounding = self.paths.span.rounding;
+        let [rounding, half, sixth] = [
+            self.graph().variable(rounding),
+            self.graph().rational(1, 2),
+            self.graph().rational(1, 6),
+        ];
+        let square = self.square(opened);
+        let third = self.graph().product(&[sixth, square, opened]);
+        let along = self.graph().add(stray, third);
+        let parts = [
+            self.graph().product(&[half, sine, square]),
+            self.graph().multiply(cosine, along),
+            self.graph().multiply(rounding, whole),
+        ];
+        self.graph().sum(&parts)
+    }
+
+    /// The course of one angle of a pair.
+    fn course_of(&mut self, side: usize, triangle: &Triangle<'_>) -> Course {
+        let Triangle {
+            bounded,
+            arms,
+            links,
+            turns,
+            rates,
+            opened,
+            determinant,
+        } = triangle;
+        let Bounded {
+            pair, slopes, turn, ..
+        } = bounded;
+        let other = 1 - side;
+        let (name, own) = (&pair.names[side], slopes.each[side]);
+        let squares = turns.map(|turn| self.square(turn));
+        let changes = [0, 1].map(|side| {
+            let largest = self.square(rates[side]);
+            self.graph().subtract(largest, squares[side])
+        });
+        let length = pair.lengths[other];
+        let mut second = {
+            let square = self.square(length);
+            vec![
+                self.graph().multiply(pair.product, squares[side]),
+                self.graph().multiply(square, squares[other]),
+            ]
+        };
+        let mut third = {
+            let largest = self.square(rates[side]);
+            vec![
+                self.graph().product(&[length, own, changes[other]]),
+                self.graph().multiply(*opened, largest),
+                changes[side],
+            ]
+        };
+        let mut strays = [Vec::new(), Vec::new()];
+        for arm in arms {
+            let lever = self.cross(arm.vector, links[other]);
+            let lever = self.bounded(&format!("{name}_lever"), lever);
+            let along = self.dot(arm.vector, links[other]);
+            let along = self.bounded(&format!("{name}_along"), along);
+            let stray = self.graph().multiply(slopes.each[other], bounded.bent);
+            let stray = self.graph().add(arm.sag, stray);
+            let difference = self.graph().subtract(turns[other], arm.course.turn);
+            let opened = {
+                let size = self.graph().magnitude(difference);
+                let opened = self.graph().add(size, stray);
+                self.bounded(&format!("{name}_opened"), opened)
+            };
+            let turn_square = self.square(arm.course.turn);
+            second.push(self.graph().multiply(along, turn_square));
+            let curved = self.graph().multiply(lever, arm.course.curve);
+            second.push(self.graph().negate(curved));
+            let curve = self.graph().magnitude(arm.course.curve);
+            let rate_square = self.square(arm.rate);
+            let both = self.graph().add(curve, rate_square);
+            let both = self.graph().multiply(opened, both);
+            let change = self.graph().subtract(rate_square, turn_square);
+            let both = self.graph().add(both, change);
+            third.push(self.graph().product(&[arm.length, own, both]));
+            let whole = self.graph().multiply(arm.length, length);
+            let factors = self.factors_of(
+                name,
+                [lever, along],
+                difference,
+                [stray, opened, whole],
+                determinant,
+            );
+            for (end, factor) in factors.into_iter().enumerate() {
+                strays[end].push(self.graph().multiply(factor, arm.course.strays[end]));
+            }
+        }
+        let curve = {
+            let sum = self.graph().sum(&second);
+            let inverse = match side {
+                0 => determinant.inverse,
+                _ => self.graph().negate(determinant.inverse),
+            };
+            let curve = self.graph().multiply(sum, inverse);
+            self.bounded(&format!("{name}_curve"), curve)
+        };
+        let size = self.graph().magnitude(curve);
+        third.push(self.graph().product(&[size, turn.cosine, *opened]));
+        let bend = self.paths.span.bend;
+        let bend = self.graph().variable(bend);
+        let third = self.graph().sum(&third);
+        let third = self.graph().product(&[bend, turn.inverse, third]);
+        let rounding = self.graph().product(&[pair.rounding, turn.inverse, own]);
+        let local = self.graph().add(third, rounding);
+        let local = self.bounded(&format!("{name}_own"), local);
+        let [before, after] = strays.map(|mut strays| {
+            strays.push(local);
+            self.graph().sum(&strays)
+        });
+        Course {
+            turn: turns[side],
+            curve,
+            strays: [
+                self.bounded(&format!("{name}_stray_before"), before),
+                self.bounded(&format!("{name}_stray_after"), after),
+            ],
+        }
+    }
+
+    /// No less than the transmission ratio from an arm at both ends of the span, and than its geometric mean between.
+    ///
+    /// The ratio is that of two sines. Each is on its tangent but for what is beside it, and 1 + x ≤ exp x ≤ 1 + x + x² up to x = 1.79.
+    fn factors_of(
+        &mut self,
+        name: &str,
+        [lever, along]: [ExprId; 2],
+        difference: ExprId,
+        [stray, opened, whole]: [ExprId; 3],
+        determinant: &Determinant,
+    ) -> [ExprId; 2] {
+        let zero = self.graph().zero();
+        let [sine, cosine] = [lever, along].map(|it| self.graph().magnitude(it));
+        let opposite = self.graph().negate(along);
+        let along = self.graph().choose(lever, opposite, along);
+        let slope = self.graph().multiply(along, difference);
+        let slope = self.bounded(&format!("{name}_lever_slope"), slope);
+        let size = self.graph().magnitude(slope);
+        // Where the lever may vanish, it is bounded by its size all over the span.
+        let crossing = {
+            let twice = self.graph().add(size, size);
+            self.graph().subtract(sine, twice)
+        };
+        let kept = self.graph().choose(crossing, zero, slope);
+        let kept = self.bounded(&format!("{name}_lever_kept"), kept);
+        let lost = {
+            let kept = self.graph().magnitude(kept);
+            self.graph().subtract(size, kept)
+        };
+        let beside = self.beside_sine(sine, cosine, stray, opened, whole);
+        let largest = self.graph().sum(&[sine, beside, lost]);
+        let largest = self.bounded(&format!("{name}_lever_largest"), largest);
+        let run = self.graph().divide(kept, largest);
+        let run = self.graph().subtract(run, determinant.slope);
+        let run = self.bounded(&format!("{name}_run"), run);
+        let inverse = self.graph().magnitude(determinant.inverse);
+        let ratio = self.graph().multiply(largest, inverse);
+        let ratio = self.bounded(&format!("{name}_ratio"), ratio);
+        let beyond = self.paths.span.beyond;
+        let beyond = self.graph().variable(beyond);
+        let onward = self.graph().multiply(beyond, run);
+        let ends = [
+            self.graph().subtract(determinant.rest, run),
+            self.graph().add(determinant.rest, onward),
+        ];
+        ends.map(|end| {
+            let end = self.bounded(&format!("{name}_growth"), end);
+            let [one, square] = [self.graph().one(), self.square(end)];
+            let factor = self.graph().sum(&[one, end, square]);
+            self.graph().multiply(ratio, factor)
+        })
+    }
+
+    fn square(&mut self, value: ExprId) -> ExprId {
+        self.graph().multiply(value, value)
+    }
+}

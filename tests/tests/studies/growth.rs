@@ -1,0 +1,65 @@
+//! The path guard of a row of dyads takes no more than a frame itself, however long the row.
+
+use std::time::Instant;
+
+use linkwright::Settings;
+use linkwright_codegen::diagnostic::Source;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::supplied::InputSignals;
+use linkwright_tests::dyad_chain;
+use linkwright_tests::values::assembled_with;
+
+/// The largest ratio of the times of frames with and without the guard.
+const MOST: f64 = 2.0;
+
+const DYADS: usize = 300;
+
+/// The steps (s), and how many of them a run takes.
+const STEPS: [(f64, u32); 2] = [(0.001, 100), (0.01, 50)];
+
+const RUNS: usize = 5;
+
+fn blocks(text: &str) -> Interpreted {
+    let source = Source::new("dyad_chain.mech", text);
+    let system = linkwright_codegen::read(&source);
+    let system = system.unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
+    let system = system.only().expect("one motion");
+    Interpreted::new(&system).expect("its blocks")
+}
+
+/// The time of a run (s).
+fn run(blocks: &Interpreted, step: f64, count: u32) -> f64 {
+    let none = InputSignals::default();
+    let settings = Settings::default();
+    let shell = assembled_with(blocks.clone(), &[], 0.0, &none, settings);
+    let mut shell = shell.unwrap_or_else(|failure| panic!("{failure}"));
+    let start = Instant::now();
+    for place in 1..=count {
+        let t = f64::from(place) * step;
+        if let Err(failure) = shell.advance(t, &none) {
+            panic!("{failure}");
+        }
+    }
+    start.elapsed().as_secs_f64()
+}
+
+#[test]
+fn guarding_three_hundred_dyads_takes_less_than_a_frame() {
+    let guarded = dyad_chain::description(DYADS);
+    let unguarded = guarded.replacen(
+        "mechanism dyad_chain {",
+        "mechanism dyad_chain {\n    unguarded;",
+        1,
+    );
+    assert_ne!(guarded, unguarded);
+    let both = [guarded, unguarded].map(|text| blocks(&text));
+    for (step, count) in STEPS {
+        // One after the other, so that what else the machine does slows both.
+        let mut ratios: Vec<f64> = (0..RUNS)
+            .map(|_| run(&both[0], step, count) / run(&both[1], step, count))
+            .collect();
+        ratios.sort_by(f64::total_cmp);
+        let median = ratios[RUNS / 2];
+        assert!(median < MOST, "steps of {step} s: {ratios:?}");
+    }
+}
