@@ -12,7 +12,16 @@ const PLACES: [(&str, &str); 2] = [("(0, 0)", "(0, 0.5)"), ("(1, 0)", "(1.1, 0.4
 
 /// The description of a chain of n dyads: 1 + 2 n bodies, 3 + 6 n coordinates.
 pub fn description(n: usize) -> String {
-    let mut text = String::from("/// A chain of dyads.\nmechanism dyad_chain {\n");
+    with(n, "")
+}
+
+/// The same without the path guard.
+pub fn unguarded(n: usize) -> String {
+    with(n, "    unguarded;\n")
+}
+
+fn with(n: usize, statement: &str) -> String {
+    let mut text = format!("/// A chain of dyads.\nmechanism dyad_chain {{\n{statement}");
     let mut line = |line: String| {
         // Writing into a string cannot fail.
         let _ = writeln!(text, "    {line}");

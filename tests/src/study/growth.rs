@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use linkwright_codegen::diagnostic::Source;
 
-use crate::{dyad_chain, files};
+use crate::files;
 
 /// What a chain of some size costs; `None` for what took longer than the limit or did not run.
 #[derive(Clone, Copy, Debug)]
@@ -24,17 +24,39 @@ pub struct Cost {
     pub bytes: usize,
     /// The time of `cargo build --release` for the module and a main function (s).
     pub compiler: Option<f64>,
-    /// The time per frame (ns), the mean over a second or 500 frames.
-    pub frame: Option<f64>,
+    /// The times of frames in steps of 1 ms and of 10 ms.
+    pub guarded: Option<[Frames; 2]>,
+    /// The same without the path guard.
+    pub unguarded: Option<[Frames; 2]>,
+}
+
+/// The times of the frames of one motion (ns).
+#[derive(Clone, Copy, Debug)]
+pub struct Frames {
+    /// Their mean.
+    pub mean: f64,
+    /// The longest one.
+    pub worst: f64,
+}
+
+impl Frames {
+    /// Reads both numbers of one line.
+    fn of(line: &str) -> Option<Frames> {
+        let (mean, worst) = line.split_once(' ')?;
+        Some(Frames {
+            mean: mean.parse().ok()?,
+            worst: worst.parse().ok()?,
+        })
+    }
 }
 
 /// Generates a chain: the fastest time (s) of several runs, and the code.
 ///
 /// # Panics
 /// If the description has errors.
-pub fn generate(dyads: usize) -> (f64, String) {
+pub fn generate(description: String) -> (f64, String) {
     const ENOUGH: Duration = Duration::from_millis(300);
-    let source = Source::new("dyad_chain.mech", dyad_chain::description(dyads));
+    let source = Source::new("dyad_chain.mech", description);
     let begin = Instant::now();
     let mut fastest = f64::INFINITY;
     loop {
@@ -53,8 +75,9 @@ pub struct Scratch {
     folder: PathBuf,
 }
 
-/// Advances the chain for at most a second and prints the frames and the seconds they took. Frames of large chains are large,
-/// and lie on the stack.
+/// Advances the chain for 5 s in steps of 1 ms and of 10 ms, and prints a line for each: the mean and the longest time of a frame. Of
+/// each frame the fastest of three runs counts, so that what else the machine does stays out. Frames of large chains are large, and lie
+/// on the stack.
 const MAIN: &str = r#"mod dyad_chain;
 
 use std::hint::black_box;
@@ -68,14 +91,21 @@ fn main() {
 }
 
 fn run() {
-    let mut chain = DyadChain::assemble(0.0).unwrap();
-    let start = Instant::now();
-    let mut frames = 0;
-    while frames < 500 && start.elapsed().as_secs_f64() < 1.0 {
-        frames += 1;
-        black_box(chain.advance(f64::from(frames) / 100.0).unwrap());
+    for (step, count) in [(0.001, 5000), (0.01, 500)] {
+        let mut fastest = vec![f64::INFINITY; count];
+        for _ in 0..3 {
+            let mut chain = DyadChain::assemble(0.0).unwrap();
+            for (place, fastest) in fastest.iter_mut().enumerate() {
+                let t = (place + 1) as f64 * step;
+                let start = Instant::now();
+                black_box(chain.advance(black_box(t)).unwrap());
+                *fastest = fastest.min(start.elapsed().as_secs_f64() * 1e9);
+            }
+        }
+        let mean = fastest.iter().sum::<f64>() / count as f64;
+        let worst = fastest.iter().copied().fold(0.0, f64::max);
+        println!("{mean} {worst}");
     }
-    println!("{frames} {}", start.elapsed().as_secs_f64());
 }
 "#;
 
@@ -105,20 +135,24 @@ impl Scratch {
         }
     }
 
-    /// The compiler's time (s) and the time per frame (ns) of a generated chain.
+    /// The compiler's time (s) and the times of frames of a generated chain in steps of 1 ms and of 10 ms.
     ///
     /// # Errors
     /// If a file cannot be written or a process cannot be started.
-    pub fn measure(&self, code: &str, limit: Duration) -> io::Result<(Option<f64>, Option<f64>)> {
+    pub fn measure(
+        &self,
+        code: &str,
+        limit: Duration,
+    ) -> io::Result<(Option<f64>, Option<[Frames; 2]>)> {
         fs::write(self.folder.join("src/dyad_chain.rs"), code)?;
         fs::write(self.folder.join("src/main.rs"), MAIN)?;
         let compiler = self.build(limit)?;
-        let frame = if compiler.is_some() {
+        let frames = if compiler.is_some() {
             self.run(limit)?
         } else {
             None
         };
-        Ok((compiler, frame))
+        Ok((compiler, frames))
     }
 
     fn build(&self, limit: Duration) -> io::Result<Option<f64>> {
@@ -132,14 +166,13 @@ impl Scratch {
         Ok(output.map(|_| start.elapsed().as_secs_f64()))
     }
 
-    fn run(&self, limit: Duration) -> io::Result<Option<f64>> {
+    fn run(&self, limit: Duration) -> io::Result<Option<[Frames; 2]>> {
         let mut command = Command::new(self.folder.join("target/release/growth"));
         let output = within(&mut command, &self.folder.join("output"), limit)?;
-        let numbers = output.and_then(|text| {
-            let (frames, seconds) = text.trim().split_once(' ')?;
-            Some((frames.parse::<f64>().ok()?, seconds.parse::<f64>().ok()?))
-        });
-        Ok(numbers.map(|(frames, seconds)| seconds * 1e9 / frames))
+        Ok(output.and_then(|text| {
+            let (first, second) = text.trim().split_once('\n')?;
+            Some([Frames::of(first)?, Frames::of(second)?])
+        }))
     }
 }
 

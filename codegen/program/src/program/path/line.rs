@@ -10,7 +10,7 @@ use crate::program::builder::Builder;
 use crate::program::passes::enclosure::Enclosure;
 
 /// How an equation runs along the line.
-pub(in crate::program) struct OnLine {
+pub(super) struct OnLine {
     /// How far it is from zero, but for its curvature.
     pub bound: ExprId,
     /// Its second derivative over the span, as far as that is known with its sign.
@@ -19,7 +19,7 @@ pub(in crate::program) struct OnLine {
 
 impl Builder<'_> {
     /// How far an equation is from zero while what it mentions is on the line, or as near as is known.
-    pub(in crate::program) fn on_line(&mut self, residual: ExprId) -> OnLine {
+    pub(super) fn on_line(&mut self, residual: ExprId) -> OnLine {
         let Some(second) = self.second_derivative_in_time(residual) else {
             let (bound, curvature) = (self.enclosure(residual).sag, self.graph().zero());
             return OnLine { bound, curvature };

@@ -77,32 +77,6 @@ struct Determinant {
 }
 
 impl Builder<'_> {
-    /// Notes the course of what follows a law of time, whose second derivative is known with its sign.
-    pub(super) fn note_driven(
-        &mut self,
-        unknown: usize,
-        value: ExprId,
-        rounding: ExprId,
-        known: &mut Known,
-    ) {
-        let on_line = self.on_line(value);
-        if on_line.curvature == self.graph().zero() {
-            return;
-        }
-        let turn = self.turn_over_span(unknown);
-        self.path_geometry(&[on_line.curvature, on_line.bound]);
-        let name = self.system.unknown_name(unknown).to_string();
-        let curve = self.bounded(&format!("{name}_curve"), on_line.curvature);
-        let stray = self.graph().add(on_line.bound, rounding);
-        let stray = self.bounded(&format!("{name}_stray"), stray);
-        let course = Course {
-            turn,
-            curve,
-            strays: [stray; 2],
-        };
-        known.courses.insert(unknown, course);
-    }
-
     /// The courses of both angles of a pair; `None` where something else than arms of fixed lengths moves it.
     pub(super) fn courses_of(
         &mut self,

@@ -152,9 +152,6 @@ impl Builder<'_> {
             let radius = self.graph().add(way, sag);
             let radius = self.bounded(&format!("{name}_radius"), radius);
             self.know(unknown, Enclosure { radius, sag });
-            if known.is_row {
-                self.note_driven(unknown, value, rounding, known);
-            }
         }
     }
 }
