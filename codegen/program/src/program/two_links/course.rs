@@ -6,10 +6,10 @@
 //! [room](super); the guide (`theory.md`) has the argument.
 
 use super::pair::Bounded;
+use super::ratio::Determinant;
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 use crate::program::builder::Builder;
-use crate::program::function::Statement;
 use crate::program::passes::enclosure::Enclosure;
 use crate::program::pin_motion::Known;
 
@@ -65,15 +65,6 @@ struct Triangle<'a> {
     /// How far the angle between the links goes.
     opened: ExprId,
     determinant: Determinant,
-}
-
-/// The determinant of a pair, w_a × w_b, as it runs on over the span.
-struct Determinant {
-    inverse: ExprId,
-    /// Its change along the lines, as a part of it, with its sign.
-    slope: ExprId,
-    /// How far the logarithm of its magnitude may be below that.
-    rest: ExprId,
 }
 
 impl Builder<'_> {
@@ -182,14 +173,19 @@ impl Builder<'_> {
         self.graph().add(turn, curved)
     }
 
+    /// The longest time from where a rate is y, somewhere between both frames, to an end of the span.
+    fn farthest(&mut self) -> ExprId {
+        let beyond = self.paths.span.beyond;
+        let [beyond, one] = [self.graph().variable(beyond), self.graph().one()];
+        self.graph().add(one, beyond)
+    }
+
     /// The largest rates of both angles: somewhere between both frames they are y, from which their second derivatives lead away.
     fn rates_of(&mut self, bounded: &Bounded, arms: &[Arm], turns: Vector) -> [ExprId; 2] {
         let Bounded {
             pair, slopes, turn, ..
         } = bounded;
-        let beyond = self.paths.span.beyond;
-        let [beyond, one] = [self.graph().variable(beyond), self.graph().one()];
-        let farthest = self.graph().add(one, beyond);
+        let farthest = self.farthest();
         let (mut pins, mut drifts) = (Vec::new(), Vec::new());
         for arm in arms {
             let curve = self.graph().magnitude(arm.course.curve);
@@ -215,78 +211,6 @@ impl Builder<'_> {
             let rate = self.graph().add(size, change);
             self.bounded(&format!("{}_rate", pair.names[side]), rate)
         })
-    }
-
-    /// The determinant over the span. Asks that it changes by no more than half of itself.
-    fn determinant_over_span(
-        &mut self,
-        bounded: &Bounded,
-        links: [Vector; 2],
-        turns: Vector,
-        opened: ExprId,
-    ) -> Determinant {
-        let Bounded {
-            pair, slopes, bent, ..
-        } = bounded;
-        let name = &pair.name;
-        let one = self.graph().one();
-        let value = self.cross(links[0], links[1]);
-        let inverse = self.graph().divide(one, value);
-        let inverse = self.bounded(&format!("{name}_inverse_determinant"), inverse);
-        let cotangent = self.graph().multiply(pair.product, inverse);
-        let cotangent = self.bounded(&format!("{name}_cotangent"), cotangent);
-        let difference = self.graph().subtract(turns[1], turns[0]);
-        let slope = self.graph().multiply(cotangent, difference);
-        let slope = self.bounded(&format!("{name}_slope"), slope);
-        let size = self.graph().magnitude(cotangent);
-        let stray = self.graph().multiply(slopes.both, *bent);
-        let beside = self.beside_sine(one, size, stray, opened, one);
-        let beside = self.bounded(&format!("{name}_beside"), beside);
-        let size = self.graph().magnitude(slope);
-        let largest = self.graph().add(size, beside);
-        let largest = self.bounded(&format!("{name}_change"), largest);
-        let half = self.graph().rational(1, 2);
-        let value = self.graph().subtract(half, largest);
-        self.state(Statement::Require {
-            value,
-            block: pair.block,
-        });
-        // ln (1 + z) ≥ z − z² where z ≥ −½.
-        let square = self.square(largest);
-        let rest = self.graph().add(beside, square);
-        let rest = self.bounded(&format!("{name}_rest"), rest);
-        Determinant {
-            inverse,
-            slope,
-            rest,
-        }
-    }
-
-    /// How far a sine (`sine` in size) is from its tangent where its angle goes `opened` and strays from a line: ½ x² of itself, and of
-    /// the cosine what the angle strays and x³/6; and rounding of what both are a part of.
-    fn beside_sine(
-        &mut self,
-        sine: ExprId,
-        cosine: ExprId,
-        stray: ExprId,
-        opened: ExprId,
-        whole: ExprId,
-    ) -> ExprId {
-        let rounding = self.paths.span.rounding;
-        let [rounding, half, sixth] = [
-            self.graph().variable(rounding),
-            self.graph().rational(1, 2),
-            self.graph().rational(1, 6),
-        ];
-        let square = self.square(opened);
-        let third = self.graph().product(&[sixth, square, opened]);
-        let along = self.graph().add(stray, third);
-        let parts = [
-            self.graph().product(&[half, sine, square]),
-            self.graph().multiply(cosine, along),
-            self.graph().multiply(rounding, whole),
-        ];
-        self.graph().sum(&parts)
     }
 
     /// The course of one angle of a pair.
@@ -377,9 +301,26 @@ impl Builder<'_> {
         let bend = self.paths.span.bend;
         let bend = self.graph().variable(bend);
         let third = self.graph().sum(&third);
-        let third = self.graph().product(&[bend, turn.inverse, third]);
+        let change = self.graph().multiply(turn.inverse, third);
+        let change = self.bounded(&format!("{name}_change"), change);
+        // The second derivative is no farther than that from c, so that the own rate changes by less than was supposed.
+        let change = {
+            let second = self.graph().add(size, change);
+            let farthest = self.farthest();
+            let further = self.graph().multiply(farthest, second);
+            let turn_size = self.graph().magnitude(turns[side]);
+            let rate = self.graph().add(turn_size, further);
+            let rate = self.bounded(&format!("{name}_own_rate"), rate);
+            let both = [rate, rates[side]].map(|rate| self.square(rate));
+            let less = self.graph().subtract(both[0], both[1]);
+            let one = self.graph().one();
+            let opening = self.graph().add(one, *opened);
+            let less = self.graph().product(&[turn.inverse, opening, less]);
+            self.graph().add(change, less)
+        };
+        let change = self.graph().multiply(bend, change);
         let rounding = self.graph().product(&[pair.rounding, turn.inverse, own]);
-        let local = self.graph().add(third, rounding);
+        let local = self.graph().add(change, rounding);
         let local = self.bounded(&format!("{name}_own"), local);
         let [before, after] = strays.map(|mut strays| {
             strays.push(local);
@@ -395,60 +336,7 @@ impl Builder<'_> {
         }
     }
 
-    /// No less than the transmission ratio from an arm at both ends of the span, and than its geometric mean between.
-    ///
-    /// The ratio is that of two sines. Each is on its tangent but for what is beside it, and 1 + x ≤ exp x ≤ 1 + x + x² up to x = 1.79.
-    fn factors_of(
-        &mut self,
-        name: &str,
-        [lever, along]: [ExprId; 2],
-        difference: ExprId,
-        [stray, opened, whole]: [ExprId; 3],
-        determinant: &Determinant,
-    ) -> [ExprId; 2] {
-        let zero = self.graph().zero();
-        let [sine, cosine] = [lever, along].map(|it| self.graph().magnitude(it));
-        let opposite = self.graph().negate(along);
-        let along = self.graph().choose(lever, opposite, along);
-        let slope = self.graph().multiply(along, difference);
-        let slope = self.bounded(&format!("{name}_lever_slope"), slope);
-        let size = self.graph().magnitude(slope);
-        // Where the lever may vanish, it is bounded by its size all over the span.
-        let crossing = {
-            let twice = self.graph().add(size, size);
-            self.graph().subtract(sine, twice)
-        };
-        let kept = self.graph().choose(crossing, zero, slope);
-        let kept = self.bounded(&format!("{name}_lever_kept"), kept);
-        let lost = {
-            let kept = self.graph().magnitude(kept);
-            self.graph().subtract(size, kept)
-        };
-        let beside = self.beside_sine(sine, cosine, stray, opened, whole);
-        let largest = self.graph().sum(&[sine, beside, lost]);
-        let largest = self.bounded(&format!("{name}_lever_largest"), largest);
-        let run = self.graph().divide(kept, largest);
-        let run = self.graph().subtract(run, determinant.slope);
-        let run = self.bounded(&format!("{name}_run"), run);
-        let inverse = self.graph().magnitude(determinant.inverse);
-        let ratio = self.graph().multiply(largest, inverse);
-        let ratio = self.bounded(&format!("{name}_ratio"), ratio);
-        let beyond = self.paths.span.beyond;
-        let beyond = self.graph().variable(beyond);
-        let onward = self.graph().multiply(beyond, run);
-        let ends = [
-            self.graph().subtract(determinant.rest, run),
-            self.graph().add(determinant.rest, onward),
-        ];
-        ends.map(|end| {
-            let end = self.bounded(&format!("{name}_growth"), end);
-            let [one, square] = [self.graph().one(), self.square(end)];
-            let factor = self.graph().sum(&[one, end, square]);
-            self.graph().multiply(ratio, factor)
-        })
-    }
-
-    fn square(&mut self, value: ExprId) -> ExprId {
+    pub(super) fn square(&mut self, value: ExprId) -> ExprId {
         self.graph().multiply(value, value)
     }
 }

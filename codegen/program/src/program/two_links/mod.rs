@@ -11,6 +11,7 @@
 
 mod course;
 mod pair;
+mod ratio;
 
 use std::collections::HashMap;
 
