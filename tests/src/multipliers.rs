@@ -252,17 +252,25 @@ impl Multipliers {
     }
 }
 
+/// The larger one of two numbers: NaN if one of them is, where `f64::max` gives the other one.
+pub fn larger(one: f64, other: f64) -> f64 {
+    match one.is_nan() || one >= other {
+        true => one,
+        false => other,
+    }
+}
+
 /// The largest difference in tolerances.
 fn distance([one, other]: [&Motion; 2], tolerance: f64) -> f64 {
     let difference = |one: &DVector<f64>, other: &DVector<f64>| {
         let pairs = one.iter().zip(other);
         let parts = pairs.map(|(one, other)| (one - other).abs() / (tolerance * (1.0 + one.abs())));
-        parts.fold(
-            0.0,
-            |largest: f64, part| if part <= largest { largest } else { part },
-        )
+        parts.fold(0.0, larger)
     };
-    difference(&one.pose, &other.pose).max(difference(&one.rates, &other.rates))
+    larger(
+        difference(&one.pose, &other.pose),
+        difference(&one.rates, &other.rates),
+    )
 }
 
 /// x of M x + Φ_qᵀ λ = `above` and Φ_q x = `below`.
