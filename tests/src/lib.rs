@@ -7,6 +7,7 @@ pub mod baseline;
 pub mod c;
 pub mod calibration;
 pub mod chains;
+pub mod damped_chain;
 pub mod description;
 pub mod deviation;
 pub mod dyad_chain;

@@ -1,6 +1,7 @@
 //! Motions with strong dampers, against a closed form and Lagrange's equations in short steps.
 
 use linkwright_solver::simulation::{Method, Simulation};
+use linkwright_tests::damped_chain::DampedChain;
 use linkwright_tests::simulated::{PENDULUM, coordinate, energy, simulation, swung};
 use linkwright_tests::stiff::{Damped, Found, options};
 
@@ -95,4 +96,46 @@ fn steps_are_explicit_again_when_a_motion_is_no_longer_stiff() {
         late[0] > middle[0] && late[1] == middle[1],
         "{middle:?} {late:?}"
     );
+}
+
+/// Dampers between bodies that both turn hold them like one body: errors stay within tolerances, however strong they are.
+#[test]
+fn dampers_between_turning_bodies_leave_small_errors() {
+    let about = [10.0, 1e3, 1e6, 1e8, 1e10].map(|damper| (false, damper));
+    let struts = [1e8, 1e10].map(|damper| (true, damper));
+    for (is_strut, damper) in about.into_iter().chain(struts) {
+        for count in [2, 3] {
+            let chain = DampedChain {
+                count,
+                damper,
+                is_strut,
+            };
+            let motion = chain.motion(2.0);
+            for relative in [1e-4, 1e-6, 1e-8] {
+                let found = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
+                let found = found.expect("no end");
+                assert!(
+                    found.error <= 20.0 * relative,
+                    "{chain:?} {relative} {found:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Steps that stability limits are not taken for accurate ones: there the estimate of their error misses what adds up.
+#[test]
+fn steps_that_stability_limits_become_implicit() {
+    let chain = DampedChain {
+        count: 2,
+        damper: 1e3,
+        is_strut: true,
+    };
+    let motion = chain.motion(2.0);
+    for relative in [1e-6, 1e-7] {
+        let found = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
+        let found = found.expect("no end");
+        assert!(found.error <= 20.0 * relative, "{relative} {found:?}");
+        assert!(found.effort.implicit > 0, "{found:?}");
+    }
 }

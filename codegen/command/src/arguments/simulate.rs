@@ -10,7 +10,7 @@ use super::values::{step, time, tolerance};
 ///
 /// As many coordinates as are free are integrated with their rates, by a method of order 8 with steps of its own (DOP853): those of the
 /// tangent of all poses at one that was passed a moment ago, so that no dead center of what is called free matters. While the motion is
-/// stiff, as strong dampers make it, steps are those of an implicit method of order 5 (Rodas5P). All else follows
+/// stiff, as strong dampers make it, steps are those of an implicit method of order 9 (Radau IIA). All else follows
 /// from the equations of the joints, so that every frame lies on them to rounding. Frames between the steps are those of its dense
 /// output. A motion whose energy does not change by the work that is done ends with an error.
 #[derive(Args, Debug)]
@@ -52,7 +52,7 @@ pub struct Simulate {
 pub enum StepMethod {
     /// DOP853: explicit, of order 8
     Dop853,
-    /// Rodas5P: implicit, of order 5, for stiff motions
+    /// Radau IIA: implicit, of order 9, for stiff motions
     Implicit,
 }
 

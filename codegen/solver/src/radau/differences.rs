@@ -1,8 +1,8 @@
-//! The derivatives of rates by state and by time at the start of a step, by differences.
+//! The derivatives of rates by state at the start of a step, by differences.
 //!
-//! Differences are central for components and of second order for the time, so that of quadratic rates only rounding is missed.
+//! Differences are central, so that of quadratic rates only rounding is missed.
 
-use nalgebra::{DMatrix, DVector, Schur};
+use nalgebra::{DMatrix, Schur};
 
 use crate::rates::Rates;
 
@@ -17,8 +17,6 @@ const ITERATIONS: usize = 100;
 pub struct Differences {
     /// Derivatives by the components of the state.
     pub jacobian: DMatrix<f64>,
-    /// Derivatives by time.
-    pub time: DVector<f64>,
 }
 
 impl Differences {
@@ -50,32 +48,21 @@ impl Differences {
                 jacobian[(row, column)] = (sides[0][row] - sides[1][row]) / (after - before);
             }
         }
-        let ahead = [1.0, 2.0].map(|times| t + times * PART * length);
-        for (side, at) in sides.iter_mut().zip(ahead) {
-            rates.rates(at, state, side)?;
-        }
-        // The parabola through three values at unequal distances: times are rounded.
-        let [one, two] = ahead.map(|at| at - t);
-        let time = DVector::from_fn(count, |row, _| {
-            let [near, far] = [(&sides[0], one), (&sides[1], two)]
-                .map(|(side, distance)| (side[row] - slope[row]) / distance);
-            near + (near - far) * one / (two - one)
-        });
-        Ok(Differences { jacobian, time })
+        Ok(Differences { jacobian })
     }
 
-    /// The largest magnitude of an eigenvalue among the first components (1/s); infinite where it is not found.
-    pub fn spectral_radius(&self, judged: usize) -> f64 {
+    /// The largest magnitude of an eigenvalue among the first components, and the fastest decay (1/s); infinite where they are not found.
+    pub fn fastest(&self, judged: usize) -> [f64; 2] {
         let own = self.jacobian.view((0, 0), (judged, judged)).into_owned();
         let limit = ITERATIONS * judged;
         let is_finite = own.iter().all(|it| it.is_finite());
         let found = is_finite.then(|| Schur::try_new(own, f64::EPSILON, limit));
-        found.flatten().map_or(f64::INFINITY, |schur| {
+        found.flatten().map_or([f64::INFINITY; 2], |schur| {
             let values = schur.complex_eigenvalues();
-            values
-                .iter()
-                .map(|it| it.re.hypot(it.im))
-                .fold(0.0, f64::max)
+            let largest = |of: fn(f64, f64) -> f64| {
+                values.iter().map(|it| of(it.re, it.im)).fold(0.0, f64::max)
+            };
+            [largest(f64::hypot), largest(|re, _| -re)]
         })
     }
 }

@@ -9,6 +9,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn, LU};
 
 use super::equations::MotionEquations;
 use super::stop::Stop;
+use super::straight::Straight;
 use crate::instant::Instant;
 
 /// How many corrections a pose may take.
@@ -29,8 +30,15 @@ const SMALLEST_PIVOT: f64 = 64.0 * f64::EPSILON;
 /// Coordinates of the poses around one pose.
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
-    /// V (n × f).
+    /// V (n × f), without what elongations span.
     basis: DMatrix<f64>,
+    straight: Straight,
+    /// True if what dampers resist was looked for.
+    pub is_straight: bool,
+    /// Directions in which the coordinates lead (n × f).
+    tangent: DMatrix<f64>,
+    /// The largest stretch of a coordinate there.
+    stretch: f64,
     /// When the mechanism was in the pose (s).
     time: f64,
     /// The unknowns there, their rates and their accelerations.
@@ -65,7 +73,11 @@ struct Bordered {
 
 impl Chart {
     /// Around a pose on the constraints; `None` where there is no null space of the right dimension.
-    pub fn around(equations: &MotionEquations, origin: &Instant) -> Option<Chart> {
+    pub fn around(
+        equations: &MotionEquations,
+        origin: &Instant,
+        is_straight: bool,
+    ) -> Option<Chart> {
         let [rows, columns] = equations.dimensions();
         let (_, matrix) = equations.constraints(origin);
         if matrix.iter().any(|entry| !entry.is_finite()) {
@@ -74,8 +86,17 @@ impl Chart {
         let mut whole = DMatrix::identity(columns, columns);
         matrix.transpose().col_piv_qr().q_tr_mul(&mut whole);
         let basis = whole.rows(rows, columns - rows).transpose();
+        let mut tangent = basis.clone();
+        let (straight, basis) = match is_straight {
+            true => Straight::of(equations, origin, basis),
+            false => (Straight::default(), basis),
+        };
         let mut chart = Chart {
             basis,
+            straight,
+            is_straight,
+            tangent: DMatrix::zeros(0, 0),
+            stretch: 1.0,
             time: origin.t(),
             origin: [0, 1, 2].map(|level| equations.level(origin, level)),
             sign: 0.0,
@@ -83,7 +104,13 @@ impl Chart {
         };
         let bordered = chart.bordered(equations, origin, None)?;
         chart.sign = bordered.sign();
-        chart.measure = measure(&bordered.factors.try_inverse()?, rows);
+        let inverse = bordered.factors.try_inverse()?;
+        chart.measure = measure(&inverse, rows);
+        if !chart.straight.is_empty() {
+            tangent = inverse.columns(rows, columns - rows).into_owned();
+            chart.stretch = stretch(&tangent);
+        }
+        chart.tangent = tangent;
         Some(chart)
     }
 
@@ -96,15 +123,34 @@ impl Chart {
 
     /// How many coordinates it has.
     pub fn dimension(&self) -> usize {
-        self.basis.ncols()
+        self.tangent.ncols()
     }
 
-    /// Vᵀ C⁻¹ of a vector of all coordinates.
-    pub fn along(&self, equations: &MotionEquations, moved: &[f64]) -> Vec<f64> {
-        let scaled = DVector::from_fn(moved.len(), |row, _| {
-            moved[row] / equations.coordinate_scales[row]
-        });
-        self.basis.tr_mul(&scaled).as_slice().to_vec()
+    /// The coordinates of a pose, with lengths measured from `reference`.
+    pub fn coordinates(
+        &self,
+        equations: &MotionEquations,
+        pose: &Instant,
+        reference: &[f64],
+    ) -> Vec<f64> {
+        let (mut values, ..) = self.straight.at(equations, pose);
+        let unknowns = equations.level(pose, 0);
+        let moved = unknowns.iter().zip(reference);
+        let moved: Vec<f64> = moved.map(|(q, from)| q - from).collect();
+        let along = self.basis.tr_mul(&scaled(equations, &moved));
+        values.extend_from_slice(along.as_slice());
+        values
+    }
+
+    /// Rates (1) or accelerations (2) of the coordinates at an instant.
+    pub fn level(&self, equations: &MotionEquations, pose: &Instant, level: usize) -> Vec<f64> {
+        let (_, bends, rows) = self.straight.at(equations, pose);
+        let own = scaled(equations, &equations.level(pose, level));
+        let moved = rows * &own;
+        let moved = moved.iter().zip(bends);
+        let moved = moved.map(|(it, bend)| if level == 2 { it + bend } else { *it });
+        let along = self.basis.tr_mul(&own);
+        moved.chain(along.iter().copied()).collect()
     }
 
     /// [Φ_q; Vᵀ] in a pose, with what it misses of the constraints and of `wanted`.
@@ -118,7 +164,9 @@ impl Chart {
         let (residual, matrix) = equations.constraints(instant);
         let mut all = DMatrix::zeros(columns, columns);
         all.rows_mut(0, rows).copy_from(&matrix);
-        all.rows_mut(rows, columns - rows)
+        let (_, _, own) = self.straight.at(equations, instant);
+        all.rows_mut(rows, own.nrows()).copy_from(&own);
+        all.rows_mut(rows + own.nrows(), self.basis.ncols())
             .copy_from(&self.basis.transpose());
         let mut whole = DVector::zeros(columns);
         whole.rows_mut(0, rows).copy_from(&residual);
@@ -146,8 +194,10 @@ impl Chart {
         let time = t - self.time;
         let mut q = self.ahead(time);
         // Where that misses u, V leads on.
-        let missed = self.missed(equations, &q, value, reference);
-        let ahead = &self.basis * DVector::from_vec(missed);
+        let mut estimate = equations.instant(t);
+        equations.set_level(&mut estimate, 0, &q);
+        let missed = self.missed(equations, &estimate, value, reference);
+        let ahead = &self.tangent * DVector::from_vec(missed);
         for (at, q) in q.iter_mut().enumerate() {
             *q -= ahead[at] * equations.coordinate_scales[at];
         }
@@ -181,7 +231,7 @@ impl Chart {
         let mut found = None;
         for _ in 0..CORRECTIONS {
             equations.set_level(&mut instant, 0, &q);
-            let missed = self.missed(equations, &q, value, reference);
+            let missed = self.missed(equations, &instant, value, reference);
             let bordered = self.bordered(equations, &instant, Some(&missed));
             let bordered = bordered.ok_or(Stop::NotFinite { t })?;
             let step = bordered.factors.solve(&bordered.residual);
@@ -208,11 +258,7 @@ impl Chart {
             .factors
             .try_inverse()
             .ok_or(Stop::LosesRank { t })?;
-        let stretch = inverse.columns(rows, columns - rows);
-        let stretch = stretch
-            .column_iter()
-            .map(|it| it.norm())
-            .fold(0.0, f64::max);
+        let stretch = stretch(&inverse.columns(rows, columns - rows).into_owned()) / self.stretch;
         // In Φ_t and γ what is free stands still, since it is an unknown that moves.
         equations.still(&mut instant);
         let before = equations.dynamics(&instant);
@@ -228,9 +274,10 @@ impl Chart {
             .collect();
         equations.set_level(&mut instant, 1, &moves);
         let dynamics = equations.dynamics(&instant);
-        let bends = DVector::from_fn(columns, |at, _| match at < rows {
-            true => dynamics.gamma[at] / equations.row_scales[at],
-            false => 0.0,
+        let (_, own_bends, _) = self.straight.at(equations, &instant);
+        let bends = DVector::from_fn(columns, |at, _| match at.checked_sub(rows) {
+            None => dynamics.gamma[at] / equations.row_scales[at],
+            Some(place) => own_bends.get(place).map_or(0.0, |bend| -bend),
         });
         let scaled =
             |vector: DVector<f64>| DVector::from_fn(columns, |at, _| vector[at] * scales[at]);
@@ -270,16 +317,11 @@ impl Chart {
     fn missed(
         &self,
         equations: &MotionEquations,
-        q: &[f64],
+        pose: &Instant,
         wanted: &[f64],
         reference: &[f64],
     ) -> Vec<f64> {
-        let moved: Vec<f64> = q
-            .iter()
-            .zip(reference)
-            .map(|(one, other)| one - other)
-            .collect();
-        let along = self.along(equations, &moved);
+        let along = self.coordinates(equations, pose, reference);
         along
             .iter()
             .zip(wanted)
@@ -320,6 +362,19 @@ impl Bordered {
         let signs = diagonal.iter().map(|it| it.signum()).product::<f64>();
         signs * self.factors.p().determinant::<f64>()
     }
+}
+
+/// C⁻¹ of a vector of all unknowns.
+fn scaled(equations: &MotionEquations, vector: &[f64]) -> DVector<f64> {
+    DVector::from_fn(vector.len(), |row, _| {
+        vector[row] / equations.coordinate_scales[row]
+    })
+}
+
+/// The largest norm of a column.
+fn stretch(tangent: &DMatrix<f64>) -> f64 {
+    let columns = tangent.column_iter();
+    columns.map(|it| it.norm()).fold(0.0, f64::max)
 }
 
 /// The reciprocal of the norm of the first columns of an inverse.

@@ -8,6 +8,7 @@ use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
+use super::elongations::Elongations;
 use crate::instant::{Instant, Layout};
 use crate::reader::Reader;
 use crate::supplied::{InputLaws, Numbers};
@@ -26,6 +27,8 @@ pub(super) struct MotionEquations {
     masses: Vec<(usize, usize)>,
     /// The inputs that are the values of what is free.
     free: Vec<usize>,
+    /// What springs and dampers act on.
+    pub elongations: Elongations,
     /// Which unknowns are lengths.
     pub is_length: Vec<bool>,
     /// Lengths of the mechanism: what a row and a coordinate are measured in.
@@ -127,6 +130,7 @@ impl MotionEquations {
         roots.extend(inertias);
         roots.extend([kinetic, potential, power]);
         let dynamics = Reader::new(&system.mechanism.graph, &layout, &roots);
+        let elongations = Elongations::of(&mut system, &layout);
         Some(MotionEquations {
             parameters: Numbers::nominal_parameters(&system),
             laws: InputLaws::of(&system),
@@ -136,6 +140,7 @@ impl MotionEquations {
                 .iter()
                 .map(|it| it.power_of_length() > 0)
                 .collect(),
+            elongations,
             free: free.iter().map(|it| it.input).collect(),
             layout,
             constraints,

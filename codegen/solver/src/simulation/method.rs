@@ -1,24 +1,24 @@
 //! The method of the next step: explicit, or implicit while a motion is stiff.
 //!
-//! A motion is stiff where stability limits explicit steps and not their error: [`dormand_prince::Step::stiffness`] says so over several steps
-//! (Hairer and Wanner 1996, section IV.2), and eigenvalues of the rates confirm it. It is no longer where an explicit step twice as long
-//! as the implicit one would be stable, since the explicit method has the higher order.
+//! A motion is stiff where explicit steps come near the limit of their stability: there the estimate of their error says little. Over several
+//! steps [`dormand_prince::Step::stiffness`] says so (Hairer and Wanner 1996, section IV.2), and eigenvalues of the rates confirm it. It is no
+//! longer where an explicit step twice as long as the implicit one would be stable.
 
 use crate::dormand_prince::{self, STABLE};
+use crate::radau::{self, Differences};
 use crate::rates::Rates;
-use crate::rosenbrock::{self, Differences};
 use crate::tolerances::Tolerances;
 
 use super::right_side::RightSide;
 use super::stop::Stop;
 
 /// Number of stiff steps before an implicit one is taken.
-const STIFF_STEPS: u32 = 15;
+const STIFF_STEPS: u32 = 5;
 
 /// Number of steps that are not stiff which end the count.
 const EASY_STEPS: u32 = 6;
 
-/// Part of the length of a stable explicit step up to which an implicit step is not needed.
+/// Part of the length of a stable explicit step up to which decays need no implicit step.
 const NEEDLESS: f64 = 0.5;
 
 /// Method of all steps.
@@ -29,7 +29,7 @@ pub enum Method {
     Automatic,
     /// DOP853, explicit, of order 8.
     Explicit,
-    /// Rodas5P, implicit, of order 5.
+    /// Radau IIA, implicit, of order 9.
     Implicit,
 }
 
@@ -37,7 +37,7 @@ pub enum Method {
 #[derive(Clone, Debug)]
 pub(super) enum Step {
     Explicit(dormand_prince::Step),
-    Implicit(rosenbrock::Step),
+    Implicit(radau::Step),
 }
 
 /// The method of the next step, and what speaks for the other one.
@@ -87,8 +87,7 @@ impl Chosen {
             Some(differences) => differences,
             none @ None => none.insert(Differences::of(right_side, from, state, slope, to - from)?),
         };
-        let step =
-            rosenbrock::Step::attempt(right_side, range, state, slope, differences, tolerances)?;
+        let step = radau::Step::attempt(right_side, range, state, slope, differences, tolerances)?;
         Ok(Step::Implicit(step))
     }
 
@@ -104,7 +103,7 @@ impl Chosen {
         }
         let judged = right_side.judged();
         let (speaks_for_other, enough) = match step {
-            Step::Explicit(step) => (step.stiffness(judged) > STABLE, STIFF_STEPS),
+            Step::Explicit(step) => (step.stiffness(judged) > NEEDLESS * STABLE, STIFF_STEPS),
             Step::Implicit(step) => {
                 let is_stiff =
                     differences.is_none_or(|it| is_stiff(it, step.to - step.from, judged));
@@ -135,9 +134,10 @@ impl Chosen {
     }
 }
 
-/// True if a step of this length is long beside a stable explicit one.
+/// True if a step of this length is long beside an explicit one that is stable, or that is accurate along decays.
 fn is_stiff(differences: &Differences, length: f64, judged: usize) -> bool {
-    length * differences.spectral_radius(judged) > NEEDLESS * STABLE
+    let [fastest, decay] = differences.fastest(judged);
+    length * fastest > STABLE || length * decay > NEEDLESS * STABLE
 }
 
 impl Step {

@@ -9,12 +9,14 @@
 mod balance;
 mod chart;
 mod crossing;
+mod elongations;
 mod equations;
 mod method;
 mod next_step;
 mod reduced;
 mod right_side;
 mod stop;
+mod straight;
 
 pub use crate::tolerances::Tolerances;
 pub use method::Method;
@@ -170,7 +172,7 @@ impl Simulation {
         let right_side = &mut self.right_side;
         let t = solved.instant.t();
         right_side
-            .enter(&solved.instant)
+            .enter(&solved.instant, self.method.is_implicit())
             .ok_or(Stop::LosesRank { t })?;
         self.state = right_side.state(&solved.instant);
         let count = right_side.chart.dimension();

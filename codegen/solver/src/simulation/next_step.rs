@@ -35,7 +35,8 @@ impl Simulation {
             let work = state[2 * count];
             let solved = self.right_side.solve(t, &state)?;
             self.right_side.evaluations -= 1;
-            match solved.stretch > STRETCHED {
+            let is_other = self.right_side.chart.is_straight != self.method.is_implicit();
+            match solved.stretch > STRETCHED || is_other {
                 true => self.begin(&solved, work)?,
                 false => {
                     (self.state, self.slope) = (state, slope);

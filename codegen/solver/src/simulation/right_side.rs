@@ -25,7 +25,7 @@ pub(super) struct RightSide {
 impl RightSide {
     /// Around the pose in which a motion starts; `None` where its constraints have lost rank.
     pub fn new(equations: MotionEquations, start: &Instant) -> Option<RightSide> {
-        let chart = Chart::around(&equations, start)?;
+        let chart = Chart::around(&equations, start, false)?;
         let pose = equations.level(start, 0);
         let lengths = pose.iter().zip(&equations.is_length);
         let reference = lengths.map(|(q, is_length)| if *is_length { *q } else { 0.0 });
@@ -37,26 +37,24 @@ impl RightSide {
         })
     }
 
-    /// Goes over to the chart around a pose; `None` where its constraints have lost rank.
-    pub fn enter(&mut self, pose: &Instant) -> Option<()> {
-        self.chart = Chart::around(&self.equations, pose)?;
+    /// Goes over to the chart around a pose, straight along what dampers resist if asked for; `None` where its constraints have lost rank.
+    pub fn enter(&mut self, pose: &Instant, is_straight: bool) -> Option<()> {
+        self.chart = Chart::around(&self.equations, pose, is_straight)?;
         Some(())
     }
 
     /// The coordinates of the chart and their rates in a pose.
     pub fn state(&self, pose: &Instant) -> Vec<f64> {
-        let values = self.equations.level(pose, 0);
-        let moved = values.iter().zip(&self.reference);
-        let moved: Vec<f64> = moved.map(|(q, from)| q - from).collect();
-        let mut state = self.chart.along(&self.equations, &moved);
+        let mut state = self
+            .chart
+            .coordinates(&self.equations, pose, &self.reference);
         state.extend(self.level(pose, 1));
         state
     }
 
     /// Rates or accelerations of the chart's coordinates at an instant.
     pub fn level(&self, pose: &Instant, level: usize) -> Vec<f64> {
-        let own = self.equations.level(pose, level);
-        self.chart.along(&self.equations, &own)
+        self.chart.level(&self.equations, pose, level)
     }
 
     /// Everything of a state.
@@ -78,7 +76,7 @@ impl RightSide {
     pub fn projected(&mut self, pose: &Instant) -> Result<Solved, Stop> {
         let t = pose.t();
         self.evaluations += 1;
-        let chart = Chart::around(&self.equations, pose).ok_or(Stop::LosesRank { t })?;
+        let chart = Chart::around(&self.equations, pose, false).ok_or(Stop::LosesRank { t })?;
         let own = RightSide {
             equations: self.equations.clone(),
             chart,

@@ -1,0 +1,257 @@
+//! Steps of order 9 along stiff rates, with an estimate of their error and a dense output of order 5.
+//!
+//! The method is Radau IIA with five stages (Hairer and Wanner 1996, Solving Ordinary Differential Equations II, sections IV.5 and IV.8):
+//! collocation, L-stable and stiffly accurate, so that what decays within a step is gone at its end, however fast. All stages satisfy the
+//! rates themselves, and the order does not fall where the stiff direction turns with the state: a strong damper then holds
+//! like a joint, and the method keeps its order for equations with such joints (section VII.4). The module knows neither mechanisms nor
+//! how a step is followed.
+
+mod coefficients;
+mod differences;
+
+pub use differences::Differences;
+
+use coefficients::{ESTIMATE, GAMMA, INVERSE, NODES, STAGES};
+use nalgebra::{DMatrix, DVector, Dyn, LU};
+
+use crate::rates::Rates;
+use crate::tolerances::{Tolerances, next_length};
+
+/// Part of its length that a step keeps at least when it is tried again.
+const LARGEST_LOSS: f64 = 0.2;
+
+/// Most corrections of the stages.
+const CORRECTIONS: usize = 10;
+
+/// How many tolerances the stages may still miss.
+const MISSED: f64 = 1e-2;
+
+/// Smallest factor by which corrections are taken to converge: the first ones fall faster, since most of the rates is linear.
+const FASTEST: f64 = 0.1;
+
+/// A step that has been tried.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Time of its beginning (s).
+    pub from: f64,
+    /// Time of its end (s).
+    pub to: f64,
+    /// Its error in tolerances: it may be taken up to 1. Infinite where the stages are not found.
+    pub error: f64,
+    start: Vec<f64>,
+    end: Vec<f64>,
+    slope: Vec<f64>,
+    /// The distances of the stages from the start, one after another.
+    stages: DVector<f64>,
+}
+
+/// A step that is being tried.
+struct Attempt<'a, R> {
+    rates: &'a mut R,
+    from: f64,
+    length: f64,
+    state: &'a [f64],
+    tolerances: &'a Tolerances,
+}
+
+impl<R: Rates> Attempt<'_, R> {
+    /// The rates at the stages minus those of the polynomial through them.
+    fn missed(&mut self, stages: &DVector<f64>) -> Result<DVector<f64>, R::Failure> {
+        let count = self.state.len();
+        let mut missed = DVector::zeros(STAGES * count);
+        for stage in 0..STAGES {
+            let place = moved(self.state, &stages.as_slice()[stage * count..]);
+            let own = &mut missed.as_mut_slice()[stage * count..(stage + 1) * count];
+            let t = self.from + NODES[stage] * self.length;
+            self.rates.rates(t, &place, own)?;
+            for (component, own) in own.iter_mut().enumerate() {
+                *own -= combined(stages, &INVERSE[stage], count, component) / self.length;
+            }
+        }
+        Ok(missed)
+    }
+
+    /// The stages by the simplified method of Newton; `None` where it does not converge.
+    fn stages(&mut self, jacobian: &DMatrix<f64>) -> Result<Option<DVector<f64>>, R::Failure> {
+        let count = self.state.len();
+        let size = STAGES * count;
+        let matrix = DMatrix::from_fn(size, size, |row, column| {
+            let [stage, other] = [row, column].map(|it| it / count);
+            let [component, by] = [row, column].map(|it| it % count);
+            let own = if component == by {
+                INVERSE[stage][other] / self.length
+            } else {
+                0.0
+            };
+            let rate = if stage == other {
+                jacobian[(component, by)]
+            } else {
+                0.0
+            };
+            own - rate
+        });
+        let factors = matrix.lu();
+        let mut stages = DVector::zeros(size);
+        let mut before = f64::NAN;
+        for _ in 0..CORRECTIONS {
+            let missed = self.missed(&stages)?;
+            let Some(correction) = factors.solve(&missed) else {
+                return Ok(None);
+            };
+            stages += &correction;
+            let sizes = (0..STAGES).map(|stage| {
+                let [own, place] = [&correction, &stages]
+                    .map(|it| &it.as_slice()[stage * count..(stage + 1) * count]);
+                let states = [self.state, &moved(self.state, place)];
+                self.tolerances.mean(own, states, self.rates)
+            });
+            let size = sizes.fold(
+                0.0,
+                |largest: f64, it| if it <= largest { largest } else { it },
+            );
+            // Of a sequence that converges by this factor, the rest is missing.
+            let factor = size / before;
+            let rest = match factor < 1.0 {
+                true => size * factor.max(FASTEST) / (1.0 - factor),
+                false => size,
+            };
+            if rest <= MISSED {
+                return Ok(Some(stages));
+            }
+            if !size.is_finite() || factor >= 1.0 {
+                return Ok(None);
+            }
+            before = size;
+        }
+        Ok(None)
+    }
+
+    /// The error at the end in tolerances.
+    fn error(
+        &mut self,
+        slope: &[f64],
+        stages: &DVector<f64>,
+        end: &[f64],
+        jacobian: &DMatrix<f64>,
+    ) -> Result<f64, R::Failure> {
+        let count = self.state.len();
+        let shifted = DMatrix::from_diagonal_element(count, count, 1.0 / (GAMMA * self.length));
+        let factors: LU<f64, Dyn, Dyn> = (shifted - jacobian).lu();
+        let estimate = |slope: &[f64]| {
+            let right = DVector::from_fn(count, |component, _| {
+                slope[component] + combined(stages, &ESTIMATE, count, component) / self.length
+            });
+            let found = factors.solve(&right);
+            found.unwrap_or_else(|| DVector::repeat(count, f64::INFINITY))
+        };
+        let states = [self.state, end];
+        let first = estimate(slope);
+        let error = self.tolerances.mean(first.as_slice(), states, self.rates);
+        if error <= 1.0 || !error.is_finite() {
+            return Ok(error);
+        }
+        // What decays at once does not count: rates where it is gone.
+        let place = moved(self.state, first.as_slice());
+        let mut there = vec![0.0; count];
+        self.rates.rates(self.from, &place, &mut there)?;
+        let second = estimate(&there);
+        Ok(self.tolerances.mean(second.as_slice(), states, self.rates))
+    }
+}
+
+/// A state and what is added to it.
+fn moved(state: &[f64], by: &[f64]) -> Vec<f64> {
+    let pairs = state.iter().zip(by);
+    pairs.map(|(at, by)| at + by).collect()
+}
+
+/// Multiples of stages.
+fn combined(stages: &DVector<f64>, factors: &[f64], count: usize, component: usize) -> f64 {
+    let terms = factors.iter().enumerate();
+    terms
+        .map(|(stage, factor)| factor * stages[stage * count + component])
+        .sum()
+}
+
+impl Step {
+    /// Tries a step of a length from a state with these rates and their derivatives there.
+    ///
+    /// # Errors
+    /// There are no rates somewhere on the way.
+    pub fn attempt<R: Rates>(
+        rates: &mut R,
+        [from, to]: [f64; 2],
+        state: &[f64],
+        slope: &[f64],
+        differences: &Differences,
+        tolerances: &Tolerances,
+    ) -> Result<Step, R::Failure> {
+        let count = state.len();
+        let mut attempt = Attempt {
+            rates,
+            from,
+            length: to - from,
+            state,
+            tolerances,
+        };
+        let jacobian = &differences.jacobian;
+        let mut step = Step {
+            from,
+            to,
+            error: f64::INFINITY,
+            start: state.to_vec(),
+            end: Vec::new(),
+            slope: Vec::new(),
+            stages: DVector::zeros(0),
+        };
+        if let Some(stages) = attempt.stages(jacobian)? {
+            step.end = moved(state, &stages.as_slice()[(STAGES - 1) * count..]);
+            step.error = attempt.error(slope, &stages, &step.end, jacobian)?;
+            step.stages = stages;
+        }
+        Ok(step)
+    }
+
+    /// Length of the next step, or of the next attempt where this one is too inaccurate; `held` says that it may not be longer.
+    pub fn next_length(&self, held: bool) -> f64 {
+        let power = (STAGES + 1) as f64;
+        next_length(self.to - self.from, self.error, power, LARGEST_LOSS, held)
+    }
+
+    /// The state at the end.
+    pub fn end(&self) -> &[f64] {
+        &self.end
+    }
+
+    /// Finds the rates at the end, with which the next step begins.
+    ///
+    /// # Errors
+    /// There are none.
+    pub fn finish<R: Rates>(&mut self, rates: &mut R) -> Result<(), R::Failure> {
+        self.slope = vec![0.0; self.end.len()];
+        rates.rates(self.to, &self.end, &mut self.slope)
+    }
+
+    /// The rates at the end of a finished step.
+    pub fn end_rates(&self) -> &[f64] {
+        &self.slope
+    }
+
+    /// The state at a time on the step: on the polynomial through its start and its stages.
+    pub fn at(&self, t: f64) -> Vec<f64> {
+        let part = (t - self.from) / (self.to - self.from);
+        let count = self.start.len();
+        let factors: [f64; STAGES] = std::array::from_fn(|stage| {
+            let own = NODES[stage];
+            let others = NODES.iter().enumerate().filter(|(it, _)| *it != stage);
+            let product = others.map(|(_, node)| (part - node) / (own - node));
+            part / own * product.product::<f64>()
+        });
+        let value =
+            |component| self.start[component] + combined(&self.stages, &factors, count, component);
+        (0..count).map(value).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests;
