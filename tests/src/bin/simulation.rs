@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use linkwright_solver::simulation::Method;
+use linkwright_tests::damped_chain::DampedChain;
 use linkwright_tests::stiff::{Damped, options};
 use linkwright_tests::study::destination::{Destination, ended};
 use linkwright_tests::study::table::aligned;
@@ -29,9 +30,18 @@ mechanism was solved for an acceleration, those for frames between steps and for
 *implicit* are forced by `--method`; *automatic* is the default. Absolute tolerances are a thousandth of the relative ones. A dash is what
 was left out: explicit steps with the strong damper are about as many at every tolerance.
 *Ends*: with a typed error, since the energy is out of balance.
+
+*Chain*: two or three pendulums of 0.5, 0.4 and 0.3 m from rest, with a damper in each joint between them (N·m·s) or between points 0.3 m
+beside it (*struts*, N·s/m). Strong dampers let the chain turn as one body; its motion then follows from its angular momentum and what the
+joints carry, to the square of 1/damper. With weak ones Lagrange's equations are integrated in steps shorter than any decay. Errors are in
+tolerances, with the default method.
 ";
 
 const DAMPERS: [f64; 2] = [10.0, 1e6];
+
+/// Dampers of chains.
+const ABOUT: [f64; 5] = [10.0, 1e3, 1e6, 1e8, 1e10];
+const STRUTS: [f64; 3] = [1e3, 1e8, 1e10];
 
 fn main() -> ExitCode {
     ended(run(&Arguments::parse()))
@@ -49,6 +59,13 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         for damper in DAMPERS {
             report += &format!("\n## {damped:?}, {damper:e} N·s/m\n\n");
             report += &table(damped, damper, arguments.to);
+        }
+    }
+    for count in [2, 3] {
+        for (is_strut, dampers) in [(false, &ABOUT[..]), (true, &STRUTS)] {
+            let struts = if is_strut { ", struts" } else { "" };
+            report += &format!("\n## Chain of {count} pendulums{struts}\n\n");
+            report += &chain(count, is_strut, dampers, arguments.to);
         }
     }
     arguments.destination.write("simulation.md", &report)?;
@@ -88,6 +105,36 @@ fn table(damped: Damped, damper: f64, end: f64) -> String {
             }
         }
         rows.push(std::array::from_fn(|column| cells[column].clone()));
+    }
+    aligned(&rows, 0)
+}
+
+/// Errors in tolerances and evaluations of chains of pendulums.
+fn chain(count: usize, is_strut: bool, dampers: &[f64], end: f64) -> String {
+    let mut titles = vec!["`--rtol`".to_string()];
+    for damper in dampers {
+        titles.extend([format!("{damper:.0e}: error"), "evaluations".to_string()]);
+    }
+    let chains = dampers.iter().map(|&damper| DampedChain {
+        count,
+        damper,
+        is_strut,
+    });
+    let chains: Vec<_> = chains.map(|it| (it, it.motion(end))).collect();
+    let mut rows = vec![titles];
+    for digits in 4..=12 {
+        let relative = 10_f64.powi(-digits);
+        let mut cells = vec![format!("{relative:.0e}")];
+        for (chain, motion) in &chains {
+            match chain.compared(motion, end, options(Method::Automatic, relative)) {
+                Ok(found) => {
+                    cells.push(format!("{:.1}", found.error / relative));
+                    cells.push(found.effort.evaluations.to_string());
+                }
+                Err(_) => cells.extend(["ends".to_string(), "–".to_string()]),
+            }
+        }
+        rows.push(cells);
     }
     aligned(&rows, 0)
 }

@@ -43,16 +43,17 @@ fn rounded(time: f64) -> String {
 }
 
 /// A table whose first row is the header; the first `left` columns are aligned to the left, the others to the right.
-pub fn aligned<const COLUMNS: usize>(rows: &[[String; COLUMNS]], left: usize) -> String {
+pub fn aligned<R: AsRef<[String]>>(rows: &[R], left: usize) -> String {
+    let columns = rows.first().map_or(0, |row| row.as_ref().len());
     let width = |column: usize| {
         rows.iter()
-            .map(|row| row[column].chars().count())
+            .map(|row| row.as_ref()[column].chars().count())
             .max()
             .unwrap_or(0)
     };
     let mut text = String::new();
     for (index, row) in rows.iter().enumerate() {
-        for (column, cell) in row.iter().enumerate() {
+        for (column, cell) in row.as_ref().iter().enumerate() {
             let width = width(column);
             text += &if column < left {
                 format!("| {cell:<width$} ")
@@ -62,7 +63,7 @@ pub fn aligned<const COLUMNS: usize>(rows: &[[String; COLUMNS]], left: usize) ->
         }
         text += "|\n";
         if index == 0 {
-            for column in 0..COLUMNS {
+            for column in 0..columns {
                 let dashes = "-".repeat(width(column) + 1);
                 text += &if column < left {
                     format!("|{dashes}-")
