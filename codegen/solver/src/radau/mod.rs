@@ -105,10 +105,11 @@ impl<R: Rates> Attempt<'_, R> {
                 let states = [self.state, &moved(self.state, place)];
                 self.tolerances.mean(own, states, self.rates)
             });
-            let size = sizes.fold(
-                0.0,
-                |largest: f64, it| if it <= largest { largest } else { it },
-            );
+            // NaN stays.
+            let size = sizes.fold(0.0, |largest: f64, it| {
+                let stays = it <= largest || largest.is_nan();
+                if stays { largest } else { it }
+            });
             // Of a sequence that converges by this factor, the rest is missing.
             let factor = size / before;
             let rest = match factor < 1.0 {

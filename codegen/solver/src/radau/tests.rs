@@ -33,7 +33,7 @@ fn solution(t: f64) -> [f64; 3] {
     [t.cos(), 1.0 / (2.0 - t.sin()), t.sin()]
 }
 
-fn step(decay: f64, from: f64, length: f64) -> Step {
+fn step(decay: f64, from: f64, length: f64, tolerances: &Tolerances) -> Step {
     let mut curves = Curves { decay };
     let state = solution(from);
     let mut slope = [0.0; 3];
@@ -41,14 +41,7 @@ fn step(decay: f64, from: f64, length: f64) -> Step {
     let range = [from, from + length];
     let differences = Differences::of(&mut curves, from, &state, &slope, length);
     let differences = differences.expect("everywhere");
-    let step = Step::attempt(
-        &mut curves,
-        range,
-        &state,
-        &slope,
-        &differences,
-        &TOLERANCES,
-    );
+    let step = Step::attempt(&mut curves, range, &state, &slope, &differences, tolerances);
     step.expect("everywhere")
 }
 
@@ -60,14 +53,18 @@ fn error(step: &Step, t: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The error of a step falls with the tenth power of its length, that between its ends with the sixth.
+/// The error of a step falls at least with the tenth power of its length, that between its ends with the sixth.
 #[test]
 fn the_orders_are_nine_and_five() {
+    let exact = Tolerances {
+        relative: 1e-12,
+        absolute: 1e-12,
+    };
     for (part, order) in [(1.0, 10.0), (0.37, 6.0)] {
-        let [long, short] =
-            [1.2, 0.6].map(|length: f64| error(&step(2.0, 0.3, length), 0.3 + part * length));
+        let [long, short] = [0.6, 0.3]
+            .map(|length: f64| error(&step(2.0, 0.3, length, &exact), 0.3 + part * length));
         let falls = (long / short).log2();
-        assert!((falls - order).abs() < 1.0, "{part}: {falls}");
+        assert!(falls > order - 0.7, "{part}: {falls}");
     }
 }
 
@@ -75,7 +72,7 @@ fn the_orders_are_nine_and_five() {
 #[test]
 fn fast_decays_are_gone_after_a_step() {
     for decay in [1e3, 1e6, 1e9] {
-        let taken = step(decay, 0.3, 0.1);
+        let taken = step(decay, 0.3, 0.1, &TOLERANCES);
         for part in [0.25, 0.5, 1.0] {
             let missed = error(&taken, 0.3 + 0.1 * part);
             assert!(missed <= 1e-6, "{decay} {part}: {missed}");
