@@ -4,7 +4,6 @@ mod build_script;
 mod c;
 mod comments;
 mod control;
-mod determinism;
 mod freestanding;
 mod macros;
 mod work;

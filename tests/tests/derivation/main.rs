@@ -5,6 +5,7 @@ mod block_words;
 mod definitions;
 mod derivations;
 mod determinants;
+mod determinism;
 mod drawings;
 mod dyad_chain;
 mod named_parts;
