@@ -19,6 +19,7 @@ pub mod geometry;
 mod length_driver;
 mod link;
 mod operands;
+mod pin_on_arm;
 mod point_on_curve;
 mod point_on_line;
 mod position_driver;
@@ -120,6 +121,14 @@ pub trait Kind: Sync {
     }
     /// Where the bodies touch, for kinds that let them press on one another along a curve.
     fn contact(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Contact> {
+        None
+    }
+    /// True if the vector form with its auxiliaries says what is left where the textbook's rows that are `dropped` are not solved.
+    fn keeps_vector_rows(&self, dropped: &[bool]) -> bool {
+        !dropped.contains(&true)
+    }
+    /// The kind that states the same along and across an arm of a body that turns about another point, for joints that may be redundant.
+    fn on_arm(&self) -> Option<&'static dyn Kind> {
         None
     }
     /// The rows, in the order of the textbook.

@@ -1,8 +1,8 @@
 //! How the operands of a kind are written, and what they are once resolved.
 
-use super::Quantity;
 use super::curve::Curve;
 use super::geometry::{BodyFrame, Mark, Vector, dot, perpendicular, subtract};
+use super::{Kind, Quantity};
 use crate::expr::{ExprId, Graph, SymbolId};
 
 /// What a statement of a kind must give beside its keyword: what stands in the parentheses, and its line.
@@ -192,8 +192,10 @@ pub struct Drawn {
 /// The line that a joint is along.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// Which of the marks the line is fixed with: an index, 0 or 1.
+    /// Which of the marks the line is fixed with and begins at: an index.
     pub owner: usize,
+    /// Which of the marks is the other body's.
+    pub other: usize,
     /// Unit vector u along the line, in the frame of its body.
     pub direction: Vector,
     /// R u: the same in global components.
@@ -213,6 +215,33 @@ pub struct AuxiliaryUnknown {
     pub turned: Vector,
 }
 
+impl AuxiliaryUnknown {
+    /// Symbols for the unknowns that the vector form of the joint with this number has beyond the coordinates.
+    pub fn of(kind: &dyn Kind, joint: usize, graph: &mut Graph) -> Vec<AuxiliaryUnknown> {
+        let unknown = |(number, &kind): (usize, &Auxiliary)| {
+            // No coordinate can have such a name: it begins with a digit.
+            let name = match number {
+                0 => format!("{joint} displacement"),
+                _ => format!("{joint} displacement {number}"),
+            };
+            let symbol = graph.symbol(&name);
+            let value = graph.variable(symbol);
+            let turned = match kind {
+                Auxiliary::LinkAngle => [graph.cos(value), graph.sin(value)],
+                Auxiliary::Displacement | Auxiliary::Offset | Auxiliary::Distance => {
+                    [graph.zero(); 2]
+                }
+            };
+            AuxiliaryUnknown {
+                kind,
+                value,
+                turned,
+            }
+        };
+        kind.auxiliaries().iter().enumerate().map(unknown).collect()
+    }
+}
+
 impl Resolved {
     /// How far the other mark lies along the line in the drawing.
     pub fn along_in_drawing(&self, graph: &mut Graph) -> Option<ExprId> {
@@ -230,7 +259,7 @@ impl Resolved {
     /// The line's direction in the drawing, and the vector to the other mark.
     fn line_in_drawing(&self, graph: &mut Graph) -> Option<(Vector, Vector)> {
         let axis = self.axis?;
-        let [line, other] = [axis.owner, 1 - axis.owner].map(|side| self.drawn[side]);
+        let [line, other] = [axis.owner, axis.other].map(|side| self.drawn[side]);
         let direction = line.frame.rotate(axis.direction, graph);
         Some((direction, subtract(other.position, line.position, graph)))
     }
@@ -243,6 +272,6 @@ impl Resolved {
     /// The line, the mark that it is fixed with, and the other one.
     pub fn along(&self) -> Option<(Axis, Mark, Mark)> {
         let axis = self.axis?;
-        Some((axis, self.marks[axis.owner], self.marks[1 - axis.owner]))
+        Some((axis, self.marks[axis.owner], self.marks[axis.other]))
     }
 }

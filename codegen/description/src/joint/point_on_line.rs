@@ -25,7 +25,7 @@ fn lateral_row(operands: &Resolved, offset: ExprId, graph: &mut Graph) -> Vec<Ro
 }
 
 /// r_j + R_j s_Q − r_i − R_i s_P − R_i (ℓ u + offset v) = 0.
-fn slot_rows(operands: &Resolved, offset: ExprId, graph: &mut Graph) -> Vec<Row> {
+pub(super) fn slot_rows(operands: &Resolved, offset: ExprId, graph: &mut Graph) -> Vec<Row> {
     let (Some((axis, i, j)), [displacement]) = (operands.along(), &operands.auxiliaries[..]) else {
         return Vec::new();
     };

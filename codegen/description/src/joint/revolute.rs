@@ -1,6 +1,7 @@
 //! Revolute joint: a point of one body stays on a point of another.
 
 use super::geometry::subtract;
+use super::pin_on_arm::PinOnArm;
 use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
@@ -38,6 +39,10 @@ impl Kind for Revolute {
             "y" => Some("`relative_x(1.P, 2.P) = 0;`"),
             _ => None,
         }
+    }
+
+    fn on_arm(&self) -> Option<&'static dyn Kind> {
+        Some(&PinOnArm)
     }
 
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {

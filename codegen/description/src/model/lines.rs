@@ -61,6 +61,7 @@ impl Resolver<'_> {
         let turned = marks[0].frame.rotate(direction, &mut self.graph);
         let axis = Axis {
             owner: 0,
+            other: 1,
             direction,
             turned,
             relative_angle,
@@ -110,6 +111,7 @@ impl Resolver<'_> {
         marks[owner] = start;
         let axis = Axis {
             owner,
+            other: 1 - owner,
             direction,
             turned,
             relative_angle,

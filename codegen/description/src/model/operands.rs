@@ -85,7 +85,7 @@ impl Resolver<'_> {
             .collect();
         let auxiliaries = match form.line {
             Line::Existing => shared,
-            _ => self.auxiliaries(given.kind),
+            _ => AuxiliaryUnknown::of(given.kind, self.linkage.joints.len(), &mut self.graph),
         };
         let curve = form.slots.iter().position(|slot| *slot == Slot::Curve);
         let curve = match curve {
@@ -139,32 +139,6 @@ impl Resolver<'_> {
             .help("draw the bodies such that the points are apart"),
         );
         false
-    }
-
-    /// Symbols for the unknowns that the vector form of this joint has beyond the coordinates.
-    fn auxiliaries(&mut self, kind: &dyn Kind) -> Vec<AuxiliaryUnknown> {
-        // No coordinate can have such a name: it begins with a digit, the joint's number.
-        let joint = self.linkage.joints.len();
-        let unknown = |(number, &kind): (usize, &Auxiliary)| {
-            let name = match number {
-                0 => format!("{joint} displacement"),
-                _ => format!("{joint} displacement {number}"),
-            };
-            let symbol = self.graph.symbol(&name);
-            let value = self.graph.variable(symbol);
-            let turned = match kind {
-                Auxiliary::LinkAngle => [self.graph.cos(value), self.graph.sin(value)],
-                Auxiliary::Displacement | Auxiliary::Offset | Auxiliary::Distance => {
-                    [self.graph.zero(); 2]
-                }
-            };
-            AuxiliaryUnknown {
-                kind,
-                value,
-                turned,
-            }
-        };
-        kind.auxiliaries().iter().enumerate().map(unknown).collect()
     }
 
     /// The mark of every slot; the ground for a carrier that is not written.

@@ -49,12 +49,13 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
     } = &mut mechanism;
     for (index, joint) in joints.iter().enumerate() {
         let _work = work_at(joint.span);
-        let bodies: Vec<usize> = joint
-            .operands
-            .marks
-            .iter()
-            .map(|mark| mark.frame.body.0)
-            .collect();
+        let marks = joint.operands.marks.iter();
+        let mut bodies: Vec<usize> = Vec::new();
+        for body in marks.map(|mark| mark.frame.body.0) {
+            if !bodies.contains(&body) {
+                bodies.push(body);
+            }
+        }
         let mut involved: Vec<usize> = bodies
             .iter()
             .flat_map(|&body| of_body(body))

@@ -20,8 +20,9 @@ impl VectorForm {
                 continue;
             };
             // A length is named from the line's own point to the other one.
-            let first = joint.operands.axis.map_or(0, |axis| axis.owner);
-            let ends = [first, 1 - first].map(|side| {
+            let line = joint.operands.axis;
+            let ends = line.map_or([0, 1], |axis| [axis.owner, axis.other]);
+            let ends = ends.map(|side| {
                 let mark = joint.operands.marks.get(side)?;
                 let drawn = joint.operands.drawn.get(side)?;
                 let name = match self.mark_names.on_body(mark) {

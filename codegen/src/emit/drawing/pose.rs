@@ -168,7 +168,7 @@ impl Scene {
                 .collect();
             let line = operands
                 .axis
-                .map(|axis| (axis.owner, numbers.pair(axis.direction)));
+                .map(|axis| ([axis.owner, axis.other], numbers.pair(axis.direction)));
             signs.push((joint, feature, number, numbers.one(rate), marks, line));
         }
         let value = numbers.evaluate(&graph, &shown.values);
@@ -190,9 +190,9 @@ impl Scene {
                 is_driver: joint.role == Role::Driver,
                 is_falling: value[*rate] < 0.0,
                 marks: marks.iter().map(at).collect(),
-                line: line.map(|(owner, along)| Line {
+                line: line.map(|([owner, other], along)| Line {
                     owner,
-                    other: usize::from(owner == 0),
+                    other,
                     along: both(along),
                 }),
                 curve: joint.operands.curve.map(|curve| {

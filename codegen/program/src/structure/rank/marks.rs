@@ -1,5 +1,6 @@
 //! Joints marked `redundant` → which of their rows are monitored instead of solved.
 
+use super::arms::arms;
 use super::functions::Pose;
 use super::independence::{Basis, Reduced, TOLERANCE};
 use super::survey::{all_rows, poses, whole};
@@ -25,9 +26,17 @@ pub fn released(mechanism: Mechanism) -> System {
     if mechanism.joints.iter().all(|own| own.redundant.is_none()) {
         return assemble(mechanism);
     }
-    let draft = assemble(mechanism.clone());
+    let mut draft = assemble(mechanism.clone());
     if draft.coordinates.len() > LARGEST_SURVEY || shared_line(&draft).is_some() {
         return draft;
+    }
+    let mut mechanism = mechanism;
+    let arms = arms(&draft);
+    if !arms.is_empty() {
+        for arm in arms {
+            arm.state(&mut mechanism);
+        }
+        draft = assemble(mechanism.clone());
     }
     let dropped = dependent(&draft);
     assemble_without(mechanism, &dropped)

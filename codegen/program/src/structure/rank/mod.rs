@@ -5,6 +5,7 @@
 //! is found in all of them is taken for a property of the mechanism. One pose of full rank settles that there is none.
 //! Deliberately unknown here: messages, and how equations are solved.
 
+mod arms;
 mod blocks;
 mod functions;
 mod independence;

@@ -82,6 +82,45 @@ pub(super) fn free_motions(
     described.collect()
 }
 
+/// The point of its own about which a body turns in the only motion that these poses allow, in which another body rests; `None` where
+/// there are more motions, or where the body moves otherwise.
+pub(super) fn pivot(
+    system: &System,
+    functions: &Functions<'_>,
+    poses: &[Pose],
+    [body, resting]: [usize; 2],
+) -> Option<Vector> {
+    let mut instants = Vec::with_capacity(poses.len());
+    for pose in poses {
+        let [(_, rates)] = &null_vectors(system, functions, pose)[..] else {
+            return None;
+        };
+        instants.push((pose, rates.clone()));
+    }
+    let instants: Vec<(&Pose, &Rates)> = instants
+        .iter()
+        .map(|(pose, rates)| (*pose, rates))
+        .collect();
+    let rests = |instant: &(&Pose, &Rates)| {
+        let [x, y, turning] = of_body(system, resting, *instant).map(|[_, rate]| rate);
+        let length = system.mechanism.characteristic_length;
+        x.hypot(y).hypot(length * turning) <= MET * length
+    };
+    if instants.is_empty() || !instants.iter().all(rests) {
+        return None;
+    }
+    match movement(system, body, &instants) {
+        Moves::About(name) => {
+            let mut marks = system.mechanism.bodies[body].marks.iter();
+            marks
+                .find(|named| named.name == name)
+                .map(|named| named.mark.local)
+        }
+        Moves::AboutOrigin => Some([system.mechanism.graph.zero(); 2]),
+        Moves::Turning | Moves::Along(_) | Moves::Toward(_) | Moves::Contact(_) => None,
+    }
+}
+
 /// For each free coordinate the motion in which it has the rate of its scale and every other free one rests.
 fn null_vectors(system: &System, functions: &Functions<'_>, pose: &Pose) -> Vec<(usize, Rates)> {
     let (rows, factors) = balanced(functions.jacobian(pose));

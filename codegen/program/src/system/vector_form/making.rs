@@ -64,7 +64,7 @@ impl VectorForm {
         form.rates.extend(fixed);
         for (index, (joint, dropped)) in joints.iter().zip(dropped).enumerate() {
             let _work = work_at(joint.span);
-            if !dropped.contains(&true) {
+            if joint.kind.keeps_vector_rows(dropped) {
                 form.add_auxiliaries(joint, bodies, graph);
             }
             let operands = form.with_arms(&joint.operands, bodies, graph);
@@ -170,7 +170,7 @@ pub(in crate::system) fn kept_rows(
     dropped: &[bool],
     graph: &mut Graph,
 ) -> Vec<Row> {
-    if !dropped.contains(&true) {
+    if kind.keeps_vector_rows(dropped) {
         return kind.vector_rows(operands, graph);
     }
     let rows = kind.rows(operands, graph).into_iter().zip(dropped);

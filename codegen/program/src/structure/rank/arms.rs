@@ -1,0 +1,89 @@
+//! Joints marked `redundant` of bodies that turn about another point → the arms that they are stated along and across.
+//!
+//! Without the joint such a body turns by itself, so that the row across the arm determines its angle alike in every pose, and the one
+//! along the arm is what repeats others. A row in the direction of an axis would be singular twice in each turn.
+
+use super::functions::Functions;
+use super::motion::pivot;
+use super::survey::{all_rows, poses, whole};
+use crate::joint::geometry::{Mark, Vector, length, subtract};
+use crate::joint::{AuxiliaryUnknown, Axis, Drawn, Kind};
+use crate::model::Mechanism;
+use crate::system::System;
+
+/// An arm of a body from the point about which it turns to a pin.
+pub(super) struct Arm {
+    /// The joint of the pin.
+    joint: usize,
+    kind: &'static dyn Kind,
+    /// Which of its marks the body carries.
+    own: usize,
+    /// The point about which the body turns, in its frame.
+    pivot: Vector,
+}
+
+/// The arms of all joints that have one.
+pub(super) fn arms(system: &System) -> Vec<Arm> {
+    let joints = system.mechanism.joints.iter().enumerate();
+    let marked = joints.filter(|(_, own)| own.redundant.is_some());
+    let pinned = marked.filter_map(|(at, own)| Some((at, own.kind.on_arm()?)));
+    pinned
+        .filter_map(|(at, kind)| arm(system, at, kind))
+        .collect()
+}
+
+fn arm(system: &System, joint: usize, kind: &'static dyn Kind) -> Option<Arm> {
+    let marks = &system.mechanism.joints[joint].operands.marks;
+    let bodies = [0, 1].map(|side| marks[side].frame.body.0);
+    let others = all_rows(system).into_iter();
+    let others = others.filter(|&at| system.row(at).joint != joint);
+    let functions: Functions<'_> = whole(system, others.collect());
+    let found = poses(system, &functions);
+    (0..2).find_map(|own| {
+        let pair = [bodies[own], bodies[1 - own]];
+        let pivot = pivot(system, &functions, &found, pair)?;
+        Some(Arm {
+            joint,
+            kind,
+            own,
+            pivot,
+        })
+    })
+}
+
+impl Arm {
+    /// States its joint along and across it.
+    pub(super) fn state(&self, mechanism: &mut Mechanism) {
+        let Mechanism {
+            graph,
+            joints,
+            bodies,
+            ..
+        } = mechanism;
+        let joint = &mut joints[self.joint];
+        let operands = &mut joint.operands;
+        let pin = operands.marks[self.own];
+        let arm = subtract(pin.local, self.pivot, graph);
+        let size = length(arm, graph);
+        let direction = arm.map(|component| {
+            let part = graph.divide(component, size);
+            graph.tidied(part)
+        });
+        let drawn = [self.own, 1 - self.own].map(|side| operands.drawn[side].frame);
+        operands.axis = Some(Axis {
+            owner: 2,
+            other: 1 - self.own,
+            direction,
+            turned: pin.frame.rotate(direction, graph),
+            relative_angle: graph.subtract(drawn[0].angle, drawn[1].angle),
+        });
+        let frame = bodies[pin.frame.body.0].drawn;
+        operands.drawn.push(Drawn {
+            frame,
+            position: Mark::new(frame, self.pivot, graph).position(graph),
+        });
+        operands.marks.push(Mark::new(pin.frame, self.pivot, graph));
+        joint.kind = self.kind;
+        operands.auxiliaries = AuxiliaryUnknown::of(self.kind, self.joint, graph);
+    }
+}
