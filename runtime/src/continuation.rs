@@ -21,7 +21,7 @@ const EXACT: f64 = 1.0 / 16384.0;
 const ALIKE: f64 = 64.0;
 
 /// Number of the first blocks whose modes may be exchanged.
-const BLOCKS: u16 = 64;
+pub const BLOCKS: u16 = 64;
 
 /// The modes before a meeting and beyond it, in the direction of the way.
 pub(crate) struct Sides<M> {
@@ -143,13 +143,26 @@ impl<B: Blocks> Crossing<'_, '_, B> {
             let missed = square_of_distance(self.way.blocks, [&found, frame], 1);
             Some((sides, missed))
         };
-        let (first, first_missed) = path(true)?;
-        let (second, second_missed) = path(false)?;
         let part = B::Scalar::from_f64(SMOOTH * SMOOTH);
-        if first_missed <= part * second_missed {
-            return Some(first);
+        match [path(true), path(false)] {
+            [Some((sides, missed)), Some((_, other))] if missed <= part * other => Some(sides),
+            [Some((_, other)), Some((sides, missed))] if missed <= part * other => Some(sides),
+            // The other one is too rough to be interpolated.
+            [Some((sides, missed)), None] | [None, Some((sides, missed))] => {
+                (missed <= part * self.rates_apart(frame, meeting)?).then_some(sides)
+            }
+            _ => None,
         }
-        (second_missed <= part * first_missed).then_some(second)
+    }
+
+    /// The square of the distance of the rates of both modes at the nearest time before a meeting.
+    fn rates_apart(&self, near: &B::Frame, meeting: &Meeting<B::Scalar>) -> Option<B::Scalar> {
+        let own = &self.way.branches;
+        let other = self.way.blocks.exchanged(own, self.block)?;
+        let t = meeting.time - self.direction * meeting.width;
+        let first = self.solved(t, near, own)?;
+        let second = self.solved(t, near, &other)?;
+        Some(square_of_distance(self.way.blocks, [&first, &second], 1))
     }
 
     /// The frame at a time (s) near a meeting; `None` where the path is too rough to be interpolated.

@@ -91,15 +91,16 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         largest
     }
 
-    /// The meeting near the time `middle` (s), if there is one; times of the distance `step` (s) before it are looked at first.
+    /// The meeting near the time `place` (s), if there is one; times of the distance `first_step` (s) before it are looked at first.
     /// `whole` is the square of the distance elsewhere.
     pub fn meeting(
         &self,
         near: &B::Frame,
-        mut middle: B::Scalar,
-        mut step: B::Scalar,
+        place: B::Scalar,
+        mut first_step: B::Scalar,
         whole: B::Scalar,
     ) -> Option<Meeting<B::Scalar>> {
+        let (mut middle, mut step) = (place, first_step);
         let number = B::Scalar::from_f64;
         let (two, closer, shorter) = (number(2.0), number(CLOSER), number(SHORTER));
         let known = number(NEAR).max(number(KNOWN) * B::Scalar::EPSILON);
@@ -117,7 +118,8 @@ impl<B: Blocks> Crossing<'_, '_, B> {
                 )
             });
             let [Some(first), Some(second), Some(third), Some(fourth)] = squares else {
-                step *= shorter;
+                first_step *= shorter;
+                (middle, step) = (place, first_step);
                 continue;
             };
             let curvature = first - second - second + third;
@@ -126,7 +128,9 @@ impl<B: Blocks> Crossing<'_, '_, B> {
             let is_lowest = curvature > B::Scalar::ZERO && vertex.is_finite();
             let is_bent = curvature.max(first) > number(BENT) * whole;
             if !is_lowest || is_bent {
-                step *= shorter;
+                // What was seen from too far away may have led elsewhere.
+                first_step *= shorter;
+                (middle, step) = (place, first_step);
                 continue;
             }
             let is_near = curvature <= known * whole;

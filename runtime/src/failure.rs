@@ -76,6 +76,9 @@ pub enum FailureKind<T = f64> {
     /// The motion could not be followed to the time asked for: its estimate is so far from the pose that
     /// Newton-Raphson may end at another one, and [`crate::Settings::substeps`] attempts did not bring it nearer.
     StepTooLarge,
+    /// The motion comes to a pose at which two assembly modes meet, and nothing tells in which of them it goes on: it rests there, or it
+    /// is as smooth in both. A shorter step does not help.
+    Undecided,
     /// Parameters make something not positive that must be, a length, a radius or a ratio; or inputs or t a length that is driven. The
     /// failure's block is its place among what must be positive.
     NotPositive {
@@ -100,6 +103,7 @@ impl<T> FailureKind<T> {
             Self::IterationLimit => "Newton-Raphson does not converge",
             Self::OutOfReach { .. } => "out of reach",
             Self::WrongBranch => "only another assembly mode is found",
+            Self::Undecided => "two assembly modes meet, and the motion does not tell them apart",
             Self::StepTooLarge => "the step is too large for the motion to be followed",
             Self::NotPositive { .. } => "a parameter is not positive",
             Self::NotFinite => "a number is not finite",
@@ -156,6 +160,7 @@ impl<T: Real> fmt::Display for Failure<T> {
             FailureKind::IterationLimit => Some("iteration limit"),
             FailureKind::WrongBranch => Some("wrong branch"),
             FailureKind::StepTooLarge => Some("step too large"),
+            FailureKind::Undecided => Some("undecided branch"),
             FailureKind::NotFinite => Some("not finite"),
         };
         if let Some(what) = what {

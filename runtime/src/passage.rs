@@ -5,6 +5,7 @@
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions};
+use crate::continuation::BLOCKS;
 use crate::crossing::{Crossing, Meeting, SHORTER};
 use crate::failure::{Failure, FailureKind};
 use crate::guard::weak_block;
@@ -13,6 +14,9 @@ use crate::way::Way;
 
 /// Least distance of the first times about a meeting, as a part of the way so far.
 const FIRST_STEP: f64 = 1.0 / 16.0;
+
+/// The square of the distance of modes, as a part of that elsewhere, below which nothing tells in which a motion goes on.
+const UNDECIDED: f64 = 1.0 / (1u32 << 20) as f64;
 
 /// The obstacle to going through a meeting of modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,20 +31,23 @@ impl<B: Blocks> Way<'_, B> {
     /// Goes through meetings of modes where the way begins or ends so near to one that equations are nearly singular.
     #[inline(never)]
     pub(crate) fn pass_ends(&mut self) {
-        let is_told = self.blocks.is_closed() && self.blocks.holds_coordinates();
-        if !is_told || self.start == Start::Estimate {
+        if !self.blocks.holds_coordinates() || self.start == Start::Estimate {
             return;
         }
         let [from, end] = self.ends;
         let step = B::Scalar::from_f64(SHORTER) * (end - from);
-        let mut passage = self
-            .weak_block(&self.reached, from)
-            .map(|block| self.pass(from, block, step, true));
+        let is_closed = self.blocks.is_closed();
+        let weak = match is_closed {
+            true => self.weak_block(&self.reached, from),
+            false => self.near_modes(from),
+        };
+        let mut passage = weak.map(|block| self.pass(from, block, step, true));
         if B::time(&self.reached) == end {
             return;
         }
         let block = match self.solved_at(end, None, &self.reached, &self.branches) {
-            Ok(frame) => self.weak_block(&frame, end),
+            Ok(frame) if is_closed => self.weak_block(&frame, end),
+            Ok(_) => self.near_modes(end),
             Err(failure) => Some(failure.block),
         };
         if let Some(block) = block {
@@ -65,7 +72,76 @@ impl<B: Blocks> Way<'_, B> {
         let [from, near] = [&self.origin, &self.reached].map(B::time);
         let first = B::Scalar::from_f64(FIRST_STEP) * (near - from).abs();
         let step = (failure.time - near).abs().max(first);
-        self.pass(near, failure.block, step, false)
+        // A later block may refuse the step that an earlier one, whose modes meet, leads astray.
+        let nearest = self.nearest_modes(near);
+        let block = nearest.map_or(failure.block, |(block, _)| block);
+        self.pass(near, block, step, false)
+    }
+
+    /// True if modes of a block are far nearer to each other where the way has broken than elsewhere, though the motion goes on.
+    #[inline(never)]
+    pub(crate) fn is_undecided(&self, failure: &Failure<B::Scalar>) -> bool {
+        let is_doubtful = matches!(
+            failure.kind,
+            FailureKind::StepTooLarge | FailureKind::Singular { .. } | FailureKind::WrongBranch
+        );
+        let near = B::time(&self.reached);
+        let way = near - B::time(&self.origin);
+        // A motion that turns back at a dead center has been followed to it, as far as rounding lets it.
+        let beyond = failure.time + B::Scalar::EPSILON.sqrt() * way;
+        if !is_doubtful
+            || self.start == Start::Estimate
+            || self
+                .solved_at(beyond, None, &self.reached, &self.branches)
+                .is_err()
+        {
+            return false;
+        }
+        let [from, end] = self.ends;
+        self.nearest_modes(near).is_some_and(|(block, square)| {
+            let crossing = self.crossing(block);
+            let whole = crossing.largest_distance(&self.reached, near, end - from);
+            whole.is_some_and(|whole| square <= B::Scalar::from_f64(UNDECIDED) * whole)
+        })
+    }
+
+    /// The block whose modes are nearest to each other at the time `t` (s), and the square of their distance.
+    #[inline(never)]
+    fn nearest_modes(&self, t: B::Scalar) -> Option<(u16, B::Scalar)> {
+        let mut nearest: Option<(u16, B::Scalar)> = None;
+        for block in 0..BLOCKS {
+            if let Some(square) = self.crossing(block).distance(block, t, &self.reached)
+                && nearest.is_none_or(|(_, least)| square < least)
+            {
+                nearest = Some((block, square));
+            }
+        }
+        nearest
+    }
+
+    /// A block that cannot be solved at the time `t` (s), or whose modes are far nearer to each other than elsewhere on the way.
+    #[inline(never)]
+    fn near_modes(&self, t: B::Scalar) -> Option<u16> {
+        if let Err(failure) = self.solved_at(t, None, &self.reached, &self.branches) {
+            return Some(failure.block);
+        }
+        let (block, square) = self.nearest_modes(t)?;
+        let [from, end] = self.ends;
+        let elsewhere = from + B::Scalar::from_f64(SHORTER) * (end - from);
+        let whole = self
+            .crossing(block)
+            .distance(block, elsewhere, &self.reached)?;
+        (square <= B::Scalar::EPSILON.sqrt().sqrt() * whole).then_some(block)
+    }
+
+    /// The modes of a block as signals of the way have them.
+    fn crossing(&self, block: u16) -> Crossing<'_, '_, B> {
+        Crossing {
+            way: self,
+            block,
+            direction: B::Scalar::ONE,
+            about: None,
+        }
     }
 
     /// Goes through a meeting of modes near a time, or to the end where that is near it. Times of the distance `step` (s) before it are
@@ -153,7 +229,7 @@ impl<B: Blocks> Way<'_, B> {
         Ok(())
     }
 
-    /// The first block that is nearly singular in a frame, as far as closed forms tell.
+    /// The first block that is nearly singular in a frame, as closed forms tell.
     #[inline(never)]
     fn weak_block(&self, frame: &B::Frame, t: B::Scalar) -> Option<u16> {
         let inputs = self.inputs_at(t, None);

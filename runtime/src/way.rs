@@ -5,7 +5,7 @@
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals};
-use crate::failure::Failure;
+use crate::failure::{Failure, FailureKind};
 use crate::guard::{Guard, Pair};
 use crate::math::Real;
 use crate::settings::Settings;
@@ -73,6 +73,9 @@ impl<B: Blocks> Way<'_, B> {
                 Ok(()) => return Ok(()),
                 Err(broken) => failure = broken.failure,
             }
+        }
+        if may_cross && self.is_undecided(&failure) {
+            failure.kind = FailureKind::Undecided;
         }
         Err(failure)
     }

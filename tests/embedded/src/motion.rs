@@ -178,7 +178,8 @@ fn failed<T: Real, B: Machine>(machine: &mut B, failure: &Failure<T>) {
         FailureKind::StepTooLarge => 8,
         FailureKind::NotPositive { .. } => 9,
         FailureKind::NotFinite => 10,
-        _ => 11,
+        FailureKind::Undecided => 11,
+        _ => 12,
     };
     let Failure {
         time,

@@ -43,6 +43,7 @@ pub fn named<T>(kind: linkwright::FailureKind<T>) -> &'static str {
         Kind::OutOfReach { .. } => "out of reach",
         Kind::WrongBranch => "wrong branch",
         Kind::StepTooLarge => "step too large",
+        Kind::Undecided => "undecided branch",
         Kind::NotFinite => "not finite",
         _ => "another failure",
     }

@@ -14,13 +14,14 @@ use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
-const SMALL: [&str; 36] = [
+const SMALL: [&str; 37] = [
     "angle_and_slot",
     "asked",
     "both_ways",
     "cam_law",
     "cam_param",
     "cam_roller",
+    "coupled_wheels",
     "crane",
     "ellipse",
     "folding",

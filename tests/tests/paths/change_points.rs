@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use linkwright::{Blocks, Branch, Settings, Shell};
+use linkwright::{Blocks, Branch, FailureKind, Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
 use linkwright_solver::interpreted::Interpreted;
@@ -285,6 +285,61 @@ fn nearly_equal_links_keep_their_mode() {
                     "{difference}, step {step}, {t}"
                 );
             }
+        }
+    }
+}
+
+/// A parallelogram of which the first crank turns by a law, in line at t = 1 s.
+fn resting(law: &str, crank: f64) -> Interpreted {
+    let [x, y] = [0.2 * crank.cos(), 0.2 * crank.sin()];
+    blocks(format!(
+        "mechanism resting {{
+            point A = (0, 0), D = (0.5, 0);
+            body crank at (0, 0, {crank:?}) {{ A: (0, 0), B: (0.2, 0) }}
+            body coupler at ({x:?}, {y:?}) {{ B: (0, 0), C: (0.5, 0) }}
+            body follower at (0.5, 0, {crank:?}) {{ D: (0, 0), C: (0.2, 0) }}
+            revolute A(ground, crank);
+            revolute B(crank, coupler);
+            revolute C(coupler, follower);
+            revolute D(ground, follower);
+            drive phi(crank) = {law};
+        }}"
+    ))
+}
+
+/// A motion that rests in a pose at which modes meet may go on in either, and a shorter step changes nothing of that.
+#[test]
+fn a_motion_that_rests_where_modes_meet_is_undecided() {
+    for power in [2, 3, 5] {
+        let blocks = resting(
+            &format!("pi + 0.5*(t - 1)^{power}"),
+            PI + 0.5 * (-1.0_f64).powi(power),
+        );
+        for step in [0.01, 0.03, 0.1, 0.4] {
+            let parameters = blocks.nominal_parameters();
+            let (pose, branches) = (blocks.drawn_pose(&parameters), blocks.drawn_branches());
+            let (inputs, settings) = (blocks.input_laws().at(0.0), Settings::default());
+            let shell = Shell::assemble(
+                blocks.clone(),
+                &parameters,
+                &pose,
+                branches,
+                0.0,
+                &inputs,
+                settings,
+            );
+            let mut shell = shell.expect("as drawn");
+            let failure = (1..=200).find_map(|k| {
+                let t = f64::from(k) * step;
+                shell.advance(t, &blocks.input_laws().at(t)).err()
+            });
+            let failure = failure.expect("an end");
+            assert_eq!(
+                failure.kind,
+                FailureKind::Undecided,
+                "power {power}, step {step}"
+            );
+            assert!(failure.time < 1.0, "power {power}, step {step}: {failure}");
         }
     }
 }

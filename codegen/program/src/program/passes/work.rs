@@ -39,11 +39,11 @@ const OF_CELL_IN_ROUND: usize = 32;
 const PATH_POSES: usize = 8 + 1 + 3;
 
 /// Poses of one crossing: two modes on both sides of each way, and at four times for each refinement. The path is told twice, as it
-/// leads to the dead point and as it leads away, and interpolated three times.
-const CROSSING_POSES: usize = 2 * 2 * WAYS + 2 * 4 * REFINEMENTS + 3 * 2 * PATH_POSES;
+/// leads to the dead point and as it leads away, and interpolated three times. At an end, its pose, two modes elsewhere and two beside it.
+const CROSSING_POSES: usize = 2 * 2 * WAYS + 2 * 4 * REFINEMENTS + 3 * 2 * PATH_POSES + 5;
 
-/// Poses of one crossing for each block that may cross: two modes, and two paths, told twice.
-const POSES_OF_BLOCK: usize = 2 * (2 + 2 * PATH_POSES);
+/// Poses of one crossing for each block that may cross: two modes where the way has broken; two modes, and two paths, told twice.
+const POSES_OF_BLOCK: usize = 2 + 2 * (2 + 2 * PATH_POSES);
 
 /// Crossings at both ends of a way.
 pub const ENDS: usize = 2;
@@ -132,7 +132,9 @@ impl Work {
         match self.window {
             Some(_) => {
                 let crossing = CROSSING_POSES + self.crossing * POSES_OF_BLOCK;
-                2 + substeps + (CROSSINGS + ENDS) * (crossing + 2 * substeps)
+                let crossings = CROSSINGS + ENDS;
+                // A way that breaks looks once more at how far modes are apart.
+                2 + substeps + crossings * 2 * substeps + (crossings + 1) * crossing
             }
             None => 1 + substeps,
         }

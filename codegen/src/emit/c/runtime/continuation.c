@@ -214,6 +214,19 @@ static bool is_interpolated$f(Way$f *way, const void *near_frame, const Meeting$
     return is_found;
 }
 
+/* The square of the distance of two frames in the rates of coordinates, which follow on coordinates, and these on the
+   time. */
+static $real distance_of_rates$f(const linkwright$f_blocks *blocks, const void *first, const void *second)
+{
+    $real square = 0.0$f;
+    for (size_t k = 0U; k < blocks->values; k += 1U) {
+        const size_t place = (1U + (size_t)blocks->values) + k;
+        const $real part = number_of$f(first, place) - number_of$f(second, place);
+        square += fabs$f(part * part);
+    }
+    return square;
+}
+
 /* Finds by how much the rates of the path with the own modes before a meeting, or beyond it, miss those of a frame near
    it. */
 static bool misses$f(Way$f *way, uint16_t block, const void *frame, const Meeting$f *meeting, bool is_before,
@@ -222,14 +235,19 @@ static bool misses$f(Way$f *way, uint16_t block, const void *frame, const Meetin
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const bool is_found = are_sides$f(way, block, frame, meeting, is_before, found)
         && is_interpolated$f(way, frame, meeting, sides_of$f(way->branches, found, is_before), blocks->time(frame));
-    *missed = 0.0$f;
-    /* Rates follow on coordinates, and these on the time. */
-    for (size_t k = 0U; is_found && (k < blocks->values); k += 1U) {
-        const size_t place = (1U + (size_t)blocks->values) + k;
-        const $real part = number_of$f(way->frames[1], place) - number_of$f(frame, place);
-        *missed += fabs$f(part * part);
-    }
+    *missed = is_found ? distance_of_rates$f(blocks, way->frames[1], frame) : 0.0$f;
     return is_found;
+}
+
+/* The square of the distance of the rates of both modes at the nearest time before a meeting, or -1. */
+static $real rates_apart$f(Way$f *way, uint16_t block, const void *near_frame, const Meeting$f *meeting)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    const $real t = meeting->time - (way->direction * meeting->width);
+    const bool are_found = blocks->exchanged(way->branches, block, way->others)
+        && is_frame_at$f(way, t, near_frame, way->branches, way->frames[0])
+        && is_frame_at$f(way, t, near_frame, way->others, way->frames[1]);
+    return are_found ? distance_of_rates$f(blocks, way->frames[0], way->frames[1]) : -1.0$f;
 }
 
 /* Finds the modes on the other side of a meeting on the smooth path through a frame near it; false where that is not
@@ -237,15 +255,18 @@ static bool misses$f(Way$f *way, uint16_t block, const void *frame, const Meetin
 static bool are_sides_through$f(Way$f *way, uint16_t block, const void *frame, const Meeting$f *meeting,
     bool *is_before, void *found)
 {
+    const $real part = SMOOTH$f * SMOOTH$f;
     $real first;
     $real second;
-    if (!misses$f(way, block, frame, meeting, true, found, &first) || !misses$f(way, block, frame, meeting, false,
-        way->kept_branches, &second)) {
-        return false;
-    }
-    *is_before = first <= ((SMOOTH$f * SMOOTH$f) * second);
-    if (!*is_before) {
+    const bool is_first = misses$f(way, block, frame, meeting, true, found, &first);
+    const bool is_second = misses$f(way, block, frame, meeting, false, way->kept_branches, &second);
+    /* Where one of both is too rough to be interpolated. */
+    const $real apart = (is_first != is_second) ? rates_apart$f(way, block, frame, meeting) : 0.0$f;
+    const bool is_own = is_first && (first <= (part * (is_second ? second : apart)));
+    const bool is_other = is_second && (second <= (part * (is_first ? first : apart)));
+    *is_before = is_own;
+    if (!is_own) {
         (void)memcpy(found, way->kept_branches, way->mechanism->blocks->branches_size);
     }
-    return *is_before || (second <= ((SMOOTH$f * SMOOTH$f) * first));
+    return is_own || is_other;
 }

@@ -145,12 +145,15 @@ static bool meet$f(Way$f *way, uint16_t block, const void *near_frame, $real pla
 {
     const $real known = larger$f(NEAR_MEETING$f, KNOWN_DISTANCE$f * $FLT_EPSILON);
     $real middle = place;
+    $real nearest_step = first_step;
     $real step = first_step;
     for (uint16_t round = 0U; (round < REFINEMENTS$F) && (step > 0.0$f) && (whole > 0.0$f); round++) {
         $real squares[4];
         /* Beyond the meeting other blocks may have left the smooth path, so that the distance has a kink there. */
         if (!are_distances$f(way, block, near_frame, middle, step, squares)) {
-            step *= SHORTER$f;
+            nearest_step *= SHORTER$f;
+            middle = place;
+            step = nearest_step;
             continue;
         }
         const $real curvature = ((squares[0] - squares[1]) - squares[1]) + squares[2];
@@ -160,7 +163,10 @@ static bool meet$f(Way$f *way, uint16_t block, const void *near_frame, $real pla
         const bool is_bent = larger$f(curvature, squares[0]) > (BENT_DISTANCE$f * whole);
         const bool is_near = curvature <= (known * whole);
         if (!is_lowest || is_bent) {
-            step *= SHORTER$f;
+            /* What was seen from too far away may have led elsewhere. */
+            nearest_step *= SHORTER$f;
+            middle = place;
+            step = nearest_step;
         } else if (is_near && (curvature < ((TOO_NEAR_MEETING$f * known) * whole))) {
             step *= CLOSER$f;
         } else if (is_near && (fabs$f(vertex) <= AT_VERTEX$f)) {

@@ -5,6 +5,9 @@
 /* Least distance of the first times about a meeting, as a part of the way so far. */
 static const $real FIRST_STEP$f = 1.0$f / 16.0$f;
 
+/* The square of the distance of modes, as a part of that elsewhere, below which nothing tells in which a motion goes on. */
+static const $real UNDECIDED$f = 1.0$f / 1048576.0$f;
+
 /* What comes of a meeting of modes: it is passed, there is none, or nothing shows the path through it. */
 typedef enum Passage$f {
     PASSED$F = 0,
@@ -93,6 +96,38 @@ static bool is_weak_frame$f(Way$f *way, const void *frame, $real t, uint16_t *bl
     return is_weak$f(mechanism, &pair, WEAK$f, block);
 }
 
+/* The block whose modes are nearest to each other at the time t (s), and the square of their distance. */
+static bool nearest_modes$f(Way$f *way, $real t, uint16_t *nearest, $real *least)
+{
+    bool is_found = false;
+    for (uint16_t block = 0U; block < MEETING_BLOCKS$F; block++) {
+        $real square;
+        if (distance_of_modes$f(way, block, t, way->reached, &square) && (!is_found || (square < *least))) {
+            *nearest = block;
+            *least = square;
+            is_found = true;
+        }
+    }
+    return is_found;
+}
+
+/* Finds a block that cannot be solved at the time t (s), or whose modes are far nearer to each other than elsewhere on
+   the way. */
+static bool has_near_modes$f(Way$f *way, $real t, uint16_t *block)
+{
+    const $real elsewhere = way->from + (SHORTER$f * (way->end - way->from));
+    $real square = 0.0$f;
+    $real whole = 0.0$f;
+    way->law = LAW_OF_WAY$F;
+    if (!is_frame_at$f(way, t, way->reached, way->branches, way->frames[0])) {
+        *block = way->tried.block;
+        return true;
+    }
+    return nearest_modes$f(way, t, block, &square)
+        && distance_of_modes$f(way, *block, elsewhere, way->reached, &whole)
+        && (square <= (sqrt$f(sqrt$f($FLT_EPSILON)) * whole));
+}
+
 /* Goes through meetings of modes where the way begins or ends so near to one that equations are nearly singular. */
 static void pass_ends$f(Way$f *way)
 {
@@ -100,11 +135,12 @@ static void pass_ends$f(Way$f *way)
     const $real step = SHORTER$f * (way->end - way->from);
     uint16_t block = 0U;
     Passage$f passage = PASSED$F;
-    if ((blocks->stays_regular == NULL) || !blocks->holds_coordinates || (way->start == LINKWRIGHT_ESTIMATE)
+    const bool is_closed = blocks->stays_regular != NULL;
+    if (!blocks->is_guarded || !blocks->holds_coordinates || (way->start == LINKWRIGHT_ESTIMATE)
         || (way->from == way->end)) {
         return;
     }
-    if (is_weak_frame$f(way, way->reached, way->from, &block)) {
+    if (is_closed ? is_weak_frame$f(way, way->reached, way->from, &block) : has_near_modes$f(way, way->from, &block)) {
         passage = pass$f(way, way->from, block, step, FIRST_LAW$F);
     }
     if (blocks->time(way->reached) == way->end) {
@@ -113,7 +149,8 @@ static void pass_ends$f(Way$f *way)
     way->law = LAW_OF_WAY$F;
     bool is_near = true;
     if (is_frame_at$f(way, way->end, way->reached, way->branches, way->frames[0])) {
-        is_near = is_weak_frame$f(way, way->frames[0], way->end, &block);
+        is_near = is_closed ? is_weak_frame$f(way, way->frames[0], way->end, &block)
+                            : has_near_modes$f(way, way->end, &block);
     } else {
         block = way->tried.block;
     }
@@ -137,5 +174,32 @@ static bool is_crossed$f(Way$f *way)
     const $real near_time = blocks->time(way->reached);
     const $real first = FIRST_STEP$f * fabs$f(near_time - blocks->time(way->origin));
     const $real step = larger$f(fabs$f(way->failure.time - near_time), first);
-    return pass$f(way, near_time, way->failure.block, step, LAW_OF_WAY$F) == PASSED$F;
+    uint16_t block = way->failure.block;
+    $real square = 0.0$f;
+    /* A later block may refuse the step that an earlier one, whose modes meet, leads astray. */
+    way->law = LAW_OF_WAY$F;
+    (void)nearest_modes$f(way, near_time, &block, &square);
+    return pass$f(way, near_time, block, step, LAW_OF_WAY$F) == PASSED$F;
+}
+
+/* True if modes of a block are far nearer to each other where the way has broken than elsewhere, though the motion goes
+   on. */
+static bool is_undecided$f(Way$f *way)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    const linkwright_status status = way->failure.status;
+    const bool is_doubtful = (status == LINKWRIGHT_STEP_TOO_LARGE) || (status == LINKWRIGHT_SINGULAR)
+        || (status == LINKWRIGHT_WRONG_BRANCH);
+    const $real near_time = blocks->time(way->reached);
+    const $real length = near_time - blocks->time(way->origin);
+    /* A motion that turns back at a dead center has been followed to it, as far as rounding lets it. */
+    const $real beyond = way->failure.time + (sqrt$f($FLT_EPSILON) * length);
+    uint16_t block = 0U;
+    $real square = 0.0$f;
+    $real whole = 0.0$f;
+    way->law = LAW_OF_WAY$F;
+    return is_doubtful && blocks->is_guarded && (way->start != LINKWRIGHT_ESTIMATE)
+        && is_frame_at$f(way, beyond, way->reached, way->branches, way->frames[0])
+        && nearest_modes$f(way, near_time, &block, &square)
+        && largest_distance$f(way, block, way->reached, near_time, &whole) && (square <= (UNDECIDED$f * whole));
 }

@@ -43,6 +43,9 @@ const char *linkwright_status_text(linkwright_status status)
     case LINKWRIGHT_STEP_TOO_LARGE:
         text = "the step is too large for the motion to be followed";
         break;
+    case LINKWRIGHT_UNDECIDED:
+        text = "two assembly modes meet, and the motion does not tell them apart";
+        break;
     case LINKWRIGHT_NOT_POSITIVE:
         text = "not positive";
         break;

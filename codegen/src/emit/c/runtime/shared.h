@@ -59,7 +59,10 @@ typedef enum linkwright_status {
        place among what must be positive. */
     LINKWRIGHT_NOT_POSITIVE = 9,
     /* A number is infinite or NaN. Of an input, the failure's column is its place, counted from 1. */
-    LINKWRIGHT_NOT_FINITE = 10
+    LINKWRIGHT_NOT_FINITE = 10,
+    /* The motion comes to a pose at which two assembly modes meet, and nothing tells in which of them it goes on: it
+       rests there, or it is as smooth in both. A shorter step does not help. */
+    LINKWRIGHT_UNDECIDED = 11
 } linkwright_status;
 
 /* What happened, in a few words. */

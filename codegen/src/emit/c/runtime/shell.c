@@ -93,6 +93,10 @@ static linkwright_status gone$f(Way$f *way)
             break;
         }
     }
+    if ((status != LINKWRIGHT_OK) && is_undecided$f(way)) {
+        status = LINKWRIGHT_UNDECIDED;
+        restate$f(&way->failure, status, 0.0$f, 0U);
+    }
     return status;
 }
 
