@@ -61,7 +61,8 @@ pub mod program {
 pub mod assemblies {
     #[doc(inline)]
     pub use crate::assemblies::{
-        Enclosed, Enclosing, Interval, Place, Pose, Poses, counts_turns, order, poses, read,
+        Enclosed, Enclosing, Interval, Place, Pose, Poses, counts_turns, never_meet, order, poses,
+        read,
     };
 }
 

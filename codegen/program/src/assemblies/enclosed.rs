@@ -187,6 +187,11 @@ impl<'a> Enclosing<'a> {
         self.symbols.insert(symbol, Place::Known(value));
     }
 
+    /// Lets a symbol stand for what is found at a place.
+    pub fn bind(&mut self, symbol: SymbolId, place: Place) {
+        self.symbols.insert(symbol, place);
+    }
+
     /// Says that a symbol is a component of a vector whose length has this square, where that is known.
     pub fn limit(&mut self, symbol: SymbolId, square: ExprId) {
         if let Place::Known(square) = self.value(square) {

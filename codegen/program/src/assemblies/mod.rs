@@ -10,6 +10,7 @@ mod elementary;
 mod enclosed;
 mod interval;
 mod isolation;
+mod meeting;
 mod poses;
 mod sought;
 mod stored;
@@ -17,6 +18,7 @@ mod turns;
 
 pub use enclosed::{Enclosed, Enclosing, Place};
 pub use interval::Interval;
+pub use meeting::never_meet;
 pub use poses::{Pose, Poses, order, poses};
 pub use sought::read;
 pub use stored::{StoredAssemblies, StoredAssembly, stored};

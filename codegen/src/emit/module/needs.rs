@@ -2,6 +2,7 @@
 
 use super::Module;
 use super::scope::{Place, Scope};
+use crate::assemblies::never_meet;
 use crate::expr::{IdMap, IdSet, SymbolId};
 use crate::program::{Block, Statement};
 
@@ -46,10 +47,12 @@ impl Needs {
     }
 }
 
-/// The blocks that have one mode only, by its symbol: beyond a pose at which its two modes meet such a block has the other.
+/// The blocks that have one mode only, by its symbol: beyond a pose at which its two modes meet such a block has the other. Blocks whose
+/// modes never meet are left out.
 pub(in crate::emit) fn exchanged_by(module: &Module<'_>) -> IdMap<SymbolId, usize> {
     let graph = &module.system.mechanism.graph;
     let blocks = module.program.blocks.iter().enumerate();
+    let apart = never_meet(module.system, module.program);
     let closed = blocks.filter(|(_, block)| block.newton.is_none());
     // A mode belongs to the first block that reads it.
     let mut met: IdSet<SymbolId> = IdSet::default();
@@ -59,7 +62,7 @@ pub(in crate::emit) fn exchanged_by(module: &Module<'_>) -> IdMap<SymbolId, usiz
         let read = read.filter(|&&symbol| module.program.branch_of(symbol).is_some());
         let read: IdSet<SymbolId> = read.copied().collect();
         let own = read.iter().filter(|&&symbol| met.insert(symbol)).count();
-        if own == 1 && read.len() == 1 {
+        if own == 1 && read.len() == 1 && !apart[number] {
             found.extend(read.into_iter().map(|symbol| (symbol, number)));
         }
     }

@@ -1,0 +1,185 @@
+//! *A program of closed forms, and what drivers can do* → *the blocks whose two modes never meet*.
+//!
+//! The modes of two links meet where the links are in line, so that the square of their half chord vanishes. Angles that drivers prescribe
+//! are taken for any angle, lengths for any that their law can have, and modes for either; what parameters or inputs change otherwise is not
+//! bounded, and nothing is shown of it. Deliberately unknown here: which motion a mechanism makes.
+
+use std::collections::HashSet;
+use std::f64::consts::TAU;
+
+use super::enclosed::{Enclosed, Enclosing, Place};
+use super::interval::Interval;
+use crate::expr::{ExprId, Graph, SymbolId};
+use crate::joint::Quantity;
+use crate::program::{Program, Statement};
+use crate::system::{SymbolRole, System};
+
+/// The least square of a half chord, relative to the links, that keeps modes apart: links then enclose more than a hundredth of a radian.
+const LEAST_CHORD: f64 = 1e-4;
+
+/// How many modes of blocks before may be either.
+const MOST_SIGNS: usize = 4;
+
+/// How many boxes of arguments are looked at.
+const BOXES: usize = 1024;
+
+/// Goes through the blocks of a program.
+struct Walk<'a> {
+    system: &'a System,
+    enclosing: Enclosing<'a>,
+    /// What changes in time other than by arguments. Only looked up.
+    moving: HashSet<SymbolId>,
+    /// The ranges of the arguments: what is driven, in order.
+    driven: Vec<[f64; 2]>,
+    /// The blocks of the plan whose modes the first arguments are.
+    signs: Vec<usize>,
+}
+
+/// For each block of a program, true if it has been shown that its modes never meet.
+pub fn never_meet(system: &System, program: &Program) -> Vec<bool> {
+    let mut walk = Walk::new(system, program);
+    let blocks = program.blocks.iter();
+    blocks
+        .map(|block| {
+            let mut chords = Vec::new();
+            for statement in &block.function.statements {
+                walk.statement(statement, &mut chords);
+            }
+            block.newton.is_none() && walk.are_apart(&chords, block.place)
+        })
+        .collect()
+}
+
+impl<'a> Walk<'a> {
+    fn new(system: &'a System, program: &Program) -> Walk<'a> {
+        let graph: &'a Graph = &system.mechanism.graph;
+        let signs: Vec<SymbolId> = program.branches.iter().map(|it| it.symbol).collect();
+        let mut enclosing = Enclosing::new(graph, &signs);
+        let time = system.mechanism.time;
+        let always = Interval::new(f64::NEG_INFINITY, f64::INFINITY);
+        enclosing.know(time, always);
+        let inputs = system.mechanism.inputs.iter();
+        let inputs = inputs.flat_map(|input| input.symbols);
+        Walk {
+            system,
+            enclosing,
+            moving: inputs.chain([time]).collect(),
+            driven: Vec::new(),
+            signs: program.branches.iter().map(|it| it.block).collect(),
+        }
+    }
+
+    fn is_moving(&self, expr: ExprId) -> bool {
+        let symbols = self.system.mechanism.graph.symbols(expr);
+        symbols.iter().any(|symbol| self.moving.contains(symbol))
+    }
+
+    /// A new argument with this range.
+    fn argument(&mut self, range: [f64; 2]) -> Place {
+        self.driven.push(range);
+        Place::Argument(self.signs.len() + self.driven.len() - 1)
+    }
+
+    fn statement(&mut self, statement: &Statement, chords: &mut Vec<[Place; 2]>) {
+        match *statement {
+            Statement::Let { target, value, .. } if self.is_moving(value) => {
+                let is_driven = match self.system.roles[target.index()] {
+                    SymbolRole::Position(place) => {
+                        Some(self.system.vector_form.unknowns[place].quantity)
+                    }
+                    _ => None,
+                };
+                let range = self.enclosing.known(value);
+                let range = range.filter(|it| it.defined && (it.high - it.low).is_finite());
+                match (is_driven, range) {
+                    // Only its sine and cosine have bounds: what is geared to it turns by other angles.
+                    (Some(Quantity::Angle), _) => {
+                        self.moving.insert(target);
+                    }
+                    (Some(_), Some(range)) => {
+                        let argument = self.argument([range.low, range.high]);
+                        self.enclosing.bind(target, argument);
+                    }
+                    _ => {
+                        self.moving.insert(target);
+                        self.enclosing.statement(statement);
+                    }
+                }
+            }
+            Statement::SineCosine {
+                sine,
+                cosine,
+                angle,
+            } if self.is_moving(angle) => {
+                let argument = self.argument([0.0, TAU]);
+                let [s, c] = [
+                    self.enclosing.sine(argument),
+                    self.enclosing.cosine(argument),
+                ];
+                self.enclosing.bind(sine, s);
+                self.enclosing.bind(cosine, c);
+            }
+            Statement::Reach { excess, scale, .. } => {
+                chords.push([excess, scale].map(|it| self.enclosing.value(it)));
+            }
+            _ => self.enclosing.statement(statement),
+        }
+    }
+
+    /// Whether the links of a block are never in line.
+    fn are_apart(&self, chords: &[[Place; 2]], block: Option<usize>) -> bool {
+        let signs = self.signs.iter().enumerate();
+        let before: Vec<usize> = signs
+            .filter(|(_, own)| Some(**own) < block)
+            .map(|(at, _)| at)
+            .collect();
+        if chords.is_empty() || before.len() > MOST_SIGNS {
+            return false;
+        }
+        let enclosed = self.enclosing.clone().finish(chords.concat());
+        (0..1_u32 << before.len()).all(|modes| {
+            let mut arguments = vec![Interval::point(1.0); self.signs.len()];
+            for (bit, &at) in before.iter().enumerate() {
+                if modes & (1 << bit) != 0 {
+                    arguments[at] = Interval::point(-1.0);
+                }
+            }
+            let driven = self.driven.iter();
+            arguments.extend(driven.map(|&[low, high]| Interval::new(low, high)));
+            is_apart(&enclosed, arguments)
+        })
+    }
+}
+
+/// Whether all half chords stay above the least one, by halving boxes of arguments.
+fn is_apart(enclosed: &Enclosed, whole: Vec<Interval>) -> bool {
+    let mut registers = Vec::new();
+    let mut open = vec![whole];
+    let mut looked_at = 0;
+    while let Some(arguments) = open.pop() {
+        looked_at += 1;
+        if looked_at > BOXES {
+            return false;
+        }
+        let found = enclosed.at(&arguments, &mut registers);
+        let mut chords = found.chunks_exact(2);
+        if chords.all(|it| it[0].defined && it[1].defined && it[0].low > LEAST_CHORD * it[1].high) {
+            continue;
+        }
+        let widths = arguments.iter().map(|it| it.high - it.low);
+        let widest = widths
+            .enumerate()
+            .max_by(|one, other| one.1.total_cmp(&other.1));
+        let Some((widest, width)) = widest.filter(|it| it.1 > 0.0) else {
+            return false;
+        };
+        let Interval { low, high, .. } = arguments[widest];
+        let middle = low + 0.5 * width;
+        for [low, high] in [[low, middle], [middle, high]] {
+            let mut half = arguments.clone();
+            half[widest] = Interval::new(low, high);
+            open.push(half);
+        }
+    }
+    true
+}
