@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::chain::Order;
+use super::chain::{self, Order};
 use crate::expr::{ExprId, SymbolId};
 use crate::program::builder::Builder;
 use crate::system::SymbolRole;
@@ -23,6 +23,14 @@ pub(super) struct Columns {
 }
 
 impl Columns {
+    /// The order in which they are those of a chain, where they are.
+    pub fn chain(&self) -> Option<Order> {
+        // What turns is an angle, and does not vary beside.
+        let all_turn = self.turns.iter().all(|turns| *turns);
+        let places = self.jacobian.iter().map(|(place, _)| *place);
+        chain::order(self.turns.len(), places).filter(|_| all_turn)
+    }
+
     /// The same with its rows and columns in this order.
     pub fn in_order(self, order: &Order) -> Columns {
         let places = |order: &[usize]| {

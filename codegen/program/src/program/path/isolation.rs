@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::chain::{self, Order};
+use super::chain::Order;
 use super::columns::Columns;
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
@@ -66,10 +66,12 @@ impl Builder<'_> {
             return;
         }
         let mut found = self.columns(&loops.residuals, &loops.columns);
-        // What turns is an angle, and does not vary beside.
-        let all_turn = found.turns.iter().all(|turns| *turns);
-        let places = found.jacobian.iter().map(|(place, _)| *place);
-        let order = chain::order(loops.unknowns.len(), places).filter(|_| all_turn);
+        let mut order = found.chain();
+        // What hangs together cell by cell is short already.
+        if order.is_none() && self.shorten_loops(&mut loops) {
+            found = self.columns(&loops.residuals, &loops.columns);
+            order = found.chain();
+        }
         if let Some(order) = &order {
             loops = loops.in_order(order);
             found = found.in_order(order);

@@ -7,6 +7,7 @@
 //! together, because bounds that pass from one to the next grow by more than what they bound. What is explicit has no other
 //! solution. Deliberately unknown here: how a part is solved.
 
+mod basis;
 mod bounds;
 mod chain;
 mod columns;
