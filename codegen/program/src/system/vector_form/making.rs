@@ -1,16 +1,34 @@
 //! The joints of a mechanism → the rows of the vector form, and its unknowns.
 
 use std::collections::HashMap;
+use std::f64::consts::TAU;
 
 use super::{VectorForm, VectorRow};
 use crate::diagnostic::internal::work_at;
-use crate::expr::{Graph, SymbolId};
+use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{Kind, Quantity, Resolved, Row};
-use crate::model::{Joint, Mechanism, Role};
+use crate::model::{Body, Joint, Mechanism, Role};
 use crate::system::assemble::Watch;
 use crate::system::mark_names::MarkNames;
 use crate::system::orientation::Orientations;
 use crate::system::{Settled, SymbolRole, Unknown};
+
+/// The largest distance of a driven angle from the drawn one that decides no assembly mode, in rad.
+const AS_DRAWN: f64 = 1e-3;
+
+/// Returns true if the angles of the drawing satisfy a row except for whole turns, or if something else has a part in it.
+fn is_drawn(row: &Row, bodies: &[Body], graph: &mut Graph) -> bool {
+    let angles = bodies.iter().filter_map(|body| {
+        let [_, _, angle] = body.coordinates;
+        Some((angle?.symbol, body.drawn.angle))
+    });
+    let angles: Vec<(SymbolId, ExprId)> = angles.collect();
+    let missed = graph.substitute(row.residual, &angles);
+    graph.constant_value(missed).is_none_or(|missed| {
+        let turns = missed / TAU;
+        (turns - turns.round()).abs() * TAU <= AS_DRAWN
+    })
+}
 
 impl VectorForm {
     /// The vector form of every joint, with the drawn values of the auxiliary unknowns; `dropped` says of each joint which of
@@ -103,12 +121,14 @@ impl VectorForm {
         });
         let angles: HashMap<SymbolId, usize> = angles.collect();
         for (joint, dropped) in joints.iter().zip(dropped) {
-            // A driver that holds an angle ties it, unless its value is to be moved.
-            if moved && joint.role == Role::Driver {
+            // A driver that holds an angle as it is drawn ties it, unless its value is to be moved.
+            let is_driver = joint.role == Role::Driver;
+            if moved && is_driver {
                 continue;
             }
             for row in kept_rows(joint.kind, &joint.operands, dropped, graph) {
-                if row.quantity == Quantity::Angle {
+                let is_tied = !is_driver || is_drawn(&row, bodies, graph);
+                if row.quantity == Quantity::Angle && is_tied {
                     self.orientations.write().tie(&row, &angles, graph);
                 }
             }
