@@ -76,9 +76,12 @@ fn only(arguments: &Arguments, number: u64) -> Result<usize, Box<dyn Error>> {
         hunted.known.task.times.len()
     );
     let views = interpreted::answers(&hunted.known).map(|it| (View::Interpreted, it));
-    let texts = [hunted.mechanism.text()];
     let answers = if arguments.compile > 0 {
-        compiled::answers(&compiled::folder()?, &texts, &[&hunted.known.task])?
+        compiled::answers(
+            &compiled::folder()?,
+            &[&hunted.mechanism],
+            &[&hunted.known.task],
+        )?
     } else {
         Vec::new()
     };

@@ -3,6 +3,8 @@
 use super::joint::Joint;
 use super::law::Law;
 use super::mechanism::{GROUND, Mechanism, Point, Pose, difference, length};
+use super::motion::Motions;
+use super::periodic::Periodic;
 use crate::random::Random;
 
 /// A mechanism that grows.
@@ -17,6 +19,8 @@ pub struct Builder {
     /// How far frames may lie from the points of their bodies, in sizes.
     frames: f64,
     group: usize,
+    /// Number of periodic tables.
+    tables: usize,
 }
 
 impl Builder {
@@ -39,11 +43,13 @@ impl Builder {
                 groups: Vec::new(),
                 body_order: Vec::new(),
                 joint_order: Vec::new(),
+                motions: None,
             },
             centre: [0.0; 2],
             range: 0.0,
             frames: 1.0,
             group: 0,
+            tables: 0,
         };
         let away = match builder.between(0.0, 1.0) {
             d if d < 0.06 => 1e5,
@@ -176,7 +182,7 @@ impl Builder {
 
     fn law(&mut self, range: f64) -> Law {
         let amplitude = range * self.between(0.3, 1.0) * if self.chance(0.5) { 1.0 } else { -1.0 };
-        match self.below(4) {
+        match self.below(5) {
             0 => Law::Ramp {
                 rate: amplitude / 1.5,
             },
@@ -193,8 +199,38 @@ impl Builder {
                 to: self.between(1.2, 2.8),
                 height: amplitude,
             },
-            _ => Law::Decay { height: amplitude },
+            3 => Law::Decay { height: amplitude },
+            _ => Law::Repeated(self.periodic(amplitude)),
         }
+    }
+
+    /// A periodic table with heights up to `height`, which begins anywhere; half of them have their boundaries at exact binary
+    /// numbers, among them the instants of the hunt.
+    pub fn periodic(&mut self, height: f64) -> Periodic {
+        let number = self.tables;
+        self.tables += 1;
+        let (first, period) = match self.chance(0.5) {
+            true => (
+                0.125 * (self.below(33) as f64 - 16.0),
+                0.25 * (2 + self.below(5)) as f64,
+            ),
+            false => (self.between(-2.0, 2.0), self.between(0.5, 2.0)),
+        };
+        Periodic {
+            number,
+            first,
+            period,
+            heights: [0; 4].map(|_| 0.5 * height * self.between(-1.0, 1.0)),
+        }
+    }
+
+    /// Writes the drivers in motions.
+    fn in_motions(&mut self) {
+        self.mechanism.motions = Some(Motions {
+            before: self.below(2),
+            after: self.below(2),
+            are_alike: self.chance(0.6),
+        });
     }
 
     /// How a length is driven.
@@ -229,6 +265,9 @@ impl Builder {
         order.extend(lengths);
         self.mechanism.body_order = bodies;
         self.mechanism.joint_order = order;
+        if self.chance(0.2) {
+            self.in_motions();
+        }
         if self.chance(0.4) {
             let mut exact = vec![false; self.mechanism.bodies.len()];
             for (joint, _) in &self.mechanism.joints {

@@ -11,6 +11,7 @@ use std::process::Command;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::{Options, Scalar, generate_with};
 
+use super::mechanism::Mechanism;
 use super::program;
 use super::ways::{Answered, CALLS, Task};
 use crate::files;
@@ -33,8 +34,12 @@ pub fn folder() -> io::Result<PathBuf> {
 ///
 /// # Errors
 /// If a file cannot be written, the code cannot be generated or compiled, or the program does not end as it should.
-pub fn answers(folder: &Path, texts: &[String], tasks: &[&Task]) -> io::Result<Vec<Answers>> {
-    write_package(folder, texts)?;
+pub fn answers(
+    folder: &Path,
+    mechanisms: &[&Mechanism],
+    tasks: &[&Task],
+) -> io::Result<Vec<Answers>> {
+    write_package(folder, mechanisms)?;
     let built = Command::new("cargo")
         .args(["build", "--release", "--quiet", "--offline", "--target-dir"])
         .arg(folder.join("target"))
@@ -61,7 +66,7 @@ pub fn answers(folder: &Path, texts: &[String], tasks: &[&Task]) -> io::Result<V
 }
 
 /// Writes what has changed: Cargo compiles nothing again for a file that is as it was.
-fn write_package(folder: &Path, texts: &[String]) -> io::Result<()> {
+fn write_package(folder: &Path, mechanisms: &[&Mechanism]) -> io::Result<()> {
     let source = folder.join("src");
     fs::create_dir_all(&source)?;
     let write = |path: PathBuf, text: &str| {
@@ -81,8 +86,10 @@ fn write_package(folder: &Path, texts: &[String]) -> io::Result<()> {
     )?;
     write(source.join("values.rs"), include_str!("../values.rs"))?;
     write(source.join("ways.rs"), include_str!("ways.rs"))?;
-    write(source.join("main.rs"), &program::main(texts.len()))?;
-    for (index, text) in texts.iter().enumerate() {
+    let have_motions: Vec<bool> = mechanisms.iter().map(|it| it.motions.is_some()).collect();
+    write(source.join("main.rs"), &program::main(&have_motions))?;
+    for (index, mechanism) in mechanisms.iter().enumerate() {
+        let text = mechanism.text();
         for (name, scalar) in [("f64", Scalar::F64), ("f32", Scalar::F32)] {
             let generated = generate_with(
                 &Source::new("found.mech", text.as_str()),

@@ -3,6 +3,7 @@
 
 use super::builder::Builder;
 use super::joint::Joint;
+use super::legs;
 use super::mechanism::{GROUND, difference, dot, length};
 
 /// A random mechanism of at most `largest` bodies.
@@ -12,7 +13,7 @@ pub fn grow(builder: &mut Builder, largest: usize) {
     for _ in 0..groups {
         let there = builder.mechanism.bodies.len() - 1;
         let room = largest.saturating_sub(there);
-        match builder.below(20) {
+        match builder.below(22) {
             0..=2 if room >= 1 => driven(builder),
             3..=9 if room >= 2 => dyad(builder),
             10..=13 if room >= 1 => pinned(builder),
@@ -22,13 +23,14 @@ pub fn grow(builder: &mut Builder, largest: usize) {
             17 if room >= 3 => chain(builder),
             18 if room >= 2 => two_dyads_tied(builder),
             19 if room >= 2 => free(builder),
+            20 | 21 if room >= 3 => legs::platform(builder, room),
             _ => {}
         }
     }
 }
 
 /// One body whose every motion is driven.
-fn driven(builder: &mut Builder) {
+pub fn driven(builder: &mut Builder) {
     let before = builder.mechanism.bodies.len();
     let x = builder.earlier(before);
     match builder.below(8) {

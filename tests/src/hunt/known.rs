@@ -5,11 +5,13 @@ use linkwright::Equations;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::supplied::Numbers;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;
 
 use super::mechanism::Mechanism;
 use super::mixing::mixing;
+use super::motion::hunted;
 use super::track::{End, Tracker};
 use super::ways::Task;
 use crate::random::Random;
@@ -77,12 +79,14 @@ pub enum Unused {
 fn instant(
     truth: &Truth,
     interpreter: &TextbookEquations,
+    parameters: &[f64],
     t: f64,
     start: &DVector<f64>,
     length: f64,
 ) -> Option<Instant> {
     let given = Given {
         t,
+        parameters: parameters.to_vec(),
         ..Given::default()
     };
     let start: Vec<Precise> = start.iter().map(|it| Precise::from_f64(*it)).collect();
@@ -128,7 +132,7 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
         Unused::Refused(codes.join(" "), rendered)
     };
     let read = linkwright_codegen::read(&source).map_err(|errors| refused(&errors))?;
-    let system = read.only().expect("one motion");
+    let system = hunted(read).expect("the hunted motion");
     linkwright_codegen::check(&system).map_err(|errors| refused(&errors))?;
     let interpreter = TextbookEquations::new(&system);
     let truth = Truth::new(&system);
@@ -166,10 +170,11 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
     if off > 1e-6 * away {
         return Err(Unused::Singular);
     }
+    let parameters = Numbers::nominal_parameters(&system).0;
     let mut instants = Vec::new();
     let mut end = path.end;
     for (t, tracked) in times.iter().zip(&path.poses) {
-        let Some(found) = instant(&truth, &interpreter, *t, tracked, length) else {
+        let Some(found) = instant(&truth, &interpreter, &parameters, *t, tracked, length) else {
             end = End::Unknown;
             break;
         };
@@ -187,6 +192,9 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
             return Err(Unused::Contradiction(format!(
                 "violated by {violation:.1e} at t = {t}"
             )));
+        }
+        if mechanism.rate_violation(&found.exact.levels, *t) > VIOLATION {
+            return Err(Unused::Contradiction(format!("other rates at t = {t}")));
         }
         instants.push(found);
     }
@@ -247,6 +255,7 @@ pub fn elsewhere(known: &Known, instant: usize, found: &[f64]) -> Option<Instant
     self::instant(
         &known.truth,
         &known.interpreter,
+        &Numbers::nominal_parameters(&known.system).0,
         known.task.times[instant],
         &found,
         known.length,

@@ -1,5 +1,7 @@
 //! *The shape of a driver's motion* → *its value at a time, and its text*. Every shape is zero at t = 0.
 
+use super::periodic::Periodic;
+
 /// How a driven quantity moves away from where it is at t = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
@@ -29,6 +31,8 @@ pub enum Law {
         /// What it approaches.
         height: f64,
     },
+    /// The deviation of a periodic table of t from its value at t = 0.
+    Repeated(Periodic),
     /// That of an input, which is zero at t = 0 as well.
     Given {
         /// Which input.
@@ -50,6 +54,7 @@ impl Law {
                 height * s * s * (3.0 - 2.0 * s)
             }
             Law::Decay { height } => -height * (-t).exp_m1(),
+            Law::Repeated(table) => table.at(t)[0] - table.at(0.0)[0],
             Law::Given { .. } => 0.0,
         }
     }
@@ -80,6 +85,10 @@ impl Law {
                 }
             }
             Law::Decay { height } => [height * (-t).exp(), -height * (-t).exp()],
+            Law::Repeated(table) => {
+                let [_, rate, acceleration] = table.at(t);
+                [rate, acceleration]
+            }
             Law::Given { .. } => [0.0; 2],
         };
         [self.at(t), rate, acceleration]
@@ -92,6 +101,7 @@ impl Law {
             Law::Harmonic { frequency, .. } => std::f64::consts::TAU / frequency,
             Law::Step { from, to, .. } => 2.0 * (to - from),
             Law::Decay { .. } => std::f64::consts::TAU,
+            Law::Repeated(table) => table.period,
             Law::Given { .. } => f64::INFINITY,
         }
     }
@@ -108,7 +118,36 @@ impl Law {
                 format!("step(t, {from:?}s, {base:?}, {to:?}s, {:?})", base + height)
             }
             Law::Decay { height } => format!("{:?} - {height:?}*exp(-t)", base + height),
+            Law::Repeated(table) => {
+                format!("{:?} + {}(t)", base - table.at(0.0)[0], table.name())
+            }
             Law::Given { input } => format!("{base:?} + k{input}"),
+        }
+    }
+
+    /// The law with heights and rates that are so many times as large.
+    pub fn scaled(self, factor: f64) -> Law {
+        match self {
+            Law::Ramp { rate } => Law::Ramp {
+                rate: factor * rate,
+            },
+            Law::Harmonic {
+                amplitude,
+                frequency,
+            } => Law::Harmonic {
+                amplitude: factor * amplitude,
+                frequency,
+            },
+            Law::Step { from, to, height } => Law::Step {
+                from,
+                to,
+                height: factor * height,
+            },
+            Law::Decay { height } => Law::Decay {
+                height: factor * height,
+            },
+            Law::Repeated(table) => Law::Repeated(table.scaled(factor)),
+            given @ Law::Given { .. } => given,
         }
     }
 }

@@ -5,6 +5,10 @@
 use std::fmt::Write as _;
 
 use super::joint::{Joint, name};
+use super::law::Law;
+use super::motion::Motions;
+use crate::stability::precise::Precise;
+use crate::stability::truth::Levels;
 
 /// The body that does not move.
 pub const GROUND: usize = 0;
@@ -40,6 +44,8 @@ pub struct Mechanism {
     pub body_order: Vec<usize>,
     /// The joints in the order in which they are written.
     pub joint_order: Vec<usize>,
+    /// The motions, where drivers are written in motions.
+    pub motions: Option<Motions>,
 }
 
 impl Mechanism {
@@ -92,9 +98,47 @@ impl Mechanism {
         )
     }
 
+    /// The largest part by which rates and accelerations of driven angles differ from their laws at time `t`.
+    pub fn rate_violation(&self, levels: &Levels<Precise>, t: f64) -> f64 {
+        let angle = |level: usize, body: usize| {
+            let place = self.body_order.iter().position(|it| *it == body);
+            place.map_or(0.0, |place| levels[level][3 * place + 2].to_f64())
+        };
+        let mut worst = 0.0;
+        for joint in &self.joint_order {
+            let (first, last, law) = match self.joints[*joint].0 {
+                Joint::DrivePhi(body, law) => (GROUND, body, law),
+                Joint::DriveRelativeAngle(first, last, law) => (first, last, law),
+                _ => continue,
+            };
+            let expected = law.motion(t);
+            for level in [1, 2] {
+                let found = angle(level, last) - angle(level, first);
+                let off = (found - expected[level]).abs() / (1.0 + expected[level].abs());
+                // Written so that NaN is worst.
+                worst = if off <= worst { worst } else { off };
+            }
+        }
+        worst
+    }
+
     /// The description.
     pub fn text(&self) -> String {
         let mut text = String::from("mechanism found {\n");
+        let written: Vec<Joint> = self
+            .joint_order
+            .iter()
+            .map(|it| self.joints[*it].0)
+            .collect();
+        for mut joint in written.iter().copied() {
+            if let Some(Law::Repeated(table)) = joint.law_mut() {
+                let declared = match self.motions {
+                    Some(motions) => motions.inside(table),
+                    None => *table,
+                };
+                let _ = writeln!(text, "    {}", declared.declaration());
+            }
+        }
         let mut used = vec![false; self.points.len()];
         for joint in &self.joint_order {
             let (_, points) = self.joints[*joint].0.mentions();
@@ -128,8 +172,15 @@ impl Mechanism {
                 ),
             };
         }
-        for &joint in &self.joint_order {
-            let _ = writeln!(text, "    {};", self.joints[joint].0.text(self));
+        let is_driver = |joint: &Joint| joint.driver(self).is_some();
+        let (inside, outside): (Vec<Joint>, Vec<Joint>) = written
+            .into_iter()
+            .partition(|joint| self.motions.is_some() && is_driver(joint));
+        for joint in outside {
+            let _ = writeln!(text, "    {};", joint.text(self));
+        }
+        if let Some(motions) = self.motions {
+            text += &motions.text(self, &inside);
         }
         text + "}\n"
     }

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use super::motion::HUNTED;
+
 /// What the package needs beside the generated modules, `values.rs` and `ways.rs`.
 const PROGRAM: &str = r#"#[allow(dead_code)]
 mod values;
@@ -66,14 +68,17 @@ pub fn module(index: usize, scalar: &str) -> String {
     format!("found_{index}_{scalar}")
 }
 
-/// `main.rs` for as many mechanisms.
-pub fn main(count: usize) -> String {
+/// `main.rs` for mechanisms, each with its drivers in motions or not.
+pub fn main(have_motions: &[bool]) -> String {
     let mut text = PROGRAM.to_string();
     let mut calls = String::new();
-    for index in 0..count {
+    for (index, has_motions) in have_motions.iter().enumerate() {
         for scalar in ["f64", "f32"] {
-            let module = module(index, scalar);
+            let mut module = module(index, scalar);
             let _ = writeln!(text, "mod {module};");
+            if *has_motions {
+                let _ = write!(module, "::{HUNTED}");
+            }
             let _ = writeln!(
                 calls,
                 "        run::<{module}::Found, {module}::Textbook, _>,"
@@ -92,7 +97,7 @@ pub fn main(count: usize) -> String {
         pair.iter().for_each(|run| print(run(&task)));
     }}
 }}\n",
-        2 * count
+        2 * have_motions.len()
     );
     text
 }

@@ -82,9 +82,9 @@ pub fn interpret(hunted: &Hunted, tally: &mut Tally) {
 /// # Errors
 /// Those of [`compiled::answers`].
 pub fn compile(hunted: &[Hunted], tally: &mut Tally) -> io::Result<()> {
-    let texts: Vec<String> = hunted.iter().map(|it| it.mechanism.text()).collect();
+    let mechanisms: Vec<&Mechanism> = hunted.iter().map(|it| &it.mechanism).collect();
     let tasks: Vec<&Task> = hunted.iter().map(|it| &it.known.task).collect();
-    let all = compiled::answers(&compiled::folder()?, &texts, &tasks)?;
+    let all = compiled::answers(&compiled::folder()?, &mechanisms, &tasks)?;
     for (hunted, [double, single]) in hunted.iter().zip(all) {
         count(hunted, View::Double, &double, tally);
         count(hunted, View::Single, &single, tally);

@@ -3,6 +3,7 @@
 use super::joint::Joint;
 use super::law::Law;
 use super::mechanism::{GROUND, Mechanism};
+use super::periodic::Periodic;
 
 /// Leaves out whatever `stays` can do without. It is asked once for each attempt.
 pub fn shrunk(mechanism: &Mechanism, stays: impl Fn(&Mechanism) -> bool) -> Mechanism {
@@ -28,6 +29,9 @@ pub fn shrunk(mechanism: &Mechanism, stays: impl Fn(&Mechanism) -> bool) -> Mech
     let mut plain = best.clone();
     plain.drawn_off.fill([0.0; 3]);
     attempt(&mut best, plain);
+    let mut single = best.clone();
+    single.motions = None;
+    attempt(&mut best, single);
     let mut ordered = best.clone();
     ordered.body_order.sort_unstable();
     attempt(&mut best, ordered);
@@ -120,6 +124,12 @@ fn rounded(mechanism: &Mechanism, digits: i32) -> Mechanism {
                 Law::Decay { height } => Law::Decay {
                     height: to(height, unit),
                 },
+                Law::Repeated(table) => Law::Repeated(Periodic {
+                    first: to(table.first, 1.0),
+                    period: to(table.period, 1.0),
+                    heights: table.heights.map(|it| to(it, unit)),
+                    ..table
+                }),
                 given @ Law::Given { .. } => given,
             };
         }

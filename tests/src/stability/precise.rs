@@ -157,10 +157,35 @@ fn power(base: &Precise, factor: &Factor) -> Precise {
     }
 }
 
+/// An argument within the period from `first` on, if there is one.
+fn repeated(argument: &Precise, first: f64, period: Option<f64>) -> Precise {
+    let Some(period) = period.map(Precise::from_f64) else {
+        return argument.clone();
+    };
+    let turns = argument.minus(&Precise::from_f64(first)).over(&period);
+    argument.minus(&period.times(&Precise(turns.0.floor())))
+}
+
+/// The derivative of this order of cubic pieces; before the first one its tangent holds.
+fn of_pieces(starts: &[f64], pieces: &[[f64; 4]], order: u8, argument: &Precise) -> Precise {
+    let has_begun = |start: &&f64| !argument.minus(&Precise::from_f64(**start)).is_negative();
+    let begun = starts.iter().take_while(has_begun).count();
+    let place = begun.saturating_sub(1);
+    let [height, slope, ..] = pieces[0];
+    let coefficients = match begun {
+        0 => [height, slope, 0.0, 0.0],
+        _ => pieces[place],
+    };
+    let along = argument.minus(&Precise::from_f64(starts[place]));
+    let terms = coefficients.iter().zip(0_u32..4).skip(order.into()).rev();
+    terms.fold(Precise::from_f64(0.0), |sum, (coefficient, power)| {
+        let factor: u32 = (0..u32::from(order)).map(|it| power - it).product();
+        let term = Precise::from_f64(*coefficient).times(&Precise::from_f64(factor.into()));
+        sum.times(&along).plus(&term)
+    })
+}
+
 /// The values of the nodes in `order` (operands first), by the node's index; `symbols` holds a value for each symbol.
-///
-/// # Panics
-/// Where a table occurs: no mechanism of the study has one.
 pub fn values(graph: &Graph, order: &[ExprId], symbols: &[Precise]) -> Vec<Precise> {
     let mut all = vec![Precise::from_f64(0.0); graph.node_count()];
     for &id in order {
@@ -211,7 +236,15 @@ fn value<'a>(
             *otherwise
         })
         .clone(),
-        other @ Node::Spline { .. } => panic!("no precise value of {other:?}"),
+        Node::Spline {
+            spline,
+            order,
+            argument,
+        } => {
+            let spline = graph.spline_of(*spline);
+            let repeated = repeated(at(*argument), spline.starts[0], spline.period);
+            of_pieces(&spline.starts, &spline.pieces, *order, &repeated)
+        }
     }
 }
 
@@ -232,9 +265,6 @@ impl Nodes {
     }
 
     /// Evaluates the nodes in `order` (operands first) that have no value yet.
-    ///
-    /// # Panics
-    /// As [`values`].
     pub fn evaluate(&mut self, graph: &Graph, order: &[ExprId], symbols: &[Precise]) {
         for &id in order {
             if self.precise[id.index()].is_none() {

@@ -15,6 +15,7 @@ mod recovery;
 mod redundant;
 mod standing_time;
 mod starts;
+mod statement_order;
 mod stored_assemblies;
 mod tears;
 mod two_links;

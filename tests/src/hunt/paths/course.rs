@@ -24,6 +24,10 @@ pub struct Course {
     pub is_blurred: bool,
     /// Whether the drawing is the pose at the beginning.
     pub is_drawn: bool,
+    /// Number of loops whose links come in line at once.
+    pub loops: usize,
+    /// True if inputs change while time stands still.
+    pub is_standing: bool,
 }
 
 impl Course {
@@ -39,6 +43,8 @@ impl Course {
             inputs: Vec::new(),
             is_blurred: false,
             is_drawn: true,
+            loops: 1,
+            is_standing: false,
         }
     }
 
@@ -52,6 +58,11 @@ impl Course {
         });
         given.collect()
     }
+}
+
+/// Value, rate and acceleration at a part of the straight way between two of them.
+pub fn straight(first: Given, last: Given, part: f64) -> Given {
+    [0, 1, 2].map(|level| first[level] + part * (last[level] - first[level]))
 }
 
 /// The polynomial of the fifth degree with value, rate and acceleration of both ends, by Hermite's formula.

@@ -5,8 +5,8 @@ use linkwright_solver::supplied::{InputSignals, Numbers};
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;
 
-use super::course::{Course, quintic};
-use super::stepping::{Given, Schedule, Stepped, Target};
+use super::course::{Course, quintic, straight};
+use super::stepping::{Given, SMALLER, Schedule, Stepped, Target};
 use super::tally::Outcome;
 use super::trace::{End, Trace, Tracer};
 
@@ -38,6 +38,9 @@ pub const SINGLE: Tolerance = Tolerance {
 /// The longest steps of the tracker, in shortest periods and in the length of a step.
 const LONGEST: [f64; 2] = [1.0 / 160.0, 1.0 / 8.0];
 
+/// The longest step of the tracker where time stands still, in the whole way.
+const STANDING: f64 = 1.0 / 640.0;
+
 /// How near to an end nothing is judged, in steps and in shortest periods.
 const NEAR_END: f64 = 1e-5;
 
@@ -57,7 +60,7 @@ pub struct Truth<'a> {
     pub scales: &'a [f64],
 }
 
-/// A path with the inputs along it.
+/// A path with the inputs along it. Where time stands still, the part of the way takes the place of time.
 struct Leg {
     trace: Trace,
     /// The times and the inputs at its ends.
@@ -65,12 +68,31 @@ struct Leg {
 }
 
 impl Leg {
+    fn is_standing(&self) -> bool {
+        self.ends[0].0 == self.ends[1].0
+    }
+
     fn inputs_at(&self, t: f64) -> Vec<Given> {
         let [(from, first), (to, last)] = &self.ends;
         let h = to - from;
-        let part = if h == 0.0 { 1.0 } else { (t - from) / h };
         let both = first.iter().zip(last);
-        both.map(|(a, b)| quintic(*a, *b, h, part)).collect()
+        match self.is_standing() {
+            true => both.map(|(a, b)| straight(*a, *b, t)).collect(),
+            false => both
+                .map(|(a, b)| quintic(*a, *b, h, (t - from) / h))
+                .collect(),
+        }
+    }
+
+    /// The inputs with their derivatives by what takes the place of time.
+    fn driven_at(&self, t: f64) -> Vec<Given> {
+        if !self.is_standing() {
+            return self.inputs_at(t);
+        }
+        let [(_, first), (_, last)] = &self.ends;
+        let both = first.iter().zip(last);
+        both.map(|(a, b)| [straight(*a, *b, t)[0], b[0] - a[0], 0.0])
+            .collect()
     }
 }
 
@@ -87,6 +109,7 @@ impl Truth<'_> {
             equations: self.equations,
             scales: self.scales,
             longest,
+            loops: self.course.loops,
             supply,
         }
     }
@@ -104,9 +127,15 @@ impl Truth<'_> {
             trace: Trace::default(),
             ends: [first, (last.t, last.inputs.clone())],
         };
-        let supply = |t: f64| self.supply(&leg.inputs_at(t));
-        let longest = (LONGEST[0] * self.course.period).min(LONGEST[1] * (last.t - from).abs());
-        leg.trace = self.tracer(longest, &supply).trace(start, from, last.t)?;
+        let supply = |t: f64| self.supply(&leg.driven_at(t));
+        leg.trace = match leg.is_standing() {
+            true => self.tracer(STANDING, &supply).trace(start, 0.0, 1.0)?,
+            false => {
+                let way = (last.t - from).abs();
+                let longest = (LONGEST[0] * self.course.period).min(LONGEST[1] * way);
+                self.tracer(longest, &supply).trace(start, from, last.t)?
+            }
+        };
         Some(leg)
     }
 
@@ -123,7 +152,7 @@ impl Truth<'_> {
     fn polished(&self, near: &DVector<f64>, t: f64, leg: Option<&Leg>) -> Option<DVector<f64>> {
         let supply = |t: f64| {
             if let Some(leg) = leg {
-                self.supply(&leg.inputs_at(t));
+                self.supply(&leg.driven_at(t));
             }
         };
         let tracer = self.tracer(self.course.period, &supply);
@@ -168,7 +197,8 @@ impl Truth<'_> {
             let target = &schedule.targets[step.target];
             let is_whole = step.part == 0 && step.target > 0;
             let whole = target.t - last.0;
-            let size = is_whole.then(|| whole.abs() / self.course.period);
+            let size =
+                (is_whole && !self.course.is_standing).then(|| whole.abs() / self.course.period);
             if step.target == 0 {
                 outcomes.push((Outcome::Unjudged, None));
                 continue;
@@ -176,20 +206,28 @@ impl Truth<'_> {
             if has_inputs && step.part == 0 {
                 leg = self.leg(&last.2, (last.0, last.1.clone()), target);
             }
+            let is_standing = leg.as_ref().is_some_and(Leg::is_standing);
             let own = leg.as_ref().map(|leg| &leg.trace);
             let Some(trace) = (if has_inputs { own } else { Some(path) }) else {
                 outcomes.push((Outcome::Unjudged, None));
                 is_lost = true;
                 continue;
             };
-            let t = step.t;
+            let t = match (is_standing, step.part) {
+                (false, _) => step.t,
+                (true, 0) => 1.0,
+                (true, part) => f64::from(part) / f64::from(SMALLER),
+            };
             let exact = trace.at(t);
             let (beyond, late) = match trace.end {
                 End::Open => (None, 0.0),
                 End::Singular(end, latest) => (Some(end), (latest - end).abs()),
                 End::Unknown(end) => (Some(end), 0.0),
             };
-            let near = NEAR_END * whole.abs().min(self.course.period) + late;
+            let near = match is_standing {
+                true => NEAR_END + late,
+                false => NEAR_END * whole.abs().min(self.course.period) + late,
+            };
             let is_near_end = beyond.is_some_and(|end| (t - end).abs() <= near);
             // Where rounding decides how it goes on, it is not known either.
             let is_decided = !self.course.is_blurred || trace.is_before_crossings(t);
@@ -222,7 +260,7 @@ impl Truth<'_> {
                             Some(leg) if has_inputs => leg.inputs_at(t),
                             _ => Vec::new(),
                         };
-                        last = (t, inputs, exact);
+                        last = (step.t, inputs, exact);
                         Outcome::Correct
                     } else {
                         Outcome::Another(format!(
@@ -240,7 +278,10 @@ impl Truth<'_> {
                     let end = beyond.unwrap_or(f64::NAN);
                     let allowed = MISSED_END * (t - last.0).abs() + near;
                     Outcome::Ended {
-                        is_named: (time - end).abs() <= allowed,
+                        is_named: match is_standing {
+                            true => *time == step.t,
+                            false => (time - end).abs() <= allowed,
+                        },
                     }
                 }
             };

@@ -14,6 +14,7 @@ use super::schedule::schedules;
 use super::stepping::{Schedule, Stepped, stepped};
 use super::tally::{Outcome, Tally, View};
 use super::trace::{End, Trace};
+use crate::hunt::motion::hunted;
 use crate::random::Random;
 
 /// A mechanism that is hunted.
@@ -32,7 +33,14 @@ pub struct Hunted {
 }
 
 /// Families of which each solve, or each path, takes longest, and the part of the steps that they are moved by.
-const SLOW: ([&str; 2], f64) = (["grown, inputs", "cam from a table"], 0.25);
+const SLOW: ([&str; 3], f64) = (
+    [
+        "grown, inputs",
+        "grown, inputs while time stands",
+        "cam from a table",
+    ],
+    0.25,
+);
 
 /// Reads a description.
 ///
@@ -49,7 +57,7 @@ pub fn read(text: &str) -> Result<System, String> {
         format!("refused: {}", codes.join(" "))
     };
     let read = linkwright_codegen::read(&source).map_err(|errors| codes(&errors))?;
-    let system = read.only().ok_or("several motions")?;
+    let system = hunted(read).ok_or("several motions")?;
     linkwright_codegen::check(&system).map_err(|errors| codes(&errors))?;
     Ok(system)
 }

@@ -68,7 +68,7 @@ fn along(course: &Course, times: impl Iterator<Item = f64>) -> Schedule {
         from + way.min(2.0 * (until - from) - way)
     };
     let target = |t: f64| Target {
-        t,
+        t: if course.is_standing { from } else { t },
         inputs: course.given(t),
     };
     Schedule {

@@ -68,6 +68,23 @@ fn inputs<B: Blocks>(blocks: &B, given: &[Given]) -> B::Inputs {
     inputs
 }
 
+/// Inputs at a part of the straight way between two of them, on which time stands still.
+fn straight<T: Real, I: Signals<T>>(first: &I, last: &I, part: T) -> I {
+    let mut between = first.clone();
+    for index in 0..first.count() {
+        if let (Some(from), Some(to)) = (first.signal(index), last.signal(index)) {
+            let at = |from: T, to: T| from + part * (to - from);
+            let signal = Signal::new(
+                at(from.value, to.value),
+                at(from.rate, to.rate),
+                at(from.acceleration, to.acceleration),
+            );
+            between.set(index, signal);
+        }
+    }
+    between
+}
+
 /// The name of a failure's kind.
 fn named<T: Real>(kind: FailureKind<T>) -> String {
     let text = format!("{kind:?}");
@@ -153,10 +170,11 @@ where
             } else {
                 from + h * fraction
             };
-            let (h, fraction) = (B::Scalar::from_f64(h), B::Scalar::from_f64(fraction));
+            let fraction = B::Scalar::from_f64(fraction);
             let between = match part {
                 SMALLER => goal.clone(),
-                _ => before.towards(&goal, h, fraction),
+                _ if h == 0.0 => straight(&before, &goal, fraction),
+                _ => before.towards(&goal, B::Scalar::from_f64(h), fraction),
             };
             if !go(&mut shell, t, &between, part) {
                 broken += 1;

@@ -100,6 +100,8 @@ pub struct Tracer<'a> {
     pub scales: &'a [f64],
     /// The longest step (s), shorter than what anything takes to change.
     pub longest: f64,
+    /// Number of loops that become singular at once: each changes the sign of the determinant.
+    pub loops: usize,
     /// Supplies the inputs at a time, where there are any.
     pub supply: &'a dyn Fn(f64),
 }
@@ -277,7 +279,9 @@ impl Tracer<'_> {
                 continue;
             };
             let jump = self.size(&(&state.qd - &rate));
-            if state.is_negative != last.is_negative && jump <= 0.1 * self.size(&rate) {
+            let is_odd = !self.loops.is_multiple_of(2);
+            let has_changed = state.is_negative != last.is_negative;
+            if has_changed == is_odd && jump <= 0.1 * self.size(&rate) {
                 return Some(state);
             }
         }

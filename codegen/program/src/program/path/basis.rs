@@ -1,7 +1,7 @@
 //! Chooses among equations that say the same those with the fewest moving symbols.
 //!
-//! Which loops a plan closes depends on the order of statements, and bounds of an equation add up what its symbols do. Equations are
-//! therefore added to one another or subtracted, with names to decide between alike ones, so that no order of statements has a part in it.
+//! The loops that a plan closes depend on the order of statements, and bounds of an equation add up what its symbols do. Equations are
+//! therefore added to one another or subtracted. Names decide between alike ones, so that no order of statements has a part in it.
 
 use std::collections::BTreeSet;
 

@@ -11,20 +11,14 @@ const BLURRED: f64 = 5e-11;
 
 fn course(text: String, size: f64, period: f64, is_blurred: bool) -> Course {
     Course {
-        family: "",
-        text,
-        size,
-        period,
         span: [0.0, 2.5 * period],
-        start: Vec::new(),
-        inputs: Vec::new(),
         is_blurred,
-        is_drawn: true,
+        ..Course::drawn(text, size, period)
     }
 }
 
 /// A four-bar with these links (crank, coupler, rocker, ground), its crank drawn at an angle, in an orientation.
-fn four_bar(links: [f64; 4], crank: f64, turned: f64, elbow: f64, law: &str) -> String {
+pub(super) fn four_bar(links: [f64; 4], crank: f64, turned: f64, elbow: f64, law: &str) -> String {
     let [a, b, c, d] = links;
     // B and D are known; C is where two circles meet.
     let place = |length: f64, angle: f64| [length * angle.cos(), length * angle.sin()];

@@ -6,16 +6,16 @@ use super::super::course::Course;
 use super::{below, junk, sign, size, with};
 use crate::random::Random;
 
-/// A slide with a wave that a tip rides on, driven at the tip: the tip finds the same height twice in every wave.
-pub fn wave(random: &mut Random, _: u64) -> Course {
+/// A slide with a wave that a tip rides on, driven at the tip: the tip finds the same height twice in every wave. The contact is looked
+/// for in the drawing between these parts of the wave.
+fn wave_between(random: &mut Random, parts: [f64; 2]) -> Course {
     let size = size(random);
     let length = size * random.between(0.3, 3.0);
     let crest = length * random.between(0.05, 0.6);
     let reach = crest * [0.3, 0.9, 0.98, 0.999][below(random, 4)];
     let speed = 10.0_f64.powf(random.between(-1.0, 1.0));
     let height = crest + size;
-    // Almost a whole wave about the middle.
-    let [from, to] = [-0.45, 0.42].map(|part: f64| part * length);
+    let [from, to] = parts.map(|part| part * length);
     let text = format!(
         "mechanism wave {{
     point O = (0, 0), G = (0, {height:?}), E = ({size:?}, 0);
@@ -29,18 +29,18 @@ pub fn wave(random: &mut Random, _: u64) -> Course {
 }}
 "
     );
-    let period = TAU / speed;
-    Course {
-        family: "",
-        text,
-        size: length,
-        period,
-        span: [0.0, 3.0 * period],
-        start: Vec::new(),
-        inputs: Vec::new(),
-        is_blurred: false,
-        is_drawn: true,
-    }
+    Course::drawn(text, length, TAU / speed)
+}
+
+/// The contact is looked for in almost a whole wave about the middle.
+pub fn wave(random: &mut Random, _: u64) -> Course {
+    wave_between(random, [-0.45, 0.42])
+}
+
+/// The contact leaves the range in which it is looked for after a part of a thousandth to a tenth of a wave.
+pub fn wave_short(random: &mut Random, _: u64) -> Course {
+    let parts = [-1.0, 1.0].map(|side| side * 10.0_f64.powf(random.between(-3.0, -1.0)));
+    wave_between(random, parts)
 }
 
 pub fn wave_unused(random: &mut Random, number: u64) -> Course {
@@ -113,14 +113,8 @@ pub fn cam(random: &mut Random, _: u64) -> Course {
     );
     let period = TAU / speed / 4.0;
     Course {
-        family: "",
-        text,
-        size,
-        period,
         span: [0.0, 8.0 * period],
-        start: Vec::new(),
-        inputs: Vec::new(),
-        is_blurred: false,
         is_drawn: false,
+        ..Course::drawn(text, size, period)
     }
 }

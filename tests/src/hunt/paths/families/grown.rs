@@ -1,9 +1,15 @@
 //! The mechanisms of the hunt itself, driven by laws of t, from late on, by inputs, and beside geometry that nothing uses.
 
 use super::super::course::Course;
-use super::{junk, sign, with};
+use super::{below, junk, sign, with};
+use crate::hunt::builder::Builder;
+use crate::hunt::groups;
+use crate::hunt::joint::Joint;
 use crate::hunt::law::Law;
+use crate::hunt::legs;
 use crate::hunt::mechanism::Mechanism;
+use crate::hunt::motion::Motions;
+use crate::hunt::periodic::Periodic;
 use crate::hunt::run::LARGEST;
 use crate::random::Random;
 
@@ -13,17 +19,20 @@ const PERIODS: f64 = 3.0;
 /// When a course is over at the latest (s), and how many shortest periods it may then have.
 const LATEST: [f64; 2] = [12.0, 60.0];
 
+/// Size of what a driver moves: 1 for an angle.
+fn driven_size(joint: &Joint, mechanism: &Mechanism) -> f64 {
+    match joint {
+        Joint::DrivePhi(..) | Joint::DriveRelativeAngle(..) => 1.0,
+        _ => mechanism.size,
+    }
+}
+
 fn of(mechanism: &Mechanism, text: String, begin: f64) -> Course {
     let mut period = f64::INFINITY;
     for (joint, _) in &mechanism.joints {
         let mut joint = *joint;
-        let is_angle = matches!(
-            joint,
-            crate::hunt::joint::Joint::DrivePhi(..)
-                | crate::hunt::joint::Joint::DriveRelativeAngle(..)
-        );
+        let size = driven_size(&joint, mechanism);
         if let Some(law) = joint.law_mut() {
-            let size = if is_angle { 1.0 } else { mechanism.size };
             period = period.min(law.period(size));
         }
     }
@@ -36,15 +45,10 @@ fn of(mechanism: &Mechanism, text: String, begin: f64) -> Course {
         .clamp(3.0, LATEST[0])
         .min(LATEST[1] * period);
     Course {
-        family: "",
-        text,
-        size: mechanism.size,
-        period,
         span: [begin, begin + lasts],
         start: mechanism.coordinates(),
-        inputs: Vec::new(),
-        is_blurred: false,
         is_drawn: mechanism.is_drawn_exactly(),
+        ..Course::drawn(text, mechanism.size, period)
     }
 }
 
@@ -64,6 +68,7 @@ pub fn shifted(text: &str, begin: f64) -> String {
         true => line
             .replace("*t", &format!("*(t - {begin:?})"))
             .replace("(t,", &format!("(t - {begin:?},"))
+            .replace("(t)", &format!("(t - {begin:?})"))
             .replace("(-t)", &format!("(-(t - {begin:?}))")),
         false => line.to_string(),
     };
@@ -80,6 +85,7 @@ pub fn late(random: &mut Random, number: u64) -> Course {
 /// The mechanism with an input in the place of each law, and what the laws were.
 pub fn with_inputs(mechanism: &Mechanism) -> (Mechanism, Vec<Law>) {
     let mut given = mechanism.clone();
+    given.motions = None;
     let mut laws = Vec::new();
     for (joint, _) in &mut given.joints {
         if let Some(law) = joint.law_mut() {
@@ -115,4 +121,57 @@ pub fn unused(random: &mut Random, number: u64) -> Course {
     course.text = with(&course.text, &junk(random, course.size));
     // The bodies beside it have coordinates of their own, from which the drawing is.
     course
+}
+
+/// Driven by inputs that change while time stands still.
+pub fn standing(random: &mut Random, number: u64) -> Course {
+    Course {
+        is_standing: true,
+        ..inputs(random, number)
+    }
+}
+
+/// A platform with drivers inside of its legs, half of them on a driven body.
+pub fn folded(random: &mut Random, number: u64) -> Course {
+    let mut builder = Builder::new(Random::new(random.bits()));
+    if number.is_multiple_of(2) {
+        groups::driven(&mut builder);
+    }
+    legs::platform(&mut builder, LARGEST - 1);
+    let mechanism = builder.finish();
+    of(&mechanism, mechanism.text(), 0.0)
+}
+
+/// Driven in a motion among others, with parameters of its own.
+pub fn in_motions(random: &mut Random, number: u64) -> Course {
+    let mut mechanism = grown(random, number);
+    mechanism.motions = Some(Motions {
+        before: below(random, 2),
+        after: 1 + below(random, 2),
+        are_alike: number.is_multiple_of(2),
+    });
+    of(&mechanism, mechanism.text(), 0.0)
+}
+
+/// Driven by periodic tables whose boundaries are targets.
+pub fn repeated(random: &mut Random, number: u64) -> Course {
+    let mut mechanism = grown(random, number);
+    let period = [0.5, 1.0, 2.0][below(random, 3)];
+    let sizes: Vec<f64> = mechanism
+        .joints
+        .iter()
+        .map(|(joint, _)| driven_size(joint, &mechanism))
+        .collect();
+    for (table, ((joint, _), size)) in mechanism.joints.iter_mut().zip(sizes).enumerate() {
+        if let Some(law) = joint.law_mut() {
+            let heights = [0; 4].map(|_| 0.15 * size * random.between(-1.0, 1.0));
+            *law = Law::Repeated(Periodic {
+                number: table,
+                first: 0.25 * period * (below(random, 33) as f64 - 16.0),
+                period,
+                heights,
+            });
+        }
+    }
+    of(&mechanism, mechanism.text(), 0.0)
 }

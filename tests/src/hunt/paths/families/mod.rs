@@ -2,11 +2,13 @@
 
 mod change_points;
 mod contacts;
+mod exact;
 mod gaps;
 mod grown;
 mod slides;
 mod tears;
 mod wheels;
+mod written;
 
 use super::course::Course;
 use crate::random::Random;
@@ -15,7 +17,7 @@ use crate::random::Random;
 type Make = fn(&mut Random, u64) -> Course;
 
 /// All families.
-pub const FAMILIES: [(&str, Make); 20] = [
+pub const FAMILIES: [(&str, Make); 29] = [
     ("grown, laws of t", grown::laws),
     ("grown, late start", grown::late),
     ("grown, inputs", grown::inputs),
@@ -36,6 +38,15 @@ pub const FAMILIES: [(&str, Make); 20] = [
     ("six-bar driven at its far link", tears::six_bar),
     ("chain driven at its end", tears::chain),
     ("platform with parallel differences", tears::level_platform),
+    ("grown, inputs while time stands", grown::standing),
+    ("grown, drivers in motions", grown::in_motions),
+    ("grown, periodic tables", grown::repeated),
+    ("platform on folded legs", grown::folded),
+    ("six-bar driven between its links", tears::six_bar_between),
+    ("parallelogram, change point hit", exact::parallelogram),
+    ("several loops singular at once", exact::row),
+    ("crank that refers to itself", written::self_referring),
+    ("wave and tip, short range", contacts::wave_short),
 ];
 
 /// The mechanism of a family with this number.
@@ -101,8 +112,9 @@ pub fn junk(random: &mut Random, size: f64) -> String {
     text
 }
 
-/// A description with more statements at its end.
+/// A description with more statements at its end, but before its motions.
 pub fn with(text: &str, more: &str) -> String {
-    let end = text.rfind('}').expect("a mechanism ends with a brace");
-    format!("{}{more}}}\n", &text[..end])
+    let end = text.find("    motion ").or_else(|| text.rfind('}'));
+    let (before, after) = text.split_at(end.expect("a mechanism ends with a brace"));
+    format!("{before}{more}{after}")
 }

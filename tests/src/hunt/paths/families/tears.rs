@@ -15,6 +15,33 @@ fn rate(random: &mut Random) -> (f64, f64) {
 
 /// A Stephenson six-bar whose far link is driven.
 pub fn six_bar(random: &mut Random, _: u64) -> Course {
+    six_bar_driven(random, |_, _, _| "phi(arm) = ".to_string())
+}
+
+/// A Stephenson six-bar that is driven between two of its links.
+pub fn six_bar_between(random: &mut Random, _: u64) -> Course {
+    six_bar_driven(random, |random, [b, f], size| match below(random, 4) {
+        0 => "relative_angle(coupler, link) = ".to_string(),
+        1 => "relative_angle(crank, arm) = ".to_string(),
+        2 => format!(
+            "relative_y(crank.B, link.F) = {:?} + {size:?}*",
+            f[1] - b[1]
+        ),
+        _ => {
+            let distance = (f[0] - b[0]).hypot(f[1] - b[1]);
+            format!(
+                "distance(coupler.B, arm.F) = {distance:?} + {:?}*",
+                0.3 * size
+            )
+        }
+    })
+}
+
+/// The six-bar with what is driven and where that is in the drawing; given are the places of B and F, and the size.
+fn six_bar_driven(
+    random: &mut Random,
+    driven: impl Fn(&mut Random, &[[f64; 2]; 2], f64) -> String,
+) -> Course {
     let size = size(random);
     let drawn = [
         ("A", [0.0, 0.0]),
@@ -25,10 +52,13 @@ pub fn six_bar(random: &mut Random, _: u64) -> Course {
         ("F", [1.9, 1.5]),
         ("G", [2.0, 0.8]),
     ];
-    let points = drawn.map(|(name, place)| {
-        let [x, y] = place.map(|it| size * (it + random.between(-0.35, 0.35)));
-        format!("{name} = ({x:?}, {y:?})")
+    let drawn = drawn.map(|(name, place)| {
+        (
+            name,
+            place.map(|it| size * (it + random.between(-0.35, 0.35))),
+        )
     });
+    let points = drawn.map(|(name, [x, y])| format!("{name} = ({x:?}, {y:?})"));
     let (speed, period) = rate(random);
     let reach = random.between(0.05, 1.0);
     let law = match below(random, 3) {
@@ -36,6 +66,7 @@ pub fn six_bar(random: &mut Random, _: u64) -> Course {
         1 => format!("{reach:?}*(1 - cos({speed:?}*t))"),
         _ => format!("{reach:?}*sin({speed:?}*t)"),
     };
+    let quantity = driven(random, &[drawn[1].1, drawn[5].1], size);
     let text = format!(
         "mechanism six_bar {{
     point {};
@@ -51,7 +82,7 @@ pub fn six_bar(random: &mut Random, _: u64) -> Course {
     revolute E(coupler, link);
     revolute F(link, arm);
     revolute G(ground, arm);
-    drive phi(arm) = {law};
+    drive {quantity}{law};
 }}
 ",
         points.join(", ")
