@@ -130,8 +130,10 @@ pub fn summary(tally: &Tally, constructed: u64, compiled: usize, seconds: f64) -
 
 const EXPLANATION: &str = "\
 A mechanism grows from the ground by groups: driven cranks, sliders and bodies, dyads of every kind, bodies on a pin and a tie, triads,
-platforms on driven legs, chains and links that are tied so that Newton-Raphson has to solve them, gears, belts, racks, welds, and joints at random. Its
-pose at t = 0 is chosen first; all lengths, offsets, angles and points of the description are measured there, so the pose is a solution
+platforms on driven legs, chains and links that are tied so that Newton-Raphson has to solve them, gears, belts, racks, welds, and joints at random. Platforms on
+folded legs have drivers of every kind inside of their blocks. A driver follows a law of t, or a periodic table that begins anywhere; the value of
+the table comes from a spline of its own. In one mechanism of five the drivers stand in one of several motions, with parameters of
+its own, the same names with other values in the others. The pose at t = 0 is chosen first; all lengths, offsets, angles and points of the description are measured there, so the pose is a solution
 by construction. Sizes go from 1 mm to 10 m, some 1e-6 m and 1e6 m, frames and places up to 1e5 sizes off. The description is text,
 its statements in random order, and is read like any other.
 

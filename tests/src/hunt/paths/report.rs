@@ -12,7 +12,7 @@ parts and multiples of it and others, there and back, and in random steps. A tar
 
 **The truth** is a tracker of its own on the dense textbook equations, in steps so short that the Taylor polynomial misses by less than
 1e-4 and no rate jumps by more than 3 %; it goes straight on through singular poses at which rates stay finite, by extrapolation, and says
-where a path ends. Inputs go by the documented polynomial of the fifth degree.
+where a path ends. Inputs go by the documented polynomial of the fifth degree, and straight while time stands still.
 
 An `Ok` must lie within 1e-6 of its scale of that path (more near a singular pose, as rounding has it), angles counted with all their turns: otherwise it is
 *another pose*, and *beyond* where the path has ended; both are wrong. *refused*: a failure although the path goes on. *ended*: a failure
