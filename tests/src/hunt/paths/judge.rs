@@ -38,8 +38,8 @@ pub const SINGLE: Tolerance = Tolerance {
 /// The longest steps of the tracker, in shortest periods and in the length of a step.
 const LONGEST: [f64; 2] = [1.0 / 160.0, 1.0 / 8.0];
 
-/// The longest step of the tracker where time stands still, in the whole way.
-const STANDING: f64 = 1.0 / 640.0;
+/// Longest step of the tracker where time stands still, as a part of the whole way.
+const STANDING: f64 = 1.0 / 64.0;
 
 /// How near to an end nothing is judged, in steps and in shortest periods.
 const NEAR_END: f64 = 1e-5;
