@@ -1,8 +1,8 @@
 //! *A program of closed forms, and what drivers can do* → *the blocks whose two modes never meet*.
 //!
-//! The modes of two links meet where the links are in line, so that the square of their half chord vanishes. Angles that drivers prescribe
-//! are taken for any angle, lengths for any that their law can have, and modes for either; what parameters or inputs change otherwise is not
-//! bounded, and nothing is shown of it. Deliberately unknown here: which motion a mechanism makes.
+//! The modes of two links meet where the links are in line, so that the square of their half chord vanishes. Angles and
+//! lengths that drivers prescribe are taken for any that their laws can have, and modes for either; what parameters or inputs change has no
+//! bounds beyond a turn, and nothing is shown of it. Deliberately unknown here: which motion a mechanism makes.
 
 use std::collections::HashSet;
 use std::f64::consts::TAU;
@@ -31,6 +31,8 @@ struct Walk<'a> {
     moving: HashSet<SymbolId>,
     /// The ranges of the arguments: what is driven, in order.
     driven: Vec<[f64; 2]>,
+    /// How many of them there were at the last half chord: others are those of rates.
+    at_chord: usize,
     /// The blocks of the plan whose modes the first arguments are.
     signs: Vec<usize>,
 }
@@ -65,6 +67,7 @@ impl<'a> Walk<'a> {
             enclosing,
             moving: inputs.chain([time]).collect(),
             driven: Vec::new(),
+            at_chord: 0,
             signs: program.branches.iter().map(|it| it.block).collect(),
         }
     }
@@ -72,6 +75,12 @@ impl<'a> Walk<'a> {
     fn is_moving(&self, expr: ExprId) -> bool {
         let symbols = self.system.mechanism.graph.symbols(expr);
         symbols.iter().any(|symbol| self.moving.contains(symbol))
+    }
+
+    /// The bounds of what moves, where it has any.
+    fn range(&mut self, expr: ExprId) -> Option<[f64; 2]> {
+        let range = self.enclosing.known(expr)?;
+        (range.defined && (range.high - range.low).is_finite()).then_some([range.low, range.high])
     }
 
     /// A new argument with this range.
@@ -89,17 +98,12 @@ impl<'a> Walk<'a> {
                     }
                     _ => None,
                 };
-                let range = self.enclosing.known(value);
-                let range = range.filter(|it| it.defined && (it.high - it.low).is_finite());
-                match (is_driven, range) {
-                    // Only its sine and cosine have bounds: what is geared to it turns by other angles.
-                    (Some(Quantity::Angle), _) => {
-                        self.moving.insert(target);
-                    }
-                    (Some(_), Some(range)) => {
-                        let argument = self.argument([range.low, range.high]);
+                match (is_driven, self.range(value)) {
+                    (Some(Quantity::Length), Some(range)) => {
+                        let argument = self.argument(range);
                         self.enclosing.bind(target, argument);
                     }
+                    // What is geared to an angle turns by other ones: each is bounded by itself.
                     _ => {
                         self.moving.insert(target);
                         self.enclosing.statement(statement);
@@ -111,7 +115,10 @@ impl<'a> Walk<'a> {
                 cosine,
                 angle,
             } if self.is_moving(angle) => {
-                let argument = self.argument([0.0, TAU]);
+                let turn = [0.0, TAU];
+                let range = self.range(angle);
+                let range = range.filter(|[low, high]| high - low < TAU).unwrap_or(turn);
+                let argument = self.argument(range);
                 let [s, c] = [
                     self.enclosing.sine(argument),
                     self.enclosing.cosine(argument),
@@ -121,6 +128,7 @@ impl<'a> Walk<'a> {
             }
             Statement::Reach { excess, scale, .. } => {
                 chords.push([excess, scale].map(|it| self.enclosing.value(it)));
+                self.at_chord = self.driven.len();
             }
             _ => self.enclosing.statement(statement),
         }
@@ -144,8 +152,11 @@ impl<'a> Walk<'a> {
                     arguments[at] = Interval::point(-1.0);
                 }
             }
-            let driven = self.driven.iter();
-            arguments.extend(driven.map(|&[low, high]| Interval::new(low, high)));
+            for (place, &[low, high]) in self.driven.iter().enumerate() {
+                // Nothing that is looked at depends on the others.
+                let is_used = place < self.at_chord;
+                arguments.push(Interval::new(low, if is_used { high } else { low }));
+            }
             is_apart(&enclosed, arguments)
         })
     }
