@@ -5,70 +5,43 @@
 //! 1991). Nothing is integrated that the constraints give, so that no pose drifts from them. [Φ_q; Vᵀ] is regular wherever Φ_q has
 //! full rank and the tangent has not turned too far: its determinant keeps its sign on one path.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn, LU};
+use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 use super::equations::MotionEquations;
+use super::solved::Solved;
 use super::stop::Stop;
 use super::straight::Straight;
 use crate::instant::Instant;
 
-/// How many corrections a pose may take.
-const CORRECTIONS: usize = 16;
-
-/// The correction after which a pose needs only one more.
-const SMALL: f64 = 1e-7;
-
-/// How far a correction may lead from what is expected, in rad or characteristic lengths.
-const FAR: f64 = 1.0;
-
 /// How far ahead and back a pose is looked at, in parts of its distance from where Φ_q loses rank.
 const PROBE: f64 = 1e-4;
-
-/// The square of a pivot beside its diagonal entry, below which a reduced mass carries no digit.
-const SMALLEST_PIVOT: f64 = 64.0 * f64::EPSILON;
 
 /// Coordinates of the poses around one pose.
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
     /// V (n × f), without what elongations span.
     basis: DMatrix<f64>,
-    straight: Straight,
+    pub(super) straight: Straight,
     /// True if what dampers resist was looked for.
     pub is_straight: bool,
     /// Directions in which the coordinates lead (n × f).
     tangent: DMatrix<f64>,
     /// The largest stretch of a coordinate there.
-    stretch: f64,
+    pub(super) stretch: f64,
     /// When the mechanism was in the pose (s).
     time: f64,
     /// The unknowns there, their rates and their accelerations.
     origin: [Vec<f64>; 3],
     /// The sign of the determinant of [Φ_q; Vᵀ] there.
-    sign: f64,
+    pub(super) sign: f64,
     /// How far Φ_q is from losing rank there.
     pub measure: f64,
 }
 
-/// All that follows in one pose with rates.
-#[derive(Clone, Debug)]
-pub(super) struct Solved {
-    pub instant: Instant,
-    /// Accelerations of the chart's coordinates.
-    pub acceleration: Vec<f64>,
-    /// The kinetic and the potential energy (J).
-    pub energies: [f64; 2],
-    /// What forces, dampers, torques and drivers bring in (W).
-    pub power: f64,
-    /// How far Φ_q is from losing rank: the reciprocal of the norm of its inverse across the tangent.
-    pub measure: f64,
-    /// How far the tangent has turned: the largest stretch of a coordinate, 1 where it has not.
-    pub stretch: f64,
-}
-
 /// A regular matrix [Φ_q; Vᵀ].
-struct Bordered {
-    residual: DVector<f64>,
-    factors: LU<f64, Dyn, Dyn>,
+pub(super) struct Bordered {
+    pub residual: DVector<f64>,
+    pub factors: LU<f64, Dyn, Dyn>,
 }
 
 impl Chart {
@@ -154,7 +127,7 @@ impl Chart {
     }
 
     /// [Φ_q; Vᵀ] in a pose, with what it misses of the constraints and of `wanted`.
-    fn bordered(
+    pub(super) fn bordered(
         &self,
         equations: &MotionEquations,
         instant: &Instant,
@@ -212,109 +185,8 @@ impl Chart {
         moved.collect()
     }
 
-    /// The same from an estimate of the pose.
-    ///
-    /// # Errors
-    /// The same.
-    pub fn settle(
-        &self,
-        equations: &MotionEquations,
-        t: f64,
-        mut q: Vec<f64>,
-        [value, rate]: [&[f64]; 2],
-        reference: &[f64],
-    ) -> Result<Solved, Stop> {
-        let [rows, columns] = equations.dimensions();
-        let scales = &equations.coordinate_scales;
-        let mut instant = equations.instant(t);
-        let mut is_close = false;
-        let mut found = None;
-        for _ in 0..CORRECTIONS {
-            equations.set_level(&mut instant, 0, &q);
-            let missed = self.missed(equations, &instant, value, reference);
-            let bordered = self.bordered(equations, &instant, Some(&missed));
-            let bordered = bordered.ok_or(Stop::NotFinite { t })?;
-            let step = bordered.factors.solve(&bordered.residual);
-            let step = step.ok_or(Stop::LosesRank { t })?;
-            for (at, q) in q.iter_mut().enumerate() {
-                *q -= step[at] * scales[at];
-            }
-            let size = step.amax();
-            if size > FAR || size.is_nan() {
-                return Err(Stop::Unsettled { t });
-            }
-            if is_close {
-                found = Some(bordered);
-                break;
-            }
-            is_close = size <= SMALL;
-        }
-        let bordered = found.ok_or(Stop::Unsettled { t })?;
-        if bordered.sign() != self.sign {
-            return Err(Stop::LosesRank { t });
-        }
-        equations.set_level(&mut instant, 0, &q);
-        let inverse = bordered
-            .factors
-            .try_inverse()
-            .ok_or(Stop::LosesRank { t })?;
-        let stretch = stretch(&inverse.columns(rows, columns - rows).into_owned()) / self.stretch;
-        // In Φ_t and γ what is free stands still, since it is an unknown that moves.
-        equations.still(&mut instant);
-        let before = equations.dynamics(&instant);
-        let moves = DVector::from_fn(columns, |at, _| match at.checked_sub(rows) {
-            None => -before.time_derivative[at] / equations.row_scales[at],
-            Some(place) => rate[place],
-        });
-        let moves = &inverse * moves;
-        let moves: Vec<f64> = moves
-            .iter()
-            .zip(scales)
-            .map(|(it, scale)| it * scale)
-            .collect();
-        equations.set_level(&mut instant, 1, &moves);
-        let dynamics = equations.dynamics(&instant);
-        let (_, own_bends, _) = self.straight.at(equations, &instant);
-        let bends = DVector::from_fn(columns, |at, _| match at.checked_sub(rows) {
-            None => dynamics.gamma[at] / equations.row_scales[at],
-            Some(place) => own_bends.get(place).map_or(0.0, |bend| -bend),
-        });
-        let scaled =
-            |vector: DVector<f64>| DVector::from_fn(columns, |at, _| vector[at] * scales[at]);
-        let bends = scaled(&inverse * bends);
-        let mut moved = inverse.columns(rows, columns - rows).into_owned();
-        for (at, mut row) in moved.row_iter_mut().enumerate() {
-            row *= scales[at];
-        }
-        let mass = moved.tr_mul(&(&dynamics.mass * &moved));
-        let force = moved.tr_mul(&(&dynamics.loads - &dynamics.mass * &bends));
-        let acceleration = accelerated(mass, &force).ok_or(Stop::Massless {
-            t,
-            coordinate: None,
-        })?;
-        let bent = bends + &moved * &acceleration;
-        equations.set_level(&mut instant, 2, bent.as_slice());
-        let rest = scaled(&dynamics.loads - &dynamics.mass * &bent);
-        let carried = inverse.tr_mul(&rest);
-        let driven = (0..rows)
-            .map(|row| carried[row] * before.time_derivative[row] / equations.row_scales[row]);
-        let power = dynamics.power + driven.sum::<f64>();
-        let is_finite = power.is_finite() && instant.values().iter().all(|it| it.is_finite());
-        if !is_finite {
-            return Err(Stop::NotFinite { t });
-        }
-        Ok(Solved {
-            instant,
-            acceleration: acceleration.as_slice().to_vec(),
-            energies: dynamics.energies,
-            power,
-            measure: measure(&inverse, rows),
-            stretch,
-        })
-    }
-
     /// How much u of a pose is beyond what is wanted.
-    fn missed(
+    pub(super) fn missed(
         &self,
         equations: &MotionEquations,
         pose: &Instant,
@@ -357,7 +229,8 @@ impl Chart {
 }
 
 impl Bordered {
-    fn sign(&self) -> f64 {
+    /// The sign of its determinant.
+    pub fn sign(&self) -> f64 {
         let diagonal = self.factors.lu_internal().diagonal();
         let signs = diagonal.iter().map(|it| it.signum()).product::<f64>();
         signs * self.factors.p().determinant::<f64>()
@@ -372,25 +245,15 @@ fn scaled(equations: &MotionEquations, vector: &[f64]) -> DVector<f64> {
 }
 
 /// The largest norm of a column.
-fn stretch(tangent: &DMatrix<f64>) -> f64 {
+pub(super) fn stretch(tangent: &DMatrix<f64>) -> f64 {
     let columns = tangent.column_iter();
     columns.map(|it| it.norm()).fold(0.0, f64::max)
 }
 
 /// The reciprocal of the norm of the first columns of an inverse.
-fn measure(inverse: &DMatrix<f64>, rows: usize) -> f64 {
+pub(super) fn measure(inverse: &DMatrix<f64>, rows: usize) -> f64 {
     match inverse.columns(0, rows).norm() {
         size if size > 0.0 => 1.0 / size,
         _ => 1.0,
     }
-}
-
-/// The acceleration that a force gives a mass; `None` where the mass is not positive definite to its digits.
-fn accelerated(mass: DMatrix<f64>, force: &DVector<f64>) -> Option<DVector<f64>> {
-    let diagonal = mass.diagonal();
-    let factor = Cholesky::new(mass)?;
-    let pivots = factor.l_dirty().diagonal();
-    let mut pairs = pivots.iter().zip(&diagonal);
-    let is_small = pairs.any(|(pivot, whole)| pivot * pivot <= SMALLEST_PIVOT * whole);
-    (!is_small).then(|| factor.solve(force))
 }

@@ -5,9 +5,9 @@
 //! a polynomial of that degree is one of the motion: all points lie on the constraints, its highest coefficients are as small as
 //! tolerances, and the constraints do have a singular pose in the middle. Where branches only come close, none of the three holds.
 
-use super::chart::Solved;
 use super::equations::MotionEquations;
 use super::right_side::RightSide;
+use super::solved::Solved;
 use super::stop::Stop;
 use crate::instant::Instant;
 use crate::tolerances::Tolerances;

@@ -15,6 +15,7 @@ mod method;
 mod next_step;
 mod reduced;
 mod right_side;
+mod solved;
 mod stop;
 mod straight;
 
@@ -24,12 +25,12 @@ pub use reduced::ReducedMotion;
 pub use stop::Stop;
 
 use balance::Balance;
-use chart::Solved;
 use crossing::Crossing;
 use equations::MotionEquations;
 use linkwright::{Blocks, Shell};
 use method::{Chosen, Step};
 use right_side::RightSide;
+use solved::Solved;
 
 use crate::dense::Dense;
 use crate::dormand_prince::first_length;

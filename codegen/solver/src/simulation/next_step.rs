@@ -3,9 +3,9 @@
 //! A step ends before the pose in which constraints are expected to lose rank, so that none is jumped over unseen; it counts once the energy
 //! is in balance at its end.
 
-use super::chart::Solved;
 use super::crossing::Crossing;
 use super::right_side::RightSide;
+use super::solved::Solved;
 use super::{RETREAT, Segment, Simulation, Stop};
 use crate::trajectory::END;
 

@@ -3,8 +3,9 @@
 //! Every evaluation solves the constraints to rounding and the exact equations of motion there. A chart is left at the end of a step for
 //! one around the pose that was reached, whose coordinates have the value and the rate that they have in it.
 
-use super::chart::{Chart, Solved};
+use super::chart::Chart;
 use super::equations::MotionEquations;
+use super::solved::Solved;
 use super::stop::Stop;
 use crate::instant::Instant;
 use crate::rates::Rates;
