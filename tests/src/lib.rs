@@ -35,6 +35,7 @@ pub mod reference;
 pub mod sample;
 pub mod simulated;
 pub mod single;
+pub mod sled;
 pub mod solver;
 pub mod stability;
 pub mod starts;

@@ -5,6 +5,7 @@ use linkwright_solver::rates::Rates;
 use linkwright_solver::simulation::{Effort, Method, Options, Simulation, Stop};
 use linkwright_solver::tolerances::Tolerances;
 
+use crate::multipliers::larger;
 use crate::simulated::{coordinate, simulation};
 
 /// Number of instants at which a motion is compared.
@@ -97,7 +98,7 @@ impl Damped {
             simulation.advance(t)?;
             let found = self.state(&simulation);
             for (one, other) in found.iter().zip(state) {
-                error = error.max((one - other).abs());
+                error = larger(error, (one - other).abs());
             }
         }
         Ok(Found {

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use linkwright_solver::simulation::Method;
-use linkwright_tests::damped_chain::DampedChain;
+use linkwright_tests::damped_chain::{DampedChain, Element};
 use linkwright_tests::stiff::{Damped, options};
 use linkwright_tests::study::destination::{Destination, ended};
 use linkwright_tests::study::table::aligned;
@@ -32,7 +32,7 @@ was left out: explicit steps with the strong damper are about as many at every t
 *Ends*: with a typed error, since the energy is out of balance.
 
 *Chain*: two or three pendulums of 0.5, 0.4 and 0.3 m from rest, with a damper in each joint between them (N·m·s) or between points 0.3 m
-beside it (*struts*, N·s/m). Strong dampers let the chain turn as one body; its motion then follows from its angular momentum and what the
+beside it (*struts*, N·s/m), or with torques and forces *by hand* whose formulas are those of such dampers. Strong dampers let the chain turn as one body; its motion then follows from its angular momentum and what the
 joints carry, to the square of 1/damper. With weak ones Lagrange's equations are integrated in steps shorter than any decay. Errors are in
 tolerances, with the default method.
 ";
@@ -42,6 +42,8 @@ const DAMPERS: [f64; 2] = [10.0, 1e6];
 /// Dampers of chains.
 const ABOUT: [f64; 5] = [10.0, 1e3, 1e6, 1e8, 1e10];
 const STRUTS: [f64; 3] = [1e3, 1e8, 1e10];
+const TORQUES: [f64; 5] = [1e4, 1e5, 1e6, 1e7, 1e8];
+const FORCES: [f64; 4] = [1e4, 1e5, 1e7, 1e8];
 
 fn main() -> ExitCode {
     ended(run(&Arguments::parse()))
@@ -62,10 +64,14 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         }
     }
     for count in [2, 3] {
-        for (is_strut, dampers) in [(false, &ABOUT[..]), (true, &STRUTS)] {
-            let struts = if is_strut { ", struts" } else { "" };
-            report += &format!("\n## Chain of {count} pendulums{struts}\n\n");
-            report += &chain(count, is_strut, dampers, arguments.to);
+        for (element, dampers, kind) in [
+            (Element::Joint, &ABOUT[..], ""),
+            (Element::Strut, &STRUTS, ", struts"),
+            (Element::Torques, &TORQUES, ", torques by hand"),
+            (Element::Forces, &FORCES, ", forces by hand"),
+        ] {
+            report += &format!("\n## Chain of {count} pendulums{kind}\n\n");
+            report += &chain(count, element, dampers, arguments.to);
         }
     }
     arguments.destination.write("simulation.md", &report)?;
@@ -110,7 +116,7 @@ fn table(damped: Damped, damper: f64, end: f64) -> String {
 }
 
 /// Errors in tolerances and evaluations of chains of pendulums.
-fn chain(count: usize, is_strut: bool, dampers: &[f64], end: f64) -> String {
+fn chain(count: usize, element: Element, dampers: &[f64], end: f64) -> String {
     let mut titles = vec!["`--rtol`".to_string()];
     for damper in dampers {
         titles.extend([format!("{damper:.0e}: error"), "evaluations".to_string()]);
@@ -118,7 +124,7 @@ fn chain(count: usize, is_strut: bool, dampers: &[f64], end: f64) -> String {
     let chains = dampers.iter().map(|&damper| DampedChain {
         count,
         damper,
-        is_strut,
+        element,
     });
     let chains: Vec<_> = chains.map(|it| (it, it.motion(end))).collect();
     let mut rows = vec![titles];

@@ -1,8 +1,9 @@
 //! Motions with strong dampers, against a closed form and Lagrange's equations in short steps.
 
 use linkwright_solver::simulation::{Method, Simulation};
-use linkwright_tests::damped_chain::DampedChain;
+use linkwright_tests::damped_chain::{DampedChain, Element};
 use linkwright_tests::simulated::{PENDULUM, coordinate, energy, simulation, swung};
+use linkwright_tests::sled::Sled;
 use linkwright_tests::stiff::{Damped, Found, options};
 
 const END: f64 = 1.0;
@@ -101,14 +102,14 @@ fn steps_are_explicit_again_when_a_motion_is_no_longer_stiff() {
 /// Dampers between bodies that both turn hold them like one body: errors stay within tolerances, however strong they are.
 #[test]
 fn dampers_between_turning_bodies_leave_small_errors() {
-    let about = [10.0, 1e3, 1e6, 1e8, 1e10].map(|damper| (false, damper));
-    let struts = [1e8, 1e10].map(|damper| (true, damper));
-    for (is_strut, damper) in about.into_iter().chain(struts) {
+    let about = [10.0, 1e3, 1e6, 1e8, 1e10].map(|damper| (Element::Joint, damper));
+    let struts = [1e8, 1e10].map(|damper| (Element::Strut, damper));
+    for (element, damper) in about.into_iter().chain(struts) {
         for count in [2, 3] {
             let chain = DampedChain {
                 count,
                 damper,
-                is_strut,
+                element,
             };
             let motion = chain.motion(2.0);
             for relative in [1e-4, 1e-6, 1e-8] {
@@ -123,13 +124,54 @@ fn dampers_between_turning_bodies_leave_small_errors() {
     }
 }
 
+/// Torques and forces whose formulas are those of dampers hold as dampers do.
+#[test]
+fn dampers_written_by_hand_leave_small_errors() {
+    let torques = [1e5, 1e7, 1e8].map(|damper| (Element::Torques, damper));
+    let forces = [1e7, 1e8].map(|damper| (Element::Forces, damper));
+    for (element, damper) in torques.into_iter().chain(forces) {
+        for count in [2, 3] {
+            let chain = DampedChain {
+                count,
+                damper,
+                element,
+            };
+            let motion = chain.motion(2.0);
+            for relative in [1e-4, 1e-6, 1e-8] {
+                let found = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
+                let found = found.expect("no end");
+                assert!(
+                    found.error <= 20.0 * relative,
+                    "{chain:?} {relative} {found:?}"
+                );
+                assert!(found.effort.evaluations <= 5000, "{chain:?} {found:?}");
+            }
+        }
+    }
+}
+
+/// A drag whose direction no coordinate has takes thousands of steps; what they miss does not add up.
+#[test]
+fn a_drag_that_turns_leaves_small_errors() {
+    for drag in [10.0, 1e4, 1e6, 1e8] {
+        for relative in [1e-4, 1e-6, 1e-8] {
+            let found = Sled { drag }.compared(2.0, options(Method::Automatic, relative));
+            let found = found.expect("no end");
+            assert!(
+                found.error <= 20.0 * relative,
+                "{drag} {relative} {found:?}"
+            );
+        }
+    }
+}
+
 /// Steps that stability limits are not taken for accurate ones: there the estimate of their error misses what adds up.
 #[test]
 fn steps_that_stability_limits_become_implicit() {
     let chain = DampedChain {
         count: 2,
         damper: 1e3,
-        is_strut: true,
+        element: Element::Strut,
     };
     let motion = chain.motion(2.0);
     for relative in [1e-6, 1e-7] {

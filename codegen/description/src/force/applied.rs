@@ -1,6 +1,6 @@
 //! Forces and torques that the description writes out, as formulas of t, inputs, parameters, coordinates and rates.
 
-use super::{Element, Exerted, Place, scaled};
+use super::{Element, Exerted, Place, Rated, scaled};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{Mark, Vector, add, dot, perpendicular};
 
@@ -11,18 +11,35 @@ pub struct Terms {
     pub marks: Vec<Mark>,
     /// For each of them the symbols that stand for the components of its arm R s; `None` where nothing mentions the arm.
     pub arms: Vec<Option<[SymbolId; 2]>>,
+    /// Formulas of these points, and of inputs and t, whose rates are mentioned.
+    pub rated: Vec<ExprId>,
 }
 
 impl Terms {
-    /// A formula with the arms of these places put in.
-    fn put_in(&self, formula: ExprId, places: &[Place], graph: &mut Graph) -> ExprId {
+    /// The components of the arms of these places, by the symbols that stand for them.
+    fn arms_at(&self, places: &[Place]) -> Vec<(SymbolId, ExprId)> {
         let mut arms = Vec::new();
         for (place, symbols) in places.iter().zip(&self.arms) {
             if let Some([x, y]) = *symbols {
                 arms.extend([(x, place.mark.arm[0]), (y, place.mark.arm[1])]);
             }
         }
-        graph.substitute(formula, &arms)
+        arms
+    }
+
+    /// A formula with the arms of these places put in.
+    fn put_in(&self, formula: ExprId, places: &[Place], graph: &mut Graph) -> ExprId {
+        graph.substitute(formula, &self.arms_at(places))
+    }
+
+    /// The formulas whose rates are mentioned, at these places.
+    fn rated(&self, places: &[Place]) -> Vec<Rated> {
+        let formulas = self.rated.iter();
+        let rated = formulas.map(|formula| Rated {
+            formula: *formula,
+            arms: self.arms_at(places),
+        });
+        rated.collect()
     }
 }
 
@@ -65,6 +82,7 @@ impl Element for AppliedForce {
         Exerted {
             forces: vec![(places[0].mark, force)],
             added: Some(power),
+            rated: self.terms.rated(terms),
             ..Exerted::default()
         }
     }
@@ -92,6 +110,7 @@ impl Element for AppliedTorque {
         Exerted {
             torques: vec![(places[0].mark.frame.body, torque)],
             added: Some(graph.multiply(torque, places[0].turning)),
+            rated: self.terms.rated(&places[1..]),
             ..Exerted::default()
         }
     }

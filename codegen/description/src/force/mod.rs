@@ -15,7 +15,7 @@ pub use torsion::{TorsionDamper, TorsionSpring};
 
 use std::fmt::Debug;
 
-use crate::expr::{ExprId, Graph};
+use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{BodyId, Mark, Vector};
 
 /// A point of a body as it moves.
@@ -42,6 +42,17 @@ pub struct Exerted {
     pub added: Option<ExprId>,
     /// What the length is that stands for itself in all of this, in m: it must not vanish.
     pub length: Option<ExprId>,
+    /// The formulas whose rates decide what it exerts.
+    pub rated: Vec<Rated>,
+}
+
+/// A formula whose rate decides what a load exerts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rated {
+    /// Of coordinates, t, inputs, parameters and symbols that stand for arms.
+    pub formula: ExprId,
+    /// What these symbols stand for.
+    pub arms: Vec<(SymbolId, ExprId)>,
 }
 
 /// Something that acts on bodies.

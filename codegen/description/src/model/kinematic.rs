@@ -7,7 +7,7 @@
 use std::collections::HashMap;
 
 use super::resolve::Resolver;
-use crate::expr::SymbolId;
+use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::{BodyId, Mark, Vector, add};
 use crate::syntax::Reference;
 
@@ -18,6 +18,8 @@ pub(super) struct KinematicTerms {
     pub marks: Vec<Mark>,
     /// What stands for the arm of each mark; `None` where nothing mentions it.
     pub arms: Vec<Option<[SymbolId; 2]>>,
+    /// Formulas whose rates it mentions.
+    pub rated: Vec<ExprId>,
     /// The place of each mark; only looked up.
     places: HashMap<(BodyId, Vector), usize>,
     /// The number of the load whose formula is read, which may mention rates; `None` for an equation.

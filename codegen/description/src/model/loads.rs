@@ -71,6 +71,7 @@ impl Resolver<'_> {
         let terms = Terms {
             marks: kinematic.marks,
             arms: kinematic.arms,
+            rated: kinematic.rated,
         };
         (values, terms)
     }

@@ -47,6 +47,9 @@ impl Resolver<'_> {
             let partial = self.graph.derivative(value, symbol);
             terms.push(self.graph.multiply(partial, rate));
         }
+        if let Some(kinematic) = &mut self.formulas.kinematic {
+            kinematic.rated.push(value);
+        }
         // What multiplies a rate is seldom written with its unit, as what multiplies t is.
         Some((self.graph.sum(&terms), Dimension::OfTime))
     }

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use super::carried::Carried;
 use super::{SymbolRole, System, VectorForm};
 use crate::expr::{ExprId, Number, Rational, SymbolId};
-use crate::force::{Place, moment};
+use crate::force::{Place, Rated, moment};
 use crate::joint::Feature;
 use crate::joint::geometry::{BodyId, Mark, Vector, add, dot, length, perpendicular, subtract};
 use crate::model::Mechanism;
@@ -30,6 +30,8 @@ pub struct Forces {
     pub added: ExprId,
     /// The lengths of springs and dampers, which must not vanish, in m: what stands for each in all of this, and what it is.
     pub lengths: Vec<(SymbolId, ExprId)>,
+    /// Formulas whose rates decide what loads exert.
+    pub rated: Vec<Rated>,
 }
 
 /// A body that has a mass.
@@ -142,7 +144,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         }
         exert(body, [force[0], force[1], torque], mechanism);
     }
-    let mut lengths = Vec::new();
+    let (mut lengths, mut rated) = (Vec::new(), Vec::new());
     for (number, load) in mechanism.forces.loads.clone().into_iter().enumerate() {
         let marks = load.element.marks();
         let places: Vec<Place> = marks
@@ -171,6 +173,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
             .map_or(potential, |it| graph.add(potential, it));
         added = exerted.added.map_or(added, |it| graph.add(added, it));
         lengths.extend(exerted.length.map(|length| (symbol, length)));
+        rated.extend(exerted.rated);
     }
     Some(Forces {
         loads,
@@ -179,6 +182,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         potential,
         added,
         lengths,
+        rated,
     })
 }
 

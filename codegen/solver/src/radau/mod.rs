@@ -23,8 +23,11 @@ const LARGEST_LOSS: f64 = 0.2;
 /// Most corrections of the stages.
 const CORRECTIONS: usize = 10;
 
-/// How many tolerances the stages may still miss.
-const MISSED: f64 = 1e-2;
+/// How many tolerances the stages may still miss: what thousands of steps miss adds up.
+const MISSED: f64 = 1e-4;
+
+/// How many tolerances rounding may leave.
+const ROUNDED: f64 = 1e-2;
 
 /// Smallest factor by which corrections are taken to converge: the first ones fall faster, since most of the rates is linear.
 const FASTEST: f64 = 0.1;
@@ -92,7 +95,7 @@ impl<R: Rates> Attempt<'_, R> {
         });
         let factors = matrix.lu();
         let mut stages = DVector::zeros(size);
-        let mut before = f64::NAN;
+        let (mut before, mut least) = (f64::NAN, f64::INFINITY);
         for _ in 0..CORRECTIONS {
             let missed = self.missed(&stages)?;
             let Some(correction) = factors.solve(&missed) else {
@@ -112,19 +115,19 @@ impl<R: Rates> Attempt<'_, R> {
             });
             // Of a sequence that converges by this factor, the rest is missing.
             let factor = size / before;
-            let rest = match factor < 1.0 {
+            let left = match factor < 1.0 {
                 true => size * factor.max(FASTEST) / (1.0 - factor),
                 false => size,
             };
-            if rest <= MISSED {
-                return Ok(Some(stages));
-            }
-            if !size.is_finite() || factor >= 1.0 {
-                return Ok(None);
-            }
+            least = left.min(least);
             before = size;
+            // Corrections that no longer fall are rounding, or lead away.
+            if left <= MISSED || !size.is_finite() || factor >= 1.0 {
+                break;
+            }
         }
-        Ok(None)
+        let is_found = least <= ROUNDED && before <= ROUNDED / FASTEST;
+        Ok(is_found.then_some(stages))
     }
 
     /// The error at the end in tolerances.

@@ -1,6 +1,7 @@
-//! Lengths and relative angles that springs and dampers act on, with their derivatives.
+//! Lengths and relative angles that springs and dampers act on, and formulas whose rates other loads mention, with their derivatives.
 //!
-//! A strong damper holds one of these like a joint. A chart that has it as a coordinate sees a stiff direction that does not turn.
+//! A strong damper holds one of these like a joint, and so does a load whose formula is that of one. A chart that has it as a coordinate
+//! sees a stiff direction that does not turn.
 
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::system::System;
@@ -32,18 +33,26 @@ pub(super) struct Elongated {
 impl Elongations {
     /// Those of a system that depend on its coordinates alone.
     pub fn of(system: &mut System, layout: &Layout) -> Elongations {
-        let lengths = system.forces.as_ref().map(|it| it.lengths.clone());
+        let forces = system.forces.clone();
+        let (lengths, rated) = forces.map(|it| (it.lengths, it.rated)).unwrap_or_default();
         let length = system.characteristic_length();
-        let mut found: Vec<(ExprId, f64)> = lengths
-            .into_iter()
-            .flatten()
-            .map(|(_, own)| (own, length))
-            .collect();
+        let mut found: Vec<(ExprId, f64)> =
+            lengths.into_iter().map(|(_, own)| (own, length)).collect();
         for load in system.mechanism.forces.loads.clone() {
-            if let [first, second] = load.element.marks()[..] {
+            let marks = load.element.marks();
+            let Some((first, others)) = marks.split_first() else {
+                continue;
+            };
+            let others = others.iter().map(|it| it.frame);
+            for other in others.filter(|it| it.body != first.frame.body) {
                 let graph = &mut system.mechanism.graph;
-                found.push((graph.subtract(second.frame.angle, first.frame.angle), 1.0));
+                found.push((graph.subtract(other.angle, first.frame.angle), 1.0));
             }
+        }
+        // A coordinate is measured by its own gradient, so that the unit of a formula does not count.
+        for it in rated {
+            let formula = system.mechanism.graph.substitute(it.formula, &it.arms);
+            found.push((formula, 1.0));
         }
         let coordinates = system.coordinates.to_vec();
         let mechanism = &mut system.mechanism;
