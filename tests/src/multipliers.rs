@@ -6,6 +6,7 @@
 
 use linkwright::Equations;
 use linkwright_codegen::stages::system::System;
+use linkwright_solver::supplied::{InputLaws, Numbers};
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector};
 
@@ -15,7 +16,7 @@ use crate::forces::Weight;
 const COLUMNS: usize = 8;
 
 /// Most steps between two frames.
-const STEPS: usize = 200;
+const STEPS: usize = 1000;
 
 /// Corrections of a pose; each about doubles the digits.
 const CORRECTIONS: usize = 4;
@@ -35,6 +36,8 @@ pub struct Multipliers {
     /// The rows that are no free driver's, and those that are.
     held: Vec<usize>,
     free: Vec<usize>,
+    /// The values that what is free has by the description.
+    values: DVector<f64>,
     weights: Vec<Weight>,
     gravity: [f64; 2],
 }
@@ -50,11 +53,22 @@ impl Multipliers {
             .map(|it| it.joint)
             .collect();
         let rows = 0..system.rows.len();
-        let (free, held) = rows.partition(|&row| drivers.contains(&system.rows[row].joint));
+        let (free, held): (Vec<usize>, _) =
+            rows.partition(|&row| drivers.contains(&system.rows[row].joint));
+        let inputs = InputLaws::of(system).at(0.0);
+        let values = free.iter().map(|&row| {
+            let mut all = system.mechanism.forces.free.iter();
+            let own = all.find(|it| it.joint == system.rows[row].joint);
+            inputs.0[own.expect("a free coordinate").input].value
+        });
+        let values = DVector::from_vec(values.collect());
+        let equations = TextbookEquations::new(system);
+        equations.supply(&Numbers::nominal_parameters(system), &inputs);
         Multipliers {
-            equations: TextbookEquations::new(system),
+            equations,
             held,
             free,
+            values,
             weights: weights.to_vec(),
             gravity,
         }
@@ -78,6 +92,25 @@ impl Multipliers {
         let nothing = DVector::zeros(self.held.len());
         let unit = DMatrix::identity(pose.len(), pose.len());
         augmented(&unit, &matrix, vector, &nothing)
+    }
+
+    /// The values of what is free.
+    pub fn free_values(&self, pose: &DVector<f64>) -> DVector<f64> {
+        let mut whole = DVector::zeros(pose.len());
+        self.equations.residual(pose, 0.0, &mut whole);
+        whole.select_rows(&self.free) + &self.values
+    }
+
+    /// The determinant of what is free along an orthonormal basis of what the joints allow, with gradients of length 1.
+    pub fn determinant(&self, pose: &DVector<f64>) -> f64 {
+        let gradients = self.matrix(pose).select_rows(&self.free);
+        let parts = gradients.row_iter().map(|row| {
+            let gradient = row.transpose().normalize();
+            self.allowed(pose, &gradient)
+        });
+        let parts: Vec<DVector<f64>> = parts.collect();
+        let triangle = DMatrix::from_columns(&parts).qr().r();
+        triangle.diagonal().product().abs()
     }
 
     /// The rates of what is free, along rates of the coordinates.
@@ -260,6 +293,21 @@ pub fn larger(one: f64, other: f64) -> f64 {
     }
 }
 
+/// The largest difference of coordinates and rates; NaN if one of them is.
+pub fn apart(one: &Motion, other: &Motion) -> f64 {
+    let difference = |one: &DVector<f64>, other: &DVector<f64>| {
+        let parts = one
+            .iter()
+            .zip(other)
+            .map(|(one, other)| (one - other).abs());
+        parts.fold(0.0, larger)
+    };
+    larger(
+        difference(&one.pose, &other.pose),
+        difference(&one.rates, &other.rates),
+    )
+}
+
 /// The largest difference in tolerances.
 fn distance([one, other]: [&Motion; 2], tolerance: f64) -> f64 {
     let difference = |one: &DVector<f64>, other: &DVector<f64>| {
@@ -273,7 +321,7 @@ fn distance([one, other]: [&Motion; 2], tolerance: f64) -> f64 {
     )
 }
 
-/// x of M x + Φ_qᵀ λ = `above` and Φ_q x = `below`.
+/// x of M x + Φ_qᵀ λ = `above` and Φ_q x = `below`; NaN where the joints have lost rank.
 fn augmented(
     masses: &DMatrix<f64>,
     matrix: &DMatrix<f64>,
@@ -290,6 +338,8 @@ fn augmented(
     let mut right = DVector::zeros(count + rows);
     right.rows_mut(0, count).copy_from(above);
     right.rows_mut(count, rows).copy_from(below);
-    let found = whole.lu().solve(&right).expect("joints of full rank");
-    found.rows(0, count).into_owned()
+    match whole.lu().solve(&right) {
+        Some(found) => found.rows(0, count).into_owned(),
+        None => DVector::repeat(count, f64::NAN),
+    }
 }
