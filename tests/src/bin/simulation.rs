@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use linkwright_solver::simulation::Method;
 use linkwright_tests::damped_chain::{DampedChain, Element};
+use linkwright_tests::sled::Sled;
 use linkwright_tests::stiff::{Damped, options};
 use linkwright_tests::study::destination::{Destination, ended};
 use linkwright_tests::study::table::aligned;
@@ -28,13 +29,16 @@ Lagrange equations, written out, are integrated in steps of at most 1 ms and 2 s
 Error: the largest of all coordinates (m, rad) and rates (m/s, rad/s) at 40 instants, which lie between steps. Evaluations: how often the
 mechanism was solved for an acceleration, those for frames between steps and for derivatives of the implicit method among them. *dop853* and
 *implicit* are forced by `--method`; *automatic* is the default. Absolute tolerances are a thousandth of the relative ones. A dash is what
-was left out: explicit steps with the strong damper are about as many at every tolerance.
+was left out: explicit steps with the strong damper are about as many at every tolerance, and of the cart.
 *Ends*: with a typed error, since the energy is out of balance.
 
 *Chain*: two or three pendulums of 0.5, 0.4 and 0.3 m from rest, with a damper in each joint between them (N·m·s) or between points 0.3 m
 beside it (*struts*, N·s/m), or with torques and forces *by hand* whose formulas are those of such dampers. Strong dampers let the chain turn as one body; its motion then follows from its angular momentum and what the
 joints carry, to the square of 1/damper. With weak ones Lagrange's equations are integrated in steps shorter than any decay. Errors are in
 tolerances, with the default method.
+
+*Sled*: 2 kg with a drag of so many N·s/m across its runner, written as a force of rates, begin with 1.5 m/s and 1.2 rad/s. The direction of
+the drag is that of no coordinate. The motion has a closed form.
 ";
 
 const DAMPERS: [f64; 2] = [10.0, 1e6];
@@ -42,8 +46,11 @@ const DAMPERS: [f64; 2] = [10.0, 1e6];
 /// Dampers of chains.
 const ABOUT: [f64; 5] = [10.0, 1e3, 1e6, 1e8, 1e10];
 const STRUTS: [f64; 3] = [1e3, 1e8, 1e10];
-const TORQUES: [f64; 5] = [1e4, 1e5, 1e6, 1e7, 1e8];
-const FORCES: [f64; 4] = [1e4, 1e5, 1e7, 1e8];
+const TORQUES: [f64; 4] = [1e5, 1e6, 1e7, 1e8];
+const FORCES: [f64; 2] = [1e7, 1e8];
+
+/// Drags of sleds.
+const DRAGS: [f64; 3] = [1e4, 1e6, 1e8];
 
 fn main() -> ExitCode {
     ended(run(&Arguments::parse()))
@@ -63,6 +70,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             report += &table(damped, damper, arguments.to);
         }
     }
+    eprintln!("slider and cart");
     for count in [2, 3] {
         for (element, dampers, kind) in [
             (Element::Joint, &ABOUT[..], ""),
@@ -70,10 +78,13 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             (Element::Torques, &TORQUES, ", torques by hand"),
             (Element::Forces, &FORCES, ", forces by hand"),
         ] {
+            eprintln!("chain of {count}: {element:?}");
             report += &format!("\n## Chain of {count} pendulums{kind}\n\n");
             report += &chain(count, element, dampers, arguments.to);
         }
     }
+    report += "\n## Sled\n\n";
+    report += &sleds(arguments.to);
     arguments.destination.write("simulation.md", &report)?;
     Ok(())
 }
@@ -97,7 +108,8 @@ fn table(damped: Damped, damper: f64, end: f64) -> String {
         let mut cells = vec![format!("{relative:.0e}")];
         for method in methods {
             // The strong damper needs as many explicit steps whatever the tolerance.
-            if method == Method::Explicit && damper > 1e3 && digits != 6 {
+            let is_first = digits == 6 && damped == Damped::Slider;
+            if method == Method::Explicit && damper > 1e3 && !is_first {
                 cells.extend(["–".to_string(), "–".to_string()]);
                 continue;
             }
@@ -133,6 +145,30 @@ fn chain(count: usize, element: Element, dampers: &[f64], end: f64) -> String {
         let mut cells = vec![format!("{relative:.0e}")];
         for (chain, motion) in &chains {
             match chain.compared(motion, end, options(Method::Automatic, relative)) {
+                Ok(found) => {
+                    cells.push(format!("{:.1}", found.error / relative));
+                    cells.push(found.effort.evaluations.to_string());
+                }
+                Err(_) => cells.extend(["ends".to_string(), "–".to_string()]),
+            }
+        }
+        rows.push(cells);
+    }
+    aligned(&rows, 0)
+}
+
+/// Errors in tolerances and evaluations of sleds.
+fn sleds(end: f64) -> String {
+    let mut titles = vec!["`--rtol`".to_string()];
+    for drag in DRAGS {
+        titles.extend([format!("{drag:.0e}: error"), "evaluations".to_string()]);
+    }
+    let mut rows = vec![titles];
+    for digits in 4..=10 {
+        let relative = 10_f64.powi(-digits);
+        let mut cells = vec![format!("{relative:.0e}")];
+        for drag in DRAGS {
+            match (Sled { drag }).compared(end, options(Method::Automatic, relative)) {
                 Ok(found) => {
                     cells.push(format!("{:.1}", found.error / relative));
                     cells.push(found.effort.evaluations.to_string());
