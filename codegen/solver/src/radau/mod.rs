@@ -126,7 +126,7 @@ impl<R: Rates> Attempt<'_, R> {
                 break;
             }
         }
-        let is_found = least <= ROUNDED && before <= ROUNDED / FASTEST;
+        let is_found = least <= ROUNDED && before <= 1.0;
         Ok(is_found.then_some(stages))
     }
 
