@@ -191,13 +191,14 @@ impl Watch {
                 _ => far = middle,
             }
         }
-        let size = sample(&near)[0].abs();
+        let mut size = sample(&near)[0].abs();
         if bracket.crosses {
             // Nearer than the modes can be told apart the measure goes to zero at its rate.
             let [value, rate] = sample(&near);
             let left = -value / rate;
             if left.abs() <= (bracket.far - bracket.near.t()).abs() {
                 near.values_mut()[0] += left;
+                size = 0.0;
             }
         }
         Low {

@@ -312,3 +312,22 @@ fn the_smallest_value_comes_near_what_check_finds() {
     let gap = smallest - found[0].measure;
     assert!((0.0..1e-5).contains(&gap), "{gap:e}");
 }
+
+/// A parallelogram passes through a singular pose in each half turn, whether or not a frame falls on it.
+#[test]
+fn singular_poses_that_a_motion_passes_are_counted() {
+    use std::f64::consts::{FRAC_PI_2, PI};
+    for step in [0.1, FRAC_PI_2 / 8.0, 0.7] {
+        let frames = (4.25 * PI / step) as u32;
+        let times: Vec<f64> = (0..=frames).map(|it| step * f64::from(it)).collect();
+        let (_, approaches) = watched("parallelogram", &times);
+        let [approach] = &approaches[..] else {
+            panic!("{} parts", approaches.len());
+        };
+        let passed = (f64::from(frames) * step / PI + 0.5).floor() as usize;
+        assert!(approach.crosses && approach.measure == 0.0, "step {step}");
+        assert_eq!(approach.times, passed, "step {step}");
+        let off = approach.instant.t() - FRAC_PI_2;
+        assert!(off.abs() < 1e-8, "step {step}: {off:e}");
+    }
+}
