@@ -88,7 +88,7 @@ impl<B: Blocks> Way<'_, B> {
         let near = B::time(&self.reached);
         let way = near - B::time(&self.origin);
         // A motion that turns back at a dead center has been followed to it, as far as rounding lets it.
-        let beyond = failure.time + B::Scalar::EPSILON.sqrt() * way;
+        let beyond = failure.time + B::Scalar::EPSILON.sqrt().sqrt() * way;
         if !is_doubtful
             || self.start == Start::Estimate
             || self

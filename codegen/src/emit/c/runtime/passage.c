@@ -193,7 +193,7 @@ static bool is_undecided$f(Way$f *way)
     const $real near_time = blocks->time(way->reached);
     const $real length = near_time - blocks->time(way->origin);
     /* A motion that turns back at a dead center has been followed to it, as far as rounding lets it. */
-    const $real beyond = way->failure.time + (sqrt$f($FLT_EPSILON) * length);
+    const $real beyond = way->failure.time + (sqrt$f(sqrt$f($FLT_EPSILON)) * length);
     uint16_t block = 0U;
     $real square = 0.0$f;
     $real whole = 0.0$f;
