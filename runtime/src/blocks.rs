@@ -48,6 +48,11 @@ pub trait Blocks {
         true
     }
 
+    /// True if Newton-Raphson solves a block.
+    fn is_iterated(&self) -> bool {
+        size_of::<Self::Tubes>() != 0
+    }
+
     /// The pose in the drawing of these parameters.
     fn drawn_pose(&self, parameters: &Self::Parameters) -> Self::Coordinates;
 

@@ -31,7 +31,9 @@ impl<B: Blocks> Way<'_, B> {
     /// Goes through meetings of modes where the way begins or ends so near to one that equations are nearly singular.
     #[inline(never)]
     pub(crate) fn pass_ends(&mut self) {
-        if !self.blocks.holds_coordinates() || self.start == Start::Estimate {
+        // The other mode of Newton-Raphson takes too long to be looked for in each step that is divided.
+        let is_iterated = self.blocks.is_iterated();
+        if is_iterated || !self.blocks.holds_coordinates() || self.start == Start::Estimate {
             return;
         }
         let [from, end] = self.ends;
@@ -73,7 +75,10 @@ impl<B: Blocks> Way<'_, B> {
         let first = B::Scalar::from_f64(FIRST_STEP) * (near - from).abs();
         let step = (failure.time - near).abs().max(first);
         // A later block may refuse the step that an earlier one, whose modes meet, leads astray.
-        let nearest = self.nearest_modes(near);
+        let nearest = match self.blocks.is_iterated() {
+            true => None,
+            false => self.nearest_modes(near),
+        };
         let block = nearest.map_or(failure.block, |(block, _)| block);
         self.pass(near, block, step, false)
     }
@@ -90,6 +95,7 @@ impl<B: Blocks> Way<'_, B> {
         // A motion that turns back at a dead center has been followed to it, as far as rounding lets it.
         let beyond = failure.time + B::Scalar::EPSILON.sqrt().sqrt() * way;
         if !is_doubtful
+            || self.blocks.is_iterated()
             || self.start == Start::Estimate
             || self
                 .solved_at(beyond, None, &self.reached, &self.branches)

@@ -200,6 +200,11 @@ impl Blocks for Interpreted {
         frame.coordinate(index)
     }
 
+    fn is_iterated(&self) -> bool {
+        let mut blocks = self.compiled.program.blocks.iter();
+        blocks.any(|block| block.newton.is_some())
+    }
+
     fn holds_coordinates(&self) -> bool {
         true
     }

@@ -171,6 +171,11 @@ pub(super) fn modes(printer: &Printer<'_>) -> Vec<Mode> {
     closed.chain(iterated).collect()
 }
 
+/// Whether the modes of a block may meet.
+pub(super) fn may_cross(printer: &Printer<'_>) -> bool {
+    modes(printer).iter().any(|mode| mode.block.is_some())
+}
+
 /// The structure with the modes of all loops.
 pub(super) fn branches(printer: &Printer<'_>, text: &mut Text) {
     let (name, modes) = (printer.type_of("Branches"), modes(printer));

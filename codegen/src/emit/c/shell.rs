@@ -206,6 +206,10 @@ pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
         some(declared.inputs, "signal"),
         some(declared.inputs, "read_signal"),
         printer.own("exchanged"),
+        match is_guarded && block::may_cross(printer) {
+            true => format!("&LINKWRIGHT{}_PASSAGE", printer.suffix().to_uppercase()),
+            false => "NULL".to_string(),
+        },
         some(is_guarded, "keeps_to_path"),
         some(module.program.closed_path().is_some(), "stays_regular"),
         some(is_guarded && tube_count(module) > 0, "is_within"),

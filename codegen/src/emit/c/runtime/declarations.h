@@ -115,6 +115,10 @@ typedef struct linkwright$f_pair {
     const linkwright$f_conditions *conditions;
 } linkwright$f_pair;
 
+/* What goes through poses at which modes meet. */
+typedef struct linkwright$f_passage linkwright$f_passage;
+extern const linkwright$f_passage LINKWRIGHT$F_PASSAGE;
+
 /* The blocks of a mechanism, and what must be known to keep its frames. */
 typedef struct linkwright$f_blocks {
     size_t frame_size;
@@ -132,6 +136,8 @@ typedef struct linkwright$f_blocks {
     const linkwright$f_signal *(*read_signal)(const void *inputs, uint16_t index);
     /* The modes beyond a pose at which those of a block meet; false where they are not known. */
     bool (*exchanged)(const void *branches, uint16_t block, void *others);
+    /* Null where no modes meet: a linker then leaves out what goes through such poses. */
+    const linkwright$f_passage *passage;
     /* Whether a frame keeps to the path of the last one, or else the block; null where nothing is guarded. */
     bool (*keeps_to_path)(const linkwright$f_pair *pair, const linkwright$f_span *span, linkwright$f_tube *tubes,
         uint16_t *block);

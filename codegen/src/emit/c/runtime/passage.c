@@ -136,7 +136,8 @@ static void pass_ends$f(Way$f *way)
     uint16_t block = 0U;
     Passage$f passage = PASSED$F;
     const bool is_closed = blocks->stays_regular != NULL;
-    if (!blocks->is_guarded || !blocks->holds_coordinates || (way->start == LINKWRIGHT_ESTIMATE)
+    /* The other mode of Newton-Raphson takes too long to be looked for in each step that is divided. */
+    if ((blocks->is_within != NULL) || !blocks->holds_coordinates || (way->start == LINKWRIGHT_ESTIMATE)
         || (way->from == way->end)) {
         return;
     }
@@ -168,7 +169,7 @@ static bool is_crossed$f(Way$f *way)
     /* Where modes meet, links may be apart by rounding. */
     const bool may_meet = (status == LINKWRIGHT_STEP_TOO_LARGE) || (status == LINKWRIGHT_SINGULAR)
         || (status == LINKWRIGHT_WRONG_BRANCH) || (status == LINKWRIGHT_OUT_OF_REACH);
-    if (!may_meet || !blocks->is_guarded || (way->start == LINKWRIGHT_ESTIMATE)) {
+    if (!may_meet || (way->start == LINKWRIGHT_ESTIMATE)) {
         return false;
     }
     const $real near_time = blocks->time(way->reached);
@@ -177,8 +178,10 @@ static bool is_crossed$f(Way$f *way)
     uint16_t block = way->failure.block;
     $real square = 0.0$f;
     /* A later block may refuse the step that an earlier one, whose modes meet, leads astray. */
-    way->law = LAW_OF_WAY$F;
-    (void)nearest_modes$f(way, near_time, &block, &square);
+    if (blocks->is_within == NULL) {
+        way->law = LAW_OF_WAY$F;
+        (void)nearest_modes$f(way, near_time, &block, &square);
+    }
     return pass$f(way, near_time, block, step, LAW_OF_WAY$F) == PASSED$F;
 }
 
@@ -198,8 +201,16 @@ static bool is_undecided$f(Way$f *way)
     $real square = 0.0$f;
     $real whole = 0.0$f;
     way->law = LAW_OF_WAY$F;
-    return is_doubtful && blocks->is_guarded && (way->start != LINKWRIGHT_ESTIMATE)
+    return is_doubtful && (blocks->is_within == NULL) && (way->start != LINKWRIGHT_ESTIMATE)
         && is_frame_at$f(way, beyond, way->reached, way->branches, way->frames[0])
         && nearest_modes$f(way, near_time, &block, &square)
         && largest_distance$f(way, block, way->reached, near_time, &whole) && (square <= (UNDECIDED$f * whole));
 }
+
+struct linkwright$f_passage {
+    void (*ends)(Way$f *way);
+    bool (*crosses)(Way$f *way);
+    bool (*is_undecided)(Way$f *way);
+};
+
+const linkwright$f_passage LINKWRIGHT$F_PASSAGE = {pass_ends$f, is_crossed$f, is_undecided$f};

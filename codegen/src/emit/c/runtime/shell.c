@@ -82,18 +82,22 @@ linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, 
 /* Goes to the end of a way, through the poses at which modes meet. */
 static linkwright_status gone$f(Way$f *way)
 {
-    pass_ends$f(way);
+    const linkwright$f_passage *const passage = way->mechanism->blocks->passage;
+    if (passage == NULL) {
+        return steps_to$f(way, way->end);
+    }
+    passage->ends(way);
     linkwright_status status = steps_to$f(way, way->end);
     for (uint16_t crossings = 0U; (status != LINKWRIGHT_OK) && (crossings < CROSSINGS$F); crossings++) {
         const linkwright$f_failure failure = way->failure;
-        if (is_crossed$f(way)) {
+        if (passage->crosses(way)) {
             status = steps_to$f(way, way->end);
         } else {
             way->failure = failure;
             break;
         }
     }
-    if ((status != LINKWRIGHT_OK) && is_undecided$f(way)) {
+    if ((status != LINKWRIGHT_OK) && passage->is_undecided(way)) {
         status = LINKWRIGHT_UNDECIDED;
         restate$f(&way->failure, status, 0.0$f, 0U);
     }
