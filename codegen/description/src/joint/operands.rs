@@ -192,9 +192,9 @@ pub struct Drawn {
 /// The line that a joint is along.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// Which of the marks the line is fixed with and begins at: an index.
+    /// The mark that the line is fixed with and begins at: an index.
     pub owner: usize,
-    /// Which of the marks is the other body's.
+    /// The mark of the other body: an index.
     pub other: usize,
     /// Unit vector u along the line, in the frame of its body.
     pub direction: Vector,

@@ -17,21 +17,21 @@ use crate::system::{SymbolRole, System};
 /// The least square of a half chord, relative to the links, that keeps modes apart: links then enclose more than a hundredth of a radian.
 const LEAST_CHORD: f64 = 1e-4;
 
-/// How many modes of blocks before may be either.
+/// The largest number of modes of earlier blocks that may be either.
 const MOST_SIGNS: usize = 4;
 
-/// How many boxes of arguments are looked at.
+/// The largest number of boxes of arguments that are examined.
 const BOXES: usize = 1024;
 
 /// Goes through the blocks of a program.
 struct Walk<'a> {
     system: &'a System,
     enclosing: Enclosing<'a>,
-    /// What changes in time other than by arguments. Only looked up.
+    /// The symbols that change in time other than by arguments. Only looked up.
     moving: HashSet<SymbolId>,
     /// The ranges of the arguments: what is driven, in order.
     driven: Vec<[f64; 2]>,
-    /// How many of them there were at the last half chord: others are those of rates.
+    /// The number of them at the last half chord: later ones are those of rates.
     at_chord: usize,
     /// The blocks of the plan whose modes the first arguments are.
     signs: Vec<usize>,
@@ -134,7 +134,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Whether the links of a block are never in line.
+    /// True if the links of a block are never in line.
     fn are_apart(&self, chords: &[[Place; 2]], block: Option<usize>) -> bool {
         let signs = self.signs.iter().enumerate();
         let before: Vec<usize> = signs
@@ -162,7 +162,7 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// Whether all half chords stay above the least one, by halving boxes of arguments.
+/// True if all half chords stay above the least one, by halving boxes of arguments.
 fn is_apart(enclosed: &Enclosed, whole: Vec<Interval>) -> bool {
     let mut registers = Vec::new();
     let mut open = vec![whole];

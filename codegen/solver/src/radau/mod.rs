@@ -23,10 +23,10 @@ const LARGEST_LOSS: f64 = 0.2;
 /// Most corrections of the stages.
 const CORRECTIONS: usize = 10;
 
-/// How many tolerances the stages may still miss: what thousands of steps miss adds up.
+/// The error of the stages in tolerances that is not corrected further: those of thousands of steps add up.
 const MISSED: f64 = 1e-4;
 
-/// How many tolerances rounding may leave.
+/// The error in tolerances that rounding may leave.
 const ROUNDED: f64 = 1e-2;
 
 /// Smallest factor by which corrections are taken to converge: the first ones fall faster, since most of the rates is linear.

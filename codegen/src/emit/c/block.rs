@@ -171,7 +171,7 @@ pub(super) fn modes(printer: &Printer<'_>) -> Vec<Mode> {
     closed.chain(iterated).collect()
 }
 
-/// Whether the modes of a block may meet.
+/// True if the modes of a block may meet.
 pub(super) fn may_cross(printer: &Printer<'_>) -> bool {
     modes(printer).iter().any(|mode| mode.block.is_some())
 }

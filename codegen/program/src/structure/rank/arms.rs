@@ -16,7 +16,7 @@ pub(super) struct Arm {
     /// The joint of the pin.
     joint: usize,
     kind: &'static dyn Kind,
-    /// Which of its marks the body carries.
+    /// The one of its marks that the body carries: an index.
     own: usize,
     /// The point about which the body turns, in its frame.
     pivot: Vector,
