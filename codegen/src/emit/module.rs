@@ -19,7 +19,7 @@ use super::Notation;
 use super::derivation::{self, BlockWords, PlainWords, Script, SingularPose};
 use super::scalar::Scalar;
 use crate::assemblies::{StoredAssemblies, stored};
-use crate::expr::{IdSet, SymbolId};
+use crate::expr::{IdMap, IdSet, SymbolId};
 use crate::program::passes::names::LocalNames;
 use crate::program::{LARGEST_TEXTBOOK, Program};
 use crate::structure::SolvedPlan;
@@ -55,6 +55,8 @@ pub(super) struct Module<'a> {
     comments: PlainWords,
     /// The sags that tubes are filled with.
     tubes: IdSet<SymbolId>,
+    /// The blocks that exchange a mode where it meets the other one, by the mode's symbol.
+    pub exchanged: IdMap<SymbolId, usize>,
 }
 
 /// A coordinate, its rate or its acceleration in a structure of coordinates.
@@ -84,6 +86,7 @@ impl<'a> Module<'a> {
             assemblies: stored(system, program),
             comments: PlainWords::new(system, Notation::Unicode),
             tubes: tubes::sags_of_tubes(program, system),
+            exchanged: needs::exchanged_by(system, program),
             system,
             program,
             scalar,

@@ -5,7 +5,7 @@ use super::printer::Printer;
 use super::text::Text;
 use super::words::identifier;
 use crate::emit::module::documentation;
-use crate::emit::module::needs::{Needs, checked_at_once, exchanged_by};
+use crate::emit::module::needs::{Needs, checked_at_once};
 use crate::emit::module::scope::{Place, Scope};
 use crate::program::Block;
 
@@ -147,12 +147,11 @@ pub(super) fn modes(printer: &Printer<'_>) -> Vec<Mode> {
         true => "LINKWRIGHT_POSITIVE",
         false => "LINKWRIGHT_NEGATIVE",
     };
-    let exchanged = exchanged_by(module);
     let closed = module.program.branches.iter().map(|branch| Mode {
         name: identifier(&branch.name),
         text: documentation::of_branch(&branch.meaning),
         drawn: sign(branch.is_positive()),
-        block: exchanged.get(&branch.symbol).copied(),
+        block: module.exchanged.get(&branch.symbol).copied(),
     });
     let blocks = module.program.blocks.iter().enumerate();
     let iterated = blocks.filter_map(|(number, block)| {

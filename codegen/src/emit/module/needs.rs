@@ -4,7 +4,8 @@ use super::Module;
 use super::scope::{Place, Scope};
 use crate::assemblies::never_meet;
 use crate::expr::{IdMap, IdSet, SymbolId};
-use crate::program::{Block, Statement};
+use crate::program::{Block, Program, Statement};
+use crate::system::System;
 
 /// What a block's function needs to be given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -49,17 +50,17 @@ impl Needs {
 
 /// The blocks that have one mode only, by its symbol: beyond a pose at which its two modes meet such a block has the other. Blocks whose
 /// modes never meet are left out.
-pub(in crate::emit) fn exchanged_by(module: &Module<'_>) -> IdMap<SymbolId, usize> {
-    let graph = &module.system.mechanism.graph;
-    let blocks = module.program.blocks.iter().enumerate();
-    let apart = never_meet(module.system, module.program);
+pub(super) fn exchanged_by(system: &System, program: &Program) -> IdMap<SymbolId, usize> {
+    let graph = &system.mechanism.graph;
+    let blocks = program.blocks.iter().enumerate();
+    let apart = never_meet(system, program);
     let closed = blocks.filter(|(_, block)| block.newton.is_none());
     // A mode belongs to the first block that reads it.
     let mut met: IdSet<SymbolId> = IdSet::default();
     let mut found = IdMap::default();
     for (number, block) in closed {
         let read = block.function.values().flat_map(|it| graph.symbols(it));
-        let read = read.filter(|&&symbol| module.program.branch_of(symbol).is_some());
+        let read = read.filter(|&&symbol| program.branch_of(symbol).is_some());
         let read: IdSet<SymbolId> = read.copied().collect();
         let own = read.iter().filter(|&&symbol| met.insert(symbol)).count();
         if own == 1 && read.len() == 1 && !apart[number] {

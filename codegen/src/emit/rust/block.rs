@@ -9,7 +9,7 @@ use super::layout::Verbatim;
 use super::lints;
 use super::names::{identifier, identifier_text};
 use super::newton;
-use crate::emit::module::needs::{Needs, checked_at_once, exchanged_by};
+use crate::emit::module::needs::{Needs, checked_at_once};
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::program::{Block, Statement};
@@ -125,10 +125,9 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
         text.line("#[allow(non_snake_case)]");
     }
     text.open("Branches {");
-    let exchanged_by = exchanged_by(module);
     for branch in &module.program.branches {
         let name = identifier(&branch.name);
-        let of = exchanged_by.get(&branch.symbol);
+        let of = module.exchanged.get(&branch.symbol);
         let of = of.map_or(String::new(), |number| format!(", block {number}"));
         text.docs(doc_lines([documentation::of_branch(&branch.meaning)]));
         text.line(format!(

@@ -22,7 +22,7 @@ pub(in crate::structure) struct Misfit {
 
 /// The equations of a mechanism, where those rows of joints marked `redundant` that repeat what others say are monitored. Those
 /// that determine something stay; of several that could, those that do so best in all poses near the drawing.
-pub fn released(mechanism: Mechanism) -> System {
+pub fn released(mut mechanism: Mechanism) -> System {
     if mechanism.joints.iter().all(|own| own.redundant.is_none()) {
         return assemble(mechanism);
     }
@@ -30,7 +30,6 @@ pub fn released(mechanism: Mechanism) -> System {
     if draft.coordinates.len() > LARGEST_SURVEY || shared_line(&draft).is_some() {
         return draft;
     }
-    let mut mechanism = mechanism;
     let arms = arms(&draft);
     if !arms.is_empty() {
         for arm in arms {
