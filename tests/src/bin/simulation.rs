@@ -1,13 +1,14 @@
 //! Errors of simulated motions beside their evaluations, with weak and strong dampers: `tests/reports/simulation.md`.
 
 use std::error::Error;
+use std::ops::RangeInclusive;
 use std::process::ExitCode;
 
 use clap::Parser;
-use linkwright_solver::simulation::Method;
+use linkwright_solver::simulation::{Method, Options};
 use linkwright_tests::damped_chain::{DampedChain, Element};
 use linkwright_tests::sled::Sled;
-use linkwright_tests::stiff::{Damped, options};
+use linkwright_tests::stiff::{Damped, Found, options};
 use linkwright_tests::study::destination::{Destination, ended};
 use linkwright_tests::study::table::aligned;
 
@@ -127,24 +128,22 @@ fn table(damped: Damped, damper: f64, end: f64) -> String {
     aligned(&rows, 0)
 }
 
-/// Errors in tolerances and evaluations of chains of pendulums.
-fn chain(count: usize, element: Element, dampers: &[f64], end: f64) -> String {
+/// Errors in tolerances and evaluations, a row for each tolerance of so many digits and two columns for each damper.
+fn by_tolerance<E>(
+    digits: RangeInclusive<i32>,
+    dampers: &[f64],
+    compared: impl Fn(usize, Options) -> Result<Found, E>,
+) -> String {
     let mut titles = vec!["`--rtol`".to_string()];
     for damper in dampers {
         titles.extend([format!("{damper:.0e}: error"), "evaluations".to_string()]);
     }
-    let chains = dampers.iter().map(|&damper| DampedChain {
-        count,
-        damper,
-        element,
-    });
-    let chains: Vec<_> = chains.map(|it| (it, it.motion(end))).collect();
     let mut rows = vec![titles];
-    for digits in 4..=12 {
+    for digits in digits {
         let relative = 10_f64.powi(-digits);
         let mut cells = vec![format!("{relative:.0e}")];
-        for (chain, motion) in &chains {
-            match chain.compared(motion, end, options(Method::Automatic, relative)) {
+        for place in 0..dampers.len() {
+            match compared(place, options(Method::Automatic, relative)) {
                 Ok(found) => {
                     cells.push(format!("{:.1}", found.error / relative));
                     cells.push(found.effort.evaluations.to_string());
@@ -157,26 +156,24 @@ fn chain(count: usize, element: Element, dampers: &[f64], end: f64) -> String {
     aligned(&rows, 0)
 }
 
-/// Errors in tolerances and evaluations of sleds.
+/// Chains of pendulums from rest.
+fn chain(count: usize, element: Element, dampers: &[f64], end: f64) -> String {
+    let chains = dampers.iter().map(|&damper| DampedChain {
+        count,
+        damper,
+        element,
+    });
+    let chains: Vec<_> = chains.map(|it| (it, it.motion(end))).collect();
+    by_tolerance(4..=12, dampers, |place, options| {
+        let (chain, motion) = &chains[place];
+        chain.compared(motion, end, options)
+    })
+}
+
+/// Sleds with a drag whose direction turns.
 fn sleds(end: f64) -> String {
-    let mut titles = vec!["`--rtol`".to_string()];
-    for drag in DRAGS {
-        titles.extend([format!("{drag:.0e}: error"), "evaluations".to_string()]);
-    }
-    let mut rows = vec![titles];
-    for digits in 4..=10 {
-        let relative = 10_f64.powi(-digits);
-        let mut cells = vec![format!("{relative:.0e}")];
-        for drag in DRAGS {
-            match (Sled { drag }).compared(end, options(Method::Automatic, relative)) {
-                Ok(found) => {
-                    cells.push(format!("{:.1}", found.error / relative));
-                    cells.push(found.effort.evaluations.to_string());
-                }
-                Err(_) => cells.extend(["ends".to_string(), "–".to_string()]),
-            }
-        }
-        rows.push(cells);
-    }
-    aligned(&rows, 0)
+    by_tolerance(4..=10, &DRAGS, |place, options| {
+        let drag = DRAGS[place];
+        Sled { drag }.compared(end, options)
+    })
 }

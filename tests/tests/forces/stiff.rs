@@ -99,6 +99,20 @@ fn steps_are_explicit_again_when_a_motion_is_no_longer_stiff() {
     );
 }
 
+/// Motions of a chain, whose errors are at most 20 tolerances.
+fn compared(chain: DampedChain) -> [Found; 3] {
+    let motion = chain.motion(2.0);
+    [1e-4, 1e-6, 1e-8].map(|relative| {
+        let found = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
+        let found = found.expect("no end");
+        assert!(
+            found.error <= 20.0 * relative,
+            "{chain:?} {relative} {found:?}"
+        );
+        found
+    })
+}
+
 /// Dampers between bodies that both turn hold them like one body: errors stay within tolerances, however strong they are.
 #[test]
 fn dampers_between_turning_bodies_leave_small_errors() {
@@ -106,20 +120,11 @@ fn dampers_between_turning_bodies_leave_small_errors() {
     let struts = [1e8, 1e10].map(|damper| (Element::Strut, damper));
     for (element, damper) in about.into_iter().chain(struts) {
         for count in [2, 3] {
-            let chain = DampedChain {
+            compared(DampedChain {
                 count,
                 damper,
                 element,
-            };
-            let motion = chain.motion(2.0);
-            for relative in [1e-4, 1e-6, 1e-8] {
-                let found = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
-                let found = found.expect("no end");
-                assert!(
-                    found.error <= 20.0 * relative,
-                    "{chain:?} {relative} {found:?}"
-                );
-            }
+            });
         }
     }
 }
@@ -136,14 +141,7 @@ fn dampers_written_by_hand_leave_small_errors() {
                 damper,
                 element,
             };
-            let motion = chain.motion(2.0);
-            for relative in [1e-4, 1e-6, 1e-8] {
-                let found = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
-                let found = found.expect("no end");
-                assert!(
-                    found.error <= 20.0 * relative,
-                    "{chain:?} {relative} {found:?}"
-                );
+            for found in compared(chain) {
                 assert!(found.effort.evaluations <= 5000, "{chain:?} {found:?}");
             }
         }

@@ -8,6 +8,7 @@ use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::view::View;
+use linkwright_tests::values::assembled_from;
 
 /// Cranks of one length in a row, each of which turns the next one through a coupler as long as the ground between them.
 struct Row {
@@ -212,6 +213,11 @@ fn blocks(text: String) -> Interpreted {
     Interpreted::new(&system.only().expect("one motion")).expect("its blocks")
 }
 
+/// The mechanism at t = 0 in the modes of the drawing.
+fn as_drawn(blocks: &Interpreted) -> Shell<Interpreted> {
+    assembled_from(blocks.clone(), &[], 0.0, Settings::default()).expect("as drawn")
+}
+
 /// One to three loops are singular in the same instant, and a frame falls there, beside it, or jumps it.
 #[test]
 fn rows_of_parallelograms_are_driven_straight_on() {
@@ -261,19 +267,8 @@ fn nearly_equal_links_keep_their_mode() {
         );
         let blocks = blocks(text);
         for step in [0.003, 0.02, 0.1, 0.7] {
-            let parameters = blocks.nominal_parameters();
-            let (pose, branches) = (blocks.drawn_pose(&parameters), blocks.drawn_branches());
-            let (inputs, settings) = (blocks.input_laws().at(0.0), Settings::default());
-            let shell = Shell::assemble(
-                blocks.clone(),
-                &parameters,
-                &pose,
-                branches.clone(),
-                0.0,
-                &inputs,
-                settings,
-            );
-            let mut shell = shell.expect("as drawn");
+            let branches = blocks.drawn_branches();
+            let mut shell = as_drawn(&blocks);
             for k in 1..=200 {
                 let t = f64::from(k) * step;
                 if shell.advance(t, &blocks.input_laws().at(t)).is_err() {
@@ -316,19 +311,7 @@ fn a_motion_that_rests_where_modes_meet_is_undecided() {
             PI + 0.5 * (-1.0_f64).powi(power),
         );
         for step in [0.01, 0.03, 0.1, 0.4] {
-            let parameters = blocks.nominal_parameters();
-            let (pose, branches) = (blocks.drawn_pose(&parameters), blocks.drawn_branches());
-            let (inputs, settings) = (blocks.input_laws().at(0.0), Settings::default());
-            let shell = Shell::assemble(
-                blocks.clone(),
-                &parameters,
-                &pose,
-                branches,
-                0.0,
-                &inputs,
-                settings,
-            );
-            let mut shell = shell.expect("as drawn");
+            let mut shell = as_drawn(&blocks);
             let failure = (1..=200).find_map(|k| {
                 let t = f64::from(k) * step;
                 shell.advance(t, &blocks.input_laws().at(t)).err()
