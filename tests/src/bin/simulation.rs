@@ -34,11 +34,13 @@ was left out: explicit steps with the strong damper are about as many at every t
 *Ends*: with a typed error, since the energy is out of balance.
 
 *Chain*: two or three pendulums of 0.5, 0.4 and 0.3 m from rest, with a damper in each joint between them (N·m·s) or between points 0.3 m
-beside it (*struts*, N·s/m), or with torques and forces *by hand* whose formulas are those of such dampers. Strong dampers let the chain turn as one body; its motion then follows from its angular momentum and what the
-joints carry, to the square of 1/damper. With weak ones Lagrange's equations are integrated in steps shorter than any decay. Errors are in
-tolerances, with the default method.
+beside it (*struts*, N·s/m), or with torques and forces *by hand* whose formulas are those of such dampers. Strong dampers let the chain
+turn as one body; its motion then follows from its angular momentum and what the joints carry, to the square of 1/damper, which is larger
+than the smallest tolerances for a damper of 1e5. With weak ones Lagrange's equations are integrated in steps shorter than any decay.
+Errors are in tolerances, with the default method. What a damper of 1e10 exerts is known to 1e-6 N·m, since rates of the bodies are known to
+rounding: steps shorter than that allows take many evaluations and average it.
 
-*Sled*: 2 kg with a drag of so many N·s/m across its runner, written as a force of rates, begin with 1.5 m/s and 1.2 rad/s. The direction of
+*Sled*: 2 kg with a drag of so many N·s/m across its runner, written as a force of rates, starts with 1.5 m/s and 1.2 rad/s. The direction of
 the drag is that of no coordinate. The motion has a closed form.
 ";
 

@@ -148,6 +148,31 @@ fn dampers_written_by_hand_leave_small_errors() {
     }
 }
 
+/// What a strong damper holds is found to rounding, which tolerances near it do not take for a step that is too long.
+#[test]
+fn tolerances_near_rounding_are_kept() {
+    for (element, damper) in [
+        (Element::Joint, 1e6),
+        (Element::Torques, 1e6),
+        (Element::Strut, 1e8),
+    ] {
+        let chain = DampedChain {
+            count: 2,
+            damper,
+            element,
+        };
+        let motion = chain.motion(2.0);
+        for (relative, most) in [(1e-11, 10_000), (1e-12, 15_000)] {
+            let found = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
+            let found = found.expect("no end");
+            assert!(
+                found.error <= 20.0 * relative && found.effort.evaluations <= most,
+                "{chain:?} {relative} {found:?}"
+            );
+        }
+    }
+}
+
 /// A drag whose direction no coordinate has takes thousands of steps; what they miss does not add up.
 #[test]
 fn a_drag_that_turns_leaves_small_errors() {

@@ -29,6 +29,10 @@ const MISSED: f64 = 1e-4;
 /// The error in tolerances that rounding may leave.
 const ROUNDED: f64 = 1e-2;
 
+/// Rounding errors of a variable's scale that its tolerance is at least: what a strong damper holds is found to a few of them, which
+/// are then less than what they may leave.
+const RESOLVED: f64 = 400.0;
+
 /// Smallest factor by which corrections are taken to converge: the first ones fall faster, since most of the rates is linear.
 const FASTEST: f64 = 0.1;
 
@@ -55,9 +59,22 @@ struct Attempt<'a, R> {
     length: f64,
     state: &'a [f64],
     tolerances: &'a Tolerances,
+    /// The scales of the judged components.
+    scales: Vec<f64>,
 }
 
 impl<R: Rates> Attempt<'_, R> {
+    /// Values in tolerances, for components that are as large as in the larger of the start and another state.
+    fn in_tolerances(&self, values: &[f64], other: &[f64]) -> f64 {
+        let squares = self.scales.iter().enumerate().map(|(component, scale)| {
+            let largest = self.rates.largest(component);
+            let [one, other] = [self.state, other].map(|state| state[component]);
+            let allowed = self.tolerances.of(one, other, largest);
+            (values[component] / (allowed + RESOLVED * f64::EPSILON * scale)).powi(2)
+        });
+        (squares.sum::<f64>() / self.scales.len() as f64).sqrt()
+    }
+
     /// The rates at the stages minus those of the polynomial through them.
     fn missed(&mut self, stages: &DVector<f64>) -> Result<DVector<f64>, R::Failure> {
         let count = self.state.len();
@@ -105,8 +122,7 @@ impl<R: Rates> Attempt<'_, R> {
             let sizes = (0..STAGES).map(|stage| {
                 let [own, place] = [&correction, &stages]
                     .map(|it| &it.as_slice()[stage * count..(stage + 1) * count]);
-                let states = [self.state, &moved(self.state, place)];
-                self.tolerances.mean(own, states, self.rates)
+                self.in_tolerances(own, &moved(self.state, place))
             });
             // NaN stays.
             let size = sizes.fold(0.0, |largest: f64, it| {
@@ -148,9 +164,8 @@ impl<R: Rates> Attempt<'_, R> {
             let found = factors.solve(&right);
             found.unwrap_or_else(|| DVector::repeat(count, f64::INFINITY))
         };
-        let states = [self.state, end];
         let first = estimate(slope);
-        let error = self.tolerances.mean(first.as_slice(), states, self.rates);
+        let error = self.in_tolerances(first.as_slice(), end);
         if error <= 1.0 || !error.is_finite() {
             return Ok(error);
         }
@@ -159,7 +174,7 @@ impl<R: Rates> Attempt<'_, R> {
         let mut there = vec![0.0; count];
         self.rates.rates(self.from, &place, &mut there)?;
         let second = estimate(&there);
-        Ok(self.tolerances.mean(second.as_slice(), states, self.rates))
+        Ok(self.in_tolerances(second.as_slice(), end))
     }
 }
 
@@ -191,12 +206,14 @@ impl Step {
         tolerances: &Tolerances,
     ) -> Result<Step, R::Failure> {
         let count = state.len();
+        let scales = rates.scales(state, slope, to - from);
         let mut attempt = Attempt {
             rates,
             from,
             length: to - from,
             state,
             tolerances,
+            scales,
         };
         let jacobian = &differences.jacobian;
         let mut step = Step {
