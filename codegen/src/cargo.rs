@@ -89,6 +89,7 @@ fn write_modules(
     }
     fs::create_dir_all(output)
         .map_err(|error| format!("cannot create `{}`: {error}", output.display()))?;
+    files::sweep(output);
     let mut names: Vec<(String, PathBuf)> = Vec::new();
     for file in descriptions {
         let Some((Generated { name, code, .. }, page)) = generate_file(&file, options, say) else {

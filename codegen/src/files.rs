@@ -1,12 +1,16 @@
 //! *Paths → the bytes of regular files; contents → files that are complete or as they were.*
 //!
 //! A pipe or a device is never read: it could have no end, or nobody who writes it. A file is written beside its destination,
-//! which it then replaces in one operation. Deliberately unknown here: what is read and written.
+//! which it then replaces in one operation, and so is a folder. Deliberately unknown here: what is read and written.
 
-use std::fs::{self, File, FileType, OpenOptions};
+mod partial;
+
+use std::fs::{self, File, FileType};
 use std::io::{self, BufWriter, Read as _, Write};
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::path::Path;
+
+use self::partial::Partial;
+pub use self::partial::sweep;
 
 /// The bytes of a regular file; of one with more than `largest` bytes one byte more than that.
 ///
@@ -59,18 +63,27 @@ pub fn replace(
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let (partial, file) = partial(folder_of(&path))?;
-    let written = complete(file, write)
-        .and_then(|file| match fs::metadata(&path) {
-            Ok(existing) => file.set_permissions(existing.permissions()),
-            Err(_) => Ok(()),
-        })
-        .and_then(|()| fs::rename(&partial, &path));
-    if written.is_err() {
-        // The first error is the one to report; that the partial file may be left is its consequence.
-        let _ = fs::remove_file(&partial);
+    let partial = Partial::new(folder_of(&path))?;
+    complete(&partial.file, write)?;
+    if let Ok(existing) = fs::metadata(&path) {
+        partial.file.set_permissions(existing.permissions())?;
     }
-    written
+    partial.becomes(&path)
+}
+
+/// Makes the folder at `path` with all that `fill` writes into the folder that it is given.
+///
+/// # Errors
+/// Those of `fill`, and whatever the file system refuses, also that something is there already; nothing is left then.
+pub fn make_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
+    let partial = Partial::new(folder_of(path))?;
+    if fs::symlink_metadata(path).is_ok() {
+        return Err(io::ErrorKind::AlreadyExists.into());
+    }
+    let folder = partial.folder();
+    fs::create_dir(&folder)?;
+    fill(&folder)?;
+    fs::rename(&folder, path)
 }
 
 /// Whether [`replace`] can make a file in this folder.
@@ -78,9 +91,7 @@ pub fn replace(
 /// # Errors
 /// Why it cannot.
 pub fn may_write_in(folder: &Path) -> io::Result<()> {
-    let (path, file) = partial(folder)?;
-    drop(file);
-    fs::remove_file(path)
+    Partial::new(folder).map(drop)
 }
 
 /// The folder that a path lies in.
@@ -91,30 +102,16 @@ pub fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// A new file under a name that no other file has, whoever else is writing in this folder.
-fn partial(folder: &Path) -> io::Result<(PathBuf, File)> {
-    static WRITTEN: AtomicUsize = AtomicUsize::new(0);
-    loop {
-        let number = WRITTEN.fetch_add(1, Ordering::Relaxed);
-        let name = format!(".linkwright-{}-{number}.partial", std::process::id());
-        let path = folder.join(name);
-        match OpenOptions::new().write(true).create_new(true).open(&path) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            file => return Ok((path, file?)),
-        }
-    }
-}
-
-fn complete(file: File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<File> {
+fn complete(file: &File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut buffered = BufWriter::new(file);
     write(&mut buffered)?;
-    buffered
-        .into_inner()
-        .map_err(io::IntoInnerError::into_error)
+    buffered.flush()
 }
 
 #[cfg(test)]
 mod tests {
+    use std::path::PathBuf;
+
     use super::*;
 
     /// A folder of its own that is removed in the end.
@@ -161,6 +158,61 @@ mod tests {
         may_write_in(&folder.0).expect("it may");
         assert!(may_write_in(&path).is_err());
         assert_eq!(folder.names(), ["a.rs"]);
+    }
+
+    #[test]
+    fn a_folder_is_made_as_a_whole_or_not_at_all() {
+        let folder = Folder::new("make");
+        let path = folder.0.join("crate");
+        let failed = make_folder(&path, |inside| {
+            fs::write(inside.join("a"), "half of it")?;
+            Err(io::Error::other("no more"))
+        });
+        assert_eq!(failed.expect_err("it fails").to_string(), "no more");
+        assert!(folder.names().is_empty(), "{:?}", folder.names());
+        let fill = |inside: &Path| {
+            // Nobody sees it under its name before it is complete.
+            assert!(!path.exists());
+            fs::write(inside.join("a"), "all of it")
+        };
+        make_folder(&path, fill).expect("it can be made");
+        assert_eq!(folder.names(), ["crate"]);
+        assert_eq!(fs::read(path.join("a")).expect("it is there"), b"all of it");
+        let failed = make_folder(&path, |_| Ok(())).expect_err("it exists");
+        assert_eq!(failed.kind(), io::ErrorKind::AlreadyExists);
+        assert_eq!(folder.names(), ["crate"]);
+    }
+
+    #[test]
+    fn what_a_kill_left_is_removed_and_nothing_else() {
+        let folder = Folder::new("sweep");
+        // Names of a run that has been killed, one of them with the folder that it was filling.
+        for name in [".linkwright-1-0.partial", ".linkwright-1-7.partial"] {
+            fs::write(folder.0.join(name), "half of it").expect("it can be written");
+        }
+        fs::create_dir_all(folder.0.join(".linkwright-1-7.partial.folder/src")).expect("a folder");
+        let kept = [
+            ".linkwright-.partial",
+            ".linkwright-1-a.partial",
+            ".linkwright-notes.partial",
+            "linkwright-1-0.partial",
+        ];
+        for name in kept {
+            fs::write(folder.0.join(name), "of somebody else").expect("it can be written");
+        }
+        let path = folder.0.join("a.rs");
+        replace(&path, |output| {
+            // Another run meanwhile, or this one elsewhere: what is being written stays.
+            let during = folder.names();
+            sweep(&folder.0);
+            assert_eq!(folder.names().len(), during.len() - 3);
+            output.write_all(b"one")
+        })
+        .expect("it can be written");
+        let mut expected = Vec::from(kept);
+        expected.push("a.rs");
+        expected.sort_unstable();
+        assert_eq!(folder.names(), expected);
     }
 
     #[test]

@@ -78,7 +78,9 @@ pub mod emit {
 
 /// Files that are named in messages as a person names them.
 pub mod files {
-    pub use crate::files::{folder_of, may_write_in, noun, read, reason, replace};
+    pub use crate::files::{
+        folder_of, make_folder, may_write_in, noun, read, reason, replace, sweep,
+    };
 }
 
 /// Tables as other programs export them.

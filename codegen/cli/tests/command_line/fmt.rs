@@ -138,3 +138,27 @@ fn errors_have_no_colors_but_on_a_terminal() {
     let ran = Ran::from(command.output().expect("the command starts")).exits_with(2);
     assert!(ran.stderr.starts_with("error[") && !ran.stderr.contains('\u{1b}'));
 }
+
+#[test]
+fn a_file_that_is_write_protected_stays_as_it_is() {
+    let loose = EXAM.replace("    body", "  body");
+    let folder = Folder::new("fmt_protected", &loose);
+    let path = folder.file("a.mech");
+    let protect = |is_readonly| {
+        let mut permissions = std::fs::metadata(&path).expect("it exists").permissions();
+        permissions.set_readonly(is_readonly);
+        std::fs::set_permissions(&path, permissions).expect("it is ours");
+    };
+    protect(true);
+    let ran = folder.run("fmt a.mech").exits_with(2);
+    let words = "error: cannot write `a.mech`: the file is write-protected";
+    assert!(ran.stderr.contains(words), "{}", ran.stderr);
+    assert_eq!(folder.read("a.mech"), loose);
+    // Nothing is to be written where it is formatted already.
+    folder.run("fmt a.mech --check").exits_with(1);
+    protect(false);
+    folder.run("fmt a.mech").exits_with(0);
+    protect(true);
+    folder.run("fmt a.mech").exits_with(0);
+    protect(false);
+}

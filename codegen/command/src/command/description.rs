@@ -78,8 +78,8 @@ pub fn outputs_besides(
 ) -> Outputs {
     let folder = files::folder_of(path);
     let tables = source.attachments.iter().map(|it| folder.join(&it.path));
-    let read = [path].into_iter().chain(other).map(Path::to_path_buf);
-    Outputs::new(read.chain(tables).collect(), is_forced)
+    let other = other.into_iter().map(Path::to_path_buf);
+    Outputs::of(path, other.chain(tables).collect(), is_forced)
 }
 
 /// Why a description cannot be read; of a folder, a description in it.

@@ -9,6 +9,7 @@ use linkwright_codegen::stages::files;
 use super::description::{is_stdin, rendered, text};
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Fmt;
+use crate::output::replaceable;
 
 /// Formats every file, also those after one that cannot be read.
 ///
@@ -18,6 +19,12 @@ pub fn run(arguments: &Fmt) -> Result<Outcome, Problem> {
     let mut outcome = Outcome::Done;
     let mut problem = None;
     for place in &arguments.files {
+        if !arguments.check && !is_stdin(place) {
+            files::sweep(match place.is_dir() {
+                true => place,
+                false => files::folder_of(place),
+            });
+        }
         for path in descriptions(place)? {
             match formatted(&path, arguments.check) {
                 Ok(Outcome::Done) => {}
@@ -85,6 +92,7 @@ fn formatted(path: &Path, is_check: bool) -> Result<Outcome, Problem> {
     if is_stdin(path) {
         print(|output| output.write_all(formatted.as_bytes()))?;
     } else if !is_same {
+        replaceable(path)?;
         files::replace(path, |output| output.write_all(formatted.as_bytes())).map_err(|error| {
             let reason = files::reason(&error);
             Problem(format!(

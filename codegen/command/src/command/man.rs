@@ -7,7 +7,7 @@ use clap_mangen::Man as Page;
 
 use super::{Outcome, Problem, print};
 use crate::arguments::Man;
-use crate::output::{Beginning, Outputs, Signature};
+use crate::output::{Beginning, Outputs, Record, Signature};
 
 /// How a manual page is known again.
 const SIGNATURE: Signature = Signature {
@@ -16,6 +16,7 @@ const SIGNATURE: Signature = Signature {
         let text = String::from_utf8_lossy(start);
         text.contains(".TH linkwright")
     }),
+    record: Record::None,
 };
 
 /// Writes the pages of `interface`.
@@ -30,7 +31,7 @@ pub fn run(interface: Command, arguments: &Man) -> Result<Outcome, Problem> {
         let name = format!("linkwright-{}", sub.get_name());
         pages.push((name, Page::new(sub.clone())));
     }
-    let mut outputs = Outputs::new(Vec::new(), arguments.force);
+    let mut outputs = Outputs::new(arguments.force);
     let mut written = Vec::new();
     for (name, page) in pages {
         let output = outputs.file(&arguments.out.join(format!("{name}.1")), SIGNATURE)?;

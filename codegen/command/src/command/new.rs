@@ -1,11 +1,10 @@
 //! *A name → a crate with a mechanism, a loop and a test*, which builds as it is.
 //!
-//! The folder of the crate is made by this command, or nothing is: what exists is never touched, and what was written before something
-//! failed is removed.
+//! The folder of the crate is made by this command with all its files at once, or nothing is: what exists is never touched.
 
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use linkwright_codegen::stages::files;
 
@@ -186,32 +185,28 @@ fn lies_in_package(folder: &Path) -> bool {
     })
 }
 
-/// Makes the folder and all files in it, or nothing.
+/// Makes the folder with all files in it, or nothing.
 fn write(folder: &Path, texts: &[(&str, String)]) -> Result<(), Problem> {
-    let refused = |path: &Path, error: &io::Error| {
+    let above = files::folder_of(folder);
+    files::sweep(above);
+    let written = files::make_folder(folder, |inside| {
+        texts.iter().try_for_each(|(path, text)| {
+            let path = inside.join(path);
+            fs::create_dir_all(files::folder_of(&path))?;
+            fs::write(path, text)
+        })
+    });
+    written.map_err(|error| {
         let reason = match error.kind() {
             io::ErrorKind::AlreadyExists => "it exists already".to_string(),
             io::ErrorKind::NotFound => "the folder that it is to lie in does not exist".to_string(),
-            _ => files::reason(error),
+            _ => files::reason(&error),
         };
         Problem(format!(
             "error: cannot write `{}`: {reason}",
-            path.display()
+            folder.display()
         ))
-    };
-    // The one step that says whose folder it is.
-    fs::create_dir(folder).map_err(|error| refused(folder, &error))?;
-    let written = texts.iter().try_for_each(|(path, text)| {
-        let path: PathBuf = folder.join(path);
-        fs::create_dir_all(files::folder_of(&path))
-            .and_then(|()| fs::write(&path, text))
-            .map_err(|error| refused(&path, &error))
-    });
-    if written.is_err() {
-        // The first error is the one to report.
-        let _ = fs::remove_dir_all(folder);
-    }
-    written
+    })
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Chooses the file format of a drawing: SVG, or PNG in builds with the feature `png`.
 
+use std::path::Path;
+
 use super::Problem;
 use crate::arguments::Draw;
 use crate::output::Signature;
@@ -18,15 +20,49 @@ impl PictureFormat {
     /// Returns the format that the arguments request.
     ///
     /// # Errors
-    /// The arguments request a PNG, and this build leaves it out.
+    /// The arguments request a format that is not among those that can be written, another one than the file is named after, or a PNG,
+    /// which this build leaves out.
     pub fn of(arguments: &Draw) -> Result<PictureFormat, Problem> {
-        let extension = arguments.out.as_ref().and_then(|it| it.extension());
-        let is_png = arguments.png || extension.is_some_and(|it| it.eq_ignore_ascii_case("png"));
-        match is_png {
-            true => png(),
-            false => Ok(SVG),
+        let path = arguments.out.as_deref();
+        let named = match path.and_then(Path::extension) {
+            None => None,
+            Some(extension) => Some(
+                FORMATS
+                    .iter()
+                    .find(|(name, _)| extension.eq_ignore_ascii_case(name))
+                    .ok_or_else(|| unknown(path, &format!("`.{}`", extension.display())))?,
+            ),
+        };
+        match (named, arguments.png) {
+            (Some(("png", _)) | None, true) => png(),
+            (Some((name, _)), true) => Err(Problem(format!(
+                "error: cannot write `{}`: `--png` draws a PNG, and the file is named `.{name}`\n  = help: leave out `--png`, or name a file that ends in `.png`",
+                path.unwrap_or(Path::new("")).display()
+            ))),
+            (Some((_, format)), false) => format(),
+            (None, false) => svg(),
         }
     }
+}
+
+/// File formats of drawings by the extensions of their files.
+const FORMATS: [(&str, fn() -> Result<PictureFormat, Problem>); 2] = [("svg", svg), ("png", png)];
+
+/// Refuses a file whose extension is that of no format.
+fn unknown(path: Option<&Path>, extension: &str) -> Problem {
+    let names: Vec<String> = FORMATS
+        .iter()
+        .map(|(name, _)| format!("`.{name}`"))
+        .collect();
+    Problem(format!(
+        "error: cannot write `{}`: no drawing can be written as {extension}\n  = help: name a file that ends in {}",
+        path.unwrap_or(Path::new("")).display(),
+        names.join(" or ")
+    ))
+}
+
+fn svg() -> Result<PictureFormat, Problem> {
+    Ok(SVG)
 }
 
 const SVG: PictureFormat = PictureFormat {

@@ -11,7 +11,7 @@ use super::description::{
 };
 use super::{Outcome, Problem, print, say, watch};
 use crate::arguments::View;
-use crate::output::{Beginning, Signature};
+use crate::output::{Beginning, Record, Signature};
 use crate::page::{Live, Page, page};
 
 /// How a page is known again.
@@ -19,9 +19,27 @@ const SIGNATURE: Signature = Signature {
     noun: "a page that this command has made",
     beginning: Beginning::Bytes(|start| {
         let text = String::from_utf8_lossy(start);
-        text.contains("<meta name=\"generator\" content=\"linkwright\">")
+        text.contains(GENERATOR)
     }),
+    record: Record::Inside {
+        found: |start| {
+            let text = String::from_utf8_lossy(start);
+            let (_, after) = text.split_once(SOURCE)?;
+            Some(after.split_once('"')?.0.to_string())
+        },
+        added: |page, record| {
+            let page = String::from_utf8_lossy(page);
+            let named = format!("{GENERATOR}\n{SOURCE}{record}\">");
+            page.replacen(GENERATOR, &named, 1).into_bytes()
+        },
+    },
 };
+
+/// What says in the head of a page that it is one of ours.
+const GENERATOR: &str = "<meta name=\"generator\" content=\"linkwright\">";
+
+/// How the element below it begins, which names the description.
+const SOURCE: &str = "<meta name=\"linkwright-source\" content=\"";
 
 /// Writes the page, or serves it.
 ///
@@ -31,6 +49,9 @@ const SIGNATURE: Signature = Signature {
 pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     if arguments.watch {
         return watch::run(arguments);
+    }
+    if let Some(path) = &arguments.out {
+        check_extension(path)?;
     }
     let source = source(&arguments.described.file)?;
     let made = made(arguments, &source, Live::No)?;
@@ -53,6 +74,24 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
         None => Outcome::Done,
         Some(_) => Outcome::Failed,
     })
+}
+
+/// Refuses a file that is named as something else than a page.
+fn check_extension(path: &Path) -> Result<(), Problem> {
+    let Some(extension) = path.extension() else {
+        return Ok(());
+    };
+    if ["html", "htm"]
+        .iter()
+        .any(|it| extension.eq_ignore_ascii_case(it))
+    {
+        return Ok(());
+    }
+    Err(Problem(format!(
+        "error: cannot write `{}`: no page can be written as `.{}`\n  = help: name a file that ends in `.html` or `.htm`; `linkwright draw` writes pictures",
+        path.display(),
+        extension.display()
+    )))
 }
 
 /// A page and what is to be known of it.

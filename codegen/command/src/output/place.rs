@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use linkwright_codegen::stages::files;
 
-use super::{Beginning, LONGEST_BEGINNING, Refused, Signature};
+use super::record::{LONGEST_RECORD, Source};
+use super::{Beginning, LONGEST_BEGINNING, Record, Refused, Signature};
 
 /// The longest first line that is looked at: a table of ten thousand bodies has one of two megabytes.
 const LONGEST_LINE: u64 = 16 << 20;
@@ -124,8 +125,13 @@ pub(super) fn replaceable(place: &Path) -> Result<(), Why> {
     may_write_in(folder, folder)
 }
 
-/// Whether a file is empty or begins like what may replace it.
-pub(super) fn ours(place: &Path, signature: Signature) -> Result<(), Why> {
+/// Whether a file, named `shown` by the user, is empty, or begins like what may replace it and is not that of another source.
+pub(super) fn ours(
+    place: &Path,
+    shown: &Path,
+    signature: Signature,
+    source: Option<&Source>,
+) -> Result<(), Why> {
     let mut file = BufReader::new(File::open(place)?);
     let mut start = Vec::new();
     let is_ours = match signature.beginning {
@@ -142,14 +148,36 @@ pub(super) fn ours(place: &Path, signature: Signature) -> Result<(), Why> {
             is_start(&start)
         }
     };
-    if start.is_empty() || is_ours {
+    if start.is_empty() {
         return Ok(());
+    }
+    if is_ours {
+        return same_source(place, shown, signature, source);
     }
     let why = Why::new(format!(
         "there is a file already, and it is not {}",
         signature.noun
     ));
     Err(why.help("name another file, or replace this one with `--force`"))
+}
+
+/// Whether a file does not say that it was made from another source.
+fn same_source(
+    place: &Path,
+    shown: &Path,
+    signature: Signature,
+    source: Option<&Source>,
+) -> Result<(), Why> {
+    let (Record::Inside { found, .. }, Some(source)) = (signature.record, source) else {
+        return Ok(());
+    };
+    let mut start = Vec::new();
+    let file = File::open(place)?;
+    file.take(LONGEST_RECORD).read_to_end(&mut start)?;
+    match found(&start) {
+        Some(record) => source.check(&record, place, shown),
+        None => Ok(()),
+    }
 }
 
 /// Whether what is written to something of this kind is for somebody else to keep.

@@ -14,7 +14,7 @@ use linkwright_solver::view::View;
 use super::units::Units;
 use crate::arguments::TurnUnit;
 use crate::motion::{Followed, Shown, Sink};
-use crate::output::{Beginning, Signature};
+use crate::output::{Beginning, Record, Signature};
 
 /// What follows the name of a coordinate, its rate and its acceleration.
 const RATES: [&str; 3] = ["", "_d", "_dd"];
@@ -45,6 +45,7 @@ const OTHERS: [&str; 7] = [
 pub const SIGNATURE: Signature = Signature {
     noun: "a table of frames that this command has written",
     beginning: Beginning::Line(is_header),
+    record: Record::Beside,
 };
 
 /// The table of a motion, to which frames are added one by one.

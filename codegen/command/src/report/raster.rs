@@ -8,7 +8,7 @@ use std::sync::Arc;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb::Database};
 
-use crate::output::{Beginning, Signature};
+use crate::output::{Beginning, Record, Signature};
 
 /// Pixels of a PNG for each of the drawing.
 pub const FINE: f32 = 2.0;
@@ -18,6 +18,9 @@ const HEAD: usize = 8 + 25;
 
 /// The chunk behind it: `Software` is the registered word for what has made an image.
 const WORDS: &[u8] = b"tEXtSoftware\0linkwright";
+
+/// How the one behind that begins, which names the source.
+const SOURCE: &[u8] = b"tEXtComment\0Generated from ";
 
 /// The letters are light ones.
 const BOLDER: &str = "\
@@ -30,7 +33,18 @@ const BOLDER: &str = "\
 pub const SIGNATURE: Signature = Signature {
     noun: "a picture that this command has drawn",
     beginning: Beginning::Bytes(is_ours),
+    record: Record::Inside {
+        found: source,
+        added: |png, source| {
+            let mut png = png.to_vec();
+            insert(&mut png, SECOND, &[SOURCE, source.as_bytes()].concat());
+            png
+        },
+    },
 };
+
+/// Where the second chunk of text begins.
+const SECOND: usize = HEAD + 8 + WORDS.len();
 
 fn is_ours(bytes: &[u8]) -> bool {
     bytes.get(HEAD + 4..HEAD + 4 + WORDS.len()) == Some(WORDS)
@@ -64,13 +78,26 @@ pub fn raster(svg: &str, factor: f32) -> Result<Vec<u8>, String> {
     Ok(marked(png))
 }
 
+/// Name of the source of a picture.
+fn source(bytes: &[u8]) -> Option<String> {
+    let (length, chunk) = bytes.get(SECOND..)?.split_first_chunk()?;
+    let length = usize::try_from(u32::from_be_bytes(*length)).ok()?;
+    let words = chunk.get(..length.checked_add(4)?)?;
+    String::from_utf8(words.strip_prefix(SOURCE)?.to_vec()).ok()
+}
+
 /// The picture with the words that say whose it is.
 fn marked(mut png: Vec<u8>) -> Vec<u8> {
-    let mut chunk = (WORDS.len() as u32 - 4).to_be_bytes().to_vec();
-    chunk.extend(WORDS);
-    chunk.extend(checksum(WORDS).to_be_bytes());
-    png.splice(HEAD..HEAD, chunk);
+    insert(&mut png, HEAD, WORDS);
     png
+}
+
+/// Inserts a chunk of these words, which begin with its kind.
+fn insert(png: &mut Vec<u8>, place: usize, words: &[u8]) {
+    let mut chunk = (words.len() as u32 - 4).to_be_bytes().to_vec();
+    chunk.extend(words);
+    chunk.extend(checksum(words).to_be_bytes());
+    png.splice(place..place, chunk);
 }
 
 /// The cyclic redundancy check of a chunk (PNG specification, annex D).
@@ -106,5 +133,15 @@ mod tests {
         assert_ne!(empty, written);
         assert_eq!(written, raster(&svg("Q"), 2.0).expect("a picture"));
         assert!(!is_ours(b"\x89PNG\r\n\x1a\n"));
+        // It is as readable with the name of its source.
+        let Record::Inside { found, added } = SIGNATURE.record else {
+            unreachable!("it is named inside")
+        };
+        let named = added(&written, "../a.mech");
+        assert!(is_ours(&named));
+        assert_eq!(found(&named).as_deref(), Some("../a.mech"));
+        assert_eq!(found(&written), None);
+        let decoded = |png: &[u8]| Pixmap::decode_png(png).expect("a picture");
+        assert_eq!(decoded(&named), decoded(&written));
     }
 }

@@ -13,13 +13,14 @@ use super::description::{
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Calibrate;
 use crate::data::{Data, sizes};
-use crate::output::{Beginning, Signature};
+use crate::output::{Beginning, Record, Signature};
 use crate::report::calibration::{self, Report};
 
 /// A description is nobody's to replace.
 const SIGNATURE: Signature = Signature {
     noun: "a new file",
     beginning: Beginning::Line(|_| false),
+    record: Record::None,
 };
 
 /// Fits and reports it.

@@ -1,0 +1,287 @@
+//! Serves the page that is kept in [`Shared`] to the browsers of this machine, each on a thread of its own.
+//!
+//! No browser can stop the server: a connection for which there is no thread is refused, and one that is too slow ends.
+
+use std::io::{self, BufRead as _, BufReader, Read as _, Write as _};
+use std::net::{TcpListener, TcpStream};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+use super::timed::Timed;
+
+/// How long a request may take to arrive, and how long the answer to leave.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// How long a connection is heard that cannot be answered.
+const IMPATIENCE: Duration = Duration::from_millis(100);
+
+/// How often a browser that waits hears that the server is still there.
+const HEARTBEAT: Duration = Duration::from_secs(2);
+
+/// How much of a request is read.
+const LONGEST: u64 = 16 << 10;
+
+/// How many connections are open at once.
+const CONNECTIONS: usize = 64;
+
+/// The page as it is now.
+#[derive(Default)]
+pub(super) struct Current {
+    pub version: u64,
+    pub html: String,
+}
+
+/// The page and whoever waits for the next one.
+#[derive(Default)]
+pub(super) struct Shared {
+    current: Mutex<Current>,
+    changed: Condvar,
+}
+
+impl Shared {
+    pub fn current(&self) -> MutexGuard<'_, Current> {
+        // A page is replaced as a whole: what another thread left is complete.
+        self.current.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Replaces the page.
+    pub fn set(&self, current: Current) {
+        *self.current() = current;
+        self.changed.notify_all();
+    }
+}
+
+/// The work of a thread.
+pub(super) type Task = Box<dyn FnOnce() + Send>;
+
+/// Runs a task on a new thread.
+///
+/// # Errors
+/// The system has no thread to give.
+pub(super) fn on_thread(task: Task) -> io::Result<()> {
+    thread::Builder::new().spawn(task).map(drop)
+}
+
+/// Answers all that connect; `start` runs a task beside this one. `patience` is that with a request, and with an answer.
+fn serve_with(
+    listener: &TcpListener,
+    port: u16,
+    shared: &Arc<Shared>,
+    patience: Duration,
+    start: impl Fn(Task) -> io::Result<()>,
+) {
+    let open = Arc::new(());
+    for stream in listener.incoming() {
+        let Ok(stream) = stream.map(Arc::new) else {
+            // Too many files are open, say: whoever has one closes it in time.
+            thread::sleep(IMPATIENCE);
+            continue;
+        };
+        let task = {
+            let (stream, shared, open) = (stream.clone(), shared.clone(), open.clone());
+            Box::new(move || {
+                // A browser that goes away while it is answered is no error.
+                let _ = answer(&stream, port, &shared, patience);
+                drop(open);
+            })
+        };
+        let is_full = Arc::strong_count(&open) > CONNECTIONS + 1;
+        if is_full || start(task).is_err() {
+            let _ = refuse(&stream);
+        }
+    }
+}
+
+/// Answers all that connect, each on a thread of its own.
+pub(super) fn serve(listener: &TcpListener, port: u16, shared: &Arc<Shared>) {
+    serve_with(listener, port, shared, PATIENCE, on_thread);
+}
+
+/// Tells a browser to come again. What it has sent is read first, since what is unread ends a connection before its answer arrives.
+fn refuse(stream: &TcpStream) -> io::Result<()> {
+    let mut request = [0; 4096];
+    let _ = Timed::new(stream, IMPATIENCE).read(&mut request)?;
+    let status = "503 Service Unavailable";
+    plain(Timed::new(stream, IMPATIENCE), status, "try again")
+}
+
+/// Answers one request.
+fn answer(stream: &TcpStream, port: u16, shared: &Shared, patience: Duration) -> io::Result<()> {
+    let request = Timed::new(stream, patience).take(LONGEST);
+    let mut lines = BufReader::new(request).lines();
+    let first = lines.next().transpose()?.unwrap_or_default();
+    let mut host = String::new();
+    for line in lines {
+        let line = line?;
+        match line.split_once(':') {
+            Some((name, value)) if name.eq_ignore_ascii_case("host") => {
+                host = value.trim().to_string();
+            }
+            None if line.is_empty() => break,
+            _ => {}
+        }
+    }
+    let is_ours = ["127.0.0.1", "localhost"]
+        .iter()
+        .any(|name| host == format!("{name}:{port}") || (port == 80 && host == *name));
+    let reply_to = Timed::new(stream, patience);
+    let path = match first.split(' ').collect::<Vec<_>>()[..] {
+        ["GET", path, _] => path,
+        _ => return plain(reply_to, "405 Method Not Allowed", "only GET is answered"),
+    };
+    if !is_ours {
+        let text = "this page is for its own machine";
+        return plain(reply_to, "403 Forbidden", text);
+    }
+    if let Some(after) = path.strip_prefix("/changes?after=") {
+        return match after.parse() {
+            Ok(after) => wait(stream, shared, after, patience),
+            Err(_) => plain(reply_to, "400 Bad Request", "which version?"),
+        };
+    }
+    if path != "/" {
+        return plain(reply_to, "404 Not Found", "there is one page, at /");
+    }
+    let html = shared.current().html.clone();
+    reply(reply_to, "200 OK", "text/html; charset=utf-8", &html)
+}
+
+fn plain(stream: Timed<'_>, status: &str, text: &str) -> io::Result<()> {
+    reply(stream, status, "text/plain; charset=utf-8", text)
+}
+
+fn reply(mut stream: Timed<'_>, status: &str, kind: &str, text: &str) -> io::Result<()> {
+    let head = format!(
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nCache-Control: no-store\r\n\
+         X-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n",
+        text.len()
+    );
+    stream.write_all(head.as_bytes())?;
+    stream.write_all(text.as_bytes())?;
+    stream.flush()
+}
+
+/// Says once that there is another version than this, as soon as there is.
+fn wait(stream: &TcpStream, shared: &Shared, after: u64, patience: Duration) -> io::Result<()> {
+    let say = |text: &str| Timed::new(stream, patience).write_all(text.as_bytes());
+    say(
+        "HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n",
+    )?;
+    let mut current = shared.current();
+    while current.version == after {
+        let (next, waited) = shared
+            .changed
+            .wait_timeout(current, HEARTBEAT)
+            .unwrap_or_else(PoisonError::into_inner);
+        current = next;
+        if waited.timed_out() {
+            drop(current);
+            // Whoever has gone away is noticed.
+            say(": still here\n\n")?;
+            current = shared.current();
+        }
+    }
+    let version = current.version;
+    drop(current);
+    say(&format!("data: {version}\n\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::Instant;
+
+    use super::*;
+
+    /// A server whose threads `start` gives; its port.
+    fn server(
+        patience: Duration,
+        start: impl Fn(Task) -> io::Result<()> + Send + 'static,
+    ) -> (u16, Arc<Shared>) {
+        let listener = TcpListener::bind("127.0.0.1:0").expect("a free port");
+        let port = listener.local_addr().expect("it is bound").port();
+        let shared = Arc::new(Shared::default());
+        shared.set(Current {
+            version: 1,
+            html: "the page".to_string(),
+        });
+        let served = shared.clone();
+        thread::spawn(move || serve_with(&listener, port, &served, patience, start));
+        (port, shared)
+    }
+
+    fn asked(port: u16, path: &str) -> TcpStream {
+        let mut stream = TcpStream::connect(("127.0.0.1", port)).expect("it is served");
+        // All at once, as browsers do.
+        let request = format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n");
+        stream.write_all(request.as_bytes()).expect("it is sent");
+        stream
+    }
+
+    fn answered(mut stream: TcpStream) -> String {
+        let mut text = String::new();
+        stream.read_to_string(&mut text).expect("an answer");
+        text
+    }
+
+    #[test]
+    fn it_lives_on_without_threads() {
+        let asked_for = AtomicUsize::new(0);
+        let (port, _) = server(PATIENCE, move |task| {
+            match asked_for.fetch_add(1, Ordering::Relaxed) {
+                0..3 => Err(io::ErrorKind::WouldBlock.into()),
+                _ => on_thread(task),
+            }
+        });
+        for _ in 0..3 {
+            let text = answered(asked(port, "/"));
+            assert!(text.starts_with("HTTP/1.1 503 "), "{text}");
+        }
+        let text = answered(asked(port, "/"));
+        assert!(text.starts_with("HTTP/1.1 200 OK\r\n"), "{text}");
+        assert!(text.ends_with("\r\n\r\nthe page"), "{text}");
+    }
+
+    #[test]
+    fn a_client_that_sends_byte_by_byte_is_dropped() {
+        let patience = Duration::from_millis(300);
+        let (port, _) = server(patience, on_thread);
+        let mut slow = TcpStream::connect(("127.0.0.1", port)).expect("it is served");
+        let begun = Instant::now();
+        // Each byte arrives in time, but never the request.
+        while slow.write_all(b"G").is_ok() {
+            thread::sleep(patience / 10);
+            assert!(begun.elapsed() < patience * 20, "it is still heard");
+        }
+        assert!(begun.elapsed() >= patience);
+    }
+
+    #[test]
+    fn more_than_so_many_connections_are_refused_until_one_ends() {
+        let (port, shared) = server(PATIENCE, on_thread);
+        let waiting: Vec<TcpStream> = (0..CONNECTIONS)
+            .map(|_| {
+                let mut stream = asked(port, "/changes?after=1");
+                let mut first = [0; 15];
+                stream.read_exact(&mut first).expect("it waits");
+                assert_eq!(&first, b"HTTP/1.1 200 OK");
+                stream
+            })
+            .collect();
+        let text = answered(asked(port, "/"));
+        assert!(text.starts_with("HTTP/1.1 503 "), "{text}");
+        shared.set(Current {
+            version: 2,
+            html: "the next page".to_string(),
+        });
+        for stream in waiting {
+            let text = answered(stream);
+            assert!(text.ends_with("\r\n\r\ndata: 2\n\n"), "{text}");
+        }
+        let begun = Instant::now();
+        while !answered(asked(port, "/")).ends_with("the next page") {
+            assert!(begun.elapsed() < PATIENCE, "it is still refused");
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! Names the description that an output was made from, and tells it from others.
+//!
+//! A record is the path of the description relative to the folder of the output, as a relative URL (RFC 3986). It is ASCII without
+//! blanks, quotes, angle brackets and double hyphens, and so fits into a comment of XML, an attribute of HTML and a line of text.
+
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+
+use linkwright_codegen::stages::files;
+
+use super::place::Why;
+
+/// Where outputs of a kind name their source.
+#[derive(Clone, Copy, Debug)]
+pub enum Record {
+    /// Nowhere: such outputs have one text wherever they lie, or no description is their source.
+    None,
+    /// In their first [`LONGEST_RECORD`] bytes.
+    Inside {
+        /// Returns the record of such a file from its beginning, `None` if there is none.
+        found: fn(&[u8]) -> Option<String>,
+        /// Returns the contents with a record.
+        added: fn(&[u8], &str) -> Vec<u8>,
+    },
+    /// In a file beside them.
+    Beside,
+}
+
+/// Number of bytes at the beginning of a file that hold its record: the longest path of common systems, each byte of it as `%FF`, and
+/// what surrounds it.
+pub(super) const LONGEST_RECORD: u64 = 3 * 4096 + 1024;
+
+/// How the reason begins that an output has another source.
+pub(super) const OTHER: &str = "it was made from ";
+
+/// What a description from stdin is called.
+const STDIN: &str = "-";
+
+/// A description that outputs are made from.
+#[derive(Clone, Debug)]
+pub(super) struct Source {
+    /// The path as it was named.
+    shown: PathBuf,
+    /// The path without links, `None` for stdin.
+    place: Option<PathBuf>,
+}
+
+impl Source {
+    /// Returns the description at a path, `None` if there is no such file.
+    pub fn new(path: &Path) -> Option<Source> {
+        let place = match path == Path::new(STDIN) {
+            true => None,
+            false => Some(fs::canonicalize(path).ok()?),
+        };
+        Some(Source {
+            shown: path.to_path_buf(),
+            place,
+        })
+    }
+
+    /// Record in an output at `output`, which is a path without links.
+    pub fn record(&self, output: &Path) -> String {
+        match &self.place {
+            None => STDIN.to_string(),
+            Some(place) => encoded(&relative(place, files::folder_of(output))),
+        }
+    }
+
+    /// Refuses an output at `output`, named `shown` by the user, if `record` in it is that of another description.
+    ///
+    /// # Errors
+    /// Which one.
+    pub fn check(&self, record: &str, output: &Path, shown: &Path) -> Result<(), Why> {
+        if record == self.record(output) {
+            return Ok(());
+        }
+        let named = decoded(record);
+        // Another name of the file, or one with a link in it.
+        let recorded = files::folder_of(output).join(&named);
+        let is_same = |place: &PathBuf| same_file::is_same_file(place, &recorded).unwrap_or(false);
+        if record != STDIN && self.place.as_ref().is_some_and(is_same) {
+            return Ok(());
+        }
+        let other = match record {
+            STDIN => "a description on stdin".to_string(),
+            _ => {
+                let path = folded(&files::folder_of(shown).join(&named));
+                format!("`{}`", path.display())
+            }
+        };
+        let own = match &self.place {
+            None => "what stdin holds".to_string(),
+            Some(_) => format!("`{}`", self.shown.display()),
+        };
+        let why = Why::new(format!("{OTHER}{other}, not from {own}"));
+        Err(why.help("name another file, or replace this one with `--force`"))
+    }
+}
+
+/// Path of a file relative to a folder, both without links. Nothing but its name is left of a file on another drive.
+fn relative(file: &Path, folder: &Path) -> PathBuf {
+    let [from, to] = [folder, file].map(|it| it.components().collect::<Vec<_>>());
+    let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    if shared == 0 {
+        return PathBuf::from(file.file_name().unwrap_or_default());
+    }
+    let up = from[shared..].iter().map(|_| Component::ParentDir);
+    up.chain(to[shared..].iter().copied()).collect()
+}
+
+/// The path without a folder that is left again at once.
+fn folded(path: &Path) -> PathBuf {
+    let mut found = PathBuf::new();
+    for part in path.components() {
+        let is_folder = matches!(found.components().next_back(), Some(Component::Normal(_)));
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir if is_folder => {
+                found.pop();
+            }
+            _ => found.push(part),
+        }
+    }
+    found
+}
+
+fn encoded(path: &Path) -> String {
+    let mut text = String::new();
+    for part in path.components() {
+        if !text.is_empty() {
+            text.push('/');
+        }
+        for byte in part.as_os_str().as_encoded_bytes() {
+            match char::from(*byte) {
+                '-' if text.ends_with('-') => text += "%2D",
+                it if it.is_ascii_alphanumeric() || "-._~".contains(it) => text.push(it),
+                _ => text += &format!("%{byte:02X}"),
+            }
+        }
+    }
+    text
+}
+
+fn decoded(record: &str) -> PathBuf {
+    let mut bytes = Vec::new();
+    let mut rest = record.as_bytes();
+    while let Some((first, after)) = rest.split_first() {
+        rest = after;
+        let digits = after.get(..2).and_then(|it| std::str::from_utf8(it).ok());
+        match digits.and_then(|it| u8::from_str_radix(it, 16).ok()) {
+            Some(byte) if *first == b'%' => {
+                bytes.push(byte);
+                rest = &after[2..];
+            }
+            _ => bytes.push(*first),
+        }
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::ffi::OsStringExt as _;
+        PathBuf::from(std::ffi::OsString::from_vec(bytes))
+    }
+    #[cfg(not(unix))]
+    PathBuf::from(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_record_is_the_way_from_the_output_to_its_source() {
+        for (file, folder, record) in [
+            ("/a/b/arm.mech", "/a/b", "arm.mech"),
+            ("/a/b/arm.mech", "/a/b/arm", "../arm.mech"),
+            ("/a/d/arm.mech", "/a/b/c", "../../d/arm.mech"),
+            ("/a/Kran  ü%.mech", "/a", "Kran%20%20%C3%BC%25.mech"),
+            ("/a/---\"<>&\n.mech", "/a", "-%2D-%22%3C%3E%26%0A.mech"),
+        ] {
+            let path = relative(Path::new(file), Path::new(folder));
+            assert_eq!(encoded(&path), record, "{file} from {folder}");
+            assert_eq!(decoded(record), path, "{file} from {folder}");
+            assert_eq!(folded(&Path::new(folder).join(path)), Path::new(file));
+        }
+        // Nothing but what this writes is read, and whatever is read ends.
+        assert_eq!(decoded("%zz%4"), Path::new("%zz%4"));
+        assert_eq!(folded(Path::new("../x/./../y")), Path::new("../y"));
+    }
+}
