@@ -12,6 +12,7 @@ macro_rules! branches {
     ) => {
         $(#[$docs])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[allow(non_snake_case)]
         pub struct $name {
             $($(#[$field_docs])* pub $field: $mode,)*
         }

@@ -83,6 +83,7 @@ macro_rules! frame {
         { $($own:ident = $drawn:expr,)* }
     ) => {
         $(#[$docs])*
+        #[allow(non_snake_case)]
         pub struct $name {
             /// The time t, in s.
             pub t: Scalar,

@@ -24,11 +24,12 @@ macro_rules! coordinates {
     ) => {
         $(#[$docs])*
         #[repr(C)]
+        #[allow(non_snake_case)]
         pub struct $name {
             $($(#[$field_docs])* pub $field: $scalar,)*
         }
 
-        #[allow(dead_code, clippy::approx_constant)]
+        #[allow(dead_code, non_snake_case, clippy::approx_constant)]
         impl $name {
             /// How many coordinates there are.
             pub const COUNT: usize = Self::NAMES.len();
@@ -65,11 +66,12 @@ macro_rules! parameters {
     ($scalar:ident { $($(#[$field_docs:meta])* $field:ident = $nominal:expr,)* }) => {
         /// What can be changed at run time.
         #[derive(Clone, Copy, Debug, PartialEq)]
+        #[allow(non_snake_case)]
         pub struct Parameters {
             $($(#[$field_docs])* pub $field: $scalar,)*
         }
 
-        #[allow(dead_code, clippy::approx_constant)]
+        #[allow(dead_code, non_snake_case, clippy::approx_constant)]
         impl Parameters {
             /// The values of the description.
             pub const NOMINAL: Self = Self { $($field: $nominal,)* };
@@ -123,11 +125,12 @@ macro_rules! inputs {
     ($scalar:ident { $($(#[$field_docs:meta])* $field:ident = $initial:expr,)* }) => {
         /// The signals that move the mechanism, each with its value, rate and acceleration at one time.
         #[derive(Clone, Copy, Debug, PartialEq)]
+        #[allow(non_snake_case)]
         pub struct Inputs {
             $($(#[$field_docs])* pub $field: $crate::Signal<$scalar>,)*
         }
 
-        #[allow(dead_code, clippy::approx_constant)]
+        #[allow(dead_code, non_snake_case, clippy::approx_constant)]
         impl Inputs {
             /// The values of the description, at rest.
             pub const INITIAL: Self = Self {

@@ -17,13 +17,16 @@ use super::{program_c, program_rust};
 use crate::files;
 
 /// The warnings with which generated C compiles, all of them errors.
-pub const FLAGS: [&str; 7] = [
+pub const FLAGS: [&str; 10] = [
     "-std=c99",
     "-O2",
     "-Wall",
     "-Wextra",
     "-Wpedantic",
     "-Wconversion",
+    "-Wshadow",
+    "-Wfloat-equal",
+    "-Wdouble-promotion",
     "-Werror",
 ];
 

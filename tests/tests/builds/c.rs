@@ -193,6 +193,82 @@ fn elementary_functions_have_the_bits_of_rust() {
     }
 }
 
+/// Every file is ASCII, compiles without a warning as C99 and as C++17, and has no fused operation where the processor has them.
+#[test]
+fn other_compilers_take_it_and_fuse_nothing() {
+    let place = folder("accepted");
+    let names = description::names();
+    let names = names.iter().map(String::as_str).chain(SMALL);
+    let (mut files, mut vectors) = (0, 0);
+    for name in names {
+        write(&place, &description::source(name), name, Scalar::F64);
+        for file in [format!("{name}.c"), format!("{name}.h")] {
+            let text = fs::read_to_string(place.join(&file)).expect("written");
+            assert!(text.is_ascii(), "{file}");
+        }
+        accepted(&place, name);
+        vectors += fused_nothing(&place, name);
+        files += 1;
+    }
+    accepted(&place, "linkwright");
+    vectors += fused_nothing(&place, "linkwright");
+    for file in ["linkwright.c", "linkwright.h"] {
+        let text = fs::read_to_string(place.join(file)).expect("written");
+        assert!(text.is_ascii(), "{file}");
+    }
+    assert!(files > 50, "{files}");
+    // Otherwise the code would not be for a processor with fused operations.
+    assert!(vectors > 1000 || !cfg!(target_arch = "x86_64"), "{vectors}");
+}
+
+/// Compiles a file as C++17.
+fn accepted(folder: &Path, name: &str) {
+    let file = format!("{name}.c");
+    let mut command = Command::new("g++");
+    command.args(["-std=c++17", "-x", "c++", "-fsyntax-only", "-Werror", &file]);
+    run(command.current_dir(folder)).unwrap_or_else(|error| panic!("{error}"));
+}
+
+/// Compiles a file for processors with fused operations, of which none may be in it; the number of operations on vectors.
+fn fused_nothing(folder: &Path, name: &str) -> usize {
+    if !cfg!(target_arch = "x86_64") {
+        return 0;
+    }
+    let mut vectors = 0;
+    for options in [
+        ["-std=c99", "-O2", "-mfma"],
+        ["-std=c99", "-O3", "-march=haswell"],
+        ["-std=c99", "-O2", "-march=native"],
+    ] {
+        for compiler in compilers() {
+            let mut command = Command::new(compiler);
+            command.args(options).args(["-S", &format!("{name}.c")]);
+            let listing = format!("{name}.s");
+            run(command.args(["-o", &listing]).current_dir(folder))
+                .unwrap_or_else(|error| panic!("{error}"));
+            let text = fs::read_to_string(folder.join(listing)).expect("a listing");
+            let operations = text
+                .lines()
+                .filter_map(|line| line.split_whitespace().next());
+            for operation in operations {
+                let is_fused = [
+                    "vfmadd",
+                    "vfmsub",
+                    "vfnmadd",
+                    "vfnmsub",
+                    "vfmaddsub",
+                    "vfmsubadd",
+                ]
+                .iter()
+                .any(|it| operation.starts_with(it));
+                assert!(!is_fused, "{name} with {compiler} {options:?}: {operation}");
+                vectors += usize::from(operation.starts_with("vmul"));
+            }
+        }
+    }
+    vectors
+}
+
 /// A program of C++ in which all mechanisms of the gallery are linked, in both scalars.
 #[test]
 fn mechanisms_of_both_scalars_are_one_program_of_cpp() {

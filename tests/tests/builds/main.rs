@@ -5,5 +5,6 @@ mod c;
 mod comments;
 mod control;
 mod freestanding;
+mod lints;
 mod macros;
 mod work;

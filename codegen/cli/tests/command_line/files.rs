@@ -358,19 +358,27 @@ fn outputs_of_another_description_are_not_replaced() {
     }
     moved.run("solve a.mech").exits_with(0);
     // A record without a table says nothing, and a table without a record is one of ours.
-    folder.run("solve a.mech --csv one.csv").exits_with(0);
+    folder
+        .run("solve a.mech --no-files --csv one.csv")
+        .exits_with(0);
     fs::remove_file(folder.file("one.csv")).expect("it is there");
     folder
-        .run("solve sub/b--c.mech --csv one.csv")
+        .run("solve sub/b--c.mech --no-files --csv one.csv")
         .exits_with(0);
-    refused(&folder, "solve a.mech --csv one.csv", "it was made from");
+    refused(
+        &folder,
+        "solve a.mech --no-files --csv one.csv",
+        "it was made from",
+    );
     fs::remove_file(folder.file("one.csv.source")).expect("it is there");
-    folder.run("solve a.mech --csv one.csv").exits_with(0);
+    folder
+        .run("solve a.mech --no-files --csv one.csv")
+        .exits_with(0);
     // What somebody else has written beside a table is theirs.
     fs::write(folder.file("two.csv.source"), NOTES).expect("it can be written");
     refused(
         &folder,
-        "solve a.mech --csv two.csv",
+        "solve a.mech --no-files --csv two.csv",
         "cannot write `two.csv.source`: there is a file already",
     );
     // Pictures of checks and comparisons have sources, too.

@@ -61,7 +61,16 @@ fn a_good_motion_is_printed_and_written() {
         assert!(ran.stdout.contains(text), "{text:?} in {}", ran.stdout);
     }
     let names = folder.list("two_body");
-    assert_eq!(names, ["P.svg", "Q.svg", "motion.csv", "paths.svg"]);
+    assert_eq!(
+        names,
+        [
+            "P.svg",
+            "Q.svg",
+            "motion.csv",
+            "motion.csv.source",
+            "paths.svg"
+        ]
+    );
     let table = folder.read("two_body/motion.csv");
     assert_eq!(table.lines().count(), 502);
     assert!(
@@ -228,7 +237,7 @@ fn files_go_where_they_are_wanted_and_are_never_half_written() {
     assert!(!ran.stdout.contains("\nP:"), "{}", ran.stdout);
     assert_eq!(
         folder.list("new/folder"),
-        ["q.csv"],
+        ["q.csv", "q.csv.source"],
         "no partial file is left"
     );
     assert_eq!(folder.list("plots"), ["Q.svg", "paths.svg"]);
@@ -354,7 +363,10 @@ fn coordinates_are_shown_with_their_rates_in_the_wanted_unit() {
         assert!(ran.stdout.contains(&value), "{value} in {}", ran.stdout);
     }
     // What stands still has no picture.
-    assert_eq!(folder.list("shown"), ["motion.csv", "phi1.svg"]);
+    assert_eq!(
+        folder.list("shown"),
+        ["motion.csv", "motion.csv.source", "phi1.svg"]
+    );
     assert!(folder.read("shown/phi1.svg").contains("phi1&apos; (deg/s)"));
     let ran = folder.run("solve a.mech --show phi3").exits_with(2);
     assert!(

@@ -109,7 +109,8 @@ fn pages_of_the_gallery_are_whole_files_that_need_nothing_else() {
         }
         let run = |out: &str| {
             let mut command = folder.command();
-            command.args(&arguments).args(["--to", "0.5", "--out", out]);
+            command.args(&arguments);
+            command.args(["--force", "--to", "0.5", "--out", out]);
             let ran = command.output().expect("the command starts");
             assert_eq!(
                 ran.status.code(),

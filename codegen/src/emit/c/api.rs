@@ -295,13 +295,13 @@ fn recover(printer: &Printer<'_>) -> Offered {
     }
     let frame = printer.type_of("Frame");
     body.line(format!(
-        "const {frame} *const last = {}(&parts);",
+        "const {frame} *const last = (const {frame} *){}(&parts);",
         printer.runtime("last_frame")
     ));
     body.line(format!("const linkwright_status status = {call};"));
     body.open("if (status == LINKWRIGHT_OK) {");
     body.line(format!(
-        "const {frame} *const found = {}(&parts);",
+        "const {frame} *const found = (const {frame} *){}(&parts);",
         printer.runtime("last_frame")
     ));
     for coordinate in &printer.module.system.coordinates {

@@ -69,13 +69,13 @@ pub(super) fn functions(printer: &Printer<'_>, text: &mut Text) {
         if reads.parameters {
             let parameters = printer.type_of("Parameters");
             body.line(format!(
-                "const {parameters} *const parameters = conditions->parameters;"
+                "const {parameters} *const parameters = (const {parameters} *)conditions->parameters;"
             ));
         }
         if reads.inputs {
             let inputs = printer.type_of("Inputs");
             body.line(format!(
-                "const {inputs} *const inputs = conditions->inputs;"
+                "const {inputs} *const inputs = (const {inputs} *)conditions->inputs;"
             ));
         }
         if block.newton.is_some() {
@@ -239,8 +239,10 @@ pub(super) fn exchanged(printer: &Printer<'_>, text: &mut Text) {
         text.close("}");
         return;
     }
-    text.line(format!("const {name} *const branches = modes;"));
-    text.line(format!("{name} *const other = others;"));
+    text.line(format!(
+        "const {name} *const branches = (const {name} *)modes;"
+    ));
+    text.line(format!("{name} *const other = ({name} *)others;"));
     text.line("linkwright_branch *exchanged_mode = NULL;");
     text.gap();
     text.line("*other = *branches;");

@@ -1,18 +1,16 @@
 //! Lines of prose, ours and those of a description → comments of C.
 
+use super::ascii::ascii;
 use super::text::Text;
 use crate::emit::lines::{WIDTH, filled};
 
-/// A text without what would begin or end a comment, hide a line break, or turn the direction of what follows.
+/// A text in ASCII without what would begin or end a comment, hide a line break, or turn the direction of what follows.
 pub(super) fn inert(text: &str) -> String {
     let is_shown = |it: &char| {
         !it.is_control() && !matches!(it, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
     };
-    let shown: String = text
-        .replace('\t', "    ")
-        .chars()
-        .filter(is_shown)
-        .collect();
+    let text = text.replace('\t', "    ");
+    let shown: String = ascii(&text.chars().filter(is_shown).collect::<String>());
     let mut inert = String::with_capacity(shown.len());
     for letter in shown.chars() {
         let joins = matches!(

@@ -95,9 +95,9 @@ impl Equation<'_> {
         let reads = scope.reads();
         let is_given = reads.frame || reads.parameters || reads.inputs;
         if is_given {
+            let kind = printer.type_of("Given");
             text.line(format!(
-                "const {} *const given = context;",
-                printer.type_of("Given")
+                "const {kind} *const given = (const {kind} *)context;"
             ));
         }
         if reads.frame {
@@ -111,7 +111,7 @@ impl Equation<'_> {
             if is_read {
                 let kind = printer.type_of(kind);
                 text.line(format!(
-                    "const {kind} *const {lower} = given->conditions->{lower};"
+                    "const {kind} *const {lower} = (const {kind} *)given->conditions->{lower};"
                 ));
             }
         }

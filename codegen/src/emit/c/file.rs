@@ -158,6 +158,12 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
     text.line("#ifdef __clang__");
     text.line("#pragma STDC FP_CONTRACT OFF");
     text.line("#endif");
+    text.comment([
+        "GCC 12 fuses them where it vectorizes straight lines of code, whatever its options say.",
+    ]);
+    text.line("#if defined(__GNUC__) && !defined(__clang__) && (defined(__FP_FAST_FMA) || defined(__FP_FAST_FMAF))");
+    text.line("#pragma GCC optimize (\"no-tree-slp-vectorize\")");
+    text.line("#endif");
     for printer in printers {
         parameters::nominal(printer, &mut text);
         definitions(printer, &mut text);

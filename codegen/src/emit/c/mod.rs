@@ -5,6 +5,7 @@
 //! What is computed, and in which order, is what the Rust module computes.
 
 mod api;
+mod ascii;
 mod assemblies;
 mod assembly;
 mod block;

@@ -92,8 +92,9 @@ fn solve(
         let length = match &lengths.following {
             Some(_) if has_length(quantities) => {
                 let length = format!("{what}_length");
+                let parameters = printer.type_of("Parameters");
                 text.line(format!(
-                    "const {real} {length} = {name}_{length}(conditions->parameters);"
+                    "const {real} {length} = {name}_{length}((const {parameters} *)conditions->parameters);"
                 ));
                 length
             }

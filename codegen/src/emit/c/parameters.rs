@@ -159,7 +159,9 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Text) {
         text.gap();
         text.line(format!("static bool {function}(const void *given)"));
         text.open("{");
-        text.line(format!("const {structure} *const parameters = given;"));
+        text.line(format!(
+            "const {structure} *const parameters = (const {structure} *)given;"
+        ));
         text.line(format!(
             "const {real} checked[{}] = {{{}}};",
             values.len(),
@@ -182,7 +184,9 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Text) {
                 "static {constant}{signal} *{function}({constant}void *given, uint16_t index)"
             ));
             text.open("{");
-            text.line(format!("{constant}{structure} *const inputs = given;"));
+            text.line(format!(
+                "{constant}{structure} *const inputs = ({constant}{structure} *)given;"
+            ));
             text.line(format!(
                 "{constant}{signal} *found = &inputs->{};",
                 fields[0]
@@ -245,7 +249,9 @@ pub(super) fn requirements(printer: &Printer<'_>, text: &mut Text) {
         "static bool {function}(const void *given, uint16_t *place, {real} *value)"
     ));
     text.open("{");
-    text.line(format!("const {structure} *const parameters = given;"));
+    text.line(format!(
+        "const {structure} *const parameters = (const {structure} *)given;"
+    ));
     printer.plain_statements(&scope, text);
     let results = printer.results(&scope);
     text.line(format!(

@@ -48,19 +48,27 @@ fn shown(printer: &Printer<'_>, name: &str, has_tubes: bool, body: Text, text: &
         ["Frame", "Parameters", "Inputs"].map(|it| printer.type_of(it));
     let real = printer.real();
     let taken = [
-        ("at", format!("const {frame} *const at = pair->at;")),
-        ("last", format!("const {frame} *const last = pair->last;")),
+        (
+            "at",
+            format!("const {frame} *const at = (const {frame} *)pair->at;"),
+        ),
+        (
+            "last",
+            format!("const {frame} *const last = (const {frame} *)pair->last;"),
+        ),
         (
             "before",
-            format!("const {inputs} *const before = pair->before;"),
+            format!("const {inputs} *const before = (const {inputs} *)pair->before;"),
         ),
         (
             "inputs",
-            format!("const {inputs} *const inputs = pair->conditions->inputs;"),
+            format!("const {inputs} *const inputs = (const {inputs} *)pair->conditions->inputs;"),
         ),
         (
             "parameters",
-            format!("const {parameters} *const parameters = pair->conditions->parameters;"),
+            format!(
+                "const {parameters} *const parameters = (const {parameters} *)pair->conditions->parameters;"
+            ),
         ),
         ("t", format!("const {real} t = pair->conditions->t;")),
     ];
@@ -117,7 +125,7 @@ fn within(printer: &Printer<'_>, path: &Path, text: &mut Text) {
         printer.real()
     ));
     text.open("{");
-    text.line(format!("const {frame} *const at = found;"));
+    text.line(format!("const {frame} *const at = (const {frame} *)found;"));
     text.line("bool is_within = true;");
     for (place, (symbol, _)) in iterated.iter().enumerate() {
         let value = printer.field(*symbol, "at");

@@ -93,14 +93,18 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Text) {
         printer.runtime("conditions")
     ));
     text.open("{");
-    text.line(format!("{frame} *const at = found;"));
+    text.line(format!("{frame} *const at = ({frame} *)found;"));
     match reads_last {
-        true => text.line(format!("const {frame} *const last = before;")),
+        true => text.line(format!(
+            "const {frame} *const last = (const {frame} *)before;"
+        )),
         false => text.line("(void)before;"),
     }
     match (reads_branches, finds_branch) {
-        (true, true) => text.line(format!("{branches} *const branches = modes;")),
-        (true, false) => text.line(format!("const {branches} *const branches = modes;")),
+        (true, true) => text.line(format!("{branches} *const branches = ({branches} *)modes;")),
+        (true, false) => text.line(format!(
+            "const {branches} *const branches = (const {branches} *)modes;"
+        )),
         (false, _) => text.line("(void)modes;"),
     }
     if fails {
@@ -138,7 +142,7 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
         printer.own("time_of")
     ));
     text.open("{");
-    text.line(format!("const {frame} *const at = found;"));
+    text.line(format!("const {frame} *const at = (const {frame} *)found;"));
     text.line("return at->t;");
     text.close("}");
     if module.program.path.is_none() {
@@ -159,7 +163,7 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
         printer.own("value_of")
     ));
     text.open("{");
-    text.line(format!("const {frame} *const at = found;"));
+    text.line(format!("const {frame} *const at = (const {frame} *)found;"));
     text.line(format!("{real} value = {};", printer.number(0.0)));
     text.line("switch (index) {");
     for (place, point) in points.iter().enumerate() {

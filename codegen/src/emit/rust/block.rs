@@ -1,10 +1,13 @@
 //! One function per block.
 
+use std::collections::HashMap;
+
 use proc_macro2::TokenStream;
-use quote::ToTokens;
+use quote::{ToTokens, quote};
 
 use super::code::{Code, taken_apart};
 use super::docs::doc_lines;
+use super::equation::words;
 use super::layout::Verbatim;
 use super::lints;
 use super::names::{identifier, identifier_text};
@@ -12,6 +15,7 @@ use super::newton;
 use crate::emit::module::needs::{Needs, checked_at_once};
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
+use crate::expr::SymbolId;
 use crate::program::{Block, Statement};
 
 /// Up to so many blocks become one function.
@@ -59,7 +63,12 @@ fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
     let needs = Needs::of(block, module);
     let scope = Scope::new(module, &block.function, Place::Frame);
     let iterated = |statement: &Statement| newton::statement(statement, index, block, &scope);
-    let statements = scope.statements(index, &iterated);
+    let mut statements = scope.statements(index, &iterated);
+    let idle = idle(&scope, &statements);
+    if !idle.is_empty() {
+        scope.leave_unnamed(idle);
+        statements = scope.statements(index, &iterated);
+    }
     let reads = scope.reads();
     let read = [
         (needs.time, "t"),
@@ -91,6 +100,21 @@ fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
     code.function(title, allow.into_iter().chain([inline]), &head, inside);
 }
 
+/// Sines and cosines that are local to a function and are mentioned nowhere but where they are found.
+fn idle(scope: &Scope<'_>, statements: &Code) -> Vec<SymbolId> {
+    let mut found = scope.sines_and_cosines().peekable();
+    if found.peek().is_none() {
+        return Vec::new();
+    }
+    let code = quote!(#statements).to_string();
+    let mut counts: HashMap<&str, usize> = HashMap::new();
+    for word in words(&code) {
+        *counts.entry(word).or_default() += 1;
+    }
+    let is_idle = |symbol: &SymbolId| counts.get(scope.read(*symbol).as_str()) == Some(&1);
+    found.filter(is_idle).collect()
+}
+
 /// Fails where a coordinate, a rate or an acceleration of the block is not finite. A frame of thousands of coordinates is not
 /// looked through at once: the compiler would turn it into as many local values.
 fn own_check(index: usize, block: &Block, scope: &Scope<'_>, code: &mut Code) {
@@ -117,13 +141,6 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
     let mut text = Verbatim::default();
     text.open("::linkwright::branches! {");
     text.docs([documentation::of_branches(module)]);
-    let names = module.program.branches.iter().map(|branch| &branch.name);
-    if names
-        .chain(iterated.clone().map(|(_, block, _)| &block.name))
-        .any(|name| lints::has_capitals(name))
-    {
-        text.line("#[allow(non_snake_case)]");
-    }
     text.open("Branches {");
     for branch in &module.program.branches {
         let name = identifier(&branch.name);

@@ -73,6 +73,6 @@ fn mentions(code: &str, name: &str) -> bool {
     words(code).any(|word| word == name)
 }
 
-fn words(code: &str) -> impl Iterator<Item = &str> {
+pub(super) fn words(code: &str) -> impl Iterator<Item = &str> {
     code.split(|character: char| !(character.is_alphanumeric() || character == '_'))
 }

@@ -5,6 +5,7 @@ use quote::quote;
 use super::code::comment;
 use super::docs::docs;
 use super::layout::laid_out;
+use super::lints;
 use super::names::{WORDS, identifier};
 use super::pieces::{Around, block, formatted};
 use crate::emit::module::{Module, documentation, facts};
@@ -60,8 +61,10 @@ fn motion(module: &Module<'_>, math: Option<&str>) -> String {
     let around = [Around::Module];
     let facts = laid_out(&formatted(comments.collect(), &around));
     let inner = facts + &module.items(math, &around);
+    let allow = lints::of_module(&motion.name);
     let head = quote! {
         #text
+        #allow
         #[allow(dead_code)]
         pub mod #name
     };

@@ -81,9 +81,6 @@ fn structure(module: &Module<'_>) -> TokenStream {
     text.open("::linkwright::frame! {");
     text.docs([title]);
     text.tokens(derives(numbers));
-    if names.iter().any(|name| lints::has_capitals(name)) {
-        text.line("#[allow(non_snake_case)]");
-    }
     text.open(&format!("Frame({held}) from (pose, parameters) {{"));
     text.list(names);
     text.close("}");

@@ -32,13 +32,19 @@ const KNOWN: [f64; 19] = [
     consts::TAU,
 ];
 
+/// What a module of this name must allow.
+pub(super) fn of_module(name: &str) -> TokenStream {
+    let is_snake = name == name.to_lowercase() && !name.trim_matches('_').contains("__");
+    only(!is_snake, quote!(#[allow(non_snake_case)]))
+}
+
 /// What an item that a user may leave unused must allow; `tokens` is what it is made of.
 pub(super) fn unused_item(tokens: &TokenStream) -> TokenStream {
     let (capitals, approximate) = both(tokens);
     quote!(#capitals #[allow(dead_code)] #approximate)
 }
 
-/// What is needed where a body's name has capitals, which the coordinates keep, and what [`approximate`] says.
+/// What is needed where a name has capitals or double underscores, and what [`approximate`] says.
 pub(super) fn both(tokens: &TokenStream) -> (TokenStream, TokenStream) {
     let (mut has_capitals, mut is_approximate) = (false, false);
     any(tokens, &mut |tree| {
@@ -99,14 +105,16 @@ fn is_close(literal: &str) -> bool {
         })
 }
 
-/// Whether a name is that of a coordinate, or made of it, and has capitals of the body's.
-pub(super) fn has_capitals(name: &str) -> bool {
-    let starts = ["x_", "y_", "phi_", "sin_", "cos_"];
-    starts.iter().any(|start| name.starts_with(start))
-        && name.contains(|letter: char| letter.is_ascii_uppercase())
+/// True for a name of a value or a function that is made of one in the description and keeps its capitals or its double underscores.
+/// Types and constants have no capitals and small letters around an underscore.
+fn has_capitals(name: &str) -> bool {
+    let name = name.trim_matches('_');
+    let has = |is_so: fn(&u8) -> bool| name.bytes().any(|byte| is_so(&byte));
+    name.contains("__")
+        || name.contains('_') && has(u8::is_ascii_uppercase) && has(u8::is_ascii_lowercase)
 }
 
-/// Whether a token is the name of a coordinate with capitals, or one in lines of code.
+/// Whether a token is such a name, or one in lines of code.
 fn is_in_capitals(tree: &TokenTree) -> bool {
     match tree {
         TokenTree::Ident(name) => has_capitals(&name.to_string()),
@@ -118,7 +126,7 @@ fn is_in_capitals(tree: &TokenTree) -> bool {
 }
 
 fn is_path_in_capitals(path: &str) -> bool {
-    path.bytes().any(|byte| byte.is_ascii_uppercase()) && path.split('.').any(has_capitals)
+    path.split('.').any(has_capitals)
 }
 
 /// Whether some number or path in these lines is suspect; comments are neither.

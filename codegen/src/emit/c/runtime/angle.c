@@ -39,7 +39,7 @@ static $real ordinary_angle$f($real y, $real x)
         start = PI$f;
         lacking = 4.0$f * QUARTER_REST$f;
     } else {
-        /* It is within π/4 of the x axis. */
+        /* It is within pi/4 of the x axis. */
     }
     return copysign$f(start + (((is_steep == is_behind) ? octant : -octant) + lacking), y);
 }
@@ -92,7 +92,7 @@ static $real nearest_turn$f($real angle, $real near_angle)
     return turned;
 }
 
-/* From one frame to the next an angle moves little: it is measured from the multiple of π/4 next to the last one. */
+/* From one frame to the next an angle moves little: it is measured from the multiple of pi/4 next to the last one. */
 $real linkwright$f_angle_near($real sine, $real cosine, $real near_angle)
 {
     const $real moved = (near_angle * (4.0$f / PI$f)) + ROUNDER$f;

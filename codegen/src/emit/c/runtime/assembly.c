@@ -123,7 +123,7 @@ static $real sum_of_squares$f(const linkwright$f_equations *equations, $real phi
     return sum;
 }
 
-/* Scales a Jacobian J, and gives Jᵀ J and Jᵀ Φ. */
+/* Scales a Jacobian J, and gives J^T J and J^T Phi. */
 static void assemble_normal$f(const linkwright$f_equations *equations, $real jacobian[], const $real phi[],
     $real normal[], $real gradient[])
 {

@@ -9,7 +9,7 @@
 static const $real LARGEST_TRANSFER$f = 64.0$f;
 
 /* Each array holds two numbers for each of n unknowns or equations. */
-typedef struct chain$f {
+typedef struct linked$f {
     const linkwright$f_chord *chord;
     size_t order;
     /* The derivatives of each unknown by those of the first and of the last cell, where all links hold. */
@@ -23,10 +23,10 @@ typedef struct chain$f {
     $real *turned_last;
     $real *turned_own;
     $real *vector;
-} chain$f;
+} linked$f;
 
 /* The derivatives of the equations of a link by the unknowns of a cell, row by row. */
-static void square$f(const chain$f *chain, size_t link, size_t cell, $real found[4])
+static void square$f(const linked$f *chain, size_t link, size_t cell, $real found[4])
 {
     for (size_t row = 0U; row < 2U; row += 1U) {
         const size_t k = (((2U * link) + row) * chain->order) + (2U * cell);
@@ -69,7 +69,7 @@ static void product$f(const $real left[4], const $real right[4], $real found[4])
 
 /* The derivatives of all unknowns by those of the first cell, or in reverse of the last one. False where a link does
    not determine one of its cells from the other, or only just. */
-static bool transfers$f(const chain$f *chain, bool is_reversed, $real found[])
+static bool transfers$f(const linked$f *chain, bool is_reversed, $real found[])
 {
     const size_t cells = chain->order / 2U;
     $real transfer[4] = {1.0$f, 0.0$f, 0.0$f, 1.0$f};
@@ -103,7 +103,7 @@ static bool transfers$f(const chain$f *chain, bool is_reversed, $real found[])
 }
 
 /* What the unknowns of the first cell do where an equation is off by 1, or in reverse those of the last one. */
-static bool responses$f(const chain$f *chain, bool is_reversed, $real found[])
+static bool responses$f(const linked$f *chain, bool is_reversed, $real found[])
 {
     const size_t cells = chain->order / 2U;
     $real seen[4];
@@ -154,7 +154,7 @@ static bool responses$f(const chain$f *chain, bool is_reversed, $real found[])
 }
 
 /* Adds what some equations of a column of what turns do to the first or the last cell. */
-static void respond$f(const chain$f *chain, const $real responses[], size_t link, size_t column, $real sum[2])
+static void respond$f(const linked$f *chain, const $real responses[], size_t link, size_t column, $real sum[2])
 {
     for (size_t row = 2U * link; row < ((2U * link) + 2U); row += 1U) {
         const $real entry = chain->chord->turning[(row * chain->order) + column];
@@ -164,7 +164,7 @@ static void respond$f(const chain$f *chain, const $real responses[], size_t link
 }
 
 /* The product of C and what turns. */
-static void turn_chain$f(const chain$f *chain)
+static void turn_chain$f(const linked$f *chain)
 {
     const size_t cells = chain->order / 2U;
     for (size_t column = 0U; column < chain->order; column += 1U) {
@@ -208,7 +208,7 @@ static void gather$f(const $real responses[], size_t cell, bool is_size, const $
 
 /* What the places of a vector do to all cells, by what each of them does to the first and the last one: from behind a
    cell to those before it, and the other way round. Those of a link are behind its cell, and those of a cell nowhere. */
-static void sides$f(const chain$f *chain, const $real *const ends[2], bool are_links, bool is_size, const $real vector[],
+static void sides$f(const linked$f *chain, const $real *const ends[2], bool are_links, bool is_size, const $real vector[],
     $real found[])
 {
     const size_t cells = chain->order / 2U;
@@ -236,14 +236,14 @@ static void sides$f(const chain$f *chain, const $real *const ends[2], bool are_l
 }
 
 /* The product of C, or of the magnitudes that it has, with a vector. */
-static void times_chain$f(const chain$f *chain, const $real vector[], bool is_size, $real found[])
+static void times_chain$f(const linked$f *chain, const $real vector[], bool is_size, $real found[])
 {
     const $real *const ends[2] = {chain->first, chain->last};
     sides$f(chain, ends, true, is_size, vector, found);
 }
 
 /* The product of the magnitudes of C and what turns with a vector. */
-static void spread_chain$f(const chain$f *chain, const $real vector[], $real found[])
+static void spread_chain$f(const linked$f *chain, const $real vector[], $real found[])
 {
     const $real *const ends[2] = {chain->turned_first, chain->turned_last};
     sides$f(chain, ends, false, true, vector, found);
@@ -256,7 +256,7 @@ static void spread_chain$f(const chain$f *chain, const $real vector[], $real fou
 }
 
 /* What the operator of Newton leaves of the line at least. */
-static void begin_chain$f(const chain$f *chain, const linkwright$f_isolation *isolation)
+static void begin_chain$f(const linked$f *chain, const linkwright$f_isolation *isolation)
 {
     const linkwright$f_chord *const chord = chain->chord;
     const size_t n = chain->order;
@@ -297,8 +297,8 @@ static void begin_chain$f(const chain$f *chain, const linkwright$f_isolation *is
     }
 }
 
-/* Where the operator takes the sags: |sin d| is at most d, and 1 - cos d at most d² / 2. */
-static void spread_sags$f(const chain$f *chain, const linkwright$f_isolation *isolation)
+/* Where the operator takes the sags: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
+static void spread_sags$f(const linked$f *chain, const linkwright$f_isolation *isolation)
 {
     const $real *const ways = chain->chord->ways;
     for (size_t k = 0U; k < chain->order; k += 1U) {
@@ -316,7 +316,7 @@ void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t orde
     const linkwright$f_span *span, const linkwright$f_chord *chord, const $real variation[], $real reals[])
 {
     const size_t n = order;
-    chain$f chain = {0};
+    linked$f chain = {0};
     $real *const pairs = &reals[5U * n];
     isolation->order = order;
     isolation->blocks = blocks;

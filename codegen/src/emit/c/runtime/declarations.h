@@ -39,7 +39,7 @@ typedef struct linkwright$f_signal {
     $real acceleration;
 } linkwright$f_signal;
 
-/* Position (m), velocity (m/s) and acceleration (m/s²) of one point: x and y. */
+/* Position (m), velocity (m/s) and acceleration (m/s^2) of one point: x and y. */
 typedef struct linkwright$f_point_motion {
     $real position[2];
     $real velocity[2];
@@ -253,7 +253,7 @@ typedef struct linkwright$f_measure {
     $real reciprocal_condition;
 } linkwright$f_measure;
 
-/* A matrix as P Â = L U, with Â the matrix in its scales. */
+/* A matrix as P S = L U, with S the matrix in its scales. */
 typedef struct linkwright$f_factorization {
     uint16_t order;
     $real *factors;
@@ -310,7 +310,7 @@ typedef struct linkwright$f_isolation {
 void linkwright$f_sin_cos($real angle, $real *sine, $real *cosine);
 $real linkwright$f_sin($real angle);
 $real linkwright$f_cos($real angle);
-/* The angle in (-π, π] of the vector (x, y), within 2 ulp. */
+/* The angle in (-pi, pi] of the vector (x, y), within 2 ulp. */
 $real linkwright$f_atan2($real y, $real x);
 /* The exponential function, within 1 ulp. */
 $real linkwright$f_exp($real x);
@@ -333,7 +333,7 @@ linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditi
 /* Whether a number is finite, and whether all are. */
 bool linkwright$f_is_finite($real value);
 bool linkwright$f_all_finite(const $real values[], size_t count);
-/* The pressure angle in [0, π/2] rad; false while the follower rests. */
+/* The pressure angle in [0, pi/2] rad; false while the follower rests. */
 bool linkwright$f_pressure_angle($real along, $real across, $real sliding, $real *angle);
 /* The largest magnitude of these lengths, or another one where that is zero or no number. */
 $real linkwright$f_largest_length(const $real lengths[], size_t count, $real otherwise);
@@ -373,7 +373,7 @@ linkwright_status linkwright$f_solve_torn(const linkwright$f_tearing *tearing, c
 /* Factorizes their Jacobian at a pose that is solved, and solves with it; notes a failure. */
 linkwright_status linkwright$f_factorize(const linkwright$f_equations *equations, const $real q[],
     linkwright$f_factorization *factorization, const linkwright$f_conditions *conditions);
-/* The multipliers of a transposed Jacobian, in the place of the forces, in room for n × n + 3 n numbers and n exchanges. */
+/* The multipliers of a transposed Jacobian, in the place of the forces, in room for n x n + 3 n numbers and n exchanges. */
 linkwright_status linkwright$f_multipliers(uint16_t n, const $real jacobian[], $real forces[], $real reals[],
     uint16_t exchanges[], const linkwright$f_conditions *conditions, uint16_t block);
 void linkwright$f_solve_factorized(const linkwright$f_factorization *factorization, $real right_hand_side[]);

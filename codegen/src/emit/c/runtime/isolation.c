@@ -35,7 +35,7 @@ static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
     }
 }
 
-/* The inverse of a matrix (n × n), by elimination in place with the largest pivot of each row. Room for 2 n numbers.
+/* The inverse of a matrix (n x n), by elimination in place with the largest pivot of each row. Room for 2 n numbers.
    False, and the row, where every pivot vanishes. */
 static bool invert$f(const $real matrix[], size_t n, $real inverse[], uint16_t *failed, $real reals[])
 {
@@ -75,7 +75,7 @@ static bool invert$f(const $real matrix[], size_t n, $real inverse[], uint16_t *
     return true;
 }
 
-/* A matrix (n × n) times a vector. */
+/* A matrix (n x n) times a vector. */
 static void times$f(const $real matrix[], const $real vector[], size_t n, $real product[])
 {
     for (size_t row = 0U; row < n; row += 1U) {
@@ -197,13 +197,13 @@ static void begin_isolation$f(linkwright$f_isolation *isolation)
             }
         }
         least[row] = (chord->bend * ((fabs$f(second + least[row]) + fourth) + third)) + needed[row];
-        /* Where a map least + k R + a R² of one sag takes any R into itself, the largest that it does so with is
+        /* Where a map least + k R + a R^2 of one sag takes any R into itself, the largest that it does so with is
            2 least or more. */
         isolation->sags[row] = least[row] * FIRST$f;
     }
 }
 
-/* What sags become where the operator takes them: |sin d| is at most d, and 1 - cos d at most d² / 2. */
+/* What sags become where the operator takes them: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
 static void spread$f(const linkwright$f_isolation *isolation)
 {
     const linkwright$f_chord *const chord = isolation->chord;

@@ -50,7 +50,7 @@ static void exchange$f($real x[], size_t stride, size_t first, size_t second)
     x[second * stride] = kept;
 }
 
-/* Factorizes a matrix (n × n) in room for n × n + n numbers and n exchanges, judged in the scales. The elimination
+/* Factorizes a matrix (n x n) in room for n x n + n numbers and n exchanges, judged in the scales. The elimination
    is Golub & Van Loan, Matrix Computations (4th ed.), algorithm 3.4.1, with partial pivoting. */
 static Verdict$f factorized$f(linkwright$f_factorization *found, const $real matrix[],
     const linkwright$f_equations *equations, const $real row_scales[], const $real column_scales[],

@@ -40,11 +40,11 @@ static uint64_t shifted(uint64_t high, uint64_t low, uint32_t shift)
     return (shift == 0U) ? high : ((high << shift) | (low >> (64U - shift)));
 }
 
-/* A positive angle that is large, or close to a multiple of π/2: its quadrant, and how far it is from the quadrant's
+/* A positive angle that is large, or close to a multiple of pi/2: its quadrant, and how far it is from the quadrant's
    middle, as an unevaluated sum (M. Payne and R. Hanek, 1983). */
 static uint32_t far_angle(double x, double *rest, double *tail)
 {
-    /* The bits of 2/π, after 64 zeros. */
+    /* The bits of 2/pi, after 64 zeros. */
     static const uint64_t two_over_pi[20] = {
         0x0000000000000000U, 0xa2f9836e4e441529U, 0xfc2757d1f534ddc0U, 0xdb6295993c439041U, 0xfe5163abdebbc561U,
         0xb7246e3a424dd2e0U, 0x06492eea09d1921cU, 0xfe1deb1cb129a73eU, 0xe88235f52ebb4484U, 0xe99c7026b45f7e41U,
@@ -95,7 +95,7 @@ static uint32_t far_angle(double x, double *rest, double *tail)
     return quadrant;
 }
 
-/* The angle is brought within π/4 of a multiple of π/2 by subtracting that multiple in parts (W. J. Cody and W.
+/* The angle is brought within pi/4 of a multiple of pi/2 by subtracting that multiple in parts (W. J. Cody and W.
    Waite, 1980); what remains goes into two minimax polynomials. */
 void linkwright_sin_cos(double angle, double *sine, double *cosine)
 {
@@ -110,7 +110,7 @@ void linkwright_sin_cos(double angle, double *sine, double *cosine)
     if (bits_of(size) > bits_of(QUARTER_PI)) {
         const double moved = (size * 0.6366197723675814) + rounder;
         const double quadrants = moved - rounder;
-        /* The leading 36 bits of π/2, and the rest of it. */
+        /* The leading 36 bits of pi/2, and the rest of it. */
         const double above = size - (quadrants * 1.5707963267923333);
         const double below = quadrants * 2.563344151594519e-12;
         y = above - below;
@@ -169,7 +169,7 @@ static double slight_bend_of(double x)
     return x * ((square * even) + (fourth * odd));
 }
 
-/* What the rounded π/4 lacks. */
+/* What the rounded pi/4 lacks. */
 static const double QUARTER_REST = 3.061616997868383e-17;
 
 /* The sizes of vectors whose components neither overflow nor become subnormal when they are doubled or halved. */
@@ -184,7 +184,7 @@ static uint32_t last_bits(double value)
 static const double ROUNDER = 6755399441055744.0;
 static const double SCALE_OF_TINY = 1152921504606846976.0;
 
-/* cos(k π/4) for k = 0 … 7; the sine of the same is two places further back. */
+/* cos(k pi/4) for k = 0 ... 7; the sine of the same is two places further back. */
 static const double COSINES[8] = {
     1.0, 0.7071067811865476, 0.0, -0.7071067811865476, -1.0, -0.7071067811865476, 0.0, 0.7071067811865476,
 };

@@ -26,11 +26,11 @@ static uint32_t shiftedf(uint32_t high, uint32_t low, uint32_t shift)
     return (shift == 0U) ? high : ((high << shift) | (low >> (32U - shift)));
 }
 
-/* A positive angle that is large, or close to a multiple of π/2: its quadrant, and how far it is from the quadrant's
+/* A positive angle that is large, or close to a multiple of pi/2: its quadrant, and how far it is from the quadrant's
    middle, as an unevaluated sum (M. Payne and R. Hanek, 1983). */
 static uint32_t far_anglef(float x, float *rest, float *tail)
 {
-    /* The bits of 2/π, after 32 zeros. */
+    /* The bits of 2/pi, after 32 zeros. */
     static const uint32_t two_over_pi[8] = {
         0x00000000U, 0xa2f9836eU, 0x4e441529U, 0xfc2757d1U, 0xf534ddc0U, 0xdb629599U, 0x3c439041U, 0xfe5163abU,
     };
@@ -71,7 +71,7 @@ static uint32_t far_anglef(float x, float *rest, float *tail)
     return quadrant;
 }
 
-/* The angle is brought within π/4 of a multiple of π/2 by subtracting that multiple in parts (W. J. Cody and W.
+/* The angle is brought within pi/4 of a multiple of pi/2 by subtracting that multiple in parts (W. J. Cody and W.
    Waite, 1980); what remains goes into two minimax polynomials. */
 void linkwrightf_sin_cos(float angle, float *sine, float *cosine)
 {
@@ -84,7 +84,7 @@ void linkwrightf_sin_cos(float angle, float *sine, float *cosine)
     if (size > QUARTER_PIf) {
         const float moved = (size * 0.63661975f) + rounder;
         const float quadrants = moved - rounder;
-        /* The leading 11 bits of π/2, the next 11, and the rest of it. */
+        /* The leading 11 bits of pi/2, the next 11, and the rest of it. */
         const float above = (size - (quadrants * 1.5703125f)) - (quadrants * 0.0004837513f);
         const float below = quadrants * 7.54979e-8f;
         y = above - below;
@@ -126,7 +126,7 @@ static float slight_bend_off(float x)
         + (fourth * ((0.14230172f + (square * -0.10494107f)) + (fourth * 0.05825629f)))));
 }
 
-/* What the rounded π/4 lacks. */
+/* What the rounded pi/4 lacks. */
 static const float QUARTER_RESTf = -2.1855695e-8f;
 
 /* The sizes of vectors whose components neither overflow nor become subnormal when they are doubled or halved. */
@@ -141,7 +141,7 @@ static uint32_t last_bitsf(float value)
 static const float ROUNDERf = 12582912.0f;
 static const float SCALE_OF_TINYf = 1152921504606846976.0f;
 
-/* cos(k π/4) for k = 0 … 7; the sine of the same is two places further back. */
+/* cos(k pi/4) for k = 0 ... 7; the sine of the same is two places further back. */
 static const float COSINESf[8] = {
     1.0f, 0.70710677f, 0.0f, -0.70710677f, -1.0f, -0.70710677f, 0.0f, 0.70710677f,
 };

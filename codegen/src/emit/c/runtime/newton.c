@@ -207,7 +207,7 @@ static $real level$f($real residual)
 }
 
 /* Requires that a pose cannot be taken for a singular one within what its residual leaves uncertain (Deuflhard,
-   Newton Methods for Nonlinear Problems, 2004, section 2.1). Room for n × n + 6 n numbers. */
+   Newton Methods for Nonlinear Problems, 2004, section 2.1). Room for n x n + 6 n numbers. */
 static Verdict$f regular$f(const linkwright$f_equations *equations, const $real q[], $real t, $real residual,
     const $real jacobian[], const linkwright$f_factorization *factorization, $real reals[])
 {

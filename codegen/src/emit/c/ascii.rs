@@ -1,0 +1,107 @@
+//! Letters of formulas and of languages → ASCII, which compilers read in every encoding.
+
+/// How letters beyond ASCII are written, in the order of their code points.
+const LETTERS: [(char, &str); 61] = [
+    ('\u{a0}', " "),
+    ('§', "section "),
+    ('°', "deg"),
+    ('±', "+-"),
+    ('²', "^2"),
+    ('³', "^3"),
+    ('µ', "u"),
+    ('·', "*"),
+    ('×', "x"),
+    ('Ä', "Ae"),
+    ('Ö', "Oe"),
+    ('Ü', "Ue"),
+    ('ß', "ss"),
+    ('ä', "ae"),
+    ('ö', "oe"),
+    ('ü', "ue"),
+    // A dot and two dots above the letter before.
+    ('\u{307}', "d"),
+    ('\u{308}', "dd"),
+    ('Γ', "Gamma"),
+    ('Δ', "Delta"),
+    ('Θ', "Theta"),
+    ('Φ', "Phi"),
+    ('Ψ', "Psi"),
+    ('Ω', "Omega"),
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('ξ', "xi"),
+    ('π', "pi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('φ', "phi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+    ('ϕ', "phi"),
+    ('ᵀ', "^T"),
+    ('–', "-"),
+    ('—', "-"),
+    ('‘', "'"),
+    ('’', "'"),
+    ('“', "'"),
+    ('”', "'"),
+    ('…', "..."),
+    ('₀', "0"),
+    ('₁', "1"),
+    ('₂', "2"),
+    ('→', "->"),
+    ('∂', "d"),
+    ('−', "-"),
+    ('√', "sqrt"),
+    ('≈', "~"),
+    ('≤', "<="),
+    ('≥', ">="),
+];
+
+/// Code point of the first subscript digit, of which there are ten.
+const SUBSCRIPTS: u32 = 0x2080;
+
+/// Returns a text in ASCII. A letter without a spelling of its own becomes its number, `U+1F600`.
+pub(super) fn ascii(text: &str) -> String {
+    let mut found = String::with_capacity(text.len());
+    for letter in text.chars() {
+        let known = LETTERS.binary_search_by_key(&letter, |(known, _)| *known);
+        let code = u32::from(letter);
+        match known {
+            _ if letter.is_ascii() => found.push(letter),
+            Ok(place) => found += LETTERS[place].1,
+            Err(_) if (SUBSCRIPTS..SUBSCRIPTS + 10).contains(&code) => {
+                found += &(code - SUBSCRIPTS).to_string();
+            }
+            Err(_) => found += &format!("U+{code:04X}"),
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_text_becomes_ascii() {
+        assert!(LETTERS.is_sorted_by(|one, next| one.0 < next.0));
+        assert!(LETTERS.iter().all(|(_, text)| text.is_ascii()));
+        for (text, expected) in [
+            ("Φ_q q\u{307} = −Φ_t", "Phi_q qd = -Phi_t"),
+            ("J₁ᵀ J₉ ≤ √2·π/3 m/s²", "J1^T J9 <= sqrt2*pi/3 m/s^2"),
+            ("Höhe, 90°", "Hoehe, 90deg"),
+            ("車 é", "U+8ECA U+00E9"),
+        ] {
+            assert_eq!(ascii(text), expected);
+        }
+    }
+}
