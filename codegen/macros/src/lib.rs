@@ -115,7 +115,7 @@ static EXPANDING: Mutex<()> = Mutex::new(());
 ///
 /// # Tables in files
 ///
-/// A file that a [table](https://github.com/linkwright/linkwright/blob/main/mechanisms/README.md#table) names lies beside the file with the
+/// A file that a `table` statement names lies beside the file with the
 /// macro, or in a folder there. When it changes, cargo builds the crate again. Where the compiler does not know the file with the macro,
 /// paths begin in the folder of the package.
 ///

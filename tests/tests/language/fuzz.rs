@@ -1,16 +1,61 @@
 //! What the targets of `tests/fuzz/` do with their input, on all descriptions of the repository, on inputs that once failed, and on some
-//! thousand mutations of them. `cargo fuzz` looks farther; see `tests/fuzz/README.md`.
+//! thousand mutations of them, or on as many as fit into `LINKWRIGHT_FUZZ_SECONDS`. `cargo fuzz` looks farther; see
+//! `tests/fuzz/README.md`.
 
 use std::fs;
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 use linkwright_tests::files;
 use linkwright_tests::random::Random;
 
 use crate::targets::{expressions, language, numbers};
 
-/// The seed of all mutations.
+/// The seed of all mutations, unless `LINKWRIGHT_FUZZ_SEED` is another one.
 const SEED: u64 = 0x6675_7a7a;
+
+/// Runs a check on inputs made from random bits: `count` of them, or as many as fit into the time that is given.
+///
+/// What fails is printed with its seed and number, from which it is made again.
+fn repeat(count: usize, check: &mut dyn FnMut(&mut Random)) {
+    let given = |name: &str| {
+        let text = std::env::var(name).ok()?;
+        let value = text.parse::<u64>();
+        Some(value.unwrap_or_else(|_| panic!("{name} is a whole number, not `{text}`")))
+    };
+    let seed = given("LINKWRIGHT_FUZZ_SEED").unwrap_or(SEED);
+    let duration = given("LINKWRIGHT_FUZZ_SECONDS").map(Duration::from_secs);
+    let (begun, mut random, mut number) = (Instant::now(), Random::new(seed), 0);
+    println!("seed {seed}");
+    let goes_on = |number: usize| match duration {
+        Some(duration) => begun.elapsed() < duration,
+        None => number < count,
+    };
+    while goes_on(number) {
+        let _input = Input(number);
+        let next = Instant::now();
+        check(&mut random);
+        // A short input that takes long is a finding, too.
+        let taken = next.elapsed();
+        assert!(taken < LONGEST, "input {number} took {taken:?}");
+        number += 1;
+    }
+    println!("{number} inputs");
+}
+
+/// Number of the input that is being looked at.
+struct Input(usize);
+
+impl Drop for Input {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            println!("input {} fails", self.0);
+        }
+    }
+}
+
+/// How long one input may take, on a machine that does other things at the same time.
+const LONGEST: Duration = Duration::from_secs(20);
 
 /// The files of a folder beside this package's, by name; none where there is no such folder.
 fn inputs(folder: &str) -> Vec<Vec<u8>> {
@@ -121,13 +166,12 @@ fn descriptions_are_read_or_refused() {
     for seed in seeds.iter().chain(&inputs("fuzz/regressions/language")) {
         language::run(seed);
     }
-    println!("seed {SEED:#x}");
-    let mut random = Random::new(SEED);
     let short: Vec<&Vec<u8>> = seeds.iter().filter(|seed| seed.len() < 1500).collect();
-    for _ in 0..1000 {
-        let seed = short[below(&mut random, short.len())];
-        language::run(&mutated(seed, &seeds, &mut random));
-    }
+    repeat(1000, &mut |random| {
+        let seed = short[below(random, short.len())];
+        let input = mutated(seed, &seeds, random);
+        language::run(&input);
+    });
 }
 
 fn noise(random: &mut Random, length: usize) -> Vec<u8> {
@@ -139,11 +183,7 @@ fn numbers_are_solved_or_refused() {
     for input in inputs("fuzz/regressions/numbers") {
         numbers::run(&input);
     }
-    println!("seed {SEED:#x}");
-    let mut random = Random::new(SEED);
-    for _ in 0..1500 {
-        numbers::run(&noise(&mut random, 96));
-    }
+    repeat(1500, &mut |random| numbers::run(&noise(random, 96)));
 }
 
 #[test]
@@ -151,9 +191,5 @@ fn formulas_have_their_values_and_rates_or_are_refused() {
     for input in inputs("fuzz/regressions/expressions") {
         expressions::run(&input);
     }
-    println!("seed {SEED:#x}");
-    let mut random = Random::new(SEED);
-    for _ in 0..4000 {
-        expressions::run(&noise(&mut random, 160));
-    }
+    repeat(4000, &mut |random| expressions::run(&noise(random, 160)));
 }

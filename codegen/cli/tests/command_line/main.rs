@@ -22,6 +22,13 @@ mod guide;
     feature = "png"
 )))]
 mod left_out;
+#[cfg(all(
+    feature = "calibrate",
+    feature = "lsp",
+    feature = "man",
+    feature = "png"
+))]
+mod licenses;
 #[cfg(feature = "man")]
 mod man;
 mod motions;

@@ -28,11 +28,14 @@ use values::{size, step, time};
 /// Reads descriptions of planar mechanisms: solves them, draws them, shows their equations, derives
 /// their solution, writes them as Rust.
 #[derive(Parser, Debug)]
-#[command(name = "linkwright", after_help = EXAMPLES)]
+#[command(name = "linkwright", after_help = EXAMPLES, arg_required_else_help = true, args_conflicts_with_subcommands = true)]
 pub struct Arguments {
-    /// What to do.
+    /// Print the licenses of what this command is built from: fonts and packages
+    #[arg(long, exclusive = true)]
+    pub licenses: bool,
+    /// What to do; `None` where licenses are to be printed.
     #[command(subcommand)]
-    pub command: Command,
+    pub command: Option<Command>,
 }
 
 const EXAMPLES: &str = "\

@@ -40,6 +40,9 @@ use crate::arguments::{Arguments, Command};
 use crate::colors;
 use crate::output::Refused;
 
+/// Licenses of what the command is built from; a test of the binary writes them.
+const NOTICES: &str = include_str!("../../NOTICES.txt");
+
 /// How a command ended; the discriminant is the exit code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
@@ -75,7 +78,13 @@ pub fn run(version: &'static str) -> ExitCode {
     let arguments = Arguments::from_arg_matches(&matches)
         .unwrap_or_else(|error| error.format(&mut interface.clone()).exit());
     internal::note_panics();
-    ended(internal::caught(|| outcome(arguments.command, interface)))
+    ended(internal::caught(|| match arguments.command {
+        Some(command) => outcome(command, interface),
+        None => {
+            print(|output| output.write_all(NOTICES.as_bytes()))?;
+            Ok(Outcome::Done)
+        }
+    }))
 }
 
 fn outcome(command: Command, interface: clap::Command) -> Result<Outcome, Problem> {

@@ -18,8 +18,8 @@ thread_local! {
 }
 
 /// Request to the user, for help lines.
-const HELP: &str = "this is an error of Linkwright, not of the description; please report it with the description at \
-                    https://github.com/linkwright/linkwright/issues";
+const HELP: &str = "this is an error of Linkwright, not of the description; please report it with the description \
+                    to those from whom you have Linkwright";
 
 /// Work on a place of the description, until it is dropped.
 #[must_use]
@@ -155,7 +155,7 @@ mod tests {
             "error[K90]: internal error: index out of bounds: the len is 0 but the index is 38",
             "m.mech:2:5",
             "body a at (0, 0);",
-            "https://github.com/linkwright/linkwright/issues",
+            "please report it with the description",
         ] {
             assert!(text.contains(part), "{part} in\n{text}");
         }
