@@ -45,8 +45,11 @@ impl PictureFormat {
     }
 }
 
+/// Returns a file format, or why this build does not have it.
+type Available = fn() -> Result<PictureFormat, Problem>;
+
 /// File formats of drawings by the extensions of their files.
-const FORMATS: [(&str, fn() -> Result<PictureFormat, Problem>); 2] = [("svg", svg), ("png", png)];
+const FORMATS: [(&str, Available); 2] = [("svg", svg), ("png", png)];
 
 /// Refuses a file whose extension is that of no format.
 fn unknown(path: Option<&Path>, extension: &str) -> Problem {

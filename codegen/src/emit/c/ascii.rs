@@ -1,7 +1,7 @@
 //! Letters of formulas and of languages → ASCII, which compilers read in every encoding.
 
 /// How letters beyond ASCII are written, in the order of their code points.
-const LETTERS: [(char, &str); 61] = [
+const LETTERS: [(char, &str); 58] = [
     ('\u{a0}', " "),
     ('§', "section "),
     ('°', "deg"),
@@ -10,9 +10,9 @@ const LETTERS: [(char, &str); 61] = [
     ('³', "^3"),
     ('µ', "u"),
     ('·', "*"),
-    ('×', "x"),
     ('Ä', "Ae"),
     ('Ö', "Oe"),
+    ('×', "x"),
     ('Ü', "Ue"),
     ('ß', "ss"),
     ('ä', "ae"),
@@ -54,9 +54,6 @@ const LETTERS: [(char, &str); 61] = [
     ('“', "'"),
     ('”', "'"),
     ('…', "..."),
-    ('₀', "0"),
-    ('₁', "1"),
-    ('₂', "2"),
     ('→', "->"),
     ('∂', "d"),
     ('−', "-"),
@@ -66,22 +63,21 @@ const LETTERS: [(char, &str); 61] = [
     ('≥', ">="),
 ];
 
-/// Code point of the first subscript digit, of which there are ten.
-const SUBSCRIPTS: u32 = 0x2080;
-
 /// Returns a text in ASCII. A letter without a spelling of its own becomes its number, `U+1F600`.
 pub(super) fn ascii(text: &str) -> String {
     let mut found = String::with_capacity(text.len());
     for letter in text.chars() {
         let known = LETTERS.binary_search_by_key(&letter, |(known, _)| *known);
         let code = u32::from(letter);
+        // Subscript digits follow each other.
+        let digit = code.checked_sub(u32::from('₀')).filter(|it| *it < 10);
         match known {
             _ if letter.is_ascii() => found.push(letter),
             Ok(place) => found += LETTERS[place].1,
-            Err(_) if (SUBSCRIPTS..SUBSCRIPTS + 10).contains(&code) => {
-                found += &(code - SUBSCRIPTS).to_string();
-            }
-            Err(_) => found += &format!("U+{code:04X}"),
+            Err(_) => match digit {
+                Some(digit) => found += &digit.to_string(),
+                None => found += &format!("U+{code:04X}"),
+            },
         }
     }
     found
