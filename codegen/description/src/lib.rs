@@ -1,7 +1,7 @@
 //! Reads descriptions of planar mechanisms: syntax, expressions, joints and the resolved model.
 //!
-//! Each module imports only those named before it: `diagnostic`, `columns`, `syntax`, `format`, `consequences`, `expr`, `joint`,
-//! `force`, `model`. A resolved [`model::Mechanism`] has SI units and no unresolved name.
+//! Each module imports only those named before it: `diagnostic`, `units`, `columns`, `syntax`, `format`, `consequences`, `expr`,
+//! `joint`, `force`, `model`. A resolved [`model::Mechanism`] has SI units and no unresolved name.
 //!
 //! This is an internal package of `linkwright-codegen`; its items may change with every release.
 
@@ -16,3 +16,4 @@ pub mod format;
 pub mod joint;
 pub mod model;
 pub mod syntax;
+pub mod units;

@@ -11,3 +11,4 @@ mod names;
 mod repetition;
 #[path = "../../fuzz/src/lib.rs"]
 mod targets;
+mod units;

@@ -10,6 +10,7 @@ const ORDER: [(&str, &[&str]); 3] = [
         "codegen/description/src",
         &[
             "diagnostic",
+            "units",
             "columns",
             "syntax",
             "format",

@@ -1,16 +1,19 @@
 //! The text of an argument → a number with its meaning, or why it has none.
 
-/// The units of time, each as what a number of them is multiplied and divided by, longest names first.
-const UNITS: [(&str, f64, f64); 3] = [("min", 60.0, 1.0), ("ms", 1.0, 1000.0), ("s", 1.0, 1.0)];
+use linkwright_codegen::stages::columns::Unit;
+
+/// The units of time, longest names first.
+const UNITS: [&str; 3] = ["min", "ms", "s"];
 
 /// The smallest tolerance: below it steps only follow rounding.
 const SMALLEST_TOLERANCE: f64 = 1e-15;
 
 /// A time in s, written in s or with a unit: `0.5`, `500ms`.
 pub fn time(text: &str) -> Result<f64, String> {
-    let with_unit = UNITS.iter().find_map(|(unit, times, over)| {
+    let with_unit = UNITS.iter().find_map(|unit| {
         let number = text.strip_suffix(unit)?.trim_end().parse::<f64>();
-        Some(number.map(|value| value * times / over))
+        let unit = Unit::parse(unit)?;
+        Some(number.map(|value| unit.si(value)))
     });
     match with_unit.unwrap_or_else(|| text.parse()) {
         Ok(value) if value.is_finite() => Ok(value),

@@ -43,6 +43,9 @@ impl Beginning {
     }
 }
 
+/// What a column of times is mostly called, which is also the unit of tonnes.
+const TIME: &str = "t";
+
 /// The brackets around units.
 const BRACKETS: [[char; 2]; 3] = [['(', ')'], ['[', ']'], ['{', '}']];
 
@@ -76,14 +79,31 @@ fn alone(cell: &Cell<'_>) -> Option<String> {
     Unit::parse(unit).map(|_| unit.to_string())
 }
 
-/// Whether a line holds units, and nothing else.
+/// Whether a line holds units, and nothing else. A bare `t` calls a column of times; tonnes stand in brackets or beside a name.
 fn are_units(line: &Line<'_>) -> bool {
     let mut filled = line
         .cells
         .iter()
         .filter(|it| !it.text.is_empty())
         .peekable();
-    filled.peek().is_some() && filled.all(|it| alone(it).is_some())
+    filled.peek().is_some() && filled.all(|it| it.text.trim() != TIME && alone(it).is_some())
+}
+
+/// The first cell of a line of units that contradicts the unit beside the name above it.
+fn contradiction(names: &Line<'_>, units: &Line<'_>) -> Option<Fault> {
+    let mut cells = names.cells.iter().zip(&units.cells);
+    cells.find_map(|(name, cell)| {
+        let (name, above) = parted(name.text.trim());
+        let (above, below) = (above?, alone(cell)?);
+        if Unit::parse(&above)?.is_same(&Unit::parse(&below)?) {
+            return None;
+        }
+        Some(Fault::new(
+            cell.span,
+            format!("the column `{name}` is in {below} here, and in {above} beside its name"),
+            "write the unit of a column once, or twice alike",
+        ))
+    })
 }
 
 /// How a table begins whose first row is the last of these lines.
@@ -123,6 +143,12 @@ pub(super) fn beginning(head: &[Line<'_>], dialect: Dialect) -> Result<Beginning
         Some(line) => Header::Line(line.number),
         None => Header::None,
     };
+    if let Some(fault) = names
+        .zip(units)
+        .and_then(|lines| contradiction(lines.0, lines.1))
+    {
+        return Err(fault);
+    }
     let columns = (0..width).map(|place| {
         let name = names.map(|line| &line.cells[place]);
         let unit_below = units.and_then(|line| alone(&line.cells[place]));

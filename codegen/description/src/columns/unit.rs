@@ -2,96 +2,25 @@
 
 use std::f64::consts::PI;
 
+use crate::units::{Named, Powers, of_column};
+
 /// A unit of measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
+    /// What a number is multiplied by and divided by, so that `5 mm` is rounded once.
     times: f64,
     over: f64,
     /// Powers of m, s, kg and rad.
-    pub powers: [i32; 4],
+    pub powers: Powers,
+    /// True if the rate of an angle in this unit counts turns.
+    counts: bool,
 }
 
-/// What a number of a unit is multiplied by and divided by, so that `5 mm` is rounded once; and the powers of m, s, kg and rad.
-type Known = (&'static [&'static str], f64, f64, Powers);
+/// Relative difference of equal factors that are rounded differently, `N*mm` and `mN*m`.
+const SAME: f64 = 1e-14;
 
-/// Powers of m, s, kg and rad.
-type Powers = [i32; 4];
-
-const LENGTH: Powers = [1, 0, 0, 0];
-const TIME: Powers = [0, 1, 0, 0];
-const MASS: Powers = [0, 0, 1, 0];
-const ANGLE: Powers = [0, 0, 0, 1];
-
-const KNOWN: [Known; 27] = [
-    (&["1", "-", "–", "none", "no_units"], 1.0, 1.0, [0; 4]),
-    (
-        &["m", "meter", "meters", "metre", "metres"],
-        1.0,
-        1.0,
-        LENGTH,
-    ),
-    (
-        &[
-            "mm",
-            "millimeter",
-            "millimeters",
-            "millimetre",
-            "millimetres",
-        ],
-        1.0,
-        1_000.0,
-        LENGTH,
-    ),
-    (
-        &["cm", "centimeter", "centimeters", "centimetre"],
-        1.0,
-        100.0,
-        LENGTH,
-    ),
-    (&["dm"], 1.0, 10.0, LENGTH),
-    (&["km"], 1_000.0, 1.0, LENGTH),
-    (&["um", "µm", "μm", "micrometer"], 1.0, 1_000_000.0, LENGTH),
-    (&["in", "inch", "inches"], 254.0, 10_000.0, LENGTH),
-    (&["ft", "foot", "feet"], 3048.0, 10_000.0, LENGTH),
-    (&["s", "sec", "second", "seconds", "secs"], 1.0, 1.0, TIME),
-    (
-        &["ms", "msec", "millisecond", "milliseconds"],
-        1.0,
-        1_000.0,
-        TIME,
-    ),
-    (
-        &["us", "µs", "μs", "microsecond", "microseconds"],
-        1.0,
-        1_000_000.0,
-        TIME,
-    ),
-    (&["ns"], 1.0, 1_000_000_000.0, TIME),
-    (&["min", "minute", "minutes"], 60.0, 1.0, TIME),
-    (&["h", "hour", "hours"], 3600.0, 1.0, TIME),
-    (&["kg"], 1.0, 1.0, MASS),
-    (&["g"], 1.0, 1_000.0, MASS),
-    (&["rad", "radian", "radians"], 1.0, 1.0, ANGLE),
-    (&["mrad"], 1.0, 1_000.0, ANGLE),
-    (
-        &["deg", "°", "degree", "degrees", "grad°"],
-        PI,
-        180.0,
-        ANGLE,
-    ),
-    (
-        &["rev", "turn", "turns", "revolutions"],
-        2.0 * PI,
-        1.0,
-        ANGLE,
-    ),
-    (&["rpm"], PI, 30.0, [0, -1, 0, 1]),
-    (&["Hz", "hz"], 1.0, 1.0, [0, -1, 0, 0]),
-    (&["N", "newton", "newtons"], 1.0, 1.0, [1, -2, 1, 0]),
-    (&["kN"], 1_000.0, 1.0, [1, -2, 1, 0]),
-    (&["J", "joule", "joules", "Nm"], 1.0, 1.0, [2, -2, 1, 0]),
-    (&["W", "watt", "watts"], 1.0, 1.0, [2, -3, 1, 0]),
-];
+/// Powers of the rate of an angle, and of the rate of that.
+const RATES_OF_ANGLES: [Powers; 2] = [[0, -1, 0, 1], [0, -2, 0, 1]];
 
 impl Unit {
     /// The unit of SI with these powers.
@@ -100,11 +29,29 @@ impl Unit {
             times: 1.0,
             over: 1.0,
             powers,
+            counts: false,
         }
     }
 
-    /// `mm/s^2`, `deg/s²`, `m/s**2`, `m s-2`, `N*mm`; `None` where a part of it is no unit.
+    fn named(unit: &Named) -> Unit {
+        let [numerator, denominator] = unit.factor.map(|it| it as f64);
+        Unit {
+            times: if unit.times_pi {
+                numerator * PI
+            } else {
+                numerator
+            },
+            over: denominator,
+            powers: unit.powers,
+            counts: unit.counts_turns,
+        }
+    }
+
+    /// `mm/s^2`, `deg/s²`, `m/s**2`, `m s-2`, `N*mm`, `U/min`; `None` where a part of it is no unit.
     pub fn parse(text: &str) -> Option<Unit> {
+        if let Some(named) = of_column(text.trim()) {
+            return Some(Unit::named(named));
+        }
         let text = text
             .trim()
             .replace("**", "^")
@@ -161,13 +108,38 @@ impl Unit {
             times: self.times * times.powi(power.abs()),
             over: self.over * over.powi(power.abs()),
             powers,
+            counts: self.counts || other.counts,
         }
     }
 
-    /// Whether values of this unit can measure what has these powers of m, s, kg and rad: angles may be plain numbers.
-    pub fn measures(&self, powers: [i32; 4]) -> bool {
+    /// The unit for values of what has these powers of m, s, kg and rad; `None` if it cannot measure that.
+    ///
+    /// Angles may be plain numbers of rad. The rate of an angle in `1/min` or `Hz` counts turns.
+    pub fn measuring(self, powers: Powers) -> Option<Unit> {
+        if self.counts_turns_of(powers) {
+            let turns = Unit {
+                times: self.times * 2.0 * PI,
+                powers,
+                ..self
+            };
+            return Some(turns);
+        }
         let [own, wanted] = [self.powers, powers].map(|it| [it[0], it[1], it[2]]);
-        own == wanted && (self.powers[3] == powers[3] || self.powers[3] == 0)
+        let fits = own == wanted && (self.powers[3] == powers[3] || self.powers[3] == 0);
+        fits.then_some(self)
+    }
+
+    /// True if values of what has these powers count turns in this unit: the rate of an angle in `1/min` or `Hz`.
+    pub fn counts_turns_of(&self, powers: Powers) -> bool {
+        let [length, time, mass, angle] = self.powers;
+        let plain = [length, time, mass, 1];
+        self.counts && angle == 0 && plain == powers && RATES_OF_ANGLES.contains(&powers)
+    }
+
+    /// True if numbers of both units are the same values.
+    pub fn is_same(&self, other: &Unit) -> bool {
+        let [one, two] = [self.times * other.over, other.times * self.over];
+        self.powers == other.powers && (one - two).abs() <= SAME * one.abs()
     }
 
     /// Multiplies by `s^2`, `s2` or `s`.
@@ -185,23 +157,7 @@ impl Unit {
         if !(-4..=4).contains(&power) {
             return None;
         }
-        let lower = name.to_lowercase();
-        let exact = KNOWN.iter().find(|it| it.0.contains(&name));
-        // Words are also written in capitals; symbols are not, since `MS` is nothing.
-        let word = || {
-            KNOWN
-                .iter()
-                .find(|it| lower.len() > 2 && it.0.contains(&lower.as_str()))
-        };
-        let &(_, times, over, powers) = exact.or_else(word)?;
-        *self = self.times(
-            Unit {
-                times,
-                over,
-                powers,
-            },
-            sign * power,
-        );
+        *self = self.times(Unit::named(of_column(name)?), sign * power);
         Some(())
     }
 }
@@ -227,6 +183,15 @@ mod tests {
             ("rpm", std::f64::consts::PI / 30.0, [0, -1, 0, 1]),
             ("Seconds", 1.0, [0, 1, 0, 0]),
             ("N*mm", 1e-3, [2, -2, 1, 0]),
+            ("kNm", 1e3, [2, -2, 1, 0]),
+            ("mN*m", 1e-3, [2, -2, 1, 0]),
+            ("Nmm", 1e-3, [2, -2, 1, 0]),
+            ("MN", 1e6, [1, -2, 1, 0]),
+            ("t", 1e3, [0, 0, 1, 0]),
+            ("lbf", 4.448_221_615_260_5, [1, -2, 1, 0]),
+            ("U/min", std::f64::consts::PI / 30.0, [0, -1, 0, 1]),
+            (" r/min ", std::f64::consts::PI / 30.0, [0, -1, 0, 1]),
+            ("r/s", std::f64::consts::TAU, [0, -1, 0, 1]),
             ("1/s", 1.0, [0, -1, 0, 0]),
             ("-", 1.0, [0, 0, 0, 0]),
         ] {
@@ -235,8 +200,35 @@ mod tests {
             assert_eq!(unit.powers, powers, "{text}");
         }
         assert_eq!(Unit::parse("mm").map(|it| it.si(5.0)), Some(0.005));
-        for text in ["", "x", "m//s", "m/", "mm^9", "MS", "2", "m^", "/s"] {
+        for text in [
+            "", "x", "m//s", "m/", "mm^9", "MS", "2", "m^", "/s", "U", "r",
+        ] {
             assert!(Unit::parse(text).is_none(), "{text}");
         }
+    }
+
+    #[test]
+    fn rates_of_angles_count_turns() {
+        let rate = [0, -1, 0, 1];
+        for (text, value) in [
+            ("1/min", std::f64::consts::PI / 30.0),
+            ("min^-1", std::f64::consts::PI / 30.0),
+            ("Hz", std::f64::consts::TAU),
+            // Without a unit of angles, 1/s is rad/s.
+            ("1/s", 1.0),
+            ("rad/min", 1.0 / 60.0),
+        ] {
+            let unit = Unit::parse(text).and_then(|it| it.measuring(rate));
+            let unit = unit.unwrap_or_else(|| panic!("{text}"));
+            assert!((unit.si(1.0) / value - 1.0).abs() < 1e-15, "{text}");
+        }
+        let hertz = Unit::parse("Hz").expect("a unit");
+        assert_eq!(
+            hertz.measuring([0, -1, 0, 0]).map(|it| it.si(1.0)),
+            Some(1.0)
+        );
+        assert!(hertz.measuring([1, -1, 0, 0]).is_none());
+        let per_minute = Unit::parse("Hz/min").and_then(|it| it.measuring([0, -2, 0, 1]));
+        assert!(per_minute.is_some_and(|it| (it.si(60.0) - std::f64::consts::TAU).abs() < 1e-14));
     }
 }

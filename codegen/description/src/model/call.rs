@@ -90,7 +90,7 @@ impl Resolver<'_> {
             .iter()
             .map(|(table, _)| table.text.as_str());
         let words = FUNCTIONS.iter().chain(LAWS).copied().chain(tables);
-        let help = match meant(name, synonyms::FUNCTIONS, words, false) {
+        let help = match meant(name, synonyms::FUNCTIONS, words) {
             Some(meant) => format!("did you mean `{meant}`?"),
             None => format!(
                 "the functions are {}, and the laws of motion {}",

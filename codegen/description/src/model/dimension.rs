@@ -6,6 +6,7 @@
 
 use crate::expr::{ExprId, Graph};
 use crate::joint::Quantity;
+use crate::units::{Named, of_description};
 
 /// What a value measures, as far as units say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -224,54 +225,25 @@ impl Dimension {
     }
 }
 
-/// The suffixes of the language, for help lines.
-pub const UNITS: &[&str] = &[
-    "m", "cm", "mm", "um", "km", "inch", "ft", "rad", "mrad", "deg", "turn", "s", "ms", "min",
-    "Hz", "rpm", "kg", "g", "t", "N", "kN", "mN", "MN", "Nm", "kNm", "Nmm", "mNm",
-];
-
-/// A unit: how many SI units it is, exactly, and its dimension.
-pub fn unit(suffix: &str, graph: &mut Graph) -> Option<(ExprId, Dimension)> {
-    let meters = |numerator, denominator, graph: &mut Graph| {
-        (graph.rational(numerator, denominator), Dimension::LENGTH)
-    };
-    let thousandth = |dimension, graph: &mut Graph| (graph.rational(1, 1000), dimension);
-    let (force, torque) = (Dimension::FORCE, Dimension::TORQUE);
-    Some(match suffix {
-        "m" => meters(1, 1, graph),
-        "cm" => meters(1, 100, graph),
-        "mm" => meters(1, 1000, graph),
-        "um" => meters(1, 1_000_000, graph),
-        "km" => meters(1000, 1, graph),
-        "inch" => meters(254, 10_000, graph),
-        "ft" => meters(3048, 10_000, graph),
-        "rad" => (graph.one(), Dimension::Angle),
-        "mrad" => (graph.rational(1, 1000), Dimension::Angle),
-        "deg" => (fraction_of_pi(1, 180, graph), Dimension::Angle),
-        "turn" => (fraction_of_pi(2, 1, graph), Dimension::Angle),
-        "s" => (graph.one(), Dimension::TIME),
-        "ms" => (graph.rational(1, 1000), Dimension::TIME),
-        "min" => (graph.integer(60), Dimension::TIME),
-        // A hertz is 1/s as in the SI, so a cycle needs its 2π; a revolution per minute is an angular velocity, 2π/60 rad/s.
-        "Hz" => (graph.one(), Dimension::FREQUENCY),
-        "rpm" => (fraction_of_pi(1, 30, graph), Dimension::FREQUENCY),
-        "kg" => (graph.one(), Dimension::MASS),
-        "g" => thousandth(Dimension::MASS, graph),
-        "t" => (graph.integer(1000), Dimension::MASS),
-        "N" => (graph.one(), force),
-        "mN" => thousandth(force, graph),
-        "kN" => (graph.integer(1000), force),
-        "MN" => (graph.integer(1_000_000), force),
-        "Nm" => (graph.one(), torque),
-        "Nmm" | "mNm" => thousandth(torque, graph),
-        "kNm" => (graph.integer(1000), torque),
-        _ => return None,
-    })
+/// A unit of descriptions: how many SI units it is, exactly, and its dimension.
+pub fn unit(name: &str, graph: &mut Graph) -> Option<(ExprId, Dimension)> {
+    of_description(name).map(|it| exact(it, graph))
 }
 
-fn fraction_of_pi(numerator: i64, denominator: i64, graph: &mut Graph) -> ExprId {
-    let (fraction, pi) = (graph.rational(numerator, denominator), graph.pi());
-    graph.multiply(fraction, pi)
+/// The same of a unit of the table.
+pub(super) fn exact(unit: &Named, graph: &mut Graph) -> (ExprId, Dimension) {
+    let [numerator, denominator] = unit.factor;
+    let mut factor = graph.rational(numerator, denominator);
+    if unit.times_pi {
+        let pi = graph.pi();
+        factor = graph.multiply(factor, pi);
+    }
+    let [length, time, mass, angle] = unit.powers;
+    let dimension = match [length, time, mass] {
+        [0, 0, 0] if angle == 1 => Dimension::Angle,
+        powers => Dimension::of_powers(powers),
+    };
+    (factor, dimension)
 }
 
 #[cfg(test)]

@@ -3,12 +3,13 @@
 //! Afterwards the expression holds only constants, parameters, inputs and t, and no number in it is infinite or undefined. Every error is reported
 //! at the smallest part that causes it.
 
-use super::dimension::{Dimension, UNITS, unit};
+use super::dimension::{Dimension, unit};
 use super::resolve::Resolver;
-use super::synonyms::{self, meant};
+use super::synonyms::meant_unit;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Node, Number, Rational};
 use crate::syntax::{BUILT_IN, Expression, ExpressionKind, Name, Operation, Reference, Sign};
+use crate::units::UNITS;
 
 /// A value and what it measures.
 pub(super) type Value = (ExprId, Dimension);
@@ -127,7 +128,7 @@ impl Resolver<'_> {
     pub(super) fn unit(&mut self, suffix: &Name) -> Option<Value> {
         let found = unit(&suffix.text, &mut self.graph);
         if found.is_none() {
-            let help = match meant(&suffix.text, synonyms::UNITS, UNITS.iter().copied(), true) {
+            let help = match meant_unit(&suffix.text) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("the units are {}", listed(UNITS)),
             };
@@ -239,6 +240,15 @@ impl Resolver<'_> {
             let unit = before.filter(|_| is_in_units).and_then(|before| {
                 (before.span.end + 1 == factor.span.start).then(|| self.further_unit(factor))?
             });
+            if values.len() > at {
+                is_in_units = true;
+                continue;
+            }
+            if let Some(value) = self.named_quotient(factors, at) {
+                // Its denominator is a part of the unit.
+                values.extend([Some(value), Some((self.graph.one(), Dimension::Number))]);
+                continue;
+            }
             is_in_units = unit.is_some()
                 || matches!(
                     &unsigned(factor).1.kind,
@@ -269,6 +279,41 @@ impl Resolver<'_> {
             self.graph.product(&parts),
             dimension.unwrap_or(Dimension::Number),
         ))
+    }
+
+    /// `30U/min`: a number with a unit that is a quotient and has no unit as its numerator, written without blanks.
+    fn named_quotient(&mut self, factors: &[(Operation, Expression)], at: usize) -> Option<Value> {
+        let [(_, first), (Operation::Over, second), ..] = &factors[at..] else {
+            return None;
+        };
+        let (sign, number) = unsigned(first);
+        let (
+            ExpressionKind::Number {
+                digits,
+                unit: Some(numerator),
+            },
+            ExpressionKind::Reference(Reference {
+                body: None, name, ..
+            }),
+        ) = (&number.kind, &second.kind)
+        else {
+            return None;
+        };
+        if first.span.end + 1 != second.span.start {
+            return None;
+        }
+        let (factor, dimension) = unit(
+            &format!("{}/{}", numerator.text, name.text),
+            &mut self.graph,
+        )?;
+        let number = self.graph.number(Number::parse(digits)?);
+        let value = self.graph.multiply(number, factor);
+        let value = if sign < 0 {
+            self.graph.negate(value)
+        } else {
+            value
+        };
+        Some((value, dimension))
     }
 
     /// `s^2` in `9.81m/s^2`, and `m` in `220N/m`: a unit that follows a quantity and its `*` or `/` without a blank, unless a value is

@@ -23,7 +23,7 @@ impl Resolver<'_> {
             .label("not a statement of this language");
             let words = keywords.iter().chain(&syntax::KEYWORDS).copied();
             self.diagnostics.push(
-                match meant(keyword, synonyms::JOINTS, words, false) {
+                match meant(keyword, synonyms::JOINTS, words) {
                     Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),
                     None if matches!(keyword, "fixed" | "fix") => diagnostic.help(
                         "a body that does not move is the `ground`; points that move together stand in the braces of one body; two bodies that keep their relative pose are joined by `weld (1, 2);`",

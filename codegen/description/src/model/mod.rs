@@ -54,13 +54,13 @@ mod wish;
 
 pub use bounds::beyond_bounds;
 pub use call::FUNCTIONS;
-pub use dimension::{Dimension, UNITS, unit};
+pub use dimension::{Dimension, unit};
 pub use forces::{Forces, Mass};
 pub use law::LAWS;
 pub use motions::resolve;
 pub use naming::Naming;
 pub use parameters::field_name;
-pub use setting::set;
+pub use setting::{follow_points, set};
 pub use table::ENDS_OF_TABLES;
 
 use std::ops::Range;

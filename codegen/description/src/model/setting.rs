@@ -6,8 +6,12 @@
 
 use super::Mechanism;
 use super::resolve::Resolver;
+use super::table::{Ends, spline};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 use crate::syntax::{self, Constant, Statement};
+
+/// Points whose polynomial gives the slope at an end of a measured input.
+const NEAR: usize = 4;
 
 /// What is put around an assignment so that it is a description.
 const BEFORE: &str = "mechanism set { const\n";
@@ -122,6 +126,41 @@ fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Di
         let acceleration = graph.derivative(rate, time);
         mechanism.inputs[at].signal = [value, rate, acceleration];
     }
+}
+
+/// Lets an input follow the C² spline through points (t, value), at least two with increasing t. At both ends it has the slope of the
+/// polynomial through the nearest points, of degree 3 at most. Returns false if a coefficient is not finite.
+pub fn follow_points(mechanism: &mut Mechanism, input: usize, points: &[[f64; 2]]) -> bool {
+    let near = points.len().min(NEAR);
+    let last = points.len() - near;
+    let slopes = [
+        slope_at(&points[..near], 0),
+        slope_at(&points[last..], near - 1),
+    ];
+    let name = &mechanism.inputs[input].name;
+    let spline = spline(name, points, Ends::Clamped(slopes));
+    if !spline.pieces.iter().flatten().all(|it| it.is_finite()) {
+        return false;
+    }
+    let graph = &mut mechanism.graph;
+    let time = graph.variable(mechanism.time);
+    let spline = graph.add_spline(spline);
+    mechanism.inputs[input].signal = [0, 1, 2].map(|order| graph.spline(spline, order, time));
+    true
+}
+
+/// The slope at one of the points of the polynomial through all of them.
+fn slope_at(points: &[[f64; 2]], at: usize) -> f64 {
+    let t = points[at][0];
+    let others = || (0..points.len()).filter(|it| *it != at);
+    let own: f64 = others().map(|it| 1.0 / (t - points[it][0])).sum();
+    let rest = others().map(|it| {
+        let [place, value] = points[it];
+        let factors = others().filter(|other| *other != it);
+        let factors = factors.map(|other| (t - points[other][0]) / (place - points[other][0]));
+        value * factors.product::<f64>() / (place - t)
+    });
+    own * points[at][1] + rest.sum::<f64>()
 }
 
 fn unknown(mechanism: &Mechanism, written: &Constant) -> Diagnostic {

@@ -1,6 +1,7 @@
 //! Words of other languages and textbooks → the words of this one, for help lines.
 
 use crate::diagnostic::nearest;
+use crate::units::{UNITS, of_column};
 
 /// What functions are called elsewhere.
 pub(super) const FUNCTIONS: &[(&str, &str)] = &[
@@ -12,30 +13,6 @@ pub(super) const FUNCTIONS: &[(&str, &str)] = &[
     ("root", "sqrt"),
     ("dist", "distance"),
     ("length", "distance"),
-];
-
-/// What units are called elsewhere.
-pub(super) const UNITS: &[(&str, &str)] = &[
-    ("in", "inch"),
-    ("inches", "inch"),
-    ("foot", "ft"),
-    ("feet", "ft"),
-    ("meter", "m"),
-    ("meters", "m"),
-    ("metre", "m"),
-    ("metres", "m"),
-    ("degree", "deg"),
-    ("degrees", "deg"),
-    ("radian", "rad"),
-    ("radians", "rad"),
-    ("turns", "turn"),
-    ("rev", "turn"),
-    ("sec", "s"),
-    ("second", "s"),
-    ("seconds", "s"),
-    ("minute", "min"),
-    ("minutes", "min"),
-    ("hz", "Hz"),
 ];
 
 /// What joints are called elsewhere.
@@ -62,31 +39,37 @@ pub(super) const JOINTS: &[(&str, &str)] = &[
     ("distance", "relative_distance"),
 ];
 
-/// The word that was meant: what `word` is called here, or else the nearest of the words that exist. Words that differ in case
-/// alone from one are not taken for it where `by_case` says that case tells them apart: `Mm` is no `mm`.
+/// The word that was meant: what `word` is called here, or else the nearest of the words that exist.
 pub(super) fn meant<'a>(
     word: &str,
     synonyms: &[(&str, &'a str)],
     words: impl IntoIterator<Item = &'a str>,
-    by_case: bool,
 ) -> Option<&'a str> {
     let synonym = synonyms.iter().find(|(other, _)| *other == word);
     synonym
         .map(|(_, own)| *own)
-        .or_else(|| nearest(word, words).filter(|own| !(by_case && own.eq_ignore_ascii_case(word))))
+        .or_else(|| nearest(word, words))
+}
+
+/// The unit that was meant: what columns call by this name, or else the nearest. Case tells units apart: `Mm` is no `mm`.
+pub(super) fn meant_unit(word: &str) -> Option<&'static str> {
+    let synonym = of_column(word).and_then(|it| it.names.first().copied());
+    synonym.or_else(|| {
+        nearest(word, UNITS.iter().copied()).filter(|own| !own.eq_ignore_ascii_case(word))
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{UNITS, meant};
+    use super::{JOINTS, meant, meant_unit};
 
     #[test]
     fn synonyms_come_first_and_the_case_of_units_counts() {
-        let units = || ["m", "mm", "deg", "inch"];
-        assert_eq!(meant("in", UNITS, units(), true), Some("inch"));
-        assert_eq!(meant("degrees", UNITS, units(), true), Some("deg"));
-        assert_eq!(meant("dge", UNITS, units(), true), Some("deg"));
-        assert_eq!(meant("Mm", UNITS, units(), true), None);
-        assert_eq!(meant("Mm", &[], units(), false), Some("mm"));
+        assert_eq!(meant_unit("in"), Some("inch"));
+        assert_eq!(meant_unit("degrees"), Some("deg"));
+        assert_eq!(meant_unit("dge"), Some("deg"));
+        assert_eq!(meant_unit("Mm"), None);
+        assert_eq!(meant("Slide", &[], ["slide"]), Some("slide"));
+        assert_eq!(meant("hinge", JOINTS, ["hang"]), Some("revolute"));
     }
 }

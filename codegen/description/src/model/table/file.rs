@@ -1,12 +1,13 @@
 //! The file that a table names → its points, each column in its unit.
 
-use super::super::dimension::Dimension;
+use super::super::dimension::{Dimension, exact};
 use super::super::resolve::Resolver;
 use super::{Columns, Point};
 use crate::columns::{self, Known, Unit};
 use crate::diagnostic::{Attachment, Code, Diagnostic, Position, Source, nearest};
 use crate::expr::{ExprId, Number};
 use crate::syntax::{Name, is_relative, leaves_folder};
+use crate::units::of_column;
 
 impl Resolver<'_> {
     /// The points of a file, each column in its unit.
@@ -183,7 +184,10 @@ impl Resolver<'_> {
             match said.or(written) {
                 None => Some(one),
                 Some(unit) if matches!(unit.text.as_str(), "1" | "-") => Some(one),
-                Some(unit) => self.unit(unit),
+                Some(unit) => match of_column(&unit.text).filter(|_| said.is_none()) {
+                    Some(named) => Some(exact(named, &mut self.graph)),
+                    None => self.unit(unit),
+                },
             }
         });
         let [x, y] = found;

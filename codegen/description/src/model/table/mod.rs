@@ -8,7 +8,7 @@ mod file;
 mod pieces;
 
 pub use self::ends::ENDS_OF_TABLES;
-use self::pieces::{Ends, spline};
+pub(super) use self::pieces::{Ends, spline};
 use super::call::FUNCTIONS;
 use super::dimension::Dimension;
 use super::expression::Value;

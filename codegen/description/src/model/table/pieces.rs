@@ -9,7 +9,7 @@ use crate::expr::Spline;
 
 /// How a spline ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Ends {
+pub(in super::super) enum Ends {
     /// Without curvature; it goes on straight.
     Natural,
     /// With these slopes; it goes on straight, with a curvature that jumps.
@@ -20,7 +20,7 @@ pub(super) enum Ends {
 
 /// The spline through the points (x, y), at least two of them, with x increasing; at least three if it is periodic. Some
 /// coefficient is not finite where points are too close together.
-pub(super) fn spline(name: &str, points: &[[f64; 2]], ends: Ends) -> Spline {
+pub(in super::super) fn spline(name: &str, points: &[[f64; 2]], ends: Ends) -> Spline {
     let widths: Vec<f64> = points.windows(2).map(|two| two[1][0] - two[0][0]).collect();
     let chords: Vec<f64> = points
         .windows(2)
