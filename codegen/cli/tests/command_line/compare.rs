@@ -316,3 +316,150 @@ fn a_motion_that_ends_early_is_an_outcome() {
     );
     assert_eq!(found["columns"][0]["count"], 2);
 }
+
+/// A crank that turns at 30 turns in a minute.
+const TURNING: &str = "mechanism turning {
+    point O = (0, 0);
+    body arm at O { O, P: (50mm, 0) }
+    revolute O(ground, arm);
+    drive turn: phi(arm) = 30rpm*t;
+    mass arm = 2kg at P inertia 0.4;
+    gravity = (0, -9.81);
+    effort;
+}
+";
+
+/// The torque is m g r cos φ = 2 · 9.81 · 0.05 N·m at t = 0, and cos(π/3) = 1/2 of that after a third of a second.
+#[test]
+fn units_of_logs_are_those_of_descriptions() {
+    for (name, header, values, scale) in [
+        (
+            "u",
+            "phi_arm_d (U/min)",
+            ["30", "30"],
+            std::f64::consts::PI / 30.0,
+        ),
+        (
+            "r",
+            "phi_arm_d (r/min)",
+            ["30", "30"],
+            std::f64::consts::PI / 30.0,
+        ),
+        (
+            "rpm",
+            "phi_arm_d (rpm)",
+            ["30", "30"],
+            std::f64::consts::PI / 30.0,
+        ),
+        (
+            "minute",
+            "phi_arm_d (1/min)",
+            ["30", "30"],
+            std::f64::consts::PI / 30.0,
+        ),
+        (
+            "hertz",
+            "phi_arm_d (Hz)",
+            ["0.5", "0.5"],
+            std::f64::consts::TAU,
+        ),
+        ("knm", "effort_turn (kNm)", ["0.000981", "0.0004905"], 1e3),
+        ("nmm", "effort_turn (Nmm)", ["981", "490.5"], 1e-3),
+        ("mnm", "effort_turn (mNm)", ["981", "490.5"], 1e-3),
+        (
+            "meganewton",
+            "effort_turn (MN*m)",
+            ["9.81e-7", "4.905e-7"],
+            1e6,
+        ),
+        (
+            "foot",
+            "effort_turn (lbf*ft)",
+            ["0.7235484684410", "0.3617742342205"],
+            1.355_817_948_331_400_4,
+        ),
+    ] {
+        let folder = Folder::new(&format!("compare_unit_{name}"), TURNING);
+        let table = format!(
+            "t (s),{header}\n0,{}\n0.3333333333333333,{}\n",
+            values[0], values[1]
+        );
+        std::fs::write(folder.file("data.csv"), table).expect("it can be written");
+        let ran = folder.run("compare a.mech data.csv --json").exits_with(0);
+        let found = json(&ran.stdout);
+        let largest = number(&found["columns"][0]["largest"]).abs() * scale;
+        assert!(largest < 1e-9, "{header}: {largest}");
+        let counts = ["minute", "hertz"].contains(&name);
+        assert_eq!(
+            found["columns"][0]["counts_turns"] == true,
+            counts,
+            "{header}"
+        );
+        let said = folder.run("compare a.mech data.csv").exits_with(0).stdout;
+        assert_eq!(
+            said.contains("`phi_arm_d` counts turns: 1 "),
+            counts,
+            "{said}"
+        );
+    }
+    let folder = Folder::new("compare_contradiction", TURNING);
+    std::fs::write(folder.file("data.csv"), "t (s),P_x (mm)\ns,m\n0,50\n")
+        .expect("it can be written");
+    let ran = folder.run("compare a.mech data.csv").exits_with(2);
+    assert!(ran.stderr.contains(" --> data.csv:2:3"), "{}", ran.stderr);
+}
+
+/// A crank whose angle the table holds, in degrees that begin anew with each turn.
+#[test]
+fn measured_inputs_drive_the_mechanism() {
+    let folder = Folder::new(
+        "compare_input",
+        "mechanism measured_input {
+    param reach = 102mm;
+    input turned = 0deg;
+    point O = (0, 0);
+    body arm at O { O, P: (reach, 0) }
+    revolute O(ground, arm);
+    drive phi(arm) = turned;
+}
+",
+    );
+    let rows = (0..40).map(|step| {
+        let t = 0.05 * f64::from(step);
+        let angle = 3.0 * t + 0.4 * (2.0 * t).sin();
+        let rate = 3.0 + 0.8 * (2.0 * t).cos();
+        let logged = angle.to_degrees() % 360.0;
+        format!("{t},{logged},{},{}\n", 102.0 * angle.cos(), rate)
+    });
+    let table =
+        "t (s),turned (deg),P_x (mm),phi_arm_d (rad/s)\n".to_string() + &rows.collect::<String>();
+    std::fs::write(folder.file("data.csv"), &table).expect("it can be written");
+    let found = json(
+        &folder
+            .run("compare a.mech data.csv --json")
+            .exits_with(0)
+            .stdout,
+    );
+    assert!(
+        number(&found["columns"][0]["largest"]).abs() < 1e-9,
+        "{found}"
+    );
+    // Rates are those of the spline: 0.05 s of a motion of 2 rad/s leave some (2·0.05)⁴.
+    assert!(
+        number(&found["columns"][1]["largest"]).abs() < 1e-3,
+        "{found}"
+    );
+    let ran =
+        folder.run("calibrate a.mech data.csv --param reach --set reach=95mm --skip phi_arm_d");
+    let said = ran.exits_with(0).stdout;
+    assert!(said.contains("`turned` in deg drives the input"), "{said}");
+    assert!(said.contains("0.102"), "{said}");
+    let holed = table.replacen("0,0,102", "0,,102", 1);
+    std::fs::write(folder.file("data.csv"), holed).expect("it can be written");
+    let ran = folder.run("compare a.mech data.csv").exits_with(2);
+    assert!(
+        ran.stderr.contains("has no value in its first or last row"),
+        "{}",
+        ran.stderr
+    );
+}

@@ -27,6 +27,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     set_all(&mut system, &arguments.setting.set)?;
     let data = Data::read(&arguments.table, &system).map_err(Problem)?;
+    data.drive(&mut system).map_err(Problem)?;
     let tolerances = sizes("--tolerance", &arguments.tolerance, &data).map_err(Problem)?;
     let start = arguments.from.unwrap_or(data.times[0]);
     let schedule = Schedule::instants(start, &data.times, arguments.step)

@@ -30,6 +30,8 @@ pub enum How {
 pub struct Mapped {
     pub time: usize,
     pub measured: Vec<(usize, Named, How)>,
+    /// Columns that drive inputs, with the place of the input.
+    pub inputs: Vec<(usize, usize)>,
     pub left_out: Vec<(String, String)>,
 }
 
@@ -97,6 +99,9 @@ pub fn mapped(
 ) -> Result<Mapped, String> {
     let time = time(asked, file, columns)?;
     let quantities = all(system);
+    let inputs = &system.mechanism.inputs;
+    let input_named = |name: &str| inputs.iter().position(|it| it.name == name);
+    let mut driving: Vec<(usize, usize)> = Vec::new();
     let mut chosen: Vec<(usize, usize)> = Vec::new();
     for wish in &asked.column {
         let Some((name, quantity)) = wish.rsplit_once('=') else {
@@ -106,6 +111,11 @@ pub fn mapped(
         };
         let own = column(file, columns, name.trim())?;
         let quantity = quantity.trim();
+        let is_quantity = quantities.iter().any(|it| it.name == quantity);
+        if let Some(input) = input_named(quantity).filter(|_| !is_quantity) {
+            driving.push((own, input));
+            continue;
+        }
         let Some(place) = quantities.iter().position(|it| it.name == quantity) else {
             return Err(unknown(system, &quantities, quantity));
         };
@@ -121,6 +131,7 @@ pub fn mapped(
     let mut mapped = Mapped {
         time,
         measured: Vec::new(),
+        inputs: Vec::new(),
         left_out: Vec::new(),
     };
     for (place, own) in columns.columns.iter().enumerate() {
@@ -139,6 +150,20 @@ pub fn mapped(
             continue;
         }
         let named = || quantities.iter().position(|it| it.name == name);
+        let option_input = driving.iter().find(|it| it.0 == place).map(|it| it.1);
+        let by_name = || input_named(name).filter(|_| option.is_none() && named().is_none());
+        if let Some(input) = option_input.or_else(by_name) {
+            if let Some(other) = mapped.inputs.iter().find(|it| it.1 == input) {
+                return Err(format!(
+                    "error: columns {} and {} of `{file}` both drive the input `{}`\n  = help: leave one out with `--skip`",
+                    other.0 + 1,
+                    place + 1,
+                    inputs[input].name
+                ));
+            }
+            mapped.inputs.push((place, input));
+            continue;
+        }
         let found = match option {
             Some(quantity) => Some((quantity, How::Chosen)),
             None => match named() {

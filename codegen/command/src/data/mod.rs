@@ -3,6 +3,7 @@
 //! Afterwards times never go back, every measured column has a quantity and a unit, and it is known of each how it came to them: by its
 //! name, by an option or by a guess. Columns that measure nothing known are listed. The module does not know what the values are for.
 
+mod driving;
 mod mapping;
 mod scale;
 mod sizes;
@@ -18,9 +19,16 @@ use linkwright_codegen::stages::system::System;
 use linkwright_solver::observable::Named;
 
 use crate::arguments::{Mark, Separator, Table};
+pub use driving::MeasuredInput;
 pub use mapping::How;
 pub use scale::{Origin, Scale};
 pub use sizes::sizes;
+
+/// The most decimals of a value that counts as rounded.
+const MOST_DECIMALS: i32 = 12;
+
+/// How far a number of so many decimals may be from a whole number of steps, as a share of it: the rounding of doubles.
+const ROUNDED: f64 = 1e-15;
 
 /// A table of measured values.
 #[derive(Clone, Debug)]
@@ -35,6 +43,8 @@ pub struct Data {
     pub times: Vec<f64>,
     /// What is measured.
     pub measured: Vec<Measured>,
+    /// What drives inputs.
+    pub inputs: Vec<MeasuredInput>,
     /// The other columns, each with why it is left out.
     pub left_out: Vec<(String, String)>,
 }
@@ -50,8 +60,18 @@ pub struct Measured {
     pub how: How,
     /// Its unit.
     pub scale: Scale,
+    /// Digits behind the decimal point, in the unit of the column, that write all its values; `None` if they are not rounded.
+    pub decimals: Option<i32>,
     /// In SI units, row by row; `None` where it is missing.
     pub values: Vec<Option<f64>>,
+}
+
+impl Measured {
+    /// The step in SI units to which the values are rounded in the table: the largest power of ten that all are multiples of.
+    pub fn rounding(&self) -> Option<f64> {
+        let decimals = self.decimals?;
+        Some(self.scale.unit.si(10.0_f64.powi(-decimals)))
+    }
 }
 
 impl Data {
@@ -109,13 +129,40 @@ impl Data {
                 .map(|it| it.map(|value| scale.unit.si(value)));
             measured.push(Measured {
                 values: values.collect(),
+                decimals: decimals(&own.values),
                 name: own.name.clone(),
                 quantity,
                 how,
                 scale,
             });
         }
+        let mut inputs = Vec::with_capacity(mapped.inputs.len());
+        for (column, input) in mapped.inputs {
+            let own = &columns.columns[column];
+            let dimension = system.mechanism.inputs[input].dimension;
+            let written = own.unit.as_deref().and_then(Unit::parse);
+            let powers = driving::powers(dimension, written.map(|it| it.powers));
+            let scale = units.of(&columns, column, powers, &dimension.unit());
+            let scale = scale.map_err(|message| {
+                at(
+                    column,
+                    message,
+                    "`--unit` says in which unit a column is, and `--skip` leaves it out",
+                )
+            })?;
+            inputs.push(MeasuredInput {
+                values: own
+                    .values
+                    .iter()
+                    .map(|it| it.map(|value| scale.unit.si(value)))
+                    .collect(),
+                name: own.name.clone(),
+                input,
+                scale,
+            });
+        }
         Ok(Data {
+            inputs,
             time: (mapped.time, time_scale),
             left_out: mapped.left_out,
             name,
@@ -194,6 +241,15 @@ fn times(
         true => Err(format!("error: `{name}` has no rows")),
         false => Ok(times),
     }
+}
+
+/// Decimals with which values are written, if all are rounded to them.
+fn decimals(values: &[Option<f64>]) -> Option<i32> {
+    let filled = || values.iter().flatten();
+    (0..=MOST_DECIMALS).find(|decimals| {
+        let scale = 10.0_f64.powi(*decimals);
+        filled().all(|it| (it * scale - (it * scale).round()).abs() <= ROUNDED * (it * scale).abs())
+    })
 }
 
 /// The unit of a text, for tolerances.

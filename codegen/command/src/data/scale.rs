@@ -25,6 +25,20 @@ pub struct Scale {
     pub unit: Unit,
     /// Where it is from.
     pub origin: Origin,
+    /// True if it counts turns: the rate of an angle in `1/min` or `Hz`.
+    pub counts_turns: bool,
+}
+
+impl Scale {
+    /// A unit as it measures what has these powers; `None` if it cannot.
+    fn new(text: &str, unit: &Unit, powers: [i32; 4], origin: Origin) -> Option<Scale> {
+        Some(Scale {
+            text: text.to_string(),
+            unit: unit.measuring(powers)?,
+            origin,
+            counts_turns: unit.counts_turns_of(powers),
+        })
+    }
 }
 
 /// Units that options give.
@@ -78,26 +92,20 @@ impl Units {
             (None, None) => None,
         };
         if let Some((text, unit, origin)) = given {
-            return match unit.measures(powers) {
-                true => Ok(Scale {
-                    text: text.to_string(),
-                    unit,
-                    origin,
-                }),
-                false => Err(format!("`{}` cannot be in {text}", own.name)),
-            };
+            return Scale::new(text, &unit, powers, origin)
+                .ok_or_else(|| format!("`{}` cannot be in {text}", own.name));
         }
-        if let Some((text, unit)) = self.of_others.iter().find(|it| it.1.powers == powers) {
-            return Ok(Scale {
-                text: text.clone(),
-                unit: *unit,
-                origin: Origin::Option,
-            });
+        let is_meant = |unit: &Unit| unit.powers == powers || unit.counts_turns_of(powers);
+        if let Some((text, unit)) = self.of_others.iter().find(|it| is_meant(&it.1))
+            && let Some(scale) = Scale::new(text, unit, powers, Origin::Option)
+        {
+            return Ok(scale);
         }
         Ok(self.of_rate(powers).unwrap_or(Scale {
             text: si.to_string(),
             unit: Unit::coherent(powers),
             origin: Origin::Assumed,
+            counts_turns: false,
         }))
     }
 
@@ -116,6 +124,7 @@ impl Units {
             text: format!("{text}{per}"),
             unit: unit.times(second, time),
             origin: Origin::Option,
+            counts_turns: false,
         })
     }
 }

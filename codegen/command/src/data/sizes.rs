@@ -1,5 +1,7 @@
 //! *What an option such as `--tolerance` says* → *a size for each measured column*, in SI units.
 
+use linkwright_codegen::stages::columns::Unit;
+
 use super::{Data, unit_of};
 
 /// The size of each measured column that the option gives one.
@@ -40,17 +42,25 @@ pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f
         for (place, measured) in data.measured.iter().enumerate() {
             let is_meant = match name {
                 Some(name) => name == measured.name,
-                None => !own[place] && unit.is_none_or(|it| it.powers == measured.quantity.powers),
+                None => {
+                    let powers = measured.quantity.powers;
+                    let is_same = |it: Unit| it.powers == powers || it.counts_turns_of(powers);
+                    !own[place] && unit.is_none_or(is_same)
+                }
             };
             if !is_meant {
                 continue;
             }
-            if unit.is_some_and(|it| !it.measures(measured.quantity.powers)) {
-                return Err(format!(
-                    "error: the unit in `{option} {text}` does not measure `{}`",
-                    measured.quantity.name
-                ));
-            }
+            let unit = match unit.map(|it| it.measuring(measured.quantity.powers)) {
+                Some(None) => {
+                    return Err(format!(
+                        "error: the unit in `{option} {text}` does not measure `{}`",
+                        measured.quantity.name
+                    ));
+                }
+                Some(unit) => unit,
+                None => None,
+            };
             is_used = true;
             own[place] |= name.is_some();
             sizes[place] = Some(unit.map_or(number, |it| it.si(number)));

@@ -5,7 +5,7 @@
 //! | `mechanism`, `data` | the name of the mechanism, and the file |
 //! | `read` | how the file was read, in words |
 //! | `rows`, `from`, `to` | how many rows there are, and their first and last time (s) |
-//! | `columns` | `{column, quantity, how, doubt, unit, unit_from, count, rms, largest, t, tolerance, within}` each, in the unit of the column; `how` is `name`, `option` or `guess`, `unit_from` is `header`, `option` or `assumed` |
+//! | `columns` | `{column, quantity, how, doubt, unit, unit_from, count, rms, largest, t, tolerance, within}` each, in the unit of the column; `counts_turns` is true of the rate of an angle in `1/min` or `Hz`; `how` is `name`, `option` or `guess`, `unit_from` is `header`, `option` or `assumed` |
 //! | `left_out` | `{column, why}` each |
 //! | `within` | whether all differences are within their tolerances; absent where there are none |
 //! | `error` | why the motion ends early, where it does |
@@ -42,6 +42,8 @@ struct Entry<'a> {
     doubt: &'a str,
     unit: &'a str,
     unit_from: &'a str,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    counts_turns: bool,
     count: usize,
     rms: Option<f64>,
     largest: Option<f64>,
@@ -82,6 +84,7 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
                 Origin::Option => "option",
                 Origin::Assumed => "assumed",
             },
+            counts_turns: own.scale.counts_turns,
             count: comparison.map_or(0, |it| it.count),
             rms: comparison.map(|it| shown(it.rms)),
             largest: comparison.map(|it| shown(it.largest)),

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use linkwright_solver::number::{counted, time};
+use linkwright_solver::number::{counted, fixed, time};
 
 use crate::data::{Data, How, Measured, Origin};
 
@@ -60,6 +60,22 @@ pub fn write_notes(data: &Data, output: &mut dyn Write) -> io::Result<()> {
         {
             writeln!(output, "guessed for `{}`: {doubt}", measured.name)?;
         }
+    }
+    for measured in data.measured.iter().filter(|it| it.scale.counts_turns) {
+        let unit = &measured.scale.text;
+        writeln!(
+            output,
+            "`{}` counts turns: 1 {unit} is taken for {} rad/s",
+            measured.name,
+            fixed(measured.scale.unit.si(1.0), 6)
+        )?;
+    }
+    for input in &data.inputs {
+        let (name, unit) = (&input.name, &input.scale.text);
+        writeln!(
+            output,
+            "`{name}` in {unit} drives the input of the mechanism"
+        )?;
     }
     for (name, why) in &data.left_out {
         writeln!(output, "left out: `{name}`, {why}")?;
