@@ -45,6 +45,10 @@ pub struct Coverage {
     pub failed: u32,
     /// The names of the parameters.
     pub names: Vec<String>,
+    /// How many intervals of 95 % held the truth.
+    pub held: Vec<u32>,
+    /// How many fits were to be trusted.
+    pub trusted: u32,
     /// How many estimates were within one standard deviation of the truth, and how many within three.
     pub within: Vec<[u32; 2]>,
     /// The sum of errors, of their squares, and of the deviations' squares.
@@ -187,12 +191,18 @@ impl Study {
         )
     }
 
-    /// The lengths, and the fit to points with the noise of a seed from a start that is off.
+    /// The lengths, and the fit to points with the noise of a seed from a start that is off; they are
+    /// rounded to steps of so many standard deviations of the noise, none if zero.
     ///
     /// # Errors
     /// Those of the fit.
-    pub fn trial(&self, seed: u64) -> Result<(&[f64], Fit), Unfit> {
+    pub fn trial(&self, seed: u64, steps: f64) -> Result<(&[f64], Fit), Unfit> {
         let mut random = Random::new(seed);
+        let step = steps * self.noise;
+        let rounded = |it: f64| match step > 0.0 {
+            true => (it / step).round() * step,
+            false => it,
+        };
         let columns = self
             .observables
             .iter()
@@ -201,9 +211,10 @@ impl Study {
                 observable: *observable,
                 values: solved
                     .iter()
-                    .map(|it| Some(it + self.noise * normal(&mut random)))
+                    .map(|it| Some(rounded(it + self.noise * normal(&mut random))))
                     .collect(),
                 deviation: None,
+                rounding: (step > 0.0).then_some(step),
                 group: 0,
             });
         let measured = Measurements {
@@ -216,9 +227,10 @@ impl Study {
     }
 
     /// How often the truth is within what the fits say.
-    pub fn coverage(&self, trials: u32) -> Coverage {
+    pub fn coverage(&self, trials: u32, steps: f64) -> Coverage {
         let names = self.calibrator.names().to_vec();
         let mut coverage = Coverage {
+            held: vec![0; names.len()],
             within: vec![[0; 2]; names.len()],
             sums: vec![[0.0; 3]; names.len()],
             names,
@@ -228,14 +240,18 @@ impl Study {
         for trial in 0..trials {
             // Seeds of neighbouring trials have nothing in common.
             let seed = Random::new(SEED + u64::from(trial)).bits();
-            let Ok((truth, fit)) = self.trial(seed) else {
+            let Ok((truth, fit)) = self.trial(seed, steps) else {
                 coverage.failed += 1;
                 continue;
             };
             coverage.evaluations += fit.evaluations;
+            coverage.trusted += u32::from(fit.is_trusted());
             for (place, truth) in truth.iter().enumerate() {
                 let error = fit.values[place] - truth;
                 let deviation = fit.deviations[place].unwrap_or(0.0);
+                let holds =
+                    fit.intervals[place].is_some_and(|it| it[0] <= *truth && *truth <= it[1]);
+                coverage.held[place] += u32::from(holds);
                 for (count, times) in coverage.within[place].iter_mut().zip([1.0, 3.0]) {
                     *count += u32::from(error.abs() <= times * deviation);
                 }
@@ -275,16 +291,22 @@ impl Coverage {
         self.within[place].map(|count| f64::from(count) / f64::from(self.trials))
     }
 
+    /// The share of intervals of 95 % that hold a parameter.
+    pub fn held(&self, place: usize) -> f64 {
+        f64::from(self.held[place]) / f64::from(self.trials)
+    }
+
     /// The table of a report.
     pub fn table(&self) -> String {
-        let mut text = "| parameter | within 1 σ | within 3 σ | mean error | rms error | rms σ |\n|---|---|---|---|---|---|\n".to_string();
+        let mut text = "| parameter | in 95 % interval | within 1 σ | within 3 σ | mean error | rms error | rms σ |\n|---|---|---|---|---|---|---|\n".to_string();
         for (place, name) in self.names.iter().enumerate() {
             let [one, three] = self.shares(place).map(|it| 100.0 * it);
             let count = f64::from(self.trials);
             let [mean, square, deviation] = self.sums[place].map(|it| it / count);
             let (square, deviation) = (square.sqrt(), deviation.sqrt());
+            let held = 100.0 * self.held(place);
             text += &format!(
-                "| {name} | {one:.2} % | {three:.2} % | {mean:+.1e} | {square:.3e} | {deviation:.3e} |\n"
+                "| {name} | {held:.2} % | {one:.2} % | {three:.2} % | {mean:+.1e} | {square:.3e} | {deviation:.3e} |\n"
             );
         }
         text

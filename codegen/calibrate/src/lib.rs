@@ -25,7 +25,7 @@
 //! let x = quantities.iter().find(|it| it.name == "B_x").expect("a point");
 //! let times: Vec<f64> = (0..20).map(|step| 0.1 * f64::from(step)).collect();
 //! let values = times.iter().map(|t| Some(0.042 * t.cos())).collect();
-//! let column = Column { observable: x.observable, values, deviation: None, group: 0 };
+//! let column = Column { observable: x.observable, values, deviation: None, rounding: None, group: 0 };
 //! let measured = Measurements { times, columns: vec![column] };
 //!
 //! let fit = calibrator.fit(&measured, &calibrator.nominal()).expect("it moves so");
@@ -35,15 +35,21 @@
 
 #![doc(html_root_url = "https://docs.rs/linkwright-calibrate/0.1.0")]
 
+mod bounds;
+mod distribution;
+mod goodness;
 mod identification;
 mod model;
 mod weights;
 
+pub use bounds::Bounds;
+pub use goodness::{ColumnGoodness, Goodness};
 pub use identification::{Identification, Indistinct};
 pub use model::{Calibrator, NotDerived};
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use linkwright_solver::observable::Observable;
+use linkwright_solver::view::View as _;
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -57,6 +63,12 @@ const FAR: f64 = 1e3;
 
 /// How many times as often as there are parameters the motion is solved before the minimizer gives up.
 const PATIENCE: usize = 60;
+
+/// Degrees of freedom of deviations that are known: Student's distribution is then the normal one.
+const KNOWN: f64 = 1e7;
+
+/// The share of parameters that lie within their intervals.
+pub const CONFIDENCE: f64 = 0.95;
 
 /// What is measured of a motion at some times.
 #[derive(Clone, Debug)]
@@ -76,8 +88,17 @@ pub struct Column {
     pub values: Vec<Option<f64>>,
     /// The standard deviation of one value in SI units, where it is known.
     pub deviation: Option<f64>,
+    /// The step in SI units to which values are rounded, where it is known.
+    pub rounding: Option<f64>,
     /// Columns of one group are measured equally well where no deviation is known; what differs in its unit differs in its group.
     pub group: usize,
+}
+
+impl Column {
+    /// The standard deviation of rounding to a step: that of a uniform distribution.
+    pub(crate) fn rounding_deviation(&self) -> f64 {
+        self.rounding.unwrap_or(0.0) / 12.0_f64.sqrt()
+    }
 }
 
 /// The parameters with which a mechanism moves as measured.
@@ -87,6 +108,12 @@ pub struct Fit {
     pub values: Vec<f64>,
     /// The standard deviation of each; `None` where this motion does not determine it.
     pub deviations: Vec<Option<f64>>,
+    /// The interval that holds each with a chance of [`CONFIDENCE`], from Student's distribution.
+    pub intervals: Vec<Option<[f64; 2]>>,
+    /// The bound at which a value is, if any.
+    pub at_bound: Vec<Option<f64>>,
+    /// How well noise explains what is left.
+    pub goodness: Goodness,
     /// The correlation of each pair, row by row; `None` where one of both is not determined.
     pub correlations: Vec<Vec<Option<f64>>>,
     /// What this motion tells apart.
@@ -110,16 +137,34 @@ pub enum Unfit {
     TooFew(usize, usize),
     /// No parameter is asked for.
     NoParameters,
+    /// The value of this parameter at the start is not within its bounds.
+    OutsideBounds(String),
     /// The minimizer does not come to an end.
     NotConverged,
 }
 
 impl Calibrator {
-    /// The values of the parameters, in the order of [`Calibrator::names`], with which the mechanism moves as measured, from these on.
+    /// What the measured values tell apart of the parameters at these values, before anything is fitted.
     ///
     /// # Errors
-    /// There are none, or too few values are measured.
-    pub fn fit(&self, measured: &Measurements, start: &[f64]) -> Result<Fit, Unfit> {
+    /// There is no parameter, or too few values are measured, or the motion cannot be solved.
+    pub fn identify(
+        &self,
+        measured: &Measurements,
+        start: &[f64],
+    ) -> Result<Identification, Unfit> {
+        self.check(measured, start)?;
+        let first = self.sample(measured, start).map_err(Unfit::Unsolved)?;
+        Ok(self.identified(&first, &weights::initial(measured), start))
+    }
+
+    fn identified(&self, sampled: &Sampled, deviations: &[f64], values: &[f64]) -> Identification {
+        let jacobian = weighted(sampled, deviations, self.names().len());
+        Identification::of(&jacobian, values, self.names())
+    }
+
+    /// The number of measured values, if a fit can begin.
+    fn check(&self, measured: &Measurements, start: &[f64]) -> Result<usize, Unfit> {
         let parameters = self.names().len();
         let all = measured.columns.iter().flat_map(|it| &it.values);
         let count = all.filter(|it| it.is_some()).count();
@@ -129,13 +174,39 @@ impl Calibrator {
         if count < parameters {
             return Err(Unfit::TooFew(count, parameters));
         }
+        let bounds = self.names().iter().zip(self.bounds()).zip(start);
+        for ((name, bounds), start) in bounds {
+            if !bounds.contain(*start) {
+                return Err(Unfit::OutsideBounds(name.clone()));
+            }
+        }
+        Ok(count)
+    }
+
+    /// The values of the parameters, in the order of [`Calibrator::names`], with which the mechanism moves as measured, from these on.
+    ///
+    /// A parameter that is not determined at the start keeps its value.
+    ///
+    /// # Errors
+    /// There are none, or too few values are measured.
+    pub fn fit(&self, measured: &Measurements, start: &[f64]) -> Result<Fit, Unfit> {
+        let parameters = self.names().len();
+        let count = self.check(measured, start)?;
         let first = self.sample(measured, start).map_err(Unfit::Unsolved)?;
         let mut deviations = weights::initial(measured);
+        let at_start = self.identified(&first, &deviations, start);
+        let free: Vec<usize> = (0..parameters)
+            .filter(|it| at_start.determines(*it))
+            .collect();
         let groups = weights::unknown_groups(measured);
-        let rounds = if groups > 1 { REWEIGHTED } else { 1 };
+        let rounds = match (free.is_empty(), groups > 1) {
+            (true, _) => 0,
+            (false, true) => REWEIGHTED,
+            (false, false) => 1,
+        };
         let (mut values, mut evaluations) = (start.to_vec(), 1);
         for round in 0..rounds {
-            let problem = Problem::new(self, measured, &deviations, &values);
+            let problem = Problem::new(self, measured, &deviations, &free, start, &values);
             let minimizer = LevenbergMarquardt::new().with_patience(PATIENCE);
             let (problem, report) = minimizer.minimize(problem);
             // Where rounding leaves nothing to improve, this is the end, too.
@@ -148,34 +219,53 @@ impl Calibrator {
                 return Err(Unfit::NotConverged);
             }
             evaluations += problem.evaluations;
-            values = problem.values.as_slice().to_vec();
+            values.clone_from(&problem.values);
             if round + 1 < rounds {
                 let sampled = self.sample(measured, &values).map_err(Unfit::Unsolved)?;
-                weights::improve(&mut deviations, measured, &sampled, parameters);
+                weights::improve(&mut deviations, measured, &sampled, free.len());
             }
         }
         let last = self.sample(measured, &values).map_err(Unfit::Unsolved)?;
-        let jacobian = weighted(&last, &deviations, parameters);
-        let identified = Identification::of(&jacobian, &values, self.names());
-        let determined = identified.rank();
-        let freedom = count - determined;
+        let in_the_end = self.identified(&last, &deviations, &values);
+        let freedom = count - in_the_end.rank().min(free.len());
         let scale = weights::scale(measured, &last, &mut deviations, freedom);
-        let covariance = identified.covariance(scale);
-        let deviation = |place: usize| {
-            identified
-                .determines(place)
-                .then(|| covariance[(place, place)].sqrt())
+        let covariance = in_the_end.covariance(scale.variance);
+        let is_known = |place: usize| {
+            at_start.determines(place) && in_the_end.determines(place) && freedom > 0
         };
+        let deviation = |place: usize| is_known(place).then(|| covariance[(place, place)].sqrt());
         let deviations_of_values: Vec<Option<f64>> = (0..parameters).map(deviation).collect();
         let correlation = |row: usize, column: usize| {
             let both = deviations_of_values[row]? * deviations_of_values[column]?;
-            Some(if row == column {
-                1.0
-            } else {
-                covariance[(row, column)] / both
-            })
+            if row == column {
+                return Some(1.0);
+            }
+            (both > 0.0).then(|| covariance[(row, column)] / both)
         };
+        let widths = match scale.is_known {
+            true => KNOWN,
+            false => freedom as f64,
+        };
+        let width = (freedom > 0).then(|| distribution::half_width(CONFIDENCE, widths));
+        let interval = |place: usize| {
+            let half = width? * deviations_of_values[place]?;
+            Some([values[place] - half, values[place] + half])
+        };
+        let system = self.view().system();
+        let columns = measured.columns.iter();
+        let is_angle: Vec<bool> = columns.map(|it| it.observable.is_angle(system)).collect();
+        let bounds = self.bounds().iter().zip(&values).zip(start);
         Ok(Fit {
+            intervals: (0..parameters).map(interval).collect(),
+            at_bound: bounds
+                .map(|((bounds, value), start)| bounds.reached(*value, *start))
+                .collect(),
+            goodness: Goodness::of(
+                measured,
+                &last.residuals,
+                &is_angle,
+                in_the_end.rank().min(free.len()),
+            ),
             correlations: (0..parameters)
                 .map(|row| {
                     (0..parameters)
@@ -186,11 +276,24 @@ impl Calibrator {
             deviations: deviations_of_values,
             residuals: [first.residuals, last.residuals],
             column_deviations: deviations,
-            identified,
+            identified: match free.len() < parameters {
+                true => at_start,
+                false => in_the_end,
+            },
             values,
             freedom,
             evaluations,
         })
+    }
+}
+
+impl Fit {
+    /// True if the parameters are determined, within their bounds, and noise explains what is left.
+    pub fn is_trusted(&self) -> bool {
+        self.identified.determines_all()
+            && self.freedom > 0
+            && self.at_bound.iter().all(Option::is_none)
+            && self.goodness.is_explained()
     }
 }
 
@@ -216,7 +319,12 @@ struct Problem<'a> {
     calibrator: &'a Calibrator,
     measured: &'a Measurements,
     deviations: &'a [f64],
-    values: DVector<f64>,
+    /// The places of the parameters that change.
+    free: &'a [usize],
+    start: &'a [f64],
+    /// What the minimizer changes, one by one for the free parameters.
+    variables: DVector<f64>,
+    values: Vec<f64>,
     sampled: Option<Sampled>,
     /// What stands for residuals where there are none.
     far: f64,
@@ -229,14 +337,23 @@ impl<'a> Problem<'a> {
         calibrator: &'a Calibrator,
         measured: &'a Measurements,
         deviations: &'a [f64],
-        start: &[f64],
+        free: &'a [usize],
+        start: &'a [f64],
+        values: &[f64],
     ) -> Problem<'a> {
         let all = measured.columns.iter().flat_map(|it| &it.values);
+        let bounds = calibrator.bounds();
+        let variables = free
+            .iter()
+            .map(|it| bounds[*it].variable(values[*it], start[*it]));
         let mut problem = Problem {
             calibrator,
             measured,
             deviations,
-            values: DVector::from_column_slice(start),
+            free,
+            start,
+            variables: DVector::from_iterator(free.len(), variables),
+            values: values.to_vec(),
             sampled: None,
             far: 0.0,
             count: all.filter(|it| it.is_some()).count(),
@@ -248,12 +365,15 @@ impl<'a> Problem<'a> {
         problem
     }
 
+    /// A free parameter, and its derivative by its variable.
+    fn value(&self, variable: usize) -> [f64; 2] {
+        let place = self.free[variable];
+        self.calibrator.bounds()[place].value(self.variables[variable], self.start[place])
+    }
+
     fn sample(&mut self) {
         self.evaluations += 1;
-        self.sampled = self
-            .calibrator
-            .sample(self.measured, self.values.as_slice())
-            .ok();
+        self.sampled = self.calibrator.sample(self.measured, &self.values).ok();
     }
 }
 
@@ -262,13 +382,16 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     type JacobianStorage = Owned<f64, Dyn, Dyn>;
     type ParameterStorage = Owned<f64, Dyn>;
 
-    fn set_params(&mut self, values: &DVector<f64>) {
-        self.values.copy_from(values);
+    fn set_params(&mut self, variables: &DVector<f64>) {
+        self.variables.copy_from(variables);
+        for (variable, place) in self.free.iter().enumerate() {
+            self.values[*place] = self.value(variable)[0];
+        }
         self.sample();
     }
 
     fn params(&self) -> DVector<f64> {
-        self.values.clone()
+        self.variables.clone()
     }
 
     /// Where the mechanism cannot be solved residuals are so large that the step is taken back.
@@ -284,6 +407,12 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
         let sampled = self.sampled.as_ref()?;
-        Some(-weighted(sampled, self.deviations, self.values.len()))
+        let all = weighted(sampled, self.deviations, self.values.len());
+        let slopes: Vec<f64> = (0..self.free.len()).map(|it| self.value(it)[1]).collect();
+        Some(DMatrix::from_fn(
+            all.nrows(),
+            self.free.len(),
+            |row, variable| -all[(row, self.free[variable])] * slopes[variable],
+        ))
     }
 }

@@ -7,6 +7,7 @@ use std::collections::HashMap;
 
 use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
+use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::system::{Cause, System};
 use linkwright_solver::comparison::difference;
 use linkwright_solver::instant::Instant;
@@ -18,7 +19,7 @@ use linkwright_solver::supplied::Modes;
 use linkwright_solver::trajectory::follow;
 use linkwright_solver::view::View;
 
-use crate::Measurements;
+use crate::{Bounds, Measurements};
 
 /// A quantity whose dependence on parameters is not derived: an acceleration or a force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +34,7 @@ pub struct Calibrator {
     places: Vec<usize>,
     names: Vec<String>,
     nominal: Vec<f64>,
+    bounds: Vec<Bounds>,
     /// The largest time between frames (s).
     step: f64,
     points: HashMap<[usize; 3], PointSlopes>,
@@ -81,10 +83,17 @@ impl Calibrator {
             .map(|it| parameters[*it].name.clone())
             .collect();
         let all = view.nominal_parameters();
-        let nominal = places.iter().map(|it| all.0[*it]).collect();
+        let nominal: Vec<f64> = places.iter().map(|it| all.0[*it]).collect();
         let symbols: Vec<SymbolId> = places.iter().map(|it| parameters[*it].symbol).collect();
         let points = point_slopes(&view, &symbols);
+        let bounds = places.iter().zip(&nominal).map(|(place, value)| {
+            match parameters[*place].dimension == Dimension::LENGTH {
+                true => Bounds::with_sign_of(*value),
+                false => Bounds::NONE,
+            }
+        });
         Calibrator {
+            bounds: bounds.collect(),
             nominal,
             places,
             names,
@@ -99,6 +108,22 @@ impl Calibrator {
     pub fn in_modes(mut self, modes: Modes) -> Calibrator {
         self.modes = modes;
         self
+    }
+
+    /// The same with these bounds of a parameter, by its place among [`Calibrator::names`].
+    ///
+    /// Without them a length keeps the sign that it has in the description.
+    #[must_use]
+    pub fn within(mut self, place: usize, bounds: Bounds) -> Calibrator {
+        if let Some(own) = self.bounds.get_mut(place) {
+            *own = bounds;
+        }
+        self
+    }
+
+    /// The bounds of the parameters.
+    pub fn bounds(&self) -> &[Bounds] {
+        &self.bounds
     }
 
     /// What is solved.

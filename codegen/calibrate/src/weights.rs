@@ -46,7 +46,7 @@ fn extent(measured: &Measurements, columns: impl Iterator<Item = usize>) -> f64 
 pub(crate) fn initial(measured: &Measurements) -> Vec<f64> {
     let columns = measured.columns.iter();
     let deviation = |own: &crate::Column| match own.deviation {
-        Some(deviation) => deviation,
+        Some(deviation) => deviation.hypot(own.rounding_deviation()),
         None => extent(measured, group(measured, own.group)),
     };
     columns.map(deviation).collect()
@@ -88,16 +88,27 @@ pub(crate) fn improve(
     }
 }
 
-/// The variance of what was minimized: one where all deviations are known, otherwise from what is left; the deviations of columns are
-/// then those, too.
+/// The variance of what was minimized.
+pub(crate) struct Scale {
+    /// In squares of the deviations.
+    pub variance: f64,
+    /// True if all deviations are known.
+    pub is_known: bool,
+}
+
+/// The variance of what was minimized: one where all deviations are known, otherwise from what is left, and never less than rounding
+/// makes. The deviations of columns are then those, too.
 pub(crate) fn scale(
     measured: &Measurements,
     sampled: &Sampled,
     deviations: &mut [f64],
     freedom: usize,
-) -> f64 {
+) -> Scale {
     if groups(measured).is_empty() || freedom == 0 {
-        return 1.0;
+        return Scale {
+            variance: 1.0,
+            is_known: groups(measured).is_empty(),
+        };
     }
     let columns = sampled.residuals.iter().zip(&*deviations);
     let squares = columns.flat_map(|(column, deviation)| {
@@ -106,11 +117,17 @@ pub(crate) fn scale(
             .flatten()
             .map(move |it| (it / deviation).powi(2))
     });
-    let variance = squares.sum::<f64>() / freedom as f64;
+    let left = squares.sum::<f64>() / freedom as f64;
+    let own = measured.columns.iter().zip(&*deviations);
+    let rounding = own.map(|(own, deviation)| (own.rounding_deviation() / deviation).powi(2));
+    let variance = rounding.fold(left, f64::max);
     for (deviation, own) in deviations.iter_mut().zip(&measured.columns) {
         if own.deviation.is_none() {
             *deviation *= variance.sqrt();
         }
     }
-    variance
+    Scale {
+        variance,
+        is_known: false,
+    }
 }

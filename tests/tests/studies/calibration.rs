@@ -11,7 +11,7 @@ use linkwright_tests::calibration::{Study, calibrator, four_bar_text, observable
 #[test]
 fn the_truth_is_as_near_as_the_fit_says() {
     for study in [Study::four_bar(), Study::platform()] {
-        let found = study.coverage(400);
+        let found = study.coverage(400, 0.0);
         println!("{}\n{}", study.name, found.table());
         assert_eq!(found.failed, 0);
         for (place, name) in found.names.iter().enumerate() {
@@ -19,6 +19,23 @@ fn the_truth_is_as_near_as_the_fit_says() {
             assert!((0.59..0.78).contains(&one), "{} {name}: {one}", study.name);
             assert!(three > 0.975, "{} {name}: {three}", study.name);
         }
+    }
+}
+
+/// Intervals hold the truth in 95 % of all fits, also where values are rounded: of 400 fits the share varies by 0.011.
+#[test]
+fn intervals_hold_the_truth_in_spite_of_rounding() {
+    let study = Study::four_bar();
+    for steps in [0.0, 0.3, 1.0, 3.0] {
+        let found = study.coverage(400, steps);
+        println!("steps of {steps} σ\n{}", found.table());
+        assert_eq!(found.failed, 0);
+        for (place, name) in found.names.iter().enumerate() {
+            let held = found.held(place);
+            assert!((0.91..0.985).contains(&held), "{steps} {name}: {held}");
+        }
+        // One fit of a thousand is refused for nothing.
+        assert!(found.trusted >= 396, "{steps}: {}", found.trusted);
     }
 }
 
@@ -43,6 +60,7 @@ fn fitted(
             observable: *observable,
             values: values.into_iter().map(Some).collect(),
             deviation: None,
+            rounding: None,
             group: 0,
         });
     let measured = Measurements {
@@ -93,13 +111,9 @@ fn a_pair_that_cannot_be_told_apart_is_named() {
     assert_eq!(fit.identified.rank(), 2);
     let determined: Vec<bool> = fit.deviations.iter().map(Option::is_some).collect();
     assert_eq!(determined, [false, false, true]);
-    // Their sum is found all the same, and so is the third one.
-    assert!(
-        (fit.values[0] + fit.values[1] - 0.102).abs() < 1e-9,
-        "{:?}",
-        fit.values
-    );
-    assert!((fit.values[2] - 0.119).abs() < 1e-9, "{:?}", fit.values);
+    // They keep their values, and so what is left is no noise.
+    assert_eq!(fit.values[..2], [0.07, 0.03]);
+    assert!(!fit.is_trusted());
 }
 
 /// Angles alone know nothing of the size of a mechanism: all lengths can grow alike.
@@ -150,6 +164,7 @@ fn fits_that_cannot_be_are_refused() {
         observable,
         values,
         deviation: None,
+        rounding: None,
         group: 0,
     };
     let measured = Measurements {

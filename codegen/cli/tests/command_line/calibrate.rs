@@ -278,3 +278,170 @@ fn parameters_of_a_motion_are_written_where_they_stood() {
     assert!(text.contains("motion home { param pace = 0.7"), "{text}");
     assert!(!text.contains("param pace = 0.7;"), "{text}");
 }
+
+/// A four-bar with these lengths of crank, coupler and rocker.
+fn four_bar(lengths: [&str; 3]) -> String {
+    let [crank, coupler, rocker] = lengths;
+    format!(
+        "mechanism four_bar {{
+    param L2 = {crank};
+    param L3 = {coupler};
+    param L4 = {rocker};
+    point A = (0, 0), D = (100mm, 0);
+    body crank   at (0, 0, 40deg)       {{ A: (0, 0), B: (L2, 0) }}
+    body coupler at (20mm, 15mm, 40deg) {{ B: (0, 0), C: (L3, 0), P: (60mm, 40mm) }}
+    body rocker  at (100mm, 0, 75deg)   {{ D: (0, 0), C: (L4, 0) }}
+    revolute A(ground, crank);
+    revolute B(crank, coupler);
+    revolute C(coupler, rocker);
+    revolute D(ground, rocker);
+    drive phi(crank) = 40deg + 3*t;
+}}
+"
+    )
+}
+
+/// What a four-bar of 40, 120 and 80 mm measures with its crank half a turn further on.
+const TURNED: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
+0.00,-19.61130,45.55089,128.305305\n\
+0.15,-16.01560,35.62999,128.044404\n\
+0.30,-7.07582,31.66176,123.437582\n\
+0.45,7.06844,35.68997,113.219478\n\
+0.60,27.69267,47.98350,95.393225\n\
+0.75,54.46647,62.79786,71.500698\n\
+0.90,72.98383,73.58437,56.005751\n\
+1.05,72.90241,84.24024,57.461219\n\
+1.20,60.59049,93.36724,67.908270\n\
+1.35,42.25377,97.34849,81.361744\n\
+1.50,22.31712,94.70001,95.130215\n\
+1.65,4.25511,85.94545,107.677225\n\
+1.80,-9.48016,73.00873,117.876654\n\
+1.95,-17.55656,58.49667,124.921063\n\
+";
+
+/// The same in the other assembly, from its drawn crank on.
+const OTHER: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
+0.00,94.7279,-7.3487,-98.0050\n\
+0.15,77.7707,-1.3959,-114.8271\n\
+0.30,62.3019,5.6187,-124.2619\n\
+0.45,48.7969,9.3043,-128.2928\n\
+0.60,38.3279,8.0660,-128.0697\n\
+0.75,32.6472,2.1899,-124.0349\n\
+";
+
+#[test]
+fn what_is_no_fit_is_not_trusted_and_not_written() {
+    for (name, lengths, table, parameters, said) in [
+        (
+            "turned",
+            ["25mm", "150mm", "110mm"],
+            TURNED,
+            "L2,L3,L4",
+            "`L2` ends at its bound 0 m",
+        ),
+        (
+            "other",
+            ["30mm", "99mm", "110mm"],
+            OTHER,
+            "L3,L4",
+            "leave more than the noise",
+        ),
+    ] {
+        let folder = Folder::new(&format!("calibrate_{name}"), &four_bar(lengths));
+        std::fs::write(folder.file("data.csv"), table).expect("it can be written");
+        let options = format!("calibrate a.mech data.csv --param {parameters} --out new.mech");
+        let ran = folder.run(&options).exits_with(1);
+        assert!(ran.stdout.contains(said), "{}", ran.stdout);
+        assert!(
+            ran.stdout.contains("this fit is not to be trusted"),
+            "{}",
+            ran.stdout
+        );
+        assert!(!folder.file("new.mech").exists());
+        let found = json(
+            &folder
+                .run(&format!("{options} --json"))
+                .exits_with(1)
+                .stdout,
+        );
+        assert_eq!(found["trusted"], false, "{found}");
+        for parameter in found["parameters"].as_array().expect("parameters") {
+            assert!(number(&parameter["value"]) >= 0.0, "{found}");
+        }
+    }
+    // What is said anyway can be written anyway.
+    let folder = Folder::new("calibrate_forced", &four_bar(["30mm", "99mm", "110mm"]));
+    std::fs::write(folder.file("data.csv"), OTHER).expect("it can be written");
+    folder
+        .run("calibrate a.mech data.csv --param L3,L4 --out new.mech --force")
+        .exits_with(1);
+    assert!(folder.file("new.mech").exists());
+}
+
+#[test]
+fn bounds_hold_and_are_read_with_units() {
+    let folder = folder("calibrate_bounds");
+    let run = |bound: &str, code| {
+        let options =
+            format!("calibrate a.mech data.csv --param L,offset,speed --json --bound {bound}");
+        folder.run(&options).exits_with(code)
+    };
+    let found = json(&run("L=39mm..43mm,offset=5deg..15deg", 0).stdout);
+    assert!(
+        (number(&found["parameters"][0]["value"]) - 0.042).abs() < 1e-5,
+        "{found}"
+    );
+    let found = json(&run("L=0.03..41mm", 1).stdout);
+    assert!(
+        (number(&found["parameters"][0]["bound"]) - 0.041).abs() < 1e-12,
+        "{found}"
+    );
+    assert!(number(&found["parameters"][0]["value"]) <= 0.041, "{found}");
+    for (bound, said) in [("L=41mm..43mm", "`L` begins outside of its bounds")] {
+        let ran = folder
+            .run(&format!(
+                "calibrate a.mech data.csv --param L --bound {bound} --set L=50mm"
+            ))
+            .exits_with(1);
+        assert!(ran.stderr.contains(said), "{}", ran.stderr);
+    }
+    for (bound, said) in [
+        ("L=1mm", "is no range"),
+        ("gap=1..2", "is about none of `--param`"),
+        (
+            "L=1s..2s",
+            "has an end that is no number with a unit of the parameter",
+        ),
+        ("L=3mm..2mm", "is empty"),
+    ] {
+        let ran = run(bound, 2);
+        assert!(ran.stderr.contains(said), "{}", ran.stderr);
+    }
+}
+
+/// Values in whole millimeters are off by 1 mm/√12 each, however well few of them seem to fit.
+#[test]
+fn rounding_of_the_table_counts() {
+    let folder = folder("calibrate_rounding");
+    let mut text = "t,B_x (mm)\n".to_string();
+    let mut square = 0.0;
+    for step in 0..20 {
+        let t = 0.05 * f64::from(step);
+        let cosine = (0.1 + 3.0 * t).cos();
+        square += cosine * cosine;
+        text += &format!("{t},{:.0}\n", 42.3 * cosine);
+    }
+    std::fs::write(folder.file("data.csv"), text).expect("it can be written");
+    let found = json(
+        &folder
+            .run("calibrate a.mech data.csv --param L --json")
+            .exits_with(0)
+            .stdout,
+    );
+    let own = &found["parameters"][0];
+    let least = 1e-3 / 12.0_f64.sqrt() / square.sqrt();
+    assert!(number(&own["deviation"]) > 0.999 * least, "{found}");
+    let [low, high] = [0, 1].map(|it| number(&own["interval"][it]));
+    assert!(low < 0.0423 && 0.0423 < high, "{found}");
+    assert!((number(&found["columns"][0]["noise"]) / 12.0_f64.sqrt().recip() - 1.0) > -1e-9);
+}

@@ -112,7 +112,7 @@ table does, 2 bad input.";
 
 /// Fits parameters so that the mechanism moves as measured: least squares with the derived sensitivities.
 ///
-/// Prints each parameter with its standard deviation, their correlations, what is left of each column before and after, and which
+/// Prints each parameter with its standard deviation and 95 % interval, their correlations, what is left of each column before and after, and which
 /// parameters this motion cannot tell apart. Columns of accelerations and forces take no part. Where quantities of several units are
 /// measured, each counts by what is left of it, unless `--deviation` says how well it is measured.
 #[derive(Args, Debug)]
@@ -136,10 +136,18 @@ pub struct Calibrate {
     /// The standard deviation of measured values: `0.1mm` of columns in this unit, `K_x=2mm` of one [default: what is left of them]
     #[arg(long, value_name = "[COLUMN=]VALUE[UNIT]", value_delimiter = ',')]
     pub deviation: Vec<String>,
+    /// The values that a parameter may have, `L2=1mm..2mm`, `L2=0..` or `L2=..` [default: lengths keep their signs]
+    #[arg(
+        long,
+        value_name = "PARAMETER=LOW..HIGH",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    pub bound: Vec<String>,
     /// Write the description with the new values into this file; all else in it stays as it is
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Replace that file where it exists
+    /// Write that file also where it exists, or where the fit is not to be trusted
     #[arg(long)]
     pub force: bool,
     /// Print one JSON object instead of text
@@ -153,7 +161,8 @@ Examples:
   linkwright calibrate lift.mech log.csv --param L2,L3 --deviation 0.1mm,0.05deg --out fitted.mech
   linkwright calibrate lift.mech log.csv --param L2,L3 --json | jq '.parameters[].value'
 
-What is to be fitted is a `param` of the description. Nothing is written unless all parameters are determined.
+What is to be fitted is a `param` of the description. A parameter that the motion does not determine keeps its value. Nothing is written
+where the fit is not to be trusted, unless `--force` says so.
 
-Exit codes: 0 fitted, 1 the motion does not determine all parameters, or the mechanism does not move through all times of the table,
-2 bad input.";
+Exit codes: 0 fitted, 1 the fit is not to be trusted (a parameter is undetermined or at its bound, or more is left than noise), or the
+mechanism does not move through all times of the table, 2 bad input.";

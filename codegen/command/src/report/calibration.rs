@@ -3,16 +3,17 @@
 //! | key | value |
 //! |---|---|
 //! | `mechanism`, `data`, `read` | as `compare` prints them |
-//! | `parameters` | `{name, unit, start, value, deviation}` each, in SI units; `deviation` is null where the motion does not determine it |
+//! | `parameters` | `{name, unit, start, value, deviation, interval, bound}` each, in SI units; `deviation` and `interval` (of 95 %) are null where the motion does not determine it, `bound` is where the value ended at one |
 //! | `correlations` | a row for each parameter; null where one of both is not determined |
-//! | `columns` | `{column, quantity, unit, count, deviation, rms_before, rms_after}` each, in the unit of the column |
+//! | `columns` | `{column, quantity, unit, count, deviation, rms_before, rms_after, noise, reduced, chance, runs, expected_runs, explained}` each, in the unit of the column; what cannot be judged is null |
+//! | `trusted`, `reasons` | whether the fit is to be trusted, and why not, in sentences |
 //! | `freedom` | measured values less determined parameters |
 //! | `rank`, `condition` | how many combinations are determined, and the condition of the scaled sensitivities |
 //! | `indistinct` | `{parameters, changes, index}` each: what cannot be told apart, `index` null, or hardly |
 
 use std::io::{self, Write};
 
-use linkwright_calibrate::Fit;
+use linkwright_calibrate::{Fit, Identification};
 use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::number::{counted, fixed, scientific};
@@ -27,6 +28,9 @@ const DIGITS: usize = 2;
 
 /// The same of residuals.
 const RESIDUAL_DIGITS: usize = 3;
+
+/// The reduced χ² below which a column is refused for its runs.
+const LARGE: f64 = 2.0;
 
 /// Of how many parameters correlations are printed.
 const TABLED: usize = 12;
@@ -82,22 +86,102 @@ impl Report<'_> {
     }
 }
 
+impl Report<'_> {
+    /// Why the fit is not to be trusted, in one sentence each.
+    pub fn reasons(&self) -> Vec<String> {
+        let fit = self.fit;
+        let mut reasons = Vec::new();
+        for (place, name) in self.names.iter().enumerate() {
+            if !fit.identified.determines(place) && fit.at_bound[place].is_none() {
+                reasons.push(format!(
+                    "`{name}` is not determined and keeps its value {} {}",
+                    fit.values[place],
+                    self.unit(place)
+                ));
+            }
+            if let Some(bound) = fit.at_bound[place] {
+                let unit = self.unit(place);
+                reasons.push(format!("`{name}` ends at its bound {bound} {unit}"));
+            }
+        }
+        if fit.freedom == 0 {
+            reasons.push("no value is left over to judge the fit by".to_string());
+        }
+        for (place, own) in self.data.measured.iter().enumerate() {
+            if fit.goodness.explains(place) != Some(false) {
+                continue;
+            }
+            let goodness = &fit.goodness.columns[place];
+            let unit = &own.scale.text;
+            let noise = own.scale.unit.of_si(goodness.noise.unwrap_or(f64::NAN));
+            let left = self.left(place)[1];
+            let [left, noise] = [left, noise].map(|it| scientific(it, DIGITS));
+            let told = match goodness.is_given {
+                true => "`--deviation` says",
+                false => "neighboring rows show",
+            };
+            reasons.push(match goodness.runs {
+                Some((runs, expected, _)) if goodness.reduced.is_some_and(|it| it < LARGE) => {
+                    format!(
+                        "what is left of `{}` is no noise: its signs change in {runs} runs, where {expected:.0} are expected",
+                        own.name
+                    )
+                }
+                _ => format!(
+                    "{left} {unit} are left of `{}`, where {told} a noise of {noise} {unit}",
+                    own.name
+                ),
+            });
+        }
+        if reasons.is_empty() && !fit.goodness.explains_all() {
+            reasons.push(
+                "all columns together leave more than the noise that neighboring rows show"
+                    .to_string(),
+            );
+        }
+        reasons
+    }
+}
+
 fn count(measured: &Measured) -> usize {
     measured.values.iter().flatten().count()
 }
 
-/// Writes the tables.
+/// Writes how the table was read and what this motion cannot tell apart, which is known before anything is fitted.
+///
+/// # Errors
+/// Those of `output`.
+pub fn write_head(
+    title: &str,
+    data: &Data,
+    identified: &Identification,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    write_data(title, data, output)?;
+    for sentence in identified.sentences() {
+        writeln!(output, "{sentence}")?;
+    }
+    writeln!(output)
+}
+
+/// Writes the tables that follow the head.
 ///
 /// # Errors
 /// Those of `output`.
 pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     let fit = report.fit;
-    write_data(&report.title, report.data, output)?;
-    writeln!(output)?;
     let mut rows = vec![
-        ["parameter", "unit", "before", "fitted", "deviation"]
-            .map(str::to_string)
-            .to_vec(),
+        [
+            "parameter",
+            "unit",
+            "before",
+            "fitted",
+            "deviation",
+            "95 % from",
+            "to",
+        ]
+        .map(str::to_string)
+        .to_vec(),
     ];
     for (place, name) in report.names.iter().enumerate() {
         let deviation = fit.deviations[place];
@@ -112,12 +196,16 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
             Some(_) => shown(fit.values[place]),
             None => "not determined".to_string(),
         };
+        let interval = fit.intervals[place];
+        let end = |place: usize| interval.map_or(String::new(), |it| shown(it[place]));
         rows.push(vec![
             name.clone(),
             report.unit(place),
             shown(report.start[place]),
             fitted,
             deviation.map_or(String::new(), |it| scientific(it, DIGITS)),
+            end(0),
+            end(1),
         ]);
     }
     aligned(&rows, output)?;
@@ -143,6 +231,8 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
         "values",
         "rms before",
         "rms after",
+        "noise",
+        "χ²/ν",
     ];
     let mut rows = vec![heading.map(str::to_string).to_vec()];
     for (place, own) in report.data.measured.iter().enumerate() {
@@ -150,15 +240,19 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
         let left = report.left(place).map(|it| scientific(it, RESIDUAL_DIGITS));
         let mut row = vec![own.name.clone(), quantity, unit, count(own).to_string()];
         row.extend(left);
+        let goodness = &fit.goodness.columns[place];
+        let noise = goodness.noise.map(|it| own.scale.unit.of_si(it));
+        row.push(noise.map_or("unknown".to_string(), |it| scientific(it, DIGITS)));
+        row.push(
+            goodness
+                .reduced
+                .map_or(String::new(), |it| scientific(it, DIGITS)),
+        );
         rows.push(row);
     }
     aligned(&rows, output)?;
     writeln!(output)?;
     write_notes(report.data, output)?;
-    let sentences = fit.identified.sentences();
-    for sentence in &sentences {
-        writeln!(output, "{sentence}")?;
-    }
     let condition = scientific(fit.identified.condition, 1);
     match fit.identified.determines_all() {
         true => writeln!(
@@ -176,7 +270,17 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
             fit.identified.rank(),
             report.names.len()
         ),
+    }?;
+    let reasons = report.reasons();
+    for reason in &reasons {
+        writeln!(output, "{reason}")?;
     }
+    let verdict = match (fit.is_trusted(), fit.goodness.is_judged()) {
+        (false, _) => "this fit is not to be trusted",
+        (true, true) => "this fit is to be trusted: noise explains what is left",
+        (true, false) => "too few rows show their noise: `--deviation` lets the fit be judged",
+    };
+    writeln!(output, "{verdict}")
 }
 
 #[derive(Serialize)]
@@ -191,6 +295,8 @@ struct Object<'a> {
     rank: usize,
     condition: f64,
     indistinct: Vec<Combination<'a>>,
+    trusted: bool,
+    reasons: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -200,6 +306,9 @@ struct Parameter<'a> {
     start: f64,
     value: f64,
     deviation: Option<f64>,
+    interval: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bound: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -211,6 +320,12 @@ struct Column<'a> {
     deviation: f64,
     rms_before: f64,
     rms_after: f64,
+    noise: Option<f64>,
+    reduced: Option<f64>,
+    chance: Option<f64>,
+    runs: Option<usize>,
+    expected_runs: Option<f64>,
+    explained: Option<bool>,
 }
 
 #[derive(Serialize)]
@@ -235,10 +350,13 @@ pub fn write_json(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()>
             start: report.start[place],
             value: fit.values[place],
             deviation: fit.deviations[place],
+            interval: fit.intervals[place],
+            bound: fit.at_bound[place],
             name,
         });
     let columns = report.data.measured.iter().enumerate().map(|(place, own)| {
         let [rms_before, rms_after] = report.left(place);
+        let goodness = &fit.goodness.columns[place];
         Column {
             column: &own.name,
             quantity: &own.quantity.name,
@@ -247,6 +365,12 @@ pub fn write_json(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()>
             deviation: own.scale.unit.of_si(fit.column_deviations[place]),
             rms_before,
             rms_after,
+            noise: goodness.noise.map(|it| own.scale.unit.of_si(it)),
+            reduced: goodness.reduced,
+            chance: goodness.chance,
+            runs: goodness.runs.map(|it| it.0),
+            expected_runs: goodness.runs.map(|it| it.1),
+            explained: fit.goodness.explains(place),
         }
     });
     let indistinct = fit.identified.indistinct.iter().map(|it| Combination {
@@ -269,6 +393,8 @@ pub fn write_json(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()>
         rank: fit.identified.rank(),
         condition: fit.identified.condition,
         indistinct: indistinct.collect(),
+        trusted: fit.is_trusted(),
+        reasons: report.reasons(),
     };
     serde_json::to_writer_pretty(&mut *output, &object)?;
     writeln!(output)

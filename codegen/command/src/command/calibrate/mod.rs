@@ -1,11 +1,13 @@
 //! *A description, a table and names of parameters* → *the values with which the mechanism moves as measured*.
 
+mod bounded;
 mod rewritten;
 
 use linkwright_calibrate::{Calibrator, Column, Measurements, Unfit};
 use linkwright_codegen::diagnostic::{Source, nearest};
 use linkwright_codegen::stages::system::System;
 
+use self::bounded::bounded;
 use self::rewritten::rewritten;
 use super::description::{
     chosen, determined, interpreted, no_order, outputs_besides, rendered, set_all, source,
@@ -35,6 +37,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     let mut system = along(&source, arguments)?;
     set_all(&mut system, &arguments.setting.set)?;
     let mut data = Data::read(&arguments.table, &system).map_err(Problem)?;
+    data.drive(&mut system).map_err(Problem)?;
     keep_fitted(&mut data)?;
     let deviations = sizes("--deviation", &arguments.deviation, &data).map_err(Problem)?;
     if let Some(place) = deviations.iter().position(|it| *it == Some(0.0)) {
@@ -57,6 +60,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     if let Some((_, modes)) = chosen(&arguments.setting.branch, calibrator.view(), data.times[0])? {
         calibrator = calibrator.in_modes(modes);
     }
+    calibrator = bounded(calibrator, &system, &arguments.bound)?;
     let mut kinds: Vec<[i32; 4]> = Vec::new();
     let columns = data
         .measured
@@ -71,6 +75,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
                     kinds.len() - 1
                 }),
                 observable: measured.quantity.observable,
+                rounding: measured.rounding(),
                 values: measured.values.clone(),
                 deviation,
             }
@@ -81,10 +86,17 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     };
     let start = calibrator.nominal();
     let title = system.mechanism.title();
-    let fit = match calibrator.fit(&measurements, &start) {
+    let found = calibrator.identify(&measurements, &start);
+    if let Ok(found) = &found
+        && !arguments.json
+    {
+        print(|output| calibration::write_head(&title, &data, found, output))?;
+    }
+    let fit = match found.and_then(|_| calibrator.fit(&measurements, &start)) {
         Ok(fit) => fit,
         Err(unfit) => {
             let why = match unfit {
+                Unfit::OutsideBounds(name) => format!("error: `{name}` begins outside of its bounds\n  = help: begin within them with `--set`, or move them with `--bound`"),
                 Unfit::Unsolved(why) => format!("error: `{title}` {why}\n  = help: `linkwright compare` shows how far it moves as measured; `--set` gives other values to begin with"),
                 Unfit::TooFew(values, parameters) => format!("error: {values} measured values are too few for {parameters} parameters"),
                 Unfit::NoParameters => "error: no parameter is to be fitted".to_string(),
@@ -106,22 +118,25 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
         true => calibration::write_json(&report, output),
         false => calibration::write(&report, output),
     })?;
-    if !fit.identified.determines_all() {
-        say(
-            "error: this motion does not determine all parameters\n  = help: leave one of each combination out of `--param`, or measure something else",
-        );
-        return Ok(Outcome::Failed);
+    let is_trusted = fit.is_trusted();
+    if !is_trusted {
+        let is_free = fit.at_bound.iter().all(Option::is_none);
+        let undetermined = is_free && !fit.identified.determines_all();
+        say(match undetermined {
+            true => {
+                "error: this motion does not determine all parameters\n  = help: leave one of each combination out of `--param`, or measure something else"
+            }
+            false => {
+                "error: this fit is not to be trusted\n  = help: check assembly, start and units with `linkwright compare`; `--deviation` says how well values are measured"
+            }
+        });
+        if output.is_none() || !arguments.force {
+            return Ok(Outcome::Failed);
+        }
     }
     if let Some(output) = output {
-        let values: Vec<(&str, f64, Option<f64>)> = (0..start.len())
-            .map(|place| {
-                (
-                    calibrator.names()[place].as_str(),
-                    fit.values[place],
-                    fit.deviations[place],
-                )
-            })
-            .collect();
+        let names = calibrator.names().iter().map(String::as_str);
+        let values: Vec<(&str, f64)> = names.zip(fit.values.iter().copied()).collect();
         let text = rewritten(&source, &values, &system).map_err(Problem)?;
         let path = output.path().to_path_buf();
         output.write(|output| output.write_all(text.as_bytes()))?;
@@ -129,7 +144,10 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
             print(|output| writeln!(output, "wrote {}", path.display()))?;
         }
     }
-    Ok(Outcome::Done)
+    Ok(match is_trusted {
+        true => Outcome::Done,
+        false => Outcome::Failed,
+    })
 }
 
 /// The equations with the sensitivities to the parameters that are fitted.

@@ -1,35 +1,29 @@
 //! *A description and values of parameters* → *its text with these values*, and all else as it was.
 //!
-//! A value keeps the unit that it was written in, and has two digits more than its standard deviation. The new text is read again: it
-//! must be the same description with these values.
+//! A value keeps the unit that it was written in, and has all digits: what is read again is the fitted value but for the rounding of
+//! one multiplication. The new text is read again: it must be the same description with these values.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::syntax::{Statement, parse};
 use linkwright_codegen::stages::system::System;
 
-/// How many digits a value has beyond the first one of its standard deviation.
-const DIGITS: f64 = 2.0;
-
-/// How far a written value may be from the fitted one, in standard deviations.
-const ROUNDED: f64 = 0.02;
-
-/// The same as a share of the value, where it has no deviation to speak of.
+/// How far a written value may be from the fitted one, as a share of it.
 const EXACT: f64 = 1e-12;
 
-/// The text with these values in SI units, each with its standard deviation.
+/// The text with these values in SI units.
 ///
 /// # Errors
 /// A parameter is not declared where it could be replaced.
 pub fn rewritten(
     source: &Source,
-    values: &[(&str, f64, Option<f64>)],
+    values: &[(&str, f64)],
     system: &System,
 ) -> Result<String, String> {
     let document = parse(source, &mut Diagnostics::new());
     let statements = document.map_or(Vec::new(), |it| it.mechanism.statements);
     let mut edits = Vec::new();
-    for (name, value, deviation) in values {
+    for (name, value) in values {
         let declared = of_motion(&statements, system).find_map(|it| match it {
             Statement::Parameter(own) if own.name.text == *name => Some(own),
             _ => None,
@@ -51,8 +45,8 @@ pub fn rewritten(
             .unwrap_or(0.0);
         let range = declared.value.span.range();
         let before = &source.text[range.clone()];
-        let now = in_its_unit(before, nominal, *value, *deviation)
-            .unwrap_or_else(|| in_si(*value, *deviation, own.dimension));
+        let now =
+            in_its_unit(before, nominal, *value).unwrap_or_else(|| in_si(*value, own.dimension));
         edits.push((range, now));
     }
     edits.sort_by_key(|it| std::cmp::Reverse(it.0.start));
@@ -81,7 +75,7 @@ fn of_motion<'a>(
 fn confirm(
     source: &Source,
     text: &str,
-    values: &[(&str, f64, Option<f64>)],
+    values: &[(&str, f64)],
     fitted: &System,
 ) -> Result<(), String> {
     let new = Source {
@@ -98,10 +92,10 @@ fn confirm(
         return Ok(());
     };
     let mechanism = &system.mechanism;
-    for (name, value, deviation) in values {
+    for (name, value) in values {
         let own = mechanism.parameters.iter().find(|it| it.name == *name);
         let found = own.and_then(|it| mechanism.graph.constant_value(it.nominal));
-        let allowed = (ROUNDED * deviation.unwrap_or(0.0)).max(EXACT * value.abs());
+        let allowed = EXACT * value.abs();
         if found.is_none_or(|it| (it - value).abs() > allowed) {
             return Err(format!(
                 "error: `{name}` cannot be replaced as it is written\n  = help: write its value as a number with a unit, such as `40mm`"
@@ -112,7 +106,7 @@ fn confirm(
 }
 
 /// `40mm` → `40.127mm`, `3/1s` → `3.004/1s`; `None` of what is no number with a unit.
-fn in_its_unit(before: &str, nominal: f64, value: f64, deviation: Option<f64>) -> Option<String> {
+fn in_its_unit(before: &str, nominal: f64, value: f64) -> Option<String> {
     let is_digit = |it: char| it.is_ascii_digit() || matches!(it, '.' | '-' | '_');
     let before = before.trim();
     let end = before.find(|it| !is_digit(it)).unwrap_or(before.len());
@@ -127,14 +121,12 @@ fn in_its_unit(before: &str, nominal: f64, value: f64, deviation: Option<f64>) -
     if !is_unit || written == 0.0 || nominal == 0.0 {
         return None;
     }
-    let factor = written / nominal;
-    let number = digits(value * factor, deviation.map(|it| it * factor.abs()));
-    Some(format!("{number}{unit}"))
+    Some(format!("{}{unit}", value * (written / nominal)))
 }
 
 /// `0.04m`, `0.3rad`, `2.5*1m/1s`.
-fn in_si(value: f64, deviation: Option<f64>, dimension: Dimension) -> String {
-    let number = digits(value, deviation);
+fn in_si(value: f64, dimension: Dimension) -> String {
+    let number = value.to_string();
     match dimension {
         Dimension::Angle => format!("{number}rad"),
         Dimension::Marked {
@@ -154,32 +146,22 @@ fn in_si(value: f64, deviation: Option<f64>, dimension: Dimension) -> String {
     }
 }
 
-/// As many digits as the deviation leaves.
-fn digits(value: f64, deviation: Option<f64>) -> String {
-    let deviation = deviation.filter(|it| *it > EXACT * value.abs());
-    let decimals = deviation.map(|it| (DIGITS - it.log10().floor()).max(0.0) as usize);
-    match decimals {
-        Some(decimals) => linkwright_solver::number::fixed(value, decimals),
-        None => format!("{value}"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn values_keep_their_units() {
-        let of = |before: &str, nominal, value| in_its_unit(before, nominal, value, Some(1e-6));
+        let of = in_its_unit;
         assert_eq!(
-            of("40mm", 0.04, 0.041_234_567).as_deref(),
-            Some("41.23457mm")
+            of("40mm", 0.04, 0.041_234_567_891_23).as_deref(),
+            Some("41.23456789123mm")
         );
         assert_eq!(
             of("-0.5", -0.5, -0.512_345_678_9).as_deref(),
-            Some("-0.51234568")
+            Some("-0.5123456789")
         );
-        assert_eq!(of("3/1s", 3.0, 3.001).as_deref(), Some("3.00100000/1s"));
+        assert_eq!(of("3/1s", 3.0, 3.001).as_deref(), Some("3.001/1s"));
         assert_eq!(of("0.1 + 0.2", 0.3, 0.4), None);
         assert_eq!(of("sqrt(2)*1m", 1.414, 1.5), None);
         let speed = Dimension::Marked {
@@ -187,6 +169,6 @@ mod tests {
             time: -2,
             mass: 0,
         };
-        assert_eq!(in_si(9.81, Some(1e-3), speed), "9.81000*1m/1s/1s");
+        assert_eq!(in_si(9.81, speed), "9.81*1m/1s/1s");
     }
 }

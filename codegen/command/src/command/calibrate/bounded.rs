@@ -1,0 +1,75 @@
+//! Bounds that options give parameters: `a=1mm..2mm`, `a=0..`, `a=..`.
+
+use linkwright_calibrate::{Bounds, Calibrator};
+use linkwright_codegen::stages::columns::Unit;
+use linkwright_codegen::stages::model::Dimension;
+use linkwright_codegen::stages::system::System;
+
+use super::Problem;
+
+/// The calibrator with these bounds.
+pub fn bounded(
+    calibrator: Calibrator,
+    system: &System,
+    options: &[String],
+) -> Result<Calibrator, Problem> {
+    let mut calibrator = calibrator;
+    for option in options {
+        let refused = |why: &str| {
+            Problem(format!(
+                "error: `--bound {option}` {why}\n  = help: write `L=1mm..2mm`, `L=0..` or `L=..` for no bounds"
+            ))
+        };
+        let (name, range) = option
+            .split_once('=')
+            .ok_or_else(|| refused("names no parameter"))?;
+        let (low, high) = range
+            .split_once("..")
+            .ok_or_else(|| refused("is no range"))?;
+        let name = name.trim();
+        let fitted = calibrator.names().iter().position(|it| it == name);
+        let place = fitted.ok_or_else(|| refused("is about none of `--param`"))?;
+        let mut parameters = system.mechanism.parameters.iter();
+        let dimension = parameters
+            .find(|it| it.name == name)
+            .map_or(Dimension::Number, |it| it.dimension);
+        let end = |text: &str, none: f64| match text.trim() {
+            "" => Some(none),
+            text => value(text, dimension),
+        };
+        let low = end(low, f64::NEG_INFINITY);
+        let high = end(high, f64::INFINITY);
+        let (Some(low), Some(high)) = (low, high) else {
+            return Err(refused(
+                "has an end that is no number with a unit of the parameter",
+            ));
+        };
+        if low >= high {
+            return Err(refused("is empty"));
+        }
+        calibrator = calibrator.within(place, Bounds { low, high });
+    }
+    Ok(calibrator)
+}
+
+/// A number with or without a unit, in SI units.
+fn value(text: &str, dimension: Dimension) -> Option<f64> {
+    let cut = (1..=text.len())
+        .rev()
+        .filter(|&it| text.is_char_boundary(it))
+        .find_map(|it| Some((text[..it].trim().parse::<f64>().ok()?, text[it..].trim())));
+    let (number, unit) = cut?;
+    let value = match unit {
+        "" => number,
+        unit => {
+            let unit = Unit::parse(unit)?;
+            let powers = match dimension {
+                Dimension::Angle => [0, 0, 0, 1],
+                Dimension::Marked { length, time, mass } => [length, time, mass, unit.powers[3]],
+                Dimension::Number | Dimension::OfTime => unit.powers,
+            };
+            unit.measuring(powers)?.si(number)
+        }
+    };
+    value.is_finite().then_some(value)
+}
