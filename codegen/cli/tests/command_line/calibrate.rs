@@ -358,6 +358,15 @@ fn what_is_no_fit_is_not_trusted_and_not_written() {
             ran.stdout
         );
         assert!(!folder.file("new.mech").exists());
+        folder
+            .run(&format!(
+                "calibrate a.mech data.csv --param {parameters} --plot plots"
+            ))
+            .exits_with(1);
+        for column in ["P_x", "P_y", "phi_rocker"] {
+            let picture = folder.read(&format!("plots/{column}.svg"));
+            assert!(picture.contains("data - solved"), "{column}");
+        }
         let found = json(
             &folder
                 .run(&format!("{options} --json"))

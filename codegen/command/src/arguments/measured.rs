@@ -136,6 +136,9 @@ pub struct Calibrate {
     /// The standard deviation of measured values: `0.1mm` of columns in this unit, `K_x=2mm` of one [default: what is left of them]
     #[arg(long, value_name = "[COLUMN=]VALUE[UNIT]", value_delimiter = ',')]
     pub deviation: Vec<String>,
+    /// The folder for the plots: an SVG for each column, with both curves and what is left
+    #[arg(long, value_name = "DIR")]
+    pub plot: Option<PathBuf>,
     /// The values that a parameter may have, `L2=1mm..2mm`, `L2=0..` or `L2=..` [default: lengths keep their signs]
     #[arg(
         long,
@@ -147,7 +150,7 @@ pub struct Calibrate {
     /// Write the description with the new values into this file; all else in it stays as it is
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Write that file also where it exists, or where the fit is not to be trusted
+    /// Write files also where they exist, and the description also where the fit is not to be trusted
     #[arg(long)]
     pub force: bool,
     /// Print one JSON object instead of text

@@ -1,6 +1,7 @@
 //! *A description, a table and names of parameters* → *the values with which the mechanism moves as measured*.
 
 mod bounded;
+mod pictures;
 mod rewritten;
 
 use linkwright_calibrate::{Calibrator, Column, Measurements, Unfit};
@@ -12,11 +13,12 @@ use self::rewritten::rewritten;
 use super::description::{
     chosen, determined, interpreted, no_order, outputs_besides, rendered, set_all, source,
 };
-use super::{Outcome, Problem, print, say};
+use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Calibrate;
 use crate::data::{Data, sizes};
 use crate::output::{Beginning, Record, Signature};
 use crate::report::calibration::{self, Report};
+use crate::report::{comparison_plot, picture};
 
 /// A description is nobody's to replace.
 const SIGNATURE: Signature = Signature {
@@ -46,15 +48,22 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
             "error: the deviation of `{name}` is zero\n  = help: leave it out where it is not known"
         )));
     }
+    let mut outputs = outputs_besides(
+        &arguments.described.file,
+        &source,
+        Some(&arguments.table.data),
+        arguments.force,
+    );
     let output = match &arguments.out {
-        Some(path) => {
-            let data = Some(arguments.table.data.as_path());
-            let mut outputs =
-                outputs_besides(&arguments.described.file, &source, data, arguments.force);
-            Some(outputs.file(path, SIGNATURE)?)
-        }
+        Some(path) => Some(outputs.file(path, SIGNATURE)?),
         None => None,
     };
+    let mut pictures = Vec::new();
+    if let Some(folder) = &arguments.plot {
+        for name in comparison_plot::file_names(&data) {
+            pictures.push(outputs.file(&in_folder(folder, &name)?, picture::SIGNATURE)?);
+        }
+    }
     let view = interpreted(&system, &source, &arguments.described.file)?;
     let mut calibrator = Calibrator::of(view, arguments.step);
     if let Some((_, modes)) = chosen(&arguments.setting.branch, calibrator.view(), data.times[0])? {
@@ -118,6 +127,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
         true => calibration::write_json(&report, output),
         false => calibration::write(&report, output),
     })?;
+    pictures::draw(&fit, &data, &system, pictures, arguments.json)?;
     let is_trusted = fit.is_trusted();
     if !is_trusted {
         let is_free = fit.at_bound.iter().all(Option::is_none);
