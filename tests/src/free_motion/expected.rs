@@ -50,17 +50,23 @@ impl Expected {
         if larger(0.0, reference.missed(start)) > MISSED {
             return Err("the start is too close to a change point");
         }
-        let mut changed = start.clone();
-        for vector in [&mut changed.pose, &mut changed.rates] {
-            let moved = DVector::from_fn(vector.len(), |_, _| random.between(-1.0, 1.0));
+        let moved = [(); 2].map(|()| {
+            let moved = DVector::from_fn(start.pose.len(), |_, _| random.between(-1.0, 1.0));
             let moved = reference.allowed(&start.pose, &moved);
-            *vector += moved.scale(CHANGE / moved.amax());
-        }
-        reference.project(&mut changed);
-        let change = apart(start, &changed);
+            moved.scale(CHANGE / moved.amax())
+        });
+        // Changes of pose and rates may make up for each other; then their opposites do not.
+        let mut changed = [1.0, -1.0].map(|sign| {
+            let mut changed = start.clone();
+            changed.pose += &moved[0];
+            changed.rates += moved[1].scale(sign);
+            reference.project(&mut changed);
+            changed
+        });
+        let changes = changed.each_ref().map(|it| apart(start, it));
         let mut own = start.clone();
         let (mut growth, mut size) = (1.0_f64, 1.0_f64);
-        let mut lengths = [1e-3; 2];
+        let mut lengths = [1e-3; 3];
         let mut frames = Vec::new();
         let short = "the reference needs too many steps";
         for _ in 0..FRAMES {
@@ -70,8 +76,10 @@ impl Expected {
                 found.ok_or(short)
             };
             own = after(&own, 0)?;
-            changed = after(&changed, 1)?;
-            growth = larger(growth, apart(&changed, &own) / change);
+            for (place, (changed, change)) in changed.iter_mut().zip(changes).enumerate() {
+                *changed = after(changed, place + 1)?;
+                growth = larger(growth, apart(changed, &own) / change);
+            }
             size = size.max(own.pose.amax()).max(own.rates.amax());
             frames.push((own.clone(), growth));
         }

@@ -120,6 +120,31 @@ fn what_cannot_be_set_is_said_with_its_place() {
     }
 }
 
+#[test]
+fn parameters_of_parts_are_proposed_as_they_are_named() {
+    let text = "mechanism jaw {
+    param stroke = 100mm;
+    point A = (0, 0);
+    body arm at A { A, B: (stroke, 0) }
+    revolute A(ground, arm);
+}
+mechanism drawer {
+    part j = jaw;
+    drive phi(j.arm) = 0.2;
+}
+";
+    let folder = Folder::new("set_part", text);
+    folder
+        .run("solve a.mech --at 0 --set j_stroke=80mm")
+        .exits_with(0);
+    let ran = folder.run("solve a.mech --at 0 --set j.stroke=80mm");
+    let said = ran.exits_with(2).stderr;
+    assert!(said.contains("`--set j_stroke=80mm`"), "{said}");
+    // What no part has is a mistake of another kind.
+    let other = folder.run("solve a.mech --at 0 --set j.stroek=80mm");
+    assert!(!other.exits_with(2).stderr.contains("joined by"));
+}
+
 /// What is said of the drawing is said of what is solved, which is lowered once, after the values have been set.
 #[test]
 fn what_hardly_decides_a_mode_is_found_with_the_values_that_are_set() {

@@ -416,6 +416,32 @@ fn the_first_step_is_that_of_the_exam() {
     }
 }
 
+/// The drawing and its derivatives are the same at each instant; the driver misses by 0.3 rad/s times the time that is between them.
+#[test]
+fn the_first_step_is_that_of_the_instant_that_is_asked_for() {
+    let crank = "mechanism crank {
+    point A = (0, 0);
+    body crank at A { A }
+    revolute A(ground, crank);
+    drive phi(crank) = 0.1 + 0.3*t;
+}
+";
+    let folder = Folder::new("first_step_at", crank);
+    let step = |options: &str| {
+        let command = format!("solve a.mech --first-step --no-files {options}");
+        folder.run(&command).exits_with(0).stdout
+    };
+    let both = step("--at 1,2");
+    for (t, residual) in [(1, "0.400000"), (2, "0.700000")] {
+        let heading = format!("from the drawing at t = {t} s");
+        let (_, from) = both.split_once(&heading).expect("a step");
+        let own = from.split("from the drawing").next().expect("a text");
+        assert!(own.contains(residual), "{residual} in {own}");
+    }
+    assert!(!both.contains("from the drawing at t = 0 s"), "{both}");
+    assert!(step("--from 1").contains("from the drawing at t = 1 s"));
+}
+
 #[test]
 fn tables_have_units_on_request_and_are_known_again() {
     let folder = Folder::new("units", EXAM);

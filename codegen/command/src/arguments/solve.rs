@@ -37,7 +37,7 @@ pub struct Solve {
     /// What is reported.
     #[command(flatten)]
     pub reported: Reported,
-    /// Print the first Newton-Raphson step from the drawing: Φ_q, -Φ and what they give
+    /// Print the first Newton-Raphson step from the drawing at the start, or at each T of --at: Φ_q, -Φ and what they give
     #[arg(long, conflicts_with = "json")]
     pub first_step: bool,
     /// Which equations are solved

@@ -41,8 +41,13 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     let writable = outputs(&arguments.described.file, &source, reported.force);
     let is_brief = !arguments.at.is_empty();
     let files = Files::new(reported, writable, is_brief, &system, &points, &schedule)?;
+    let first_steps = match (arguments.first_step, is_brief) {
+        (true, true) => arguments.at.clone(),
+        (true, false) => vec![schedule.start.t],
+        (false, _) => Vec::new(),
+    };
     let layout = Layout {
-        first_step: arguments.first_step,
+        first_steps,
         ..Layout::of(reported)
     };
     let wanted = Wanted {

@@ -15,7 +15,7 @@ use super::place::Why;
 pub enum Record {
     /// Nowhere: such outputs have one text wherever they lie, or no description is their source.
     None,
-    /// In their first [`LONGEST_RECORD`] bytes.
+    /// In their first bytes.
     Inside {
         /// Returns the record of such a file from its beginning, `None` if there is none.
         found: fn(&[u8]) -> Option<String>,

@@ -130,10 +130,11 @@ impl<'a> Cells<'a> {
 
     fn plain(&mut self) -> Cell<'a> {
         let start = self.at;
-        let rest = &self.text[start..self.end_of_line()];
+        let rest = &self.text[start..];
         let separator = self.delimiter.character();
         let is_error = ERRORS.iter().any(|it| rest.starts_with(it));
         let ends = |(place, it): (usize, char)| match separator {
+            _ if matches!(it, '\r' | '\n') => true,
             _ if it == '#' => !(is_error && place == 0),
             Some(separator) => it == separator,
             None => it.is_whitespace(),

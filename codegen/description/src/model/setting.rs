@@ -25,6 +25,9 @@ pub fn set(mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
     if assignment.contains(';') {
         return Err(FORM.to_string());
     }
+    if let Some(joined) = joined(mechanism, assignment) {
+        return Err(joined);
+    }
     let source = Source::new("--set", format!("{BEFORE}{assignment}{AFTER}"));
     let mut diagnostics = Diagnostics::new();
     let document = syntax::parse(&source, &mut diagnostics);
@@ -43,6 +46,21 @@ pub fn set(mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
 
 /// How an assignment is written.
 const FORM: &str = "error: `--set` takes one assignment, such as `--set L2=0.36m`\n";
+
+/// The refusal of `part.name = …` where a parameter or an input of a part is meant.
+fn joined(mechanism: &Mechanism, assignment: &str) -> Option<String> {
+    let (name, value) = assignment.split_once('=')?;
+    let (name, value) = (name.trim(), value.trim());
+    let joined = name.replace('.', "_").replace(['[', ']'], "");
+    let parameters = mechanism.parameters.iter().map(|own| &own.name);
+    let inputs = mechanism.inputs.iter().map(|own| &own.name);
+    let is_known = parameters.chain(inputs).any(|own| *own == joined);
+    (name.contains('.') && is_known).then(|| {
+        format!(
+            "error: `{name}` is no name of a parameter or an input\n  = help: those of a part are joined by `_`: `--set {joined}={value}`\n"
+        )
+    })
+}
 
 /// What is said of a description, and the same of an assignment.
 const WORDS: &[(&str, &str)] = &[

@@ -22,7 +22,7 @@ use motions::motions;
 const WIDTH: usize = 110;
 
 /// What a summary shows, and how.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Layout {
     /// A table of every shown point, and not of the first few that move.
     pub points_chosen: bool,
@@ -30,18 +30,18 @@ pub struct Layout {
     pub coordinates_chosen: bool,
     /// The unit of angles.
     pub angles: TurnUnit,
-    /// The first Newton-Raphson step, too.
-    pub first_step: bool,
+    /// The times of which the first Newton-Raphson step is shown, too (s).
+    pub first_steps: Vec<f64>,
 }
 
 impl Layout {
-    /// As what is reported asks, without the first step.
+    /// As what is reported asks, without first steps.
     pub fn of(reported: &Reported) -> Layout {
         Layout {
             points_chosen: !reported.points.is_empty(),
             coordinates_chosen: !reported.show.is_empty(),
             angles: reported.angles,
-            first_step: false,
+            first_steps: Vec::new(),
         }
     }
 }
@@ -58,8 +58,8 @@ pub fn write<V: View>(
     writeln!(output, "{}", motion.title())?;
     start(motion, output)?;
     mechanism(motion, output)?;
-    if layout.first_step {
-        first_step::write(&motion.view, motion.start, output)?;
+    for t in &layout.first_steps {
+        first_step::write(&motion.view, *t, output)?;
     }
     if motion.count == 0 {
         return Ok(());
