@@ -46,27 +46,19 @@ const fn rational(
     }
 }
 
-const fn of_pi(
-    names: &'static [&'static str],
-    in_columns: &'static [&'static str],
-    factor: [i64; 2],
-    powers: Powers,
-) -> Named {
-    Named {
-        times_pi: true,
-        ..rational(names, in_columns, factor, powers)
+impl Named {
+    const fn times_pi(self) -> Named {
+        Named {
+            times_pi: true,
+            ..self
+        }
     }
-}
 
-const fn counting(
-    names: &'static [&'static str],
-    in_columns: &'static [&'static str],
-    factor: [i64; 2],
-    powers: Powers,
-) -> Named {
-    Named {
-        counts_turns: true,
-        ..rational(names, in_columns, factor, powers)
+    const fn counting_turns(self) -> Named {
+        Named {
+            counts_turns: true,
+            ..self
+        }
     }
 }
 
@@ -98,13 +90,14 @@ pub const KNOWN: &[Named] = &[
     rational(&["ft"], &["foot", "feet"], [3048, 10_000], LENGTH),
     rational(&["rad"], &["radian", "radians"], [1, 1], ANGLE),
     rational(&["mrad"], &[], [1, 1000], ANGLE),
-    of_pi(
+    rational(
         &["deg"],
         &["°", "degree", "degrees", "grad°"],
         [1, 180],
         ANGLE,
-    ),
-    of_pi(&["turn", "turns"], &["rev", "revolutions"], [2, 1], ANGLE),
+    )
+    .times_pi(),
+    rational(&["turn", "turns"], &["rev", "revolutions"], [2, 1], ANGLE).times_pi(),
     rational(&["s"], &["sec", "second", "seconds", "secs"], [1, 1], TIME),
     rational(
         &["ms"],
@@ -119,12 +112,12 @@ pub const KNOWN: &[Named] = &[
         TIME,
     ),
     rational(&[], &["ns"], [1, 1_000_000_000], TIME),
-    counting(&["min"], &["minute", "minutes"], [60, 1], TIME),
-    counting(&[], &["h", "hour", "hours"], [3600, 1], TIME),
+    rational(&["min"], &["minute", "minutes"], [60, 1], TIME).counting_turns(),
+    rational(&[], &["h", "hour", "hours"], [3600, 1], TIME).counting_turns(),
     // A hertz is 1/s as in the SI, so a cycle needs its 2π; a revolution per minute is an angular velocity, 2π/60 rad/s.
-    counting(&["Hz"], &["hz"], [1, 1], [0, -1, 0, 0]),
-    of_pi(&["rpm", "U/min", "r/min"], &[], [1, 30], ANGULAR_VELOCITY),
-    of_pi(&["U/s", "r/s"], &["rps"], [2, 1], ANGULAR_VELOCITY),
+    rational(&["Hz"], &["hz"], [1, 1], [0, -1, 0, 0]).counting_turns(),
+    rational(&["rpm", "U/min", "r/min"], &[], [1, 30], ANGULAR_VELOCITY).times_pi(),
+    rational(&["U/s", "r/s"], &["rps"], [2, 1], ANGULAR_VELOCITY).times_pi(),
     rational(&["kg"], &[], [1, 1], MASS),
     rational(&["g"], &[], [1, 1000], MASS),
     rational(&["t"], &[], [1000, 1], MASS),
