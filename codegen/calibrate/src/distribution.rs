@@ -2,6 +2,9 @@
 //!
 //! Its continued fraction is evaluated by Lentz's method (Press et al. 2007, *Numerical Recipes*, section 6.4).
 
+/// Degrees of freedom that stand for a deviation that is known.
+pub(crate) const KNOWN: f64 = 1e7;
+
 /// Coefficients of Lanczos's series for ln Γ with g = 7 (Godfrey 2001).
 const LANCZOS: [f64; 9] = [
     0.999_999_999_999_809_9,
@@ -21,7 +24,7 @@ const TERMS: u32 = 500;
 /// Relative change of the continued fraction at which it ends.
 const CONVERGED: f64 = 1e-15;
 
-/// What stands for a denominator that vanishes.
+/// A number that stands for a denominator that vanishes.
 const TINY: f64 = 1e-300;
 
 /// Halvings after which a quantile is as near as numbers are.
@@ -84,7 +87,7 @@ pub(crate) fn exceeded(ratio: f64, above: f64, below: f64) -> f64 {
     incomplete_beta(below / (below + above * ratio), below / 2.0, above / 2.0)
 }
 
-/// How many standard deviations hold a share of Student's distribution on both sides together.
+/// The standard deviations that hold a share of Student's distribution on both sides together.
 pub(crate) fn half_width(share: f64, freedom: f64) -> f64 {
     // P(|T| > t) falls from 1 to 0.
     let outside = |t: f64| incomplete_beta(freedom / (freedom + t * t), freedom / 2.0, 0.5);

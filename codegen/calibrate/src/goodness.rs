@@ -7,7 +7,7 @@
 
 use linkwright_solver::comparison::difference;
 
-use crate::distribution::exceeded;
+use crate::distribution::{KNOWN, exceeded};
 use crate::{Column, Measurements};
 
 /// The chance below which a fit is not explained by noise: one half for single columns, one half for all together.
@@ -24,9 +24,6 @@ const EXACT: f64 = 1e-9;
 
 /// The fewest residuals that a runs test judges.
 const FEWEST: usize = 10;
-
-/// Degrees of freedom that stand for a variance that is known.
-const KNOWN: f64 = 1e7;
 
 /// Goodness of what is left of one column.
 #[derive(Clone, Debug, PartialEq)]

@@ -64,9 +64,6 @@ const FAR: f64 = 1e3;
 /// How many times as often as there are parameters the motion is solved before the minimizer gives up.
 const PATIENCE: usize = 60;
 
-/// Degrees of freedom of deviations that are known: Student's distribution is then the normal one.
-const KNOWN: f64 = 1e7;
-
 /// The share of parameters that lie within their intervals.
 pub const CONFIDENCE: f64 = 0.95;
 
@@ -112,7 +109,7 @@ pub struct Fit {
     pub intervals: Vec<Option<[f64; 2]>>,
     /// The bound at which a value is, if any.
     pub at_bound: Vec<Option<f64>>,
-    /// How well noise explains what is left.
+    /// Goodness of the fit: what is left beside noise.
     pub goodness: Goodness,
     /// The correlation of each pair, row by row; `None` where one of both is not determined.
     pub correlations: Vec<Vec<Option<f64>>>,
@@ -144,7 +141,7 @@ pub enum Unfit {
 }
 
 impl Calibrator {
-    /// What the measured values tell apart of the parameters at these values, before anything is fitted.
+    /// Tells what the measured values determine of the parameters at these values, before anything is fitted.
     ///
     /// # Errors
     /// There is no parameter, or too few values are measured, or the motion cannot be solved.
@@ -243,7 +240,7 @@ impl Calibrator {
             (both > 0.0).then(|| covariance[(row, column)] / both)
         };
         let widths = match scale.is_known {
-            true => KNOWN,
+            true => distribution::KNOWN,
             false => freedom as f64,
         };
         let width = (freedom > 0).then(|| distribution::half_width(CONFIDENCE, widths));
@@ -322,7 +319,7 @@ struct Problem<'a> {
     /// The places of the parameters that change.
     free: &'a [usize],
     start: &'a [f64],
-    /// What the minimizer changes, one by one for the free parameters.
+    /// The variables that the minimizer changes, one by one for the free parameters.
     variables: DVector<f64>,
     values: Vec<f64>,
     sampled: Option<Sampled>,
