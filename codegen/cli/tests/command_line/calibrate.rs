@@ -301,7 +301,7 @@ fn four_bar(lengths: [&str; 3]) -> String {
     )
 }
 
-/// What a four-bar of 40, 120 and 80 mm measures with its crank half a turn further on.
+/// A table of a four-bar of 40, 120 and 80 mm with its crank half a turn further on.
 const TURNED: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
 0.00,-19.61130,45.55089,128.305305\n\
 0.15,-16.01560,35.62999,128.044404\n\

@@ -12,7 +12,7 @@ use crate::printed::json;
 /// The platform whose packages are listed: others have packages of the same authors in their place.
 const PLATFORM: &str = "x86_64-unknown-linux-gnu";
 
-/// What stands in every Apache license, of which one text is enough: its owner is named elsewhere.
+/// A line of every Apache license, of which one text is enough: its owner is named elsewhere.
 const APACHE: &str = "Version 2.0, January 2004";
 
 fn repository() -> PathBuf {

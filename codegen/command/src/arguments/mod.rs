@@ -33,7 +33,7 @@ pub struct Arguments {
     /// Print the licenses of what this command is built from: fonts and packages
     #[arg(long, exclusive = true)]
     pub licenses: bool,
-    /// What to do; `None` where licenses are to be printed.
+    /// The command; `None` where licenses are to be printed.
     #[command(subcommand)]
     pub command: Option<Command>,
 }

@@ -22,7 +22,7 @@ use crate::arguments::{Mark, Separator, Table};
 pub use driving::MeasuredInput;
 pub use mapping::How;
 pub use scale::{Origin, Scale};
-pub use sizes::sizes;
+pub use sizes::{number_and_unit, sizes};
 
 /// The most decimals of a value that counts as rounded.
 const MOST_DECIMALS: i32 = 12;
@@ -123,12 +123,8 @@ impl Data {
             let scale = scale.map_err(|message| {
                 at(column, format!("{message}: it measures `{}`", quantity.name), "`--unit` says in which unit a column is, `--column` what it measures, and `--skip` leaves it out")
             })?;
-            let values = own
-                .values
-                .iter()
-                .map(|it| it.map(|value| scale.unit.si(value)));
             measured.push(Measured {
-                values: values.collect(),
+                values: in_si(&own.values, &scale),
                 decimals: decimals(&own.values),
                 name: own.name.clone(),
                 quantity,
@@ -151,11 +147,7 @@ impl Data {
                 )
             })?;
             inputs.push(MeasuredInput {
-                values: own
-                    .values
-                    .iter()
-                    .map(|it| it.map(|value| scale.unit.si(value)))
-                    .collect(),
+                values: in_si(&own.values, &scale),
                 name: own.name.clone(),
                 input,
                 scale,
@@ -243,6 +235,14 @@ fn times(
     }
 }
 
+/// The values of a column in SI units.
+fn in_si(values: &[Option<f64>], scale: &Scale) -> Vec<Option<f64>> {
+    let values = values.iter();
+    values
+        .map(|it| it.map(|value| scale.unit.si(value)))
+        .collect()
+}
+
 /// Decimals with which values are written, if all are rounded to them.
 fn decimals(values: &[Option<f64>]) -> Option<i32> {
     let filled = || values.iter().flatten();
@@ -250,9 +250,4 @@ fn decimals(values: &[Option<f64>]) -> Option<i32> {
         let scale = 10.0_f64.powi(*decimals);
         filled().all(|it| (it * scale - (it * scale).round()).abs() <= ROUNDED * (it * scale).abs())
     })
-}
-
-/// The unit of a text, for tolerances.
-fn unit_of(text: &str) -> Option<Unit> {
-    Unit::parse(text)
 }

@@ -2,7 +2,7 @@
 
 use linkwright_codegen::stages::columns::Unit;
 
-use super::{Data, unit_of};
+use super::Data;
 
 /// The size of each measured column that the option gives one.
 ///
@@ -17,13 +17,9 @@ pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f
             None => (None, text.trim()),
         };
         // The longest beginning that is a number, so that `1e-3mm` and `2 deg` are read.
-        let cut = (1..=value.len())
-            .rev()
-            .filter(|&it| value.is_char_boundary(it))
-            .find_map(|it| Some((value[..it].trim().parse::<f64>().ok()?, value[it..].trim())));
-        let (number, unit) = match cut {
+        let (number, unit) = match number_and_unit(value) {
             Some((number, "")) => (number, None),
-            Some((number, unit)) => match unit_of(unit) {
+            Some((number, unit)) => match Unit::parse(unit) {
                 Some(unit) => (number, Some(unit)),
                 None => {
                     return Err(format!("error: `{unit}` in `{option} {text}` is no unit"));
@@ -74,4 +70,11 @@ pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f
         }
     }
     Ok(sizes)
+}
+
+/// The longest number that a text begins with, and the unit behind it, which may be empty.
+pub fn number_and_unit(text: &str) -> Option<(f64, &str)> {
+    let ends = (1..=text.len()).rev();
+    ends.filter(|&it| text.is_char_boundary(it))
+        .find_map(|it| Some((text[..it].trim().parse().ok()?, text[it..].trim())))
 }

@@ -6,6 +6,7 @@ use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::system::System;
 
 use super::Problem;
+use crate::data::number_and_unit;
 
 /// The calibrator with these bounds.
 pub fn bounded(
@@ -54,11 +55,7 @@ pub fn bounded(
 
 /// A number with or without a unit, in SI units.
 fn value(text: &str, dimension: Dimension) -> Option<f64> {
-    let cut = (1..=text.len())
-        .rev()
-        .filter(|&it| text.is_char_boundary(it))
-        .find_map(|it| Some((text[..it].trim().parse::<f64>().ok()?, text[it..].trim())));
-    let (number, unit) = cut?;
+    let (number, unit) = number_and_unit(text)?;
     let value = match unit {
         "" => number,
         unit => {

@@ -8,7 +8,7 @@ use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::syntax::{Statement, parse};
 use linkwright_codegen::stages::system::System;
 
-/// How far a written value may be from the fitted one, as a share of it.
+/// Largest distance of a written value from the fitted one, as a share of it.
 const EXACT: f64 = 1e-12;
 
 /// The text with these values in SI units.
