@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use clap::Parser;
-use linkwright_tests::free_motion::{LEFT_OUT, MECHANISMS, Tally, report};
+use linkwright_tests::free_motion::{LEFT_OUT, MECHANISMS, TOLERANCES, Tally, report};
 use linkwright_tests::study::destination::{Destination, ended, none_wrong};
 
 /// Simulates mechanisms of the gallery with masses and free drivers, compares them with all coordinates integrated, and writes a report
@@ -76,7 +76,7 @@ fn only(arguments: &Arguments, file: &str) -> Result<usize, Box<dyn Error>> {
     }
     let mut tally = Tally::default();
     for state in states {
-        let verdicts = freed.judged(arguments.seed, state);
+        let verdicts = freed.judged(arguments.seed, state, &TOLERANCES);
         for verdict in &verdicts {
             println!("{verdict:?}");
         }
@@ -101,7 +101,7 @@ fn all(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
             if state >= arguments.states || is_late {
                 return;
             }
-            let verdicts = MECHANISMS[place].judged(arguments.seed, state);
+            let verdicts = MECHANISMS[place].judged(arguments.seed, state, &TOLERANCES);
             for verdict in verdicts.iter().filter(|it| it.is_wrong()) {
                 eprintln!("wrong: {verdict:?}");
             }

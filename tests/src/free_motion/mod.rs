@@ -70,12 +70,12 @@ impl Verdict {
 }
 
 impl Freed {
-    /// Judges a state at all tolerances; none where no start is found.
-    pub fn judged(&'static self, seed: u64, state: u64) -> Vec<Verdict> {
+    /// Judges a state at relative tolerances; empty where no start is found.
+    pub fn judged(&'static self, seed: u64, state: u64, tolerances: &[f64]) -> Vec<Verdict> {
         let (mut random, weighed, start) = self.state(seed, state);
         start.map_or(Vec::new(), |start| {
             let judge = Judge::new(&weighed, &start);
-            judge.verdicts(self.file, state, &start, &mut random)
+            judge.verdicts(self.file, state, &start, tolerances, &mut random)
         })
     }
 
@@ -116,19 +116,20 @@ impl Judge {
         file: &'static str,
         state: u64,
         start: &Start,
+        tolerances: &[f64],
         random: &mut Random,
     ) -> Vec<Verdict> {
         let mut expected: Option<Result<Expected, &'static str>> = None;
         let pose = DVector::from_column_slice(start.instant.q());
         let determinant = self.reference.determinant(&pose);
-        let verdicts = TOLERANCES.map(|relative| Verdict {
+        let verdicts = tolerances.iter().map(|&relative| Verdict {
             file,
             state,
             determinant,
             relative,
             outcome: self.outcome(start, relative, &mut expected, random),
         });
-        verdicts.to_vec()
+        verdicts.collect()
     }
 
     fn outcome(

@@ -2,7 +2,7 @@
 
 use linkwright_tests::files;
 use linkwright_tests::forces::{Weight, systems};
-use linkwright_tests::free_motion::{LEFT_OUT, MECHANISMS, Outcome, Verdict};
+use linkwright_tests::free_motion::{LEFT_OUT, MECHANISMS, Outcome, TOLERANCES, Verdict};
 use linkwright_tests::multipliers::{Motion, Multipliers, apart};
 use linkwright_tests::simulated::PENDULUM;
 use nalgebra::DVector;
@@ -13,7 +13,7 @@ fn judge(names: &[&str], states: u64, seed: u64, least: usize) {
     for name in names {
         let freed = MECHANISMS.iter().find(|it| it.file == *name);
         let freed = freed.expect("a mechanism of the list");
-        for verdict in (0..states).flat_map(|state| freed.judged(seed, state)) {
+        for verdict in (0..states).flat_map(|state| freed.judged(seed, state, &TOLERANCES)) {
             println!("{verdict:?}");
             assert!(!verdict.is_wrong(), "{verdict:?}");
             compared += usize::from(matches!(verdict.outcome, Outcome::Went(_)));
@@ -36,6 +36,23 @@ fn beside_dead_centers_motions_are_right() {
 #[test]
 fn around_drawings_motions_are_right() {
     judge(&["stephenson", "peaucellier", "pantograph"], 1, 1, 2);
+}
+
+/// The pantograph starts at a normalized determinant of 7e-6: rounding there leaves eight digits of the motion, not ten.
+#[test]
+fn a_start_beside_a_change_point_ends_where_rounding_exceeds_tolerances() {
+    let pantograph = MECHANISMS.iter().find(|it| it.file == "pantograph");
+    let pantograph = pantograph.expect("a mechanism of the list");
+    let verdicts = pantograph.judged(1, 126, &[1e-7, 1e-8, 1e-11, 1e-12]);
+    for verdict in &verdicts {
+        assert!(!verdict.is_wrong(), "{verdict:?}");
+        match (verdict.relative < 1e-10, &verdict.outcome) {
+            (false, Outcome::Went(_)) => (),
+            (true, Outcome::Ended(stop)) => assert!(stop.contains("Rounded"), "{stop}"),
+            _ => panic!("{verdict:?}"),
+        }
+    }
+    assert_eq!(verdicts.len(), 4);
 }
 
 /// Each mechanism of the gallery moves freely, or is left out for a reason.

@@ -15,6 +15,7 @@ mod method;
 mod next_step;
 mod reduced;
 mod right_side;
+mod rounding;
 mod solved;
 mod stop;
 mod straight;
@@ -30,6 +31,7 @@ use equations::MotionEquations;
 use linkwright::{Blocks, Shell};
 use method::{Chosen, Step};
 use right_side::RightSide;
+use rounding::Rounding;
 use solved::Solved;
 
 use crate::dense::Dense;
@@ -90,6 +92,7 @@ pub struct Simulation {
     /// The frame that was asked for last.
     frame: Instant,
     balance: Balance,
+    rounding: Rounding,
     method: Chosen,
     steps: u64,
     implicit: u64,
@@ -154,6 +157,7 @@ impl Simulation {
             reached: solved.instant.clone(),
             frame: solved.instant.clone(),
             balance: Balance::new(solved.energies),
+            rounding: Rounding::default(),
             method: Chosen::new(options.method),
             steps: 0,
             implicit: 0,

@@ -146,6 +146,7 @@ impl Simulation {
                         self.right_side.evaluations -= 1;
                         let work = state[state.len() - 1];
                         self.weigh(&solved, work)?;
+                        self.bound_rounding(to - from, &solved)?;
                         self.steps += 1;
                         self.implicit += u64::from(self.method.is_implicit());
                         self.method
@@ -162,6 +163,20 @@ impl Simulation {
             }
             self.rejected += 1;
             held = true;
+        }
+    }
+
+    /// Holds the rounding of all steps up to a frame against the tolerances.
+    fn bound_rounding(&mut self, length: f64, solved: &Solved) -> Result<(), Stop> {
+        let rates = self.right_side.level(&solved.instant, 1);
+        let rate = rates.iter().fold(0.0_f64, |most, it| most.max(it.abs()));
+        let ends = [self.right_side.chart.measure, solved.measure];
+        let tolerances = &self.options.tolerances;
+        match self.rounding.see(length, rate, ends, tolerances) {
+            true => Ok(()),
+            false => Err(Stop::Rounded {
+                t: solved.instant.t(),
+            }),
         }
     }
 

@@ -46,6 +46,11 @@ pub enum Stop {
         /// When (s).
         t: f64,
     },
+    /// The motion has been so close to where joints and drivers lose rank that rounding changes it by more than the tolerances.
+    Rounded {
+        /// When (s).
+        t: f64,
+    },
     /// The energy changes by something else than the work that is done: the motion is wrong from about there on.
     Unbalanced {
         /// When (s).
@@ -66,6 +71,7 @@ impl Stop {
             | Stop::Massless { t, .. }
             | Stop::NotFinite { t }
             | Stop::TooShort { t }
+            | Stop::Rounded { t }
             | Stop::Unbalanced { t, .. } => *t,
         }
     }
@@ -96,9 +102,10 @@ impl Stop {
     pub fn explained(&self, view: &Dense, last: &Instant) -> String {
         let reached = time(last.t());
         let concerned = match self {
-            Stop::LosesRank { .. } | Stop::TooShort { .. } | Stop::Unsettled { .. } => {
-                concerned(view, last)
-            }
+            Stop::LosesRank { .. }
+            | Stop::TooShort { .. }
+            | Stop::Rounded { .. }
+            | Stop::Unsettled { .. } => concerned(view, last),
             _ => String::new(),
         };
         format!(
@@ -128,6 +135,9 @@ impl Stop {
             Stop::NotFinite { .. } => {
                 format!("an acceleration or a power is infinite at t = {at} s")
             }
+            Stop::Rounded { .. } => format!(
+                "up to t = {at} s it has been so close to a pose in which joints lose rank that rounding exceeds the tolerances; try a larger `--rtol`, or start farther away"
+            ),
             Stop::TooShort { .. } => "no step is short enough for the tolerances".to_string(),
             Stop::Unbalanced { drift, .. } => format!(
                 "the energy is out of balance at t = {at} s: {drift:.1e} J more than the work accounts for; try a smaller `--rtol`"
