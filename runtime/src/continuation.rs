@@ -5,7 +5,7 @@
 //! frames are interpolated between these eight. The module does not know equations.
 
 use crate::blocks::Blocks;
-use crate::crossing::{Crossing, Meeting, square_of_distance, sum_of_products};
+use crate::crossing::{CLOSER, Crossing, Meeting, edge, square_of_distance, sum_of_products};
 use crate::math::Real;
 
 /// Differences of the highest order of frames at the distances 1, 2, 3 and 4 on both sides: of their sums, and of their differences.
@@ -19,6 +19,11 @@ const EXACT: f64 = 1.0 / 16384.0;
 
 /// Multiple of the square of the distance of the modes up to which those of other blocks meet in the same instant.
 const ALIKE: f64 = 64.0;
+
+/// Number of the times, each [`CLOSER`] times as near to a meeting as the one before, at which modes of another block are looked at,
+/// and part to which the square of their distance falls there if they meet.
+pub const NEARER: u8 = 3;
+const FALLEN: f64 = 0.25;
 
 /// Number of the first blocks whose modes may be exchanged.
 pub const BLOCKS: u16 = 64;
@@ -115,7 +120,42 @@ impl<B: Blocks> Crossing<'_, '_, B> {
                 return None;
             }
         }
-        is_exchanged.then(|| Sides::new(own, found, is_before))
+        // A block that is wrongly left in its mode makes a kink elsewhere.
+        let sides = Sides::new(&own, &found, is_before);
+        let is_whole = is_exchanged && self.is_smooth(near, meeting, &sides, smooth);
+        is_whole.then(|| Sides::new(own.clone(), found.clone(), is_before))
+    }
+
+    /// The meeting with the least width of all blocks whose modes meet there: some modes part faster than others.
+    pub fn narrowed(&self, near: &B::Frame, meeting: Meeting<B::Scalar>) -> Meeting<B::Scalar> {
+        let mut narrowed = meeting;
+        for block in 0..BLOCKS {
+            let other = Crossing { block, ..*self };
+            if let Some(width) = other.width(near, &meeting) {
+                narrowed.width = narrowed.width.min(width);
+            }
+        }
+        narrowed
+    }
+
+    /// The width of a meeting by the modes of this block; `None` where they do not meet there.
+    #[inline(never)]
+    fn width(&self, near: &B::Frame, meeting: &Meeting<B::Scalar>) -> Option<B::Scalar> {
+        let number = B::Scalar::from_f64;
+        let [from, end] = self.way.ends;
+        let mut width = meeting.width;
+        let mut last = None;
+        for _ in 0..=NEARER {
+            let t = meeting.time - self.direction * width;
+            let square = self.distance(self.block, t, near)?;
+            if last.is_some_and(|last| square <= number(FALLEN) * last) {
+                let whole = self.largest_distance(near, meeting.time, end - from)?;
+                return Some(width * (edge(whole) / square).sqrt());
+            }
+            last = Some(square);
+            width /= number(CLOSER);
+        }
+        None
     }
 
     /// The blocks of which two modes are as near to each other as those of the meeting: a bit for each.
@@ -178,10 +218,7 @@ impl<B: Blocks> Crossing<'_, '_, B> {
             before: &sides.before,
             beyond: &sides.beyond,
         };
-        let change = [sides.beyond, sides.before];
-        let roughness = self.roughness(near, meeting, &sides, sides.before, change)?;
-        let is_exact = roughness <= B::Scalar::from_f64(EXACT);
-        if !is_exact {
+        if !self.is_smooth(near, meeting, &sides, B::Scalar::from_f64(EXACT)) {
             return None;
         }
         let place = self.direction * (t - meeting.time) / meeting.width;
@@ -211,6 +248,30 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         let along = |pair| sum_of_products(blocks, [pair, apart, [&others, &own]], 0);
         let roughness = along([&even, &base]).max(along([&odd, &base]));
         Some(roughness / along(apart))
+    }
+
+    /// True if the highest differences of the path with these modes are at most a part of the distance of both modes, in all coordinates
+    /// together.
+    #[inline(never)]
+    fn is_smooth(
+        &self,
+        near: &B::Frame,
+        meeting: &Meeting<B::Scalar>,
+        sides: &Sides<&B::Branches>,
+        part: B::Scalar,
+    ) -> bool {
+        let Some([base, even, odd]) = self.sums(near, meeting, sides, Weights::Differences) else {
+            return false;
+        };
+        let t = B::time(&base);
+        let [before, beyond] =
+            [sides.before, sides.beyond].map(|modes| self.solved(t, &base, modes));
+        let (Some(before), Some(beyond)) = (before, beyond) else {
+            return false;
+        };
+        let square = |frames| square_of_distance(self.way.blocks, frames, 0);
+        let roughness = square([&even, &base]).max(square([&odd, &base]));
+        roughness <= part * part * square([&beyond, &before])
     }
 
     /// The nearest frame before a meeting, and two weighted sums of the differences of all eight from it, on top of it.

@@ -25,7 +25,7 @@ const ROUNDING: f64 = 1024.0;
 const BENT: f64 = 1.0 / 256.0;
 
 /// Factor by which the times before the meeting are brought closer to it or taken farther away.
-const CLOSER: f64 = 4.0;
+pub const CLOSER: f64 = 4.0;
 
 /// Distance of the vertex from the middle, in distances of the times, at which these may come closer, at which it is looked at, and to
 /// which it is followed at once.
@@ -143,8 +143,7 @@ impl<B: Blocks> Crossing<'_, '_, B> {
                 let at_middle = number(4.0) * (first + third) - number(6.0) * second - fourth;
                 let lowest = at_middle - B::Scalar::HALF * curvature * vertex * vertex;
                 let meets = lowest.abs() <= number(ROUNDING) * B::Scalar::EPSILON * whole;
-                // What rounding leaves of the frames there, and what interpolation between them leaves, are alike.
-                let edge = B::Scalar::EPSILON.sqrt().sqrt() * whole;
+                let edge = edge(whole);
                 return meets.then_some(Meeting {
                     time: middle + self.direction * vertex * step,
                     width: step * (two * edge / curvature).sqrt(),
@@ -173,6 +172,12 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         let second = self.solved(t, near, &other)?;
         Some(square_of_distance(self.way.blocks, [&first, &second], 0))
     }
+}
+
+/// The square of the distance of modes at the width of a meeting, of that elsewhere: what rounding leaves of frames there, and what
+/// interpolation between them leaves, are alike.
+pub(crate) fn edge<T: Real>(whole: T) -> T {
+    T::EPSILON.sqrt().sqrt() * whole
 }
 
 /// The sum of the squares of the differences of all coordinates, or where frames hold none, of all components of points; or, at the

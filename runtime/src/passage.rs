@@ -185,6 +185,7 @@ impl<B: Blocks> Way<'_, B> {
         let Some(meeting) = meeting else {
             return Err(Barred::NoMeeting);
         };
+        let meeting = crossing.narrowed(near, meeting);
         let Meeting { time, width, .. } = meeting;
         let from_place = direction * (time - place);
         let is_here = -from_place <= width
@@ -197,9 +198,10 @@ impl<B: Blocks> Way<'_, B> {
             return Err(Barred::NoMeeting);
         }
         let is_outside = ahead(before) > B::Scalar::ZERO;
-        let sides = match is_end && !is_outside {
-            true => crossing.sides_through(&self.origin, &meeting),
-            false => crossing.sides(near, &meeting, true),
+        // A frame beside the meeting may lie before it or beyond it, as its rates tell.
+        let sides = match is_outside {
+            true => crossing.sides(near, &meeting, true),
+            false => crossing.sides_through(&self.origin, &meeting),
         };
         let sides = sides.ok_or(Barred::NoPath)?;
         // The way may have come nearer than the modes can be told apart: what lies before the meeting must lie on the path.

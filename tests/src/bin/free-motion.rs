@@ -46,8 +46,8 @@ Each state is simulated over 0.6 s with relative tolerances of 1e-7 and 1e-10: t
 coordinates with multipliers, by extrapolation to 1e-13 a step (`tests/src/multipliers.rs`). Joints of `pantograph`, `peaucellier` and
 `scissor` lose rank on the way: there it has others that hold the bodies on the smooth path (`tests/src/free_motion/gallery.rs`).
 
-*Error*: the largest difference of all coordinates and rates at 12 instants, in tolerances × the largest coordinate or rate × what a small
-change of the start has grown to by then. *Right*: the motion went to its end with an error of at most 100. *Wrong*: it went to its end
+*Error*: the largest difference of all coordinates and rates at 12 instants, in tolerances × the largest coordinate or rate × the growth of
+a small change by then, from the start or from an instant on the way. *Right*: the motion went to its end with an error of at most 100. *Wrong*: it went to its end
 with a larger one. *No reference*: it went to its end, and the reference did not.
 ";
 

@@ -1,4 +1,4 @@
-//! Motions of the reference from a start, with the growth of a small change of that start.
+//! Motions of the reference from a start, with the growth of a small change on the way.
 
 use linkwright_solver::simulation::Simulation;
 use nalgebra::DVector;
@@ -22,7 +22,7 @@ const ENERGY: f64 = 1e-10;
 /// What a start may miss of the joints: beside a change point more, since there joints determine half of the digits.
 const MISSED: f64 = 1e-9;
 
-/// A motion of the reference at the times of frames, and how much a small change of its start has grown by then.
+/// A motion of the reference at the times of frames, and the growth of small changes by then.
 pub(super) struct Expected {
     frames: Vec<(Motion, f64)>,
     /// The largest coordinate or rate.
@@ -63,7 +63,8 @@ impl Expected {
             reference.project(&mut changed);
             changed
         });
-        let changes = changed.each_ref().map(|it| apart(start, it));
+        // Steps add errors on the way: a change that shrinks first grows by more from there than from the start.
+        let mut least = changed.each_ref().map(|it| apart(start, it));
         let mut own = start.clone();
         let (mut growth, mut size) = (1.0_f64, 1.0_f64);
         let mut lengths = [1e-3; 3];
@@ -76,9 +77,11 @@ impl Expected {
                 found.ok_or(short)
             };
             own = after(&own, 0)?;
-            for (place, (changed, change)) in changed.iter_mut().zip(changes).enumerate() {
+            for (place, (changed, least)) in changed.iter_mut().zip(&mut least).enumerate() {
                 *changed = after(changed, place + 1)?;
-                growth = larger(growth, apart(changed, &own) / change);
+                let change = apart(changed, &own);
+                growth = larger(growth, change / *least);
+                *least = least.min(change);
             }
             size = size.max(own.pose.amax()).max(own.rates.amax());
             frames.push((own.clone(), growth));

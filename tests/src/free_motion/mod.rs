@@ -1,6 +1,6 @@
 //! Judges simulations of the gallery with masses and free drivers from random states, beside all coordinates integrated with multipliers.
 //!
-//! What is allowed is measured by what a small change of the start becomes. Each state follows from the seed, the file and a number.
+//! What is allowed is measured by the growth of a small change. Each state follows from the seed, the file and a number.
 
 mod expected;
 mod gallery;

@@ -32,6 +32,7 @@ fn bounds_are_those_of_the_runtime() {
         ("way.rs", "CROSSINGS", work::CROSSINGS),
         ("crossing.rs", "REFINEMENTS", work::REFINEMENTS),
         ("crossing.rs", "WAYS", work::WAYS),
+        ("continuation.rs", "NEARER", work::NEARER),
         ("continuation.rs", "BLOCKS", work::BLOCKS),
         ("sags.rs", "WIDENED", work::WIDENED),
         ("least_squares.rs", "STEPS", work::LEAST_SQUARES),

@@ -1,5 +1,6 @@
 //! Assembly modes, paths through singular poses, and failures.
 
+mod antiparallelograms;
 mod change_points;
 mod driven_lengths;
 mod failing_blocks;

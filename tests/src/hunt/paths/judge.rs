@@ -235,7 +235,17 @@ impl Truth<'_> {
                 || exact.is_none()
                     && (self.course.is_blurred || matches!(trace.end, End::Unknown(_)));
             let outcome = match (&step.answer, exact) {
-                _ if is_lost || is_near_end || is_unknown => Outcome::Unjudged,
+                (answer, exact) if is_lost || is_near_end || is_unknown => {
+                    // Inputs go on from there, even where nothing is judged.
+                    match (answer, exact, &leg) {
+                        (Ok(_), Some((exact, _)), Some(leg)) if has_inputs => {
+                            last = (step.t, leg.inputs_at(t), exact);
+                        }
+                        (Ok(_), None, _) => is_lost |= has_inputs,
+                        _ => (),
+                    }
+                    Outcome::Unjudged
+                }
                 (Ok(found), Some((exact, pivot))) => {
                     let limit = (tolerance.least + tolerance.rounding / pivot).min(tolerance.most);
                     let (mut off, mut place) = match compared(&exact) {

@@ -22,6 +22,8 @@ pub const CROSSINGS: usize = 8;
 pub const REFINEMENTS: usize = 32;
 /// Number of the ways at which the modes are seen well apart.
 pub const WAYS: usize = 12;
+/// Number of the times, each nearer to a meeting than the one before, at which modes of a block are looked at beside the first.
+pub const NEARER: usize = 3;
 /// Number of the first blocks whose modes may be exchanged in one instant.
 pub const BLOCKS: usize = 64;
 
@@ -39,11 +41,13 @@ const OF_CELL_IN_ROUND: usize = 32;
 const PATH_POSES: usize = 8 + 1 + 3;
 
 /// Poses of one crossing: two modes on both sides of each way, and at four times for each refinement. The path is told twice, as it
-/// leads to the dead point and as it leads away, and interpolated three times. At an end, its pose, two modes elsewhere and two beside it.
-const CROSSING_POSES: usize = 2 * 2 * WAYS + 2 * 4 * REFINEMENTS + 3 * 2 * PATH_POSES + 5;
+/// leads to the dead point and as it leads away, each time examined as a whole, and interpolated three times. At an end, its pose, two modes
+/// elsewhere and two beside it.
+const CROSSING_POSES: usize = 2 * 2 * WAYS + 2 * 4 * REFINEMENTS + (2 + 3 * 2) * PATH_POSES + 5;
 
-/// Poses of one crossing for each block that may cross: two modes where the way has broken; two modes, and two paths, told twice.
-const POSES_OF_BLOCK: usize = 2 + 2 * (2 + 2 * PATH_POSES);
+/// Poses of one crossing for each block that may cross: two modes where the way has broken, nearer to the meeting, and on both sides of
+/// each way; two modes, and two paths, told twice.
+const POSES_OF_BLOCK: usize = 2 + 2 * (1 + NEARER) + 2 * 2 * WAYS + 2 * (2 + 2 * PATH_POSES);
 
 /// Crossings at both ends of a way.
 pub const ENDS: usize = 2;

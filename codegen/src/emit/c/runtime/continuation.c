@@ -19,6 +19,11 @@ static const $real EXACT$f = 1.0$f / 16384.0$f;
 /* Multiple of the square of the distance of the modes up to which those of other blocks meet in the same instant. */
 static const $real ALIKE$f = 64.0$f;
 
+/* Number of the times, each closer to a meeting than the one before, at which modes of another block are looked at, and
+   part to which the square of their distance falls there if they meet. */
+#define NEARER$F 3U
+static const $real FALLEN$f = 0.25$f;
+
 /* Number of the first blocks whose modes may be exchanged. */
 #define MEETING_BLOCKS$F 64U
 
@@ -123,6 +128,61 @@ static bool is_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *mee
     return (roughness / sum_of_products$f(blocks, apart)) <= limit;
 }
 
+/* True if the highest differences of the path with these modes are at most a part of the distance of both modes, in all
+   coordinates together. */
+static bool is_whole_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real part)
+{
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    void *const base = way->frames[0];
+    void *const before = way->frames[3];
+    void *const beyond = way->frames[4];
+    const bool is_found = are_sums$f(way, near_frame, meeting, sides, 0.0$f, 1.0$f, differences$f)
+        && is_frame_at$f(way, blocks->time(base), base, sides.before, before)
+        && is_frame_at$f(way, blocks->time(base), base, sides.beyond, beyond);
+    if (!is_found) {
+        return false;
+    }
+    const $real even = square_of_distance$f(blocks, way->frames[1], base);
+    const $real odd = square_of_distance$f(blocks, way->frames[2], base);
+    return larger$f(even, odd) <= ((part * part) * square_of_distance$f(blocks, beyond, before));
+}
+
+/* Finds the width of a meeting by the modes of a block; false where they do not meet there. */
+static bool is_width$f(Way$f *way, uint16_t block, const void *near_frame, const Meeting$f *meeting, $real *width)
+{
+    $real last = 0.0$f;
+    *width = meeting->width;
+    for (uint16_t k = 0U; k <= NEARER$F; k++) {
+        const $real t = meeting->time - (way->direction * *width);
+        $real square;
+        if (!distance_of_modes$f(way, block, t, near_frame, &square)) {
+            return false;
+        }
+        if ((k > 0U) && (square <= (FALLEN$f * last))) {
+            $real whole = 0.0$f;
+            const bool is_found = largest_distance$f(way, block, near_frame, meeting->time, &whole);
+            *width *= sqrt$f(edge$f(whole) / square);
+            return is_found;
+        }
+        last = square;
+        *width /= CLOSER$f;
+    }
+    return false;
+}
+
+/* Gives a meeting the least width of all blocks whose modes meet there: some modes part faster than others. */
+static void narrow$f(Way$f *way, const void *near_frame, Meeting$f *meeting)
+{
+    $real narrowed = meeting->width;
+    for (uint16_t block = 0U; block < MEETING_BLOCKS$F; block++) {
+        $real width;
+        if (is_width$f(way, block, near_frame, meeting, &width)) {
+            narrowed = smaller$f(narrowed, width);
+        }
+    }
+    meeting->width = narrowed;
+}
+
 /* The blocks of which two modes are as near to each other as those of the meeting. */
 static void blocks_that_meet$f(Way$f *way, uint16_t own, const void *near_frame, const Meeting$f *meeting,
     bool meets[MEETING_BLOCKS$F])
@@ -187,13 +247,15 @@ static bool are_sides$f(Way$f *way, uint16_t own_block, const void *near_frame, 
             /* The block stays in its mode. */
         }
     }
-    return is_exchanged;
+    /* A block that is wrongly left in its mode makes a kink elsewhere. */
+    return is_exchanged
+        && is_whole_smooth$f(way, near_frame, meeting, sides_of$f(own, found, is_before), SMOOTH$f);
 }
 
 /* Finds the frame at a time near a meeting, in frames[1]; false where the path is too rough to be interpolated. */
 static bool is_interpolated$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real t)
 {
-    if (!is_smooth$f(way, near_frame, meeting, sides, sides.before, sides.beyond, sides.before, EXACT$f)) {
+    if (!is_whole_smooth$f(way, near_frame, meeting, sides, EXACT$f)) {
         return false;
     }
     const $real place = (way->direction * (t - meeting->time)) / meeting->width;

@@ -84,6 +84,13 @@ static $real sum_of_products$f(const linkwright$f_blocks *blocks, const void *co
     return sum;
 }
 
+/* The square of the distance of two frames. */
+static $real square_of_distance$f(const linkwright$f_blocks *blocks, const void *first, const void *second)
+{
+    const void *const pairs[3][2] = {{first, second}, {first, second}, {first, first}};
+    return sum_of_products$f(blocks, pairs);
+}
+
 /* The square of the distance between the poses in both modes of a block. */
 static bool distance_of_modes$f(Way$f *way, uint16_t block, $real t, const void *near_frame, $real *square)
 {
@@ -93,11 +100,7 @@ static bool distance_of_modes$f(Way$f *way, uint16_t block, $real t, const void 
     const bool is_found = blocks->exchanged(way->branches, block, way->others)
         && is_frame_at$f(way, t, near_frame, way->branches, first)
         && is_frame_at$f(way, t, near_frame, way->others, second);
-    *square = 0.0$f;
-    if (is_found) {
-        const void *const pairs[3][2] = {{first, second}, {first, second}, {first, first}};
-        *square = sum_of_products$f(blocks, pairs);
-    }
+    *square = is_found ? square_of_distance$f(blocks, first, second) : 0.0$f;
     return is_found;
 }
 
@@ -118,6 +121,13 @@ static bool largest_distance$f(Way$f *way, uint16_t block, const void *near_fram
         length *= CLOSER$f;
     }
     return is_found;
+}
+
+/* The square of the distance of modes at the width of a meeting, of that elsewhere: what rounding leaves of frames there,
+   and what interpolation between them leaves, are alike. */
+static $real edge$f($real whole)
+{
+    return sqrt$f(sqrt$f($FLT_EPSILON)) * whole;
 }
 
 /* The squares of the distances at four times before another one. */
@@ -173,8 +183,7 @@ static bool meet$f(Way$f *way, uint16_t block, const void *near_frame, $real pla
             /* The polynomial of the third degree, at the middle; below zero there is a gap between two dead points. */
             const $real at_middle = ((4.0$f * (squares[0] + squares[2])) - (6.0$f * squares[1])) - squares[3];
             const $real lowest = at_middle - (((0.5$f * curvature) * vertex) * vertex);
-            /* What rounding leaves of the frames there, and what interpolation between them leaves, are alike. */
-            const $real edge = sqrt$f(sqrt$f($FLT_EPSILON)) * whole;
+            const $real edge = edge$f(whole);
             meeting->time = middle + ((way->direction * vertex) * step);
             meeting->width = step * sqrt$f((2.0$f * edge) / curvature);
             meeting->edge = edge;

@@ -44,6 +44,7 @@ static Passage$f pass$f(Way$f *way, $real place, uint16_t block, $real step, Law
         fabs$f(step), whole, &meeting)) {
         return NO_MEETING$F;
     }
+    narrow$f(way, near_frame, &meeting);
     const $real from_place = way->direction * (meeting.time - place);
     const $real until_end = is_end ? from_place : (way->direction * (meeting.time - way->end));
     const $real before = meeting.time - (way->direction * meeting.width);
@@ -55,9 +56,9 @@ static Passage$f pass$f(Way$f *way, $real place, uint16_t block, $real step, Law
     const bool is_outside = (way->direction * (before - origin)) > 0.0$f;
     bool is_before = true;
     void *const found = way->found_branches;
-    const bool are_found = (is_end && !is_outside)
-        ? are_sides_through$f(way, block, way->origin, &meeting, &is_before, found)
-        : are_sides$f(way, block, near_frame, &meeting, true, found);
+    /* A frame beside the meeting may lie before it or beyond it, as its rates tell. */
+    const bool are_found = is_outside ? are_sides$f(way, block, near_frame, &meeting, true, found)
+                                      : are_sides_through$f(way, block, way->origin, &meeting, &is_before, found);
     if (!are_found) {
         return NO_PATH$F;
     }
