@@ -218,7 +218,11 @@ impl<B: Blocks> Crossing<'_, '_, B> {
             before: &sides.before,
             beyond: &sides.beyond,
         };
-        if !self.is_smooth(near, meeting, &sides, B::Scalar::from_f64(EXACT)) {
+        let change = [sides.beyond, sides.before];
+        let roughness = self.roughness(near, meeting, &sides, sides.before, change)?;
+        let exact = B::Scalar::from_f64(EXACT);
+        let is_exact = roughness <= exact && self.is_smooth(near, meeting, &sides, exact);
+        if !is_exact {
             return None;
         }
         let place = self.direction * (t - meeting.time) / meeting.width;
@@ -250,8 +254,8 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         Some(roughness / along(apart))
     }
 
-    /// True if the highest differences of the path with these modes are at most a part of the distance of both modes, in all coordinates
-    /// together.
+    /// True if the highest differences of the path with these modes are at most a part of its change before the meeting, in all
+    /// coordinates together.
     #[inline(never)]
     fn is_smooth(
         &self,
@@ -263,15 +267,13 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         let Some([base, even, odd]) = self.sums(near, meeting, sides, Weights::Differences) else {
             return false;
         };
-        let t = B::time(&base);
-        let [before, beyond] =
-            [sides.before, sides.beyond].map(|modes| self.solved(t, &base, modes));
-        let (Some(before), Some(beyond)) = (before, beyond) else {
+        let way = self.direction * meeting.width;
+        let t = meeting.time - B::Scalar::from_f64(ODD.len() as f64) * way;
+        let Some(first) = self.solved(t, &base, sides.before) else {
             return false;
         };
-        let square = |frames| square_of_distance(self.way.blocks, frames, 0);
-        let roughness = square([&even, &base]).max(square([&odd, &base]));
-        roughness <= part * part * square([&beyond, &before])
+        let square = |frame| square_of_distance(self.way.blocks, [frame, &base], 0);
+        square(&even).max(square(&odd)) <= part * part * square(&first)
     }
 
     /// The nearest frame before a meeting, and two weighted sums of the differences of all eight from it, on top of it.

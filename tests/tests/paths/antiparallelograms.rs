@@ -58,7 +58,7 @@ fn blocks(grounds: &[f64], start: f64) -> Interpreted {
     for k in 0..count {
         let (place, angle) = (places[k], angles[k]);
         text += &format!(
-            "point D{k} = ({place:?}, 0); body crank{k} at (D{k}, {angle:?}) {{ D{k}, P: ({CRANK}, 0) }} revolute D{k}(ground, crank{k});\n"
+            "point D{k} = ({place:?}, 0); body crank{k} at D{k} turned {angle:?} {{ D{k}, P: ({CRANK}, 0) }} revolute D{k}(ground, crank{k});\n"
         );
         if k > 0 {
             let from = if k + 1 == count { 0 } else { k - 1 };

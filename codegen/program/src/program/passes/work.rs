@@ -43,7 +43,7 @@ const PATH_POSES: usize = 8 + 1 + 3;
 /// Poses of one crossing: two modes on both sides of each way, and at four times for each refinement. The path is told twice, as it
 /// leads to the dead point and as it leads away, each time examined as a whole, and interpolated three times. At an end, its pose, two modes
 /// elsewhere and two beside it.
-const CROSSING_POSES: usize = 2 * 2 * WAYS + 2 * 4 * REFINEMENTS + (2 + 3 * 2) * PATH_POSES + 5;
+const CROSSING_POSES: usize = 2 * 2 * WAYS + 2 * 4 * REFINEMENTS + (2 + 3 * 3) * PATH_POSES + 5;
 
 /// Poses of one crossing for each block that may cross: two modes where the way has broken, nearer to the meeting, and on both sides of
 /// each way; two modes, and two paths, told twice.

@@ -128,23 +128,22 @@ static bool is_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *mee
     return (roughness / sum_of_products$f(blocks, apart)) <= limit;
 }
 
-/* True if the highest differences of the path with these modes are at most a part of the distance of both modes, in all
-   coordinates together. */
+/* True if the highest differences of the path with these modes are at most a part of its change before the meeting, in
+   all coordinates together. */
 static bool is_whole_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real part)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    const $real length = way->direction * meeting->width;
     void *const base = way->frames[0];
-    void *const before = way->frames[3];
-    void *const beyond = way->frames[4];
+    void *const first = way->frames[3];
     const bool is_found = are_sums$f(way, near_frame, meeting, sides, 0.0$f, 1.0$f, differences$f)
-        && is_frame_at$f(way, blocks->time(base), base, sides.before, before)
-        && is_frame_at$f(way, blocks->time(base), base, sides.beyond, beyond);
+        && is_frame_at$f(way, meeting->time - (($real)NODES$F * length), base, sides.before, first);
     if (!is_found) {
         return false;
     }
     const $real even = square_of_distance$f(blocks, way->frames[1], base);
     const $real odd = square_of_distance$f(blocks, way->frames[2], base);
-    return larger$f(even, odd) <= ((part * part) * square_of_distance$f(blocks, beyond, before));
+    return larger$f(even, odd) <= ((part * part) * square_of_distance$f(blocks, first, base));
 }
 
 /* Finds the width of a meeting by the modes of a block; false where they do not meet there. */
@@ -255,7 +254,8 @@ static bool are_sides$f(Way$f *way, uint16_t own_block, const void *near_frame, 
 /* Finds the frame at a time near a meeting, in frames[1]; false where the path is too rough to be interpolated. */
 static bool is_interpolated$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real t)
 {
-    if (!is_whole_smooth$f(way, near_frame, meeting, sides, EXACT$f)) {
+    if (!is_smooth$f(way, near_frame, meeting, sides, sides.before, sides.beyond, sides.before, EXACT$f)
+        || !is_whole_smooth$f(way, near_frame, meeting, sides, EXACT$f)) {
         return false;
     }
     const $real place = (way->direction * (t - meeting->time)) / meeting->width;
