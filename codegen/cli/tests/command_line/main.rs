@@ -7,6 +7,7 @@ mod check;
 mod compare;
 mod derivatives;
 mod draw;
+mod draw_loads;
 mod files;
 mod fmt;
 mod folder;

@@ -79,7 +79,7 @@ impl Draft<'_> {
     }
 
     /// The pin about which a body turns, in pixels: on the ground rather than elsewhere.
-    fn pivot(&self, body: usize) -> At {
+    pub fn pivot(&self, body: usize) -> At {
         let marks = self.scene.signs.iter().filter_map(|sign| {
             let is_kept = matches!(sign.feature, Feature::Coordinate(_)) && !sign.is_driver;
             let own = *sign.marks.iter().find(|it| it.body == body)?;

@@ -7,6 +7,7 @@
 use super::figure::{Figure, Frame, Group, Layer, Look, Outline};
 use super::plane::{Place, Point, distance, hull, scaled};
 use super::pose::{At, Line, Scene, Sign};
+use crate::force::Shape;
 use crate::joint::Feature;
 
 /// A sheet on which a scene is being drawn.
@@ -44,6 +45,7 @@ pub(super) fn drafted(scene: &Scene, scale: f64) -> (Figure, f64) {
     let figure = Figure {
         scale,
         places: places.collect(),
+        arrows: scene.arrows[0].clone(),
         bodies: moving
             .map(|body| Group::new(format!("body-{}", body.name), format!("body {}", body.name)))
             .collect(),
@@ -73,6 +75,7 @@ pub(super) fn drafted(scene: &Scene, scale: f64) -> (Figure, f64) {
         draft.shape(body);
     }
     draft.dots();
+    draft.loads();
     let unit = draft.unit;
     (draft.figure, unit)
 }
@@ -123,6 +126,12 @@ impl Draft<'_> {
             let is_line = matches!(sign.feature, Feature::Slide | Feature::Link);
             if is_line && sign.marks.iter().any(|mark| mark.body != 0) {
                 let ends = [0, 1].map(|mark| self.global(sign.marks[mark]));
+                self.lines.push(ends);
+            }
+        }
+        for load in &self.scene.loads {
+            if let (Shape::Spring | Shape::Damper, [from, to]) = (load.shape, &load.marks[..]) {
+                let ends = [*from, *to].map(|it| self.global(it));
                 self.lines.push(ends);
             }
         }

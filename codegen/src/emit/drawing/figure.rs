@@ -15,6 +15,12 @@ pub(super) enum Frame {
     Riding(At, usize),
     /// From one point towards another, in pixels of their bodies: the first is the origin, and the second lies on the x axis.
     Toward(At, At),
+    /// The same stretched along x, so that the second point is always this far from the first.
+    Between(At, At, f64),
+    /// At a point, along the force of the load of this number, and as long as its arrow.
+    Force(At, usize),
+    /// At a point and at an angle to its body, mirrored at x where the torque of the load of this number is clockwise.
+    Torque(At, f64, usize),
     /// The picture as it is in this pose.
     Still,
 }
@@ -52,6 +58,14 @@ pub(super) enum Look {
     Tick,
     /// What is filled with ink.
     Ink,
+    /// A spring or a damper.
+    Element,
+    /// The arrow of a force or a torque.
+    Load,
+    /// The head of it.
+    LoadHead,
+    /// What ought to be closed.
+    Gap,
 }
 
 /// Where ink goes, in a frame.
@@ -139,11 +153,13 @@ pub(super) struct Figure {
     pub scale: f64,
     /// Where the frames of the bodies are, in pixels.
     pub places: Vec<Place>,
+    /// The arrows of the loads, in parts of the longest.
+    pub arrows: Vec<Point>,
     /// One for each moving body, in their order.
     pub bodies: Vec<Group>,
     /// One for each joint and driver.
     pub joints: Vec<Group>,
-    /// Paths and axes.
+    /// Loads, paths, axes and gaps.
     pub extras: Vec<Group>,
     /// What has no sign, in words.
     pub notes: Vec<String>,
@@ -158,14 +174,41 @@ impl Figure {
                 origin: self.places[at.body].globally(at.local),
                 angle: self.places[body].angle,
             },
-            Frame::Toward(from, to) => {
+            Frame::Toward(from, to) | Frame::Between(from, to, _) => {
                 let [from, to] = [from, to].map(|it| self.places[it.body].globally(it.local));
                 Place {
                     origin: from,
                     angle: angle_of(difference(to, from)),
                 }
             }
+            Frame::Force(at, load) => Place {
+                origin: self.places[at.body].globally(at.local),
+                angle: angle_of(self.arrows[load]),
+            },
+            Frame::Torque(at, angle, _) => Place {
+                origin: self.places[at.body].globally(at.local),
+                angle: self.places[at.body].angle + angle,
+            },
             Frame::Still => Place::default(),
+        }
+    }
+
+    /// How much larger than it is written a frame is drawn along its axes in this pose.
+    pub fn stretch(&self, frame: Frame) -> [f64; 2] {
+        match frame {
+            Frame::Between(from, to, length) => {
+                let [from, to] = [from, to].map(|it| self.places[it.body].globally(it.local));
+                [distance(from, to) / length, 1.0]
+            }
+            Frame::Force(_, load) => {
+                let [x, y] = self.arrows[load];
+                [x.hypot(y); 2]
+            }
+            Frame::Torque(_, _, load) => {
+                let [turning, _] = self.arrows[load];
+                [turning.abs(), turning]
+            }
+            _ => [1.0; 2],
         }
     }
 
@@ -179,6 +222,7 @@ impl Figure {
             .parts()
             .flat_map(|part| {
                 let place = self.place(part.frame);
+                let stretch = self.stretch(part.frame);
                 part.elements.iter().map(move |element| Trace {
                     look: element.look,
                     is_closed: !matches!(element.outline, Outline::Open(_)),
@@ -186,17 +230,18 @@ impl Figure {
                         .outline
                         .points()
                         .into_iter()
-                        .map(|point| place.globally(point))
+                        .map(|[x, y]| place.globally([stretch[0] * x, stretch[1] * y]))
                         .collect(),
                 })
             })
             .collect()
     }
 
-    /// The same with the frames of the bodies elsewhere.
-    pub fn moved(&self, places: Vec<Place>) -> Figure {
+    /// The same with the frames of the bodies elsewhere and other arrows.
+    pub fn moved(&self, places: Vec<Place>, arrows: Vec<Point>) -> Figure {
         Figure {
             places,
+            arrows,
             ..self.clone()
         }
     }

@@ -1,5 +1,6 @@
 //! *A scene and its figure* → *its names, and where each may stand*.
 
+use super::extras::Gap;
 use super::figure::{Figure, Frame, Look, Outline, offset_edges};
 use super::label::{Anchor, Label};
 use super::letters::width;
@@ -17,6 +18,8 @@ pub(super) enum Named {
     Point(usize),
     /// A body.
     Body(usize),
+    /// The gap between two points that ought to coincide.
+    Gap,
 }
 
 /// A name with its label.
@@ -78,6 +81,29 @@ pub(super) fn names(scene: &Scene, figure: &Figure, unit: f64) -> Vec<Name> {
         });
     }
     names
+}
+
+/// The length of a gap, beside the line that is drawn across it.
+pub(super) fn missing(gap: &Gap, figure: &Figure) -> Name {
+    let [a, b] = gap.ends.map(|it| scaled(it, figure.scale));
+    let half = [0.5 * width(&gap.text, SIZE), 0.5 * SIZE];
+    let mut anchors = Vec::new();
+    for [from, to] in [[a, b], [b, a]] {
+        edge(&mut anchors, from, to);
+    }
+    if anchors.is_empty() {
+        anchors = around(a, 10.0);
+    }
+    let anchor = |it: Anchor| Anchor { gap: 5.0, ..it };
+    Name {
+        of: Named::Gap,
+        text: gap.text.clone(),
+        label: Label {
+            half,
+            anchors: anchors.into_iter().map(anchor).collect(),
+            owner: None,
+        },
+    }
 }
 
 /// What names avoid.

@@ -3,16 +3,15 @@
 use std::fmt::Write as _;
 
 use super::draft::drafted;
-use super::extras::{AXIS, Traced};
+use super::extras::{AXIS, Gap, Traced};
 use super::figure::{Figure, Frame};
 use super::label::placed;
-use super::letters::width;
-use super::naming::{Name, Named, SIZE, names, obstacles};
+use super::legend::{ROW, legend_text};
+use super::naming::{Name, Named, SIZE, missing, names, obstacles};
 use super::plane::{Bounds, NEGLIGIBLE, Place, Point, distance, onward, scaled};
 use super::pose::{Entitled, Pose, Scene};
-use super::scale_bar::scale_bar;
 use super::style::{TINTS, Themes, sheet};
-use super::svg::{layers, number};
+use super::svg::{Written, layers, number};
 use crate::emit::markup::escaped;
 use crate::system::System;
 
@@ -25,6 +24,8 @@ pub struct Options {
     pub frames: Vec<usize>,
     /// What stands in the lower right corner.
     pub caption: String,
+    /// Two points that ought to coincide; `None` where all do.
+    pub gap: Option<Gap>,
     /// Whether there is room for the other poses too, and names say what they follow, for whoever moves the mechanism.
     pub is_moving: bool,
     /// Who chooses between light and dark.
@@ -42,9 +43,6 @@ const MARGIN: f64 = 30.0;
 /// In how many poses a moving figure is looked at.
 const REACHED: usize = 32;
 
-/// The height of a line of the legend.
-const ROW: f64 = 20.0;
-
 /// The mechanism in a pose, with paths of points. Guides are as long as what slides on them needs in the other poses.
 pub fn draw(
     system: &System,
@@ -53,9 +51,18 @@ pub fn draw(
     paths: &[Traced],
     options: &Options,
 ) -> String {
-    let scene = Scene::new(system, shown, others);
+    drawn(system, &Scene::new(system, shown, others), paths, options).0
+}
+
+/// A scene as text, and its figure.
+pub(super) fn drawn(
+    system: &System,
+    scene: &Scene,
+    paths: &[Traced],
+    options: &Options,
+) -> (String, Figure) {
     let title = system.mechanism.title();
-    let notes = noted(&scene);
+    let notes = noted(scene);
     let legend = 12.0 + ROW * (1.0 + notes as f64);
     let room = options.size.map_or(LARGEST, |size| size.map(f64::from));
     let inner = [
@@ -63,18 +70,19 @@ pub fn draw(
         (room[1] - 2.0 * MARGIN - legend).max(40.0),
     ];
     let complete = |scale: f64| {
-        let (mut figure, unit) = drafted(&scene, scale);
+        let (mut figure, unit) = drafted(scene, scale);
         paths.iter().for_each(|path| figure.trace(path));
         for &body in &options.frames {
             figure.axes(body, &scene.bodies[body].name, unit);
         }
+        options.gap.iter().for_each(|gap| figure.gap(gap));
         (figure, unit)
     };
     let bounds = |figure: &Figure| match options.is_moving {
-        true => reached(figure, &scene),
+        true => reached(figure, scene),
         false => figure.bounds(),
     };
-    let scale = fitted(&scene, inner, |scale| bounds(&complete(scale).0));
+    let scale = fitted(scene, inner, |scale| bounds(&complete(scale).0));
     let (figure, unit) = complete(scale);
     let bounds = bounds(&figure);
     let size = match options.size {
@@ -112,13 +120,17 @@ pub fn draw(
         number(origin[0]),
         number(size[1] - origin[1])
     );
-    text += &layers(&figure, "");
-    text += &labels(&scene, &figure, unit, &area, options);
+    let written = match options.is_moving {
+        true => Written::Moving,
+        false => Written::Picture,
+    };
+    text += &layers(&figure, "", written);
+    text += &labels(scene, &figure, unit, &area, options);
     text.push_str("</g>\n");
     let is_scaled = !scene.is_of_angles_alone();
-    text += &legend_text(&figure, is_scaled, size, &options.caption);
+    text += &legend_text(&figure, is_scaled, scene.gravity, size, &options.caption);
     text.push_str("</svg>\n");
-    text
+    (text, figure)
 }
 
 /// The first tag, and what the picture is called.
@@ -134,12 +146,13 @@ pub(super) fn opening(size: Point, title: &str) -> String {
 /// Around the figure in the poses that the drawing is made for, as many of them as tell how far it comes.
 fn reached(figure: &Figure, scene: &Scene) -> Bounds {
     let every = scene.motion.len().div_ceil(REACHED).max(1);
-    let corners = scene.motion.iter().step_by(every).flat_map(|places| {
+    let poses = scene.motion.iter().zip(&scene.arrows);
+    let corners = poses.step_by(every).flat_map(|(places, arrows)| {
         let places = places.iter().map(|place| Place {
             origin: scaled(place.origin, figure.scale),
             angle: place.angle,
         });
-        let bounds = figure.moved(places.collect()).bounds();
+        let bounds = figure.moved(places.collect(), arrows.clone()).bounds();
         [bounds.low, bounds.high]
     });
     Bounds::of(corners)
@@ -187,7 +200,8 @@ pub(super) fn labels(
     area: &Bounds,
     options: &Options,
 ) -> String {
-    let names = names(scene, figure, unit);
+    let mut names = names(scene, figure, unit);
+    names.extend(options.gap.iter().map(|gap| missing(gap, figure)));
     let mut obstacles = obstacles(figure);
     let mut text = String::from("<g id=\"names\">\n");
     for &body in &options.frames {
@@ -211,7 +225,7 @@ pub(super) fn labels(
         let half = name.label.half;
         let tint = match name.of {
             Named::Body(body) => format!(" class=\"tint-{}\"", (body - 1) % TINTS),
-            Named::Point(_) => String::new(),
+            Named::Point(_) | Named::Gap => String::new(),
         };
         let follows = match options.is_moving {
             true => followed(name, center, scene, figure),
@@ -250,6 +264,7 @@ pub(super) fn labels(
                 "name"
             }
             Named::Point(_) => "point",
+            Named::Gap => "gap-name",
         };
         let _ = writeln!(
             text,
@@ -272,6 +287,7 @@ fn followed(name: &Name, center: Point, scene: &Scene, figure: &Figure) -> Strin
             (at.body, scaled(at.local, figure.scale), point)
         }
         Named::Body(body) => (body, figure.places[body].locally(center), String::new()),
+        Named::Gap => return String::new(),
     };
     let [x, y] = [x, -y].map(number);
     format!(" data-follows=\"{body} {x} {y}\"{point}")
@@ -280,48 +296,4 @@ fn followed(name: &Name, center: Point, scene: &Scene, figure: &Figure) -> Strin
 /// The point of a box that is nearest to another.
 fn nearest(area: &Bounds, to: Point) -> Point {
     [0, 1].map(|axis| to[axis].clamp(area.low[axis], area.high[axis]))
-}
-
-/// The scale bar where lengths are drawn, the caption, and what has no sign.
-fn legend_text(figure: &Figure, is_scaled: bool, size: Point, caption: &str) -> String {
-    let mut text = String::from("<g id=\"legend\">\n");
-    let base = size[1] - 14.0;
-    let mut used = 12.0;
-    let bar = scale_bar(figure.scale, (0.24 * size[0]).min(150.0));
-    if let Some(bar) = bar.filter(|_| is_scaled) {
-        let end = 12.0 + bar.length;
-        let _ = writeln!(
-            text,
-            "<path d=\"M12 {0}V{1}H{2}V{0}\"/><text class=\"note\" x=\"{3}\" y=\"{4}\">{5}</text>",
-            number(base - 4.0),
-            number(base + 1.0),
-            number(end),
-            number(end + 7.0),
-            number(base + 3.0),
-            escaped(&bar.text)
-        );
-        used = end + 7.0 + width(&bar.text, SIZE);
-    }
-    if !caption.is_empty() && used + 12.0 + width(caption, SIZE) < size[0] - 12.0 {
-        let _ = writeln!(
-            text,
-            "<text class=\"caption\" x=\"{}\" y=\"{}\">{}</text>",
-            number(size[0] - 12.0),
-            number(base + 3.0),
-            escaped(caption)
-        );
-    }
-    for (row, note) in figure.notes.iter().rev().enumerate() {
-        let mut note = note.clone();
-        while width(&note, SIZE) > size[0] - 24.0 && note.pop().is_some() {}
-        let y = base + 3.0 - ROW * (row as f64 + 1.0);
-        let _ = writeln!(
-            text,
-            "<text class=\"note\" x=\"12\" y=\"{}\">{}</text>",
-            number(y),
-            escaped(&note)
-        );
-    }
-    text.push_str("</g>\n");
-    text
 }

@@ -8,7 +8,7 @@ use super::picture::{Options, fitted, labels, opening};
 use super::plane::{Bounds, Point};
 use super::pose::{Pose, Scene};
 use super::style::{Themes, sheet as style};
-use super::svg::{layers, number};
+use super::svg::{Written, layers, number};
 use crate::emit::markup::escaped;
 use crate::system::System;
 
@@ -102,7 +102,8 @@ pub fn sheet(system: &System, panels: &[Panel]) -> String {
             number(origin[0]),
             number(origin[1])
         );
-        text += &layers(&figure, &format!("assembly-{number_of}-"));
+        let prefix = format!("assembly-{number_of}-");
+        text += &layers(&figure, &prefix, Written::Picture);
         if has_names {
             let low = [corner[0] - origin[0], origin[1] - corner[1] - height];
             let area = Bounds {
