@@ -1,5 +1,6 @@
 //! The command from the outside: exit codes, output and files.
 
+mod animate;
 mod branch;
 #[cfg(feature = "calibrate")]
 mod calibrate;

@@ -3,8 +3,9 @@
 //! Lengths are pixels and y points upwards; a frame of a body is its frame with lengths in pixels. Whoever moves the mechanism moves
 //! the frames and nothing else. Deliberately unknown here: joints, colours, and how an outline is written.
 
-use super::plane::{Bounds, Place, Point, angle_of, difference, distance, heading, onward, sum};
+use super::plane::{Bounds, Point, difference, distance, heading, onward, sum};
 use super::pose::At;
+use super::stance::Stance;
 
 /// What moves with one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,10 +152,8 @@ impl Group {
 pub(super) struct Figure {
     /// Pixels per metre.
     pub scale: f64,
-    /// Where the frames of the bodies are, in pixels.
-    pub places: Vec<Place>,
-    /// The arrows of the loads, in parts of the longest.
-    pub arrows: Vec<Point>,
+    /// Where everything is.
+    pub stance: Stance,
     /// One for each moving body, in their order.
     pub bodies: Vec<Group>,
     /// One for each joint and driver.
@@ -166,52 +165,6 @@ pub(super) struct Figure {
 }
 
 impl Figure {
-    /// Where a frame is in this pose.
-    pub fn place(&self, frame: Frame) -> Place {
-        match frame {
-            Frame::Body(body) => self.places[body],
-            Frame::Riding(at, body) => Place {
-                origin: self.places[at.body].globally(at.local),
-                angle: self.places[body].angle,
-            },
-            Frame::Toward(from, to) | Frame::Between(from, to, _) => {
-                let [from, to] = [from, to].map(|it| self.places[it.body].globally(it.local));
-                Place {
-                    origin: from,
-                    angle: angle_of(difference(to, from)),
-                }
-            }
-            Frame::Force(at, load) => Place {
-                origin: self.places[at.body].globally(at.local),
-                angle: angle_of(self.arrows[load]),
-            },
-            Frame::Torque(at, angle, _) => Place {
-                origin: self.places[at.body].globally(at.local),
-                angle: self.places[at.body].angle + angle,
-            },
-            Frame::Still => Place::default(),
-        }
-    }
-
-    /// How much larger than it is written a frame is drawn along its axes in this pose.
-    pub fn stretch(&self, frame: Frame) -> [f64; 2] {
-        match frame {
-            Frame::Between(from, to, length) => {
-                let [from, to] = [from, to].map(|it| self.places[it.body].globally(it.local));
-                [distance(from, to) / length, 1.0]
-            }
-            Frame::Force(_, load) => {
-                let [x, y] = self.arrows[load];
-                [x.hypot(y); 2]
-            }
-            Frame::Torque(_, _, load) => {
-                let [turning, _] = self.arrows[load];
-                [turning.abs(), turning]
-            }
-            _ => [1.0; 2],
-        }
-    }
-
     pub fn groups(&self) -> impl Iterator<Item = &Group> {
         self.bodies.iter().chain(&self.joints).chain(&self.extras)
     }
@@ -221,8 +174,8 @@ impl Figure {
         group
             .parts()
             .flat_map(|part| {
-                let place = self.place(part.frame);
-                let stretch = self.stretch(part.frame);
+                let place = self.stance.place(part.frame);
+                let stretch = self.stance.stretch(part.frame);
                 part.elements.iter().map(move |element| Trace {
                     look: element.look,
                     is_closed: !matches!(element.outline, Outline::Open(_)),
@@ -237,11 +190,10 @@ impl Figure {
             .collect()
     }
 
-    /// The same with the frames of the bodies elsewhere and other arrows.
-    pub fn moved(&self, places: Vec<Place>, arrows: Vec<Point>) -> Figure {
+    /// The same in another pose.
+    pub fn moved(&self, stance: Stance) -> Figure {
         Figure {
-            places,
-            arrows,
+            stance,
             ..self.clone()
         }
     }

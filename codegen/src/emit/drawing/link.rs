@@ -97,12 +97,12 @@ impl Draft<'_> {
             let local = self.corners[b].first().copied().unwrap_or_default();
             At { body: b, local }
         });
-        let there = self.figure.places[b].globally(center.local);
+        let there = self.figure.stance.places[b].globally(center.local);
         let own = At {
             body: a,
-            local: self.figure.places[a].locally(there),
+            local: self.figure.stance.places[a].locally(there),
         };
-        let turned = self.figure.places[b].angle - self.figure.places[a].angle;
+        let turned = self.figure.stance.places[b].angle - self.figure.stance.places[a].angle;
         let from = self.facing(own);
         let to = self.facing(center) + turned;
         // The shorter way round.

@@ -19,6 +19,7 @@
 //!
 //! Deliberately unknown here: how a pose is found, files, and what is not drawn in the plane.
 
+mod animation;
 mod arrow;
 mod contact;
 mod cylinder;
@@ -27,8 +28,10 @@ mod draft;
 mod extras;
 mod figure;
 mod guide;
+mod keyframes;
 mod label;
 mod legend;
+mod lettering;
 mod letters;
 mod link;
 mod load_signs;
@@ -43,10 +46,12 @@ mod plane;
 mod pose;
 mod scale_bar;
 mod sheet;
+mod stance;
 mod style;
 mod svg;
 mod wheel;
 
+pub use animation::Animation;
 pub use extras::{Gap, Traced};
 pub use letters::width;
 pub use loads::ActingLoads;

@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 
 use super::draft::drafted;
-use super::picture::{Options, drawn};
+use super::picture::{Composition, Options};
 use super::pose::{Pose, Scene};
 use super::svg::{Written, groups};
 use crate::system::System;
@@ -33,8 +33,9 @@ pub fn moving(
         ..options.clone()
     };
     let scene = Scene::new(system, shown, others);
-    let (picture, figure) = drawn(system, &scene, &[], &options);
-    let base: BTreeMap<String, String> = groups(&figure, "", Written::Motion).into_iter().collect();
+    let composition = Composition::new(system, &scene, &[], &options);
+    let figure = &composition.figure;
+    let base: BTreeMap<String, String> = groups(figure, "", Written::Motion).into_iter().collect();
     let differing = |poses: &Vec<Pose>| {
         let [shown, others @ ..] = &poses[..] else {
             return BTreeMap::new();
@@ -47,7 +48,7 @@ pub fn moving(
             .collect()
     };
     Moving {
-        picture,
+        picture: composition.text(Written::Moving),
         others: motions.iter().map(differing).collect(),
     }
 }

@@ -142,7 +142,7 @@ fn around(at: Point, gap: f64) -> Vec<Anchor> {
 
 /// Beside the shape of a body, or upon it where it is large.
 fn beside(figure: &Figure, body: usize, width: f64) -> Vec<Anchor> {
-    let place = figure.places[body];
+    let place = figure.stance.places[body];
     let mut anchors = Vec::new();
     let upon = |at: Point, cost: f64| Anchor {
         at: place.globally(at),
@@ -237,7 +237,7 @@ fn ridden(anchors: &mut Vec<Anchor>, figure: &Figure, body: usize) {
         if !is_own {
             continue;
         }
-        let place = figure.place(part.frame);
+        let place = figure.stance.place(part.frame);
         let blocks = part.elements.iter().map(|it| &it.outline);
         for block in blocks.filter(|it| !matches!(it, Outline::Open(_))) {
             let points = hull(&block.points());

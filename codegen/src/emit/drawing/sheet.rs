@@ -3,8 +3,9 @@
 use std::fmt::Write as _;
 
 use super::draft::drafted;
+use super::lettering::{lettering, names_text};
 use super::naming::SIZE;
-use super::picture::{Options, fitted, labels, opening};
+use super::picture::{Options, fitted, opening};
 use super::plane::{Bounds, Point};
 use super::pose::{Pose, Scene};
 use super::style::{Themes, sheet as style};
@@ -110,7 +111,8 @@ pub fn sheet(system: &System, panels: &[Panel]) -> String {
                 low: [low[0] + 3.0, low[1] + 3.0],
                 high: [low[0] + width - 3.0, low[1] + height - TITLE],
             };
-            text += &labels(scene, &figure, unit, &area, &Options::default());
+            let names = lettering(scene, &figure, unit, &area, &Options::default());
+            text += &names_text(&names, [&figure, &figure], Written::Picture);
         }
         text.push_str("</g>\n");
     }

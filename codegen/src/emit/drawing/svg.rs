@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::figure::{Figure, Frame, Group, Layer, Look, Outline, Part, offset_edges};
+use super::keyframes::Keyframes;
 use super::plane::{Place, Point};
 use super::style::{TINTS, class};
 use crate::emit::markup::escaped;
@@ -36,31 +37,35 @@ fn transform(place: Place) -> String {
 }
 
 /// What is written of a figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Written {
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Written<'a> {
     /// What there is, in its pose.
     Picture,
     /// The same with every group, also one in which nothing lies: another motion may put something there.
     Moving,
     /// Groups without what the pose alone decides.
     Motion,
+    /// One pose of a motion, without what is right in another pose only.
+    Frame,
+    /// All poses of a motion, which the picture goes through by itself.
+    Animated(&'a Keyframes),
 }
 
 /// The figure in three layers: what is below the bodies, the bodies, and what is upon them. Names of elements begin with `prefix`.
-pub(super) fn layers(figure: &Figure, prefix: &str, written: Written) -> String {
+pub(super) fn layers(figure: &Figure, prefix: &str, written: Written<'_>) -> String {
     let groups = groups(figure, prefix, written).into_iter();
     groups.map(|(_, text)| text).collect()
 }
 
 /// The same as groups, each with its name and its text.
-pub(super) fn groups(figure: &Figure, prefix: &str, written: Written) -> Vec<(String, String)> {
+pub(super) fn groups(figure: &Figure, prefix: &str, written: Written<'_>) -> Vec<(String, String)> {
     let joints = figure.joints.iter().chain(&figure.extras);
     let others: Vec<&Group> = joints.collect();
     let mut found = Vec::new();
     let mut add = |group: &Group, layers: &[Layer], suffix: &str| {
         let id = format!("{prefix}{}{suffix}", group.id);
         // The last layer has the group's own name, and is there where nothing lies in it.
-        let is_kept = suffix.is_empty() || written != Written::Picture;
+        let is_kept = suffix.is_empty() || matches!(written, Written::Moving | Written::Motion);
         let text = layer(figure, group, layers, &id, written);
         found.extend(
             text.or_else(|| is_kept.then(|| empty(&id, group)))
@@ -93,9 +98,11 @@ fn layer(
     group: &Group,
     layers: &[Layer],
     id: &str,
-    written: Written,
+    written: Written<'_>,
 ) -> Option<String> {
     let parts = layers.iter().flat_map(|it| &group.layers[*it as usize]);
+    let is_timeless = matches!(written, Written::Frame | Written::Animated(_));
+    let parts = parts.filter(|part| !(is_timeless && part.frame == Frame::Still));
     let parts: Vec<&Part> = parts.collect();
     let (id, title) = (escaped(id), escaped(&group.title));
     let mut text = String::new();
@@ -105,13 +112,13 @@ fn layer(
         [part] => {
             let attributes = framed(figure, part.frame, written);
             let _ = writeln!(text, "<g id=\"{id}\"{attributes}><title>{title}</title>");
-            elements(&mut text, part);
+            within(&mut text, part, written);
         }
         _ => {
             let _ = writeln!(text, "<g id=\"{id}\"><title>{title}</title>");
             for part in parts {
                 let _ = writeln!(text, "<g{}>", framed(figure, part.frame, written));
-                elements(&mut text, part);
+                within(&mut text, part, written);
                 text.push_str("</g>\n");
             }
         }
@@ -121,7 +128,7 @@ fn layer(
 }
 
 /// The attributes of what moves with a frame: its class, how it moves, and where it is now.
-fn framed(figure: &Figure, frame: Frame, written: Written) -> String {
+fn framed(figure: &Figure, frame: Frame, written: Written<'_>) -> String {
     let mut text = match frame {
         Frame::Body(body) | Frame::Riding(_, body) if body > 0 => {
             format!(" class=\"tint-{}\"", (body - 1) % TINTS)
@@ -173,11 +180,11 @@ fn framed(figure: &Figure, frame: Frame, written: Written) -> String {
             number(-angle.to_degrees())
         ),
     };
-    if written == Written::Motion {
+    if matches!(written, Written::Motion) {
         return text;
     }
-    let mut placed = transform(figure.place(frame));
-    let stretch = figure.stretch(frame).map(number);
+    let mut placed = transform(figure.stance.place(frame));
+    let stretch = figure.stance.stretch(frame).map(number);
     if stretch.iter().any(|it| it != "1") {
         let _ = write!(placed, "scale({} {})", stretch[0], stretch[1]);
     }
@@ -185,6 +192,14 @@ fn framed(figure: &Figure, frame: Frame, written: Written) -> String {
         let _ = write!(text, " transform=\"{placed}\"");
     }
     text
+}
+
+/// The elements of a part, in an animation with how it moves.
+fn within(text: &mut String, part: &Part, written: Written<'_>) {
+    if let Written::Animated(keyframes) = written {
+        *text += &keyframes.motion(part.frame);
+    }
+    elements(text, part);
 }
 
 /// One element for each outline, but one for all of those neighbours that look alike and are open.
