@@ -271,6 +271,7 @@ Examples:
   linkwright inspect mechanisms/two_body.mech
   linkwright inspect mechanisms/excavator_tool.mech --format unicode
   linkwright inspect mechanisms/two_body.mech --format rust
+  linkwright inspect mechanisms/two_body.mech --format latex --fragment > equations.tex
 
 Equations are also shown of a mechanism whose motion they do not determine. As text and in Unicode a last section says what
 the generated code solves: its blocks in their order, what no `output` needs, and how many operations each level takes.
@@ -285,6 +286,9 @@ pub struct Inspect {
     /// How formulas are written
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// With `--format latex`: without preamble, to be read by a document of one's own with `\input`
+    #[arg(long)]
+    pub fragment: bool,
 }
 
 /// How formulas are written.
@@ -308,6 +312,7 @@ Examples:
   linkwright plan mechanisms/two_body.mech
   linkwright plan mechanisms/excavator.mech --format unicode
   linkwright plan mechanisms/excavator.mech --format latex > excavator.tex
+  linkwright plan mechanisms/two_body.mech --format latex --fragment > solution.tex
 
 Exit codes: 0 derived, 2 bad input, also where the equations do not determine the motion.")]
 pub struct Plan {
@@ -317,6 +322,9 @@ pub struct Plan {
     /// How words and formulas are written
     #[arg(long, value_enum, default_value_t = Script::Text)]
     pub format: Script,
+    /// With `--format latex`: without preamble, to be read by a document of one's own with `\input`
+    #[arg(long)]
+    pub fragment: bool,
 }
 
 /// How words and formulas are written.
