@@ -10,7 +10,8 @@ const tag = () => {
   data.joints.forEach((joint, index) => {
     for (const suffix of ["", "-below", "-upon"]) {
       const element = svg.querySelector(`[id="joint-${CSS.escape(joint.slug)}${suffix}"]`);
-      if (!element) continue;
+      // A layer in which nothing lies is there for other assemblies.
+      if (!element || (suffix && !element.querySelector("path, circle"))) continue;
       element.dataset.is = `j${index}`;
       element.dataset.of = joint.bodies.map((body) => `b${body}`).join(" ");
     }
