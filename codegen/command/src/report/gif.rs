@@ -93,7 +93,7 @@ struct Pixels {
 /// # Errors
 /// A picture that is too large for a GIF or for the memory.
 pub fn gif(animation: &Animation, interval: f64) -> Result<Vec<u8>, String> {
-    let rasterizer = Rasterizer::new();
+    let rasterizer = Rasterizer::with_letters();
     let pixels = |place: usize| -> Result<Pixels, String> {
         let pixels = rasterizer.pixels(&animation.frame(place), 1.0)?;
         let side = |length: u32| u16::try_from(length).map_err(|_| "it is too large".to_string());
@@ -289,7 +289,7 @@ mod tests {
         assert_eq!(pictures.len(), 4);
         assert!(pictures[0] != pictures[1] && pictures[1] == pictures[2]);
         for (place, picture) in pictures.iter().enumerate() {
-            let drawn = Rasterizer::new().pixels(&animation.frame(place), 1.0);
+            let drawn = Rasterizer::with_letters().pixels(&animation.frame(place), 1.0);
             let drawn = drawn.expect("pixels");
             let off = drawn.pixels().iter().zip(picture).map(|(a, b)| {
                 let parts = [a.red(), a.green(), a.blue()].into_iter().zip(b);

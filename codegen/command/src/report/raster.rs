@@ -57,7 +57,7 @@ pub struct Rasterizer {
 
 impl Rasterizer {
     /// Reads the letters.
-    pub fn new() -> Rasterizer {
+    pub fn with_letters() -> Rasterizer {
         let mut fonts = Database::new();
         fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
         let families = fonts.faces().next().map(|face| face.families.clone());
@@ -96,7 +96,7 @@ impl Rasterizer {
 /// # Errors
 /// A picture without a size or too large for the memory.
 pub fn raster(svg: &str, factor: f32) -> Result<Vec<u8>, String> {
-    let pixels = Rasterizer::new().pixels(svg, factor)?;
+    let pixels = Rasterizer::with_letters().pixels(svg, factor)?;
     let png = pixels.encode_png().map_err(|error| error.to_string())?;
     Ok(marked(png))
 }
