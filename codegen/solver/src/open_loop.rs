@@ -1,12 +1,14 @@
 //! A mechanism that cannot be assembled → the pose in which all joints but one hold and the ends of that one are closest.
 //!
-//! The open joint is a pin of the block that fails. Its equations count less and less while the sum of squares is minimized
+//! The open joint is a pin of the block that fails, or else a link without a body. Its equations count less and less while the sum of squares is minimized
 //! (Nocedal and Wright 2006, section 17.1), so that in the end the others hold to rounding.
 
 use linkwright::{Blocks, Equations, Shell};
 use linkwright_codegen::stages::emit::drawing;
-use linkwright_codegen::stages::expr::{SymbolId, Tape};
+use linkwright_codegen::stages::expr::{ExprId, SymbolId, Tape};
+use linkwright_codegen::stages::joint::Feature;
 use linkwright_codegen::stages::joint::geometry::{BodyId, Mark};
+use linkwright_codegen::stages::model::Mechanism;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
@@ -37,7 +39,7 @@ const MOST_DAMPING: f64 = 1e8;
 pub struct OpenLoop {
     /// Joint that is open: an index into the joints.
     pub joint: usize,
-    /// Its two points, in m.
+    /// Its two points, in m; of a link the end that does not arrive, and the point at which it should.
     pub ends: [[f64; 2]; 2],
     /// Values of the time, the inputs and the coordinates.
     values: Vec<(SymbolId, f64)>,
@@ -86,7 +88,7 @@ pub fn open_loop(view: &Interpreted, t: f64) -> Option<OpenLoop> {
     })
 }
 
-/// The last pin of the block that fails, rather one between bodies that move.
+/// The last pin of the block that fails, rather one between bodies that move, or else its last link without a body.
 fn open_joint(view: &Interpreted, t: f64) -> Option<usize> {
     let parameters = view.nominal_parameters();
     let assembled = Shell::assemble(
@@ -100,14 +102,28 @@ fn open_joint(view: &Interpreted, t: f64) -> Option<usize> {
     );
     let failure = assembled.err()?;
     let block = view.plan().blocks.get(usize::from(failure.block))?;
-    let joints = &view.system().mechanism.joints;
-    let pins = block.joints.iter().copied();
-    let pins = pins.filter(|joint| joints[*joint].kind.joins_points());
-    pins.max_by_key(|joint| {
+    let mechanism = &view.system().mechanism;
+    let joints = &mechanism.joints;
+    let own = block.joints.iter().copied();
+    let pins = own.clone().filter(|it| joints[*it].kind.joins_points());
+    let pin = pins.max_by_key(|joint| {
         let marks = joints[*joint].operands.marks.iter();
         let moving = marks.filter(|it| it.frame.body != BodyId::GROUND).count();
         (moving, *joint)
+    });
+    pin.or_else(|| {
+        own.filter(|it| link_length(mechanism, *it).is_some())
+            .next_back()
     })
+}
+
+/// The length of a link without a body; `None` for other joints.
+fn link_length(mechanism: &Mechanism, joint: usize) -> Option<ExprId> {
+    let joint = &mechanism.joints[joint];
+    let feature = joint
+        .kind
+        .feature(&joint.operands, &mut mechanism.graph.clone())?;
+    joint.operands.value.filter(|_| feature == Feature::Link)
 }
 
 /// Φ divided by the scales of its rows; the rows of the open joint count by `weight`.
@@ -205,12 +221,21 @@ fn ends(system: &System, joint: usize, values: &[(SymbolId, f64)]) -> Option<[[f
         return None;
     };
     let places = [first, second].map(|mark| mark.position(&mut graph));
+    let zero = graph.zero();
+    let length = link_length(mechanism, joint);
+    let wanted = [&places.as_flattened()[..], &[length.unwrap_or(zero)]].concat();
     let mut symbols = vec![0.0; graph.symbol_count()];
     graph.fill_nominal(&mut symbols);
     for (symbol, value) in values {
         symbols[symbol.index()] = *value;
     }
-    let mut found = [0.0; 4];
-    Tape::new(&graph, places.as_flattened()).evaluate(&symbols, &mut Vec::new(), &mut found);
-    Some([[found[0], found[1]], [found[2], found[3]]])
+    let mut found = [0.0; 5];
+    Tape::new(&graph, &wanted).evaluate(&symbols, &mut Vec::new(), &mut found);
+    let [x, y, to_x, to_y, length_now] = found;
+    if length.is_none() {
+        return Some([[x, y], [to_x, to_y]]);
+    }
+    let part = length_now / (to_x - x).hypot(to_y - y);
+    let end = [x + part * (to_x - x), y + part * (to_y - y)];
+    part.is_finite().then_some([end, [to_x, to_y]])
 }

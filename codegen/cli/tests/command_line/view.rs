@@ -413,6 +413,25 @@ fn a_loop_that_cannot_close_is_shown_with_its_gap() {
             apart - 0.6
         );
     }
+    // A tie of 0.2 m without a body from the end of the crank to a rocker of 0.3 m.
+    let tied = OPEN
+        .replace(
+            "    body coupler at (0.1, 0) { B: (0, 0), C: (length, 0) }\n",
+            "",
+        )
+        .replace("    revolute B(crank, coupler);\n", "")
+        .replace(
+            "revolute C(coupler, rocker)",
+            "revolute_revolute (crank.B, rocker.C) = length",
+        )
+        .replace("length = 0.3", "length = 0.2")
+        .replace("angle0", "0");
+    let folder = Folder::new("view_open_tie", tied);
+    folder.run("view a.mech").exits_with(1);
+    let html = folder.read("open_bar.html");
+    let label = html.split("class=\"gap-name\"").nth(1).expect("a label");
+    let label = label.split(['>', '<']).nth(1).expect("its text");
+    assert_eq!(label, "0.3 m");
     // One that closes has none.
     let folder = Folder::new("view_closed", EXAM);
     folder.run("view a.mech").exits_with(0);
