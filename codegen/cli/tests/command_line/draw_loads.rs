@@ -168,6 +168,37 @@ fn a_damper_is_a_piston_in_a_cylinder() {
     }
 }
 
+/// The second element between two points is drawn beside the first one.
+#[test]
+fn elements_between_the_same_points_do_not_overlap() {
+    let text = ARM.replace("(ground.W, arm.P)", "(arm.M, ground.C)");
+    let folder = Folder::new("draw_beside", text);
+    let svg = drawn(&folder, 0.2);
+    let spring = load(&svg, "spring upper");
+    let (spring, scale) = parts(&spring, " data-length=");
+    let damper = load(&svg, "damper lower");
+    let (damper, _) = parts(&damper, " data-from=");
+    let reach = |part: &Part, lines: std::ops::Range<usize>| {
+        let sides = part.points()[lines].to_vec();
+        let sides = sides.iter().map(|it| it[1]);
+        sides.fold((f64::MAX, f64::MIN), |(low, high), it| {
+            (low.min(it), high.max(it))
+        })
+    };
+    let (low, high) = reach(&spring[0], 0..spring[0].points().len());
+    // The walls of its cylinder.
+    let (from, to) = reach(&damper[0], 3..7);
+    assert!(
+        from > high || to < low,
+        "{from} to {to} beside {low} to {high}"
+    );
+    // It begins at one of the ends all the same.
+    let [x, y] = damper[0].place(damper[0].points()[0]);
+    let ends = [[0.3, 0.3], on_arm(0.2, 0.3)].into_iter();
+    let mut off = ends.map(|end| (x - scale * end[0]).hypot(y + scale * end[1]));
+    assert!(off.any(|it| it < 0.1), "({x}, {y})");
+}
+
 #[test]
 fn a_force_is_an_arrow_along_it_at_its_point() {
     let folder = Folder::new("draw_force", ARM);

@@ -373,6 +373,22 @@ mechanism open_bar {
 }
 ";
 
+/// Two links of constant length beside an arm that turns.
+const FIXED: &str = "\
+mechanism fixed {
+    point A = (0, 0), D = (0.9, 0);
+    body one at A { A, B: (0.3, 0) }
+    body two at D { D, B: (-0.4, 0) }
+    body arm at (0, 1);
+    revolute A(ground, one);
+    revolute D(ground, two);
+    revolute (one.B, two.B);
+    absolute_x(arm) = 0;
+    absolute_y(arm) = 1;
+    drive phi(arm) = 2*t;
+}
+";
+
 #[test]
 fn a_loop_that_cannot_close_is_shown_with_its_gap() {
     for (angle, name) in [(0.0_f64, "view_open_0"), (1.2, "view_open_1")] {
@@ -432,6 +448,13 @@ fn a_loop_that_cannot_close_is_shown_with_its_gap() {
     let label = html.split("class=\"gap-name\"").nth(1).expect("a label");
     let label = label.split(['>', '<']).nth(1).expect("its text");
     assert_eq!(label, "0.3 m");
+    // What is fixed altogether, 0.9 m between pins and 0.3 m + 0.4 m of links.
+    let folder = Folder::new("view_open_fixed", FIXED);
+    folder.run("view a.mech").exits_with(1);
+    let html = folder.read("fixed.html");
+    let label = html.split("class=\"gap-name\"").nth(1).expect("a label");
+    let label = label.split(['>', '<']).nth(1).expect("its text");
+    assert_eq!(label, "0.2 m");
     // One that closes has none.
     let folder = Folder::new("view_closed", EXAM);
     folder.run("view a.mech").exits_with(0);

@@ -112,8 +112,7 @@ impl Draft<'_> {
         let is_line = |load: &Load| matches!(load.shape, Shape::Spring | Shape::Damper);
         let loads = scene.loads.iter().enumerate();
         let beside = loads.filter(|(_, load)| is_line(load) && is_same(&load.marks));
-        let beside: Vec<usize> = beside.map(|(number, _)| number).collect();
-        let rank = beside.iter().take_while(|it| **it < place).count();
+        let rank = beside.filter(|(number, _)| *number < place).count();
         let is_taken = scene.signs.iter().any(|sign| {
             matches!(sign.feature, Feature::Slide | Feature::Link) && is_same(&sign.marks)
         });
@@ -123,7 +122,8 @@ impl Draft<'_> {
                 let out = (rank / 2 + 1) as f64;
                 if rank.is_multiple_of(2) { out } else { -out }
             }
-            false => rank as f64 - 0.5 * (beside.len() as f64 - 1.0),
+            // Above the first one: below there may be a guide.
+            false => rank as f64,
         };
         let lengths = scene.motion.iter().map(|places| {
             let [a, b] = [from, to].map(|it| places[it.body].globally(it.local));
