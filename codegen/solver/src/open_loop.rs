@@ -104,17 +104,14 @@ fn open_joint(view: &Interpreted, t: f64) -> Option<usize> {
     let block = view.plan().blocks.get(usize::from(failure.block))?;
     let mechanism = &view.system().mechanism;
     let joints = &mechanism.joints;
-    let own = block.joints.iter().copied();
-    let pins = own.clone().filter(|it| joints[*it].kind.joins_points());
-    let pin = pins.max_by_key(|joint| {
-        let marks = joints[*joint].operands.marks.iter();
+    let is_pin = |joint: &&usize| joints[**joint].kind.joins_points();
+    let pin = block.joints.iter().filter(is_pin).max_by_key(|joint| {
+        let marks = joints[**joint].operands.marks.iter();
         let moving = marks.filter(|it| it.frame.body != BodyId::GROUND).count();
-        (moving, *joint)
+        (moving, **joint)
     });
-    pin.or_else(|| {
-        own.filter(|it| link_length(mechanism, *it).is_some())
-            .next_back()
-    })
+    let is_link = |joint: &&usize| link_length(mechanism, **joint).is_some();
+    pin.or_else(|| block.joints.iter().rfind(is_link)).copied()
 }
 
 /// The length of a link without a body; `None` for other joints.
@@ -223,7 +220,7 @@ fn ends(system: &System, joint: usize, values: &[(SymbolId, f64)]) -> Option<[[f
     let places = [first, second].map(|mark| mark.position(&mut graph));
     let zero = graph.zero();
     let length = link_length(mechanism, joint);
-    let wanted = [&places.as_flattened()[..], &[length.unwrap_or(zero)]].concat();
+    let wanted = [places.as_flattened(), &[length.unwrap_or(zero)]].concat();
     let mut symbols = vec![0.0; graph.symbol_count()];
     graph.fill_nominal(&mut symbols);
     for (symbol, value) in values {
