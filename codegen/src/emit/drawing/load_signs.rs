@@ -6,7 +6,7 @@ use super::draft::Draft;
 use super::figure::{Frame, Group, Layer, Look, Outline};
 use super::link::SHORTEST;
 use super::loads::Load;
-use super::plane::{Point, distance, heading, left_of, scaled};
+use super::plane::{Point, difference, distance, heading, left_of, onward, scaled};
 use super::pose::At;
 use crate::force::Shape;
 use crate::joint::Feature;
@@ -58,14 +58,20 @@ impl Draft<'_> {
     /// Draws all loads.
     pub fn loads(&mut self) {
         let scene = self.scene;
+        let spans: Vec<Option<Span>> = (0..scene.loads.len()).map(|it| self.span(it)).collect();
+        for span in spans.iter().flatten().filter(|it| it.aside != 0.0) {
+            // Supports stand where no element is.
+            let line = self.beside(*span);
+            self.lines.push(line);
+        }
         for (place, load) in scene.loads.iter().enumerate() {
             let mut group = Group::new(format!("load-{}", place + 1), load.label.clone());
             match (load.shape, &load.marks[..]) {
                 (Shape::Spring | Shape::Damper, &[from, to]) => {
-                    let span = self.span(place, from, to);
-                    match load.shape {
-                        Shape::Spring => self.coil(span, &mut group),
-                        _ => self.dashpot(span, &mut group),
+                    match (load.shape, spans[place]) {
+                        (Shape::Spring, Some(span)) => self.coil(span, &mut group),
+                        (_, Some(span)) => self.dashpot(span, &mut group),
+                        _ => {}
                     }
                     self.end(from, &mut group);
                     self.end(to, &mut group);
@@ -95,9 +101,25 @@ impl Draft<'_> {
         self.hole(at, group);
     }
 
-    /// Where an element is drawn: beside others that have the same ends.
-    fn span(&self, place: usize, from: At, to: At) -> Span {
+    /// The line along which an element is drawn, in pixels.
+    fn beside(&self, span: Span) -> [Point; 2] {
+        let ends = [span.from, span.to];
+        let [a, b] = ends.map(|it| self.figure.stance.places[it.body].globally(it.local));
+        let length = distance(a, b).max(1.0);
+        let out = left_of(scaled(difference(b, a), 1.0 / length));
+        [a, b].map(|end| onward(end, span.aside, out))
+    }
+
+    /// Where a load is drawn that is an element between two points: beside others that have the same ends.
+    fn span(&self, place: usize) -> Option<Span> {
         let scene = self.scene;
+        let is_line = |load: &Load| matches!(load.shape, Shape::Spring | Shape::Damper);
+        let &[from, to] = &scene.loads[place].marks[..] else {
+            return None;
+        };
+        if !is_line(&scene.loads[place]) {
+            return None;
+        }
         let [a, b] = [from, to].map(|it| self.global(it));
         let is_backward = (b[0], b[1]) < (a[0], a[1]);
         let [from, to] = if is_backward { [to, from] } else { [from, to] };
@@ -109,7 +131,6 @@ impl Draft<'_> {
             }
             _ => false,
         };
-        let is_line = |load: &Load| matches!(load.shape, Shape::Spring | Shape::Damper);
         let loads = scene.loads.iter().enumerate();
         let beside = loads.filter(|(_, load)| is_line(load) && is_same(&load.marks));
         let rank = beside.filter(|(number, _)| *number < place).count();
@@ -130,14 +151,14 @@ impl Draft<'_> {
             distance(a, b) * self.figure.scale
         });
         let lengths: Vec<f64> = lengths.collect();
-        Span {
+        Some(Span {
             from: self.pixels(from),
             to: self.pixels(to),
             aside: steps * APART * self.unit,
             now: lengths[0],
             least: lengths.iter().copied().fold(f64::INFINITY, f64::min),
             most: lengths.iter().copied().fold(0.0, f64::max),
-        }
+        })
     }
 
     /// A coil that is as long as the distance between its ends.
