@@ -45,7 +45,7 @@ pub use read::{Read, read, read_along};
 pub use system::System;
 
 use diagnostic::{Diagnostics, Source, internal};
-use linkwright_description::{columns, consequences, expr, joint, model, syntax, units};
+use linkwright_description::{columns, consequences, expr, force, joint, model, syntax, units};
 use linkwright_program::{assemblies, finiteness, modes, program, structure, system, words};
 use read::read_for;
 

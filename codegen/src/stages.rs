@@ -15,7 +15,7 @@ pub mod joint {
     #[doc(inline)]
     pub use crate::joint::geometry;
     #[doc(inline)]
-    pub use crate::joint::{CONSTRAINTS, DRIVERS, Kind, Line, Quantity, Slot, Value};
+    pub use crate::joint::{CONSTRAINTS, DRIVERS, Feature, Kind, Line, Quantity, Slot, Value};
 }
 
 /// Descriptions with their names resolved, and the words that have a meaning in formulas.

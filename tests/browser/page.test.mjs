@@ -300,3 +300,107 @@ mechanism bad {
   assert.ok(text.includes("</script><script>alert(1)</script><img src=x onerror=alert(2)>"), text);
   await page.close();
 });
+
+test("the guide of the other assembly of two_body is where its block slides", async () => {
+  const page = await visit("two_body");
+  const place = await page.evaluate(() => [...document.querySelectorAll("#thumbnails button")].findIndex((it) => it.textContent.trim().startsWith("−")));
+  await page.click(`#thumbnails button:nth-child(${place + 1})`);
+  const off = [];
+  for (const t of [0, 0.7, 2.2, 3.9]) {
+    await seek(page, t);
+    off.push(
+      await page.evaluate(() => {
+        const box = (id, what) => document.querySelector(`[id="${id}"] ${what}`).getBoundingClientRect();
+        const guide = box("joint-absolute_x_2-below", ".edge");
+        const block = box("joint-absolute_x_2", ".part");
+        return Math.max(guide.top - block.top, block.bottom - guide.bottom);
+      }),
+    );
+  }
+  assert.ok(Math.max(...off) <= 0, `beyond the guide by ${off} px`);
+  await page.close();
+});
+
+/// An arm that swings between a spring and a force.
+const swinging = `mechanism swinging {
+    point O = (0, 0), C = (30cm, 30cm);
+    body arm at O { O, P: (60cm, 0), M: (30cm, 0) }
+    revolute O(ground, arm);
+    drive phi(arm) = 15deg*sin(2*pi*t);
+    mass arm = 5kg at M;
+    spring (ground.C, arm.M) = 1N/mm;
+    force on arm.P = (30N*cos(2*pi*t), -40N);
+    effort;
+}`;
+
+test("a spring reaches from end to end, and a force has its direction, at every time", async () => {
+  const source = made.file("swinging.mech");
+  writeFileSync(source, swinging);
+  const file = made.file("swinging.html");
+  linkwright("view", source, "--to", "1", "--out", file, "--force");
+  const page = await browser.visit(`file://${file}`);
+  for (const t of [0, 0.13, 0.61, 0.94]) {
+    await seek(page, t);
+    const found = await page.evaluate(() => {
+      const mechanism = document.getElementById("mechanism");
+      const scale = Number(mechanism.dataset.scale);
+      const back = mechanism.getScreenCTM().inverse();
+      const place = (element, x, y) => {
+        const there = new DOMPoint(x, y).matrixTransform(element.getScreenCTM()).matrixTransform(back);
+        return [there.x / scale, -there.y / scale];
+      };
+      const spring = mechanism.querySelector("[data-length] path");
+      const length = spring.getTotalLength();
+      const ends = [0, length].map((at) => spring.getPointAtLength(at)).map(({ x, y }) => place(spring, x, y));
+      const force = mechanism.querySelector("[data-force]");
+      return { ends, tail: place(force, 0, 0), along: place(force, 1, 0) };
+    });
+    const angle = (Math.PI / 12) * Math.sin(2 * Math.PI * t);
+    const on = (distance) => [distance * Math.cos(angle), distance * Math.sin(angle)];
+    const near = ([x, y], [u, v]) => assert.ok(Math.hypot(x - u, y - v) < 1e-3, `(${x}, ${y}) is not (${u}, ${v}) at ${t}`);
+    const [upper, lower] = found.ends.sort((a, b) => b[1] - a[1]);
+    near(upper, [0.3, 0.3]);
+    near(lower, on(0.3));
+    near(found.tail, on(0.6));
+    const [x, y] = [found.along[0] - found.tail[0], found.along[1] - found.tail[1]];
+    const [fx, fy] = [30 * Math.cos(2 * Math.PI * t), -40];
+    const off = Math.abs(x * fy - y * fx) / (Math.hypot(x, y) * Math.hypot(fx, fy));
+    assert.ok(off < 0.01 && x * fx + y * fy > 0, `the force is off by ${off} at ${t}`);
+  }
+  await page.close();
+});
+
+test("rows with fractions do not scroll up and down, and nothing of them is cut off", async () => {
+  for (const name of ["two_body", "four_bar", "quick_return"]) {
+    const page = await visit(name);
+    const found = await page.evaluate(() => {
+      for (const section of document.querySelectorAll("article > section")) section.style.contentVisibility = "visible";
+      const rows = [...document.querySelectorAll(".equation, .wide")];
+      const scrolls = rows.filter((it) => it.scrollHeight > it.clientHeight && getComputedStyle(it).overflowY !== "hidden");
+      const cut = rows.filter((it) => {
+        const own = it.getBoundingClientRect();
+        return [...it.querySelectorAll("mfrac, msqrt")].some((part) => {
+          const { top, bottom } = part.getBoundingClientRect();
+          return top < own.top - 0.5 || bottom > own.bottom + 0.5;
+        });
+      });
+      return [rows.length, scrolls.length, cut.length];
+    });
+    assert.ok(found[0] > 10, name);
+    assert.deepEqual(found.slice(1), [0, 0], name);
+    await page.close();
+  }
+});
+
+test("printing keeps tables and figures whole", async () => {
+  const page = await visit("four_bar");
+  await page.emulateMedia({ media: "print" });
+  const split = await page.evaluate(() => {
+    const parts = [...document.querySelectorAll("table, figure, .wide, .equation, #thumbnails button")];
+    const shown = parts.filter((it) => it.getClientRects().length);
+    return [shown.length, shown.filter((it) => getComputedStyle(it).breakInside !== "avoid").length];
+  });
+  assert.ok(split[0] > 10);
+  assert.equal(split[1], 0);
+  await page.close();
+});

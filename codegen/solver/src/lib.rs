@@ -28,6 +28,7 @@ pub mod measures;
 mod newton;
 pub mod number;
 pub mod observable;
+pub mod open_loop;
 mod operation;
 mod path;
 pub mod pressure;

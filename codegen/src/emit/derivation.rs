@@ -77,6 +77,11 @@ impl<'a> Derivation<'a> {
         latex_page::page(&Writer::new(self, Script::Latex).document())
     }
 
+    /// As LaTeX for a document that has a preamble.
+    pub fn latex_fragment(self) -> String {
+        latex_page::fragment(&Writer::new(self, Script::Latex).document())
+    }
+
     /// As parts of a page with MathML.
     pub fn html(self) -> HtmlDerivation {
         html_page::page(&Writer::new(self, Script::Html).document())

@@ -4,7 +4,7 @@ mod inspect;
 pub(super) mod lines;
 mod spelling;
 
-pub use inspect::inspect;
+pub use inspect::{inspect, inspect_fragment};
 pub(crate) use spelling::{Latex, escaped, vector_name};
 
 use super::formula::Printer;

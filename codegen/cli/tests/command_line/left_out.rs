@@ -28,6 +28,7 @@ fn a_png_is_refused() {
         "draw a.mech --out a.png",
         "draw a.mech --out A.PNG",
         "draw a.mech --png --out -",
+        "draw a.mech --animate --out a.gif",
         "draw missing.mech --png",
     ];
     refuses("png", "which draws pictures in pixels", &commands);

@@ -1,5 +1,6 @@
 //! The command from the outside: exit codes, output and files.
 
+mod animate;
 mod branch;
 #[cfg(feature = "calibrate")]
 mod calibrate;
@@ -7,6 +8,7 @@ mod check;
 mod compare;
 mod derivatives;
 mod draw;
+mod draw_loads;
 mod files;
 mod fmt;
 mod folder;

@@ -45,3 +45,46 @@ fn nothing_is_derived_where_the_motion_is_not_determined() {
     assert_eq!(ran.stdout, "");
     assert!(ran.stderr.contains("error[K3"), "{}", ran.stderr);
 }
+
+/// What a document of one's own needs is said in comments, and nothing stands twice that it has already.
+#[test]
+fn a_fragment_of_latex_has_no_preamble() {
+    let folder = Folder::new("latex_fragment", EXAM);
+    for command in ["plan", "inspect"] {
+        let whole = folder.run(&format!("{command} a.mech --format latex"));
+        let whole = whole.exits_with(0).stdout;
+        let ran = folder.run(&format!("{command} a.mech --format latex --fragment"));
+        let fragment = ran.exits_with(0).stdout;
+        for word in [
+            "documentclass",
+            "{document}",
+            "textwidth",
+            "\\usepackage{amsmath}\n",
+        ] {
+            assert!(
+                whole.contains(word) && !fragment.contains(word),
+                "{word} in {fragment}"
+            );
+        }
+        let first = fragment.lines().next().expect("a line");
+        assert!(
+            first.starts_with('%') && first.contains("amsmath"),
+            "{first}"
+        );
+        let body = |text: &str, start: &str| {
+            let text = text.split(start).nth(1).expect("its beginning").to_string();
+            text.rsplit_once("\\end").expect("its end").0.to_string()
+        };
+        assert_eq!(
+            body(&fragment, "\\raggedright\n\\section").trim_end_matches("\\par"),
+            body(&whole, "\\raggedright\n\\section"),
+            "{command}"
+        );
+        for other in ["", "--format unicode", "--format text"] {
+            let ran = folder
+                .run(&format!("{command} a.mech {other} --fragment"))
+                .exits_with(2);
+            assert!(ran.stderr.contains("--format latex"), "{}", ran.stderr);
+        }
+    }
+}

@@ -3,6 +3,7 @@
 use std::fs;
 
 use crate::draw::replaces_its_own;
+use crate::draw_loads::ARM;
 use crate::folder::{EXAM, Folder};
 
 #[test]
@@ -29,4 +30,15 @@ fn a_png_has_the_size_that_is_asked_for_and_letters() {
     assert_eq!(size("two_body.png"), [640, 480]);
     folder.run("draw a.mech --out b.png").exits_with(0);
     assert!(size("b.png")[0] >= 840, "{:?}", size("b.png"));
+}
+
+/// What vanishes in a pose has no size, and pixels must bear that.
+#[test]
+fn loads_are_drawn_in_pixels() {
+    let text = ARM.replace("(30N*cos(2*pi*t), -40N)", "(30N*t, 0)");
+    let folder = Folder::new("png_loads", text);
+    folder.run("draw a.mech --out a.png").exits_with(0);
+    folder.run("draw a.mech --at 0.5 --out b.png").exits_with(0);
+    let [a, b] = ["a.png", "b.png"].map(|it| fs::read(folder.file(it)).expect("a picture"));
+    assert_ne!(a, b);
 }

@@ -370,10 +370,55 @@ fn coordinates_are_shown_with_their_rates_in_the_wanted_unit() {
     assert!(folder.read("shown/phi1.svg").contains("phi1&apos; (deg/s)"));
     let ran = folder.run("solve a.mech --show phi3").exits_with(2);
     assert!(
-        ran.stderr.contains("no coordinate `phi3`") && ran.stderr.contains("are: x1, y1, phi1,"),
+        ran.stderr.contains("no coordinate or point `phi3`")
+            && ran.stderr.contains("are: x1, y1, phi1,")
+            && ran.stderr.contains("its points are: P, Q"),
         "{}",
         ran.stderr
     );
+}
+
+/// As the description, the tables of frames and the generated code write them.
+#[test]
+fn what_is_shown_may_be_spelled_as_it_is_met() {
+    let folder = Folder::new("spelled", EXAM);
+    let run = |name: &str| {
+        let show = format!("solve a.mech --show {name} --at 0.5 --no-files");
+        folder.run(&show).exits_with(0).stdout
+    };
+    let angle = run("phi2");
+    assert!(angle.contains("phi2: value, rate, acceleration"), "{angle}");
+    for name in ["phi(2)", "phi_2", "phi2_d", "phi2_dd", "q.phi2", "qdd.phi2"] {
+        assert_eq!(run(name), angle, "{name}");
+    }
+    // The middle of the rod; nothing else is shown.
+    let point = run("Q");
+    assert!(point.contains("Q: position"), "{point}");
+    assert!(
+        !point.contains("P: position") && !point.contains("phi2: value"),
+        "{point}"
+    );
+    for name in ["Q_x", "Q_vy", "Q.y", "2.Q", "2.Q_ax", "y(2.Q)", "point_q"] {
+        assert_eq!(run(name), point, "{name}");
+    }
+    let both = run("x(2),Q,phi2,Q_y");
+    assert!(
+        both.contains("x2: value") && both.contains("Q: position"),
+        "{both}"
+    );
+    // Each has one picture.
+    folder
+        .run("solve a.mech --show phi(2),phi2,Q_x,Q --to 1 --plot plots --no-files")
+        .exits_with(0);
+    assert_eq!(folder.list("plots"), ["Q.svg", "paths.svg", "phi2.svg"]);
+    for name in [
+        "phi(3)", "phi_", "x(2.R)", "Q_z", "3.Q", "phi(2", "phi(1.Q)",
+    ] {
+        let ran = folder
+            .run(&format!("solve a.mech --show {name}"))
+            .exits_with(2);
+        assert!(ran.stderr.contains(&format!("`{name}`")), "{}", ran.stderr);
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::draw_loads::numbers;
 use super::folder::{EXAM, Folder, driven_by};
 use super::printed::json;
 
@@ -308,4 +309,154 @@ fn only_pages_of_ours_are_replaced_and_options_are_checked() {
         assert!(ran.stderr.contains(words), "{wrong}: {}", ran.stderr);
     }
     assert_eq!(folder.list("."), ["a.mech", "two_body.html"]);
+}
+
+/// In the assembly "−" the end of the rod is below the crank: y = sin φ − √(3 − (√3 − cos φ)²), and φ = 30° ± 1 rad.
+#[test]
+fn a_guide_goes_with_the_assembly() {
+    let folder = Folder::new("view_guide", EXAM);
+    folder.run("view a.mech").exits_with(0);
+    let html = folder.read("two_body.html");
+    let scale = html.split("data-scale=\"").nth(1).expect("a scale");
+    let scale = numbers(scale.split('"').next().expect("a number"))[0];
+    let reach = |sign: f64| {
+        let angles = (0..=1000).map(|it| std::f64::consts::PI / 6.0 - 1.0 + 0.002 * f64::from(it));
+        let heights = angles.map(|angle: f64| {
+            let beside = 3.0_f64.sqrt() - angle.cos();
+            angle.sin() + sign * (3.0 - beside * beside).sqrt()
+        });
+        heights.fold((f64::MAX, f64::MIN), |(low, high), it| {
+            (low.min(it), high.max(it))
+        })
+    };
+    let guide = |element: &str| {
+        let path = element.split("class=\"edge\" d=\"").nth(1).expect("a line");
+        let line = numbers(path.split('"').next().expect("a path"));
+        let heights = [-line[1] / scale, -line[3] / scale];
+        let x = line[0] / scale;
+        assert!((x - 3.0_f64.sqrt()).abs() < 0.1, "at {x}");
+        (heights[0].min(heights[1]), heights[0].max(heights[1]))
+    };
+    let id = "joint-absolute_x_2-below";
+    let found = played(&html);
+    let others = found["assemblies"].as_array().expect("a list");
+    let other = others
+        .iter()
+        .position(|it| it["label"] == "−")
+        .expect("the other");
+    let replaced = others[other]["elements"][id].as_str();
+    let replaced = replaced.unwrap_or_else(|| panic!("no {id} in {}", others[other]["elements"]));
+    let start = html
+        .find(&format!("<g id=\"{id}\""))
+        .expect("the guide of the drawing");
+    for (element, sign) in [(&html[start..], 1.0), (replaced, -1.0)] {
+        let ((low, high), (least, most)) = (guide(element), reach(sign));
+        // It is as long as what slides on it needs, and a little longer.
+        assert!(low < least && least - low < 0.4, "{low} for {least}");
+        assert!(high > most && high - most < 0.4, "{high} for {most}");
+    }
+}
+
+/// A crank of 0.1 m, a coupler and a rocker of 0.3 m between pins 0.9 m apart.
+const OPEN: &str = "\
+mechanism open_bar {
+    param length = 0.3;
+    point A = (0, 0), D = (0.9, 0);
+    body crank at A { A, B: (0.1, 0) }
+    body coupler at (0.1, 0) { B: (0, 0), C: (length, 0) }
+    body rocker at D { D, C: (-0.3, 0) }
+    revolute A(ground, crank);
+    revolute B(crank, coupler);
+    revolute C(coupler, rocker);
+    revolute D(ground, rocker);
+    drive phi(crank) = angle0 + t;
+}
+";
+
+/// Two links of constant length beside an arm that turns.
+const FIXED: &str = "\
+mechanism fixed {
+    point A = (0, 0), D = (0.9, 0);
+    body one at A { A, B: (0.3, 0) }
+    body two at D { D, B: (-0.4, 0) }
+    body arm at (0, 1);
+    revolute A(ground, one);
+    revolute D(ground, two);
+    revolute (one.B, two.B);
+    absolute_x(arm) = 0;
+    absolute_y(arm) = 1;
+    drive phi(arm) = 2*t;
+}
+";
+
+#[test]
+fn a_loop_that_cannot_close_is_shown_with_its_gap() {
+    for (angle, name) in [(0.0_f64, "view_open_0"), (1.2, "view_open_1")] {
+        let folder = Folder::new(name, OPEN.replace("angle0", &angle.to_string()));
+        folder.run("view a.mech").exits_with(1);
+        let html = folder.read("open_bar.html");
+        elements(&html);
+        // From the end of the crank to D, less both links.
+        let apart = (0.9 - 0.1 * angle.cos()).hypot(0.1 * angle.sin());
+        let gap = html.split("id=\"gap\"").nth(1).expect("a gap");
+        let (title, rest) = gap.split_once("</title>").expect("a title");
+        assert!(
+            title.ends_with("revolute C(coupler, rocker) cannot close"),
+            "{title}"
+        );
+        let path = rest.split("class=\"gap\" d=\"").nth(1).expect("a line");
+        let [x0, y0, x1, y1] = numbers(path.split('"').next().expect("a path"))[..] else {
+            panic!("a line in {path}")
+        };
+        let scale = html.split("data-scale=\"").nth(1).expect("a scale");
+        let scale = numbers(scale.split('"').next().expect("a number"))[0];
+        let drawn = (x1 - x0).hypot(y1 - y0) / scale;
+        assert!(
+            (drawn - (apart - 0.6)).abs() < 1e-3,
+            "{drawn} for {}",
+            apart - 0.6
+        );
+        let label = html.split("class=\"gap-name\"").nth(1).expect("a label");
+        let label = label.split(['>', '<']).nth(1).expect("its text");
+        let told: f64 = label
+            .strip_suffix(" m")
+            .expect("a length")
+            .parse()
+            .expect("a number");
+        assert!(
+            (told - (apart - 0.6)).abs() < 1e-6,
+            "{label} for {}",
+            apart - 0.6
+        );
+    }
+    // A tie of 0.2 m without a body from the end of the crank to a rocker of 0.3 m.
+    let tied = OPEN
+        .replace(
+            "    body coupler at (0.1, 0) { B: (0, 0), C: (length, 0) }\n",
+            "",
+        )
+        .replace("    revolute B(crank, coupler);\n", "")
+        .replace(
+            "revolute C(coupler, rocker)",
+            "revolute_revolute (crank.B, rocker.C) = length",
+        )
+        .replace("length = 0.3", "length = 0.2")
+        .replace("angle0", "0");
+    let folder = Folder::new("view_open_tie", tied);
+    folder.run("view a.mech").exits_with(1);
+    let html = folder.read("open_bar.html");
+    let label = html.split("class=\"gap-name\"").nth(1).expect("a label");
+    let label = label.split(['>', '<']).nth(1).expect("its text");
+    assert_eq!(label, "0.3 m");
+    // What is fixed altogether, 0.9 m between pins and 0.3 m + 0.4 m of links.
+    let folder = Folder::new("view_open_fixed", FIXED);
+    folder.run("view a.mech").exits_with(1);
+    let html = folder.read("fixed.html");
+    let label = html.split("class=\"gap-name\"").nth(1).expect("a label");
+    let label = label.split(['>', '<']).nth(1).expect("its text");
+    assert_eq!(label, "0.2 m");
+    // One that closes has none.
+    let folder = Folder::new("view_closed", EXAM);
+    folder.run("view a.mech").exits_with(0);
+    assert!(!folder.read("two_body.html").contains("id=\"gap\""));
 }

@@ -65,7 +65,7 @@ pub enum Command {
     Solve(Solve),
     /// Simulate the motion that forces give it: print it, write CSV and plots
     Simulate(Simulate),
-    /// Draw the mechanism as an SVG or a PNG
+    /// Draw the mechanism as an SVG or a PNG, or its motion as an SVG or a GIF
     Draw(Draw),
     /// Make a page that moves the mechanism and shows its equations
     View(View),
@@ -104,12 +104,15 @@ pub struct Draw {
     /// The description.
     #[command(flatten)]
     pub described: Described,
-    /// Where to write the picture, `.svg` or `.png`; `-` is stdout [default: NAME.svg]
+    /// Where to write the picture, `.svg` or `.png`, with `--animate` `.svg` or `.gif`; `-` is stdout [default: NAME.svg]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Write a PNG, whatever the file is called [default file: NAME.png]
     #[arg(long)]
     pub png: bool,
+    /// Draw the motion from T0 to T1, in real time and over and over: an `.svg` that moves by itself in a browser, or a `.gif`
+    #[arg(long, conflicts_with_all = ["at", "as_written", "png"])]
+    pub animate: bool,
     /// The instant that is drawn, in s, followed from T0 by steps of H [default: T0]
     #[arg(long, value_name = "T", value_parser = time, allow_hyphen_values = true)]
     pub at: Option<f64>,
@@ -122,7 +125,7 @@ pub struct Draw {
     /// When the motion starts, in s or with a unit, `500ms`; the mechanism is assembled there
     #[arg(long, value_name = "T0", default_value = "0", value_parser = time, allow_hyphen_values = true)]
     pub from: f64,
-    /// When the paths end, in s
+    /// When the paths and the animation end, in s
     #[arg(long, value_name = "T1", default_value = "5", value_parser = time, allow_hyphen_values = true)]
     pub to: f64,
     /// The time between frames, in s
@@ -149,6 +152,7 @@ Examples:
   linkwright draw mechanisms/two_body.mech --at 0.3 --frame 2       with the axes of a body's frame
   linkwright draw mechanisms/four_bar.mech --branch phi_coupler_phi_rocker=other --out other.svg
   linkwright draw mechanisms/disc_cam.mech --out cam.png --size 1200x900
+  linkwright draw mechanisms/four_bar.mech --animate --to 2 --out four_bar.gif
 
 Exit codes: 0 drawn, 1 the mechanism cannot be assembled or its motion ends before T, 2 bad input.";
 
@@ -267,6 +271,7 @@ Examples:
   linkwright inspect mechanisms/two_body.mech
   linkwright inspect mechanisms/excavator_tool.mech --format unicode
   linkwright inspect mechanisms/two_body.mech --format rust
+  linkwright inspect mechanisms/two_body.mech --format latex --fragment > equations.tex
 
 Equations are also shown of a mechanism whose motion they do not determine. As text and in Unicode a last section says what
 the generated code solves: its blocks in their order, what no `output` needs, and how many operations each level takes.
@@ -281,6 +286,9 @@ pub struct Inspect {
     /// How formulas are written
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// With `--format latex`: without preamble, to be read by a document of one's own with `\input`
+    #[arg(long)]
+    pub fragment: bool,
 }
 
 /// How formulas are written.
@@ -304,6 +312,7 @@ Examples:
   linkwright plan mechanisms/two_body.mech
   linkwright plan mechanisms/excavator.mech --format unicode
   linkwright plan mechanisms/excavator.mech --format latex > excavator.tex
+  linkwright plan mechanisms/two_body.mech --format latex --fragment > solution.tex
 
 Exit codes: 0 derived, 2 bad input, also where the equations do not determine the motion.")]
 pub struct Plan {
@@ -313,6 +322,9 @@ pub struct Plan {
     /// How words and formulas are written
     #[arg(long, value_enum, default_value_t = Script::Text)]
     pub format: Script,
+    /// With `--format latex`: without preamble, to be read by a document of one's own with `\input`
+    #[arg(long)]
+    pub fragment: bool,
 }
 
 /// How words and formulas are written.

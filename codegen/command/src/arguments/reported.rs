@@ -10,8 +10,9 @@ pub struct Reported {
     /// Only these points, separated by commas, `3.P` for the point P of body 3 [default: all, with tables of six]
     #[arg(long, value_name = "A,3.P", value_delimiter = ',')]
     pub points: Vec<String>,
-    /// Only these coordinates, separated by commas, with their rates and accelerations [default: a table of all angles]
-    #[arg(long, value_name = "phi1,x2", value_delimiter = ',')]
+    /// Only these coordinates and points, separated by commas, with their rates and accelerations, as the description writes them,
+    /// `phi(2)`, or the frames, `phi2`, `K_x`, `1.K` [default: a table of all angles]
+    #[arg(long, value_name = "phi(1),x2,K", value_delimiter = ',')]
     pub show: Vec<String>,
     /// How angles are printed and drawn; files of numbers hold rad
     #[arg(long, value_enum, default_value_t = TurnUnit::Rad)]

@@ -128,18 +128,10 @@ fn solved(arguments: &Draw, source: &Source, system: &System) -> Result<Solved, 
     };
     if let (Some(whole), None) = (whole, &solved.error) {
         let ticks = tick_steps(to - from, step);
-        let every = (whole.wanted() / PLACES).max(1);
         let mut frames = Frames::new((whole.wanted() / POSES).max(1));
         solved.error = follow(arguments, &view, points.clone(), &whole, &mut frames)?;
         solved.others = frames.poses(&view);
-        for (place, point) in points.iter().enumerate() {
-            let places: Vec<[f64; 2]> = frames.places.iter().map(|it| it[place]).collect();
-            let name = &system.outputs[*point].name;
-            let mut path = traced(name, &places, ticks);
-            // A tick stays where it is although not every place of the path is kept.
-            path.points = path.points.into_iter().step_by(every).collect();
-            solved.paths.push(path);
-        }
+        solved.paths = frames.paths(system, &points, ticks);
         solved.caption += &format!(", ticks every {} s", rounded(ticks as f64 * step));
     }
     Ok(solved)
@@ -151,7 +143,7 @@ fn rounded(time: f64) -> f64 {
 }
 
 /// Follows the motion; why it ends early, where it does.
-fn follow(
+pub(super) fn follow(
     arguments: &Draw,
     view: &Interpreted,
     points: Vec<usize>,
@@ -174,7 +166,7 @@ fn follow(
 }
 
 /// Instants, as far as a drawing needs them.
-struct Frames {
+pub(super) struct Frames {
     /// Every instant whose number is a multiple of this is kept.
     every: usize,
     count: usize,
@@ -184,7 +176,7 @@ struct Frames {
 }
 
 impl Frames {
-    fn new(every: usize) -> Frames {
+    pub fn new(every: usize) -> Frames {
         Frames {
             every,
             count: 0,
@@ -193,9 +185,24 @@ impl Frames {
         }
     }
 
-    fn poses(&self, view: &Interpreted) -> Vec<Pose> {
+    pub fn poses(&self, view: &Interpreted) -> Vec<Pose> {
         let instants = self.instants.iter();
         instants.map(|instant| pose(view, instant)).collect()
+    }
+}
+
+impl Frames {
+    /// The paths of these points, with a tick at every so many instants.
+    pub fn paths(&self, system: &System, points: &[usize], ticks: usize) -> Vec<Traced> {
+        let every = (self.places.len() / PLACES).max(1);
+        let path = |(place, point): (usize, &usize)| {
+            let places: Vec<[f64; 2]> = self.places.iter().map(|it| it[place]).collect();
+            let mut path = traced(&system.outputs[*point].name, &places, ticks);
+            // A tick stays where it is although not every place of the path is kept.
+            path.points = path.points.into_iter().step_by(every).collect();
+            path
+        };
+        points.iter().enumerate().map(path).collect()
     }
 }
 
@@ -212,7 +219,7 @@ impl Sink for Frames {
 }
 
 /// The bodies of these names.
-fn frames(system: &System, names: &[String]) -> Result<Vec<usize>, Problem> {
+pub(super) fn frames(system: &System, names: &[String]) -> Result<Vec<usize>, Problem> {
     let bodies = &system.mechanism.bodies;
     let known = || bodies.iter().map(|body| body.name.as_str());
     let mut found = Vec::new();
@@ -238,7 +245,7 @@ fn frames(system: &System, names: &[String]) -> Result<Vec<usize>, Problem> {
 }
 
 /// Where the picture goes.
-fn path(arguments: &Draw, system: &System) -> PathBuf {
+pub(super) fn path(arguments: &Draw, system: &System) -> PathBuf {
     if let Some(path) = &arguments.out {
         return path.clone();
     }
@@ -249,6 +256,6 @@ fn path(arguments: &Draw, system: &System) -> PathBuf {
     PathBuf::from(format!("{}{motion}.{ending}", mechanism.name))
 }
 
-fn is_stdout(path: &Path) -> bool {
+pub(super) fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }

@@ -19,6 +19,9 @@ use crate::terminal;
 /// # Errors
 /// The description has errors; for Rust also where its equations do not determine the motion.
 pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
+    if arguments.fragment && arguments.format != Format::Latex {
+        return Err(no_fragment());
+    }
     let source = source(&arguments.file)?;
     let wanted = arguments.motion.as_deref();
     let text = match (arguments.format, wanted) {
@@ -45,7 +48,11 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
                     let with_poses = motions
                         .iter()
                         .map(|system| (system, poses(system, Script::Latex)));
-                    emit::latex::inspect(&with_poses.collect::<Vec<_>>())
+                    let with_poses: Vec<_> = with_poses.collect();
+                    match arguments.fragment {
+                        true => emit::latex::inspect_fragment(&with_poses),
+                        false => emit::latex::inspect(&with_poses),
+                    }
                 }
                 Format::Text | Format::Rust => pages(Notation::Ascii),
             }
@@ -63,6 +70,14 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
         }
     })?;
     Ok(Outcome::Done)
+}
+
+/// Refuses a fragment of something else than LaTeX.
+pub(super) fn no_fragment() -> Problem {
+    Problem(
+        "error: only LaTeX has a preamble that `--fragment` leaves out\n  = help: add `--format latex`"
+            .to_string(),
+    )
 }
 
 /// The equations and, where they determine the motion, what the solved view computes and leaves out.

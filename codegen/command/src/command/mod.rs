@@ -3,6 +3,8 @@
 //! Results go to stdout, findings and errors to stderr. A reader of stdout that goes away early is no error. What cannot
 //! be done because of the input ends as a [`Problem`], printed once, with exit code 2.
 
+pub mod animate;
+mod animation_format;
 #[cfg(feature = "calibrate")]
 pub mod calibrate;
 pub mod check;
@@ -91,6 +93,7 @@ fn outcome(command: Command, interface: clap::Command) -> Result<Outcome, Proble
     match command {
         Command::Solve(solve) => solve::run(&solve),
         Command::Simulate(simulate) => simulate::run(&simulate),
+        Command::Draw(draw) if draw.animate => animate::run(&draw),
         Command::Draw(draw) => draw::run(&draw),
         Command::View(view) => view::run(&view),
         Command::Generate(generate) => generate::run(&generate),

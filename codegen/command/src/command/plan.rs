@@ -5,6 +5,7 @@ use linkwright_codegen::stages::emit::derivation::Derivation;
 use linkwright_codegen::stages::structure;
 
 use super::description::{determined, no_order, rendered, source, warn};
+use super::inspect::no_fragment;
 use super::{Outcome, Problem, print};
 use crate::arguments::{Plan, Script};
 use crate::terminal;
@@ -14,6 +15,9 @@ use crate::terminal;
 /// # Errors
 /// The description has errors, or its equations do not determine the motion.
 pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
+    if arguments.fragment && arguments.format != Script::Latex {
+        return Err(no_fragment());
+    }
     let source = source(&arguments.described.file)?;
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     let Some(plan) = structure::plan_of_motion(&mut system) else {
@@ -28,6 +32,7 @@ pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
     let text = match arguments.format {
         Script::Text => derivation.text(Notation::Ascii),
         Script::Unicode => derivation.text(Notation::Unicode),
+        Script::Latex if arguments.fragment => derivation.latex_fragment(),
         Script::Latex => derivation.latex(),
     };
     let text = match arguments.format {

@@ -36,7 +36,14 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
     let [points, coordinates] = shown(reported, &system)?;
     let writable = outputs(&arguments.described.file, &source, reported.force);
-    let files = Files::new(reported, writable, false, &system, &points, &schedule)?;
+    let files = Files::new(
+        reported,
+        writable,
+        false,
+        &system,
+        [&points, &coordinates],
+        &schedule,
+    )?;
     let wanted = Wanted {
         points,
         coordinates,

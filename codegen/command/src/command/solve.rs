@@ -40,7 +40,14 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     let reported = &arguments.reported;
     let writable = outputs(&arguments.described.file, &source, reported.force);
     let is_brief = !arguments.at.is_empty();
-    let files = Files::new(reported, writable, is_brief, &system, &points, &schedule)?;
+    let files = Files::new(
+        reported,
+        writable,
+        is_brief,
+        &system,
+        [&points, &coordinates],
+        &schedule,
+    )?;
     let first_steps = match (arguments.first_step, is_brief) {
         (true, true) => arguments.at.clone(),
         (true, false) => vec![schedule.start.t],
@@ -95,17 +102,20 @@ fn schedule(arguments: &Solve) -> Result<Schedule, Problem> {
 /// The points and the coordinates that are shown: what is chosen, otherwise all points and all angles.
 pub(super) fn shown(reported: &Reported, system: &System) -> Result<[Vec<usize>; 2], Problem> {
     let refused = |text| Problem(format!("error: {text}"));
-    let points = match (&reported.points[..], &reported.show[..]) {
+    let [mut coordinates, others] = motion::shown(system, &reported.show).map_err(refused)?;
+    let mut points = match (&reported.points[..], &reported.show[..]) {
         ([], [_, ..]) => Vec::new(),
         (names, _) => motion::points(system, names).map_err(refused)?,
     };
-    let coordinates = match (&reported.points[..], &reported.show[..]) {
-        ([], []) => {
-            let all = system.coordinates.iter().enumerate();
-            let angles = all.filter(|(_, it)| it.quantity == Quantity::Angle);
-            angles.map(|(place, _)| place).collect()
+    for point in others {
+        if !points.contains(&point) {
+            points.push(point);
         }
-        (_, names) => motion::coordinates(system, names).map_err(refused)?,
-    };
+    }
+    if reported.points.is_empty() && reported.show.is_empty() {
+        let all = system.coordinates.iter().enumerate();
+        let angles = all.filter(|(_, it)| it.quantity == Quantity::Angle);
+        coordinates.extend(angles.map(|(place, _)| place));
+    }
     Ok([points, coordinates])
 }

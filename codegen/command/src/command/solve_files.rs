@@ -33,7 +33,7 @@ struct Picture {
 }
 
 impl Files {
-    /// Those of a motion whose points are shown; of a brief one only what is asked for.
+    /// Those of a motion of which these points and coordinates are shown; of a brief one only what is asked for.
     ///
     /// # Errors
     /// One of them cannot be written.
@@ -42,7 +42,7 @@ impl Files {
         mut outputs: Outputs,
         is_brief: bool,
         system: &System,
-        points: &[usize],
+        [points, coordinates]: [&[usize]; 2],
         schedule: &Schedule,
     ) -> Result<Files, Problem> {
         let is_quiet = reported.json || reported.no_files || is_brief;
@@ -70,7 +70,13 @@ impl Files {
             return Ok(files);
         }
         let names = points.iter().map(|&it| system.outputs[it].name.as_str());
-        let shown = reported.show.iter().map(String::as_str);
+        // Angles that nobody has asked for are in the tables alone.
+        let coordinates = match reported.show.is_empty() {
+            true => &[],
+            false => coordinates,
+        };
+        let shown = coordinates.iter();
+        let shown = shown.map(|&it| system.coordinates[it].name.as_str());
         let paths = (!points.is_empty()).then_some("paths");
         let forces = linkwright_solver::forces::names(system);
         let forces = forces.iter().map(|(name, _)| name.as_str());
@@ -83,7 +89,7 @@ impl Files {
             pictures.push(Picture { name, output });
         }
         files.paths = paths.and_then(|_| pictures.pop());
-        files.forces = pictures.split_off(points.len() + reported.show.len());
+        files.forces = pictures.split_off(points.len() + coordinates.len());
         files.coordinates = pictures.split_off(points.len());
         files.points = pictures;
         Ok(files)

@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_solver::check::Check;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::open_loop::open_loop;
 use linkwright_solver::schedule::Schedule;
 
 use super::description::{
@@ -127,7 +129,13 @@ fn made_with(
     let (from, to, step) = (arguments.from, arguments.to, arguments.step);
     let schedule = Schedule::range(from, to, step);
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
-    let view = interpreted_with(&system, source, &arguments.described.file, warnings)?;
+    let file = &arguments.described.file;
+    let view = interpreted_with(&system, source, file, warnings).or_else(|problem| {
+        // Constant lengths that do not close are found before anything is solved, and the page shows them.
+        let view = Interpreted::new(&system);
+        let is_open = |view: &Interpreted| open_loop(view, schedule.start.t).is_some();
+        view.filter(is_open).ok_or(problem)
+    })?;
     let chosen = chosen(&arguments.setting.branch, &view, schedule.start.t)?;
     let check = Check::new(view, &schedule, |_| {});
     let findings = match warnings.is_empty() {

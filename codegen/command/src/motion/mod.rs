@@ -17,7 +17,7 @@ pub use curve::{Curve, Extreme};
 pub use followed::Followed;
 pub use path::Path;
 pub use rows::{Row, Rows};
-pub use selection::{coordinates, points};
+pub use selection::{points, shown};
 pub use simulated::Simulated;
 
 use std::io;

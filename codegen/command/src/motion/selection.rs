@@ -1,51 +1,142 @@
-//! *Names as a user writes them* → *which points and coordinates are shown*.
+//! Names as a user writes them → which points and coordinates are shown.
 
 use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::stages::joint::geometry::Mark;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::{Described, System};
+
+/// Axes of a pose, as coordinates are called.
+const AXES: [&str; 3] = ["x", "y", "phi"];
+
+/// What follows the name of a rate and of an acceleration in tables of frames.
+const RATES: [&str; 2] = ["_dd", "_d"];
+
+/// Fields of a frame of generated code in which coordinates, rates and accelerations are.
+const FIELDS: [&str; 3] = ["q.", "qd.", "qdd."];
+
+/// Components of a point, as tables of frames and descriptions write them.
+const COMPONENTS: [&str; 8] = ["_x", "_y", "_vx", "_vy", "_ax", "_ay", ".x", ".y"];
+
+/// Function of generated code that returns a point.
+const FUNCTION: &str = "point_";
 
 /// The indices of the named outputs, in the order of the names; all outputs if none is named. `3.P` is the point P of body 3.
 ///
 /// # Errors
 /// A sentence that names the first unknown point and the known ones.
 pub fn points(system: &System, names: &[String]) -> Result<Vec<usize>, String> {
-    let known: Vec<&str> = system.outputs.iter().map(|it| it.name.as_str()).collect();
     if names.is_empty() {
-        return Ok((0..known.len()).collect());
+        return Ok((0..system.outputs.len()).collect());
     }
     let mut selected = Vec::with_capacity(names.len());
     for name in names {
-        let called = called(system, name);
-        let own = known.iter().position(|known| *known == called);
-        match own.or_else(|| of_body(system, &called)) {
-            Some(point) if selected.contains(&point) => {}
-            Some(point) => selected.push(point),
-            None => return Err(unknown(system, "point", name, &known)),
-        }
+        let found = point(system, name);
+        let found = found.ok_or_else(|| unknown(system, "point", name, &point_names(system)));
+        add(&mut selected, found?);
     }
     Ok(selected)
 }
 
-/// The indices of the named coordinates, in the order of the names.
+/// The indices of the named coordinates and of the named outputs, in the order of the names.
 ///
 /// # Errors
-/// A sentence that names the first unknown coordinate and the known ones.
-pub fn coordinates(system: &System, names: &[String]) -> Result<Vec<usize>, String> {
-    let known: Vec<&str> = system
-        .coordinates
-        .iter()
-        .map(|it| it.name.as_str())
-        .collect();
-    let mut selected = Vec::with_capacity(names.len());
+/// A sentence that names the first unknown name and the known ones.
+pub fn shown(system: &System, names: &[String]) -> Result<[Vec<usize>; 2], String> {
+    let [mut coordinates, mut points] = [Vec::new(), Vec::new()];
     for name in names {
-        let called = called(system, name);
-        match known.iter().position(|known| *known == called) {
-            Some(coordinate) if selected.contains(&coordinate) => {}
-            Some(coordinate) => selected.push(coordinate),
-            None => return Err(unknown(system, "coordinate", name, &known)),
+        let exact = system.coordinates.iter().position(|it| it.name == *name);
+        let is_point = exact.is_none() && point_names(system).contains(&name.as_str());
+        let found = exact.or_else(|| coordinate(system, name).filter(|_| !is_point));
+        match (found, point(system, name)) {
+            (Some(coordinate), _) => add(&mut coordinates, coordinate),
+            (None, Some(point)) => add(&mut points, point),
+            (None, None) => return Err(unknown_of_both(system, name)),
         }
     }
-    Ok(selected)
+    Ok([coordinates, points])
+}
+
+fn add(selected: &mut Vec<usize>, place: usize) {
+    if !selected.contains(&place) {
+        selected.push(place);
+    }
+}
+
+fn point_names(system: &System) -> Vec<&str> {
+    system.outputs.iter().map(|it| it.name.as_str()).collect()
+}
+
+/// The coordinate of a name: its own, that of a table of frames or of generated code, `phi(2)`, or that of an angle.
+fn coordinate(system: &System, name: &str) -> Option<usize> {
+    let field = FIELDS.iter().find_map(|it| name.strip_prefix(it));
+    let name = field.unwrap_or(name);
+    let rate = RATES.iter().find_map(|it| name.strip_suffix(it));
+    [Some(name), rate]
+        .into_iter()
+        .flatten()
+        .find_map(|name| coordinate_itself(system, name))
+}
+
+fn coordinate_itself(system: &System, name: &str) -> Option<usize> {
+    let known = |name: &str| system.coordinates.iter().position(|it| it.name == name);
+    known(name)
+        .or_else(|| known(&called(system, name)))
+        .or_else(|| {
+            let of = AXES.iter().enumerate().find_map(|(axis, own)| {
+                let rest = name.strip_prefix(own)?;
+                let inside = rest.strip_prefix('(').and_then(|it| it.strip_suffix(')'));
+                let body = inside
+                    .or_else(|| rest.strip_prefix('_'))
+                    .unwrap_or(rest)
+                    .trim();
+                of_pose(system, body, axis)
+            });
+            // An angle without a body has no other coordinate.
+            of.or_else(|| of_pose(system, name, 2).filter(|_| is_angle(system, name)))
+        })
+}
+
+/// The coordinate of an axis of a body.
+fn of_pose(system: &System, body: &str, axis: usize) -> Option<usize> {
+    let body = body_of(system, body)?;
+    let described = Described::Pose { body, axis };
+    let mut coordinates = system.coordinates.iter();
+    coordinates.position(|it| it.describes == described)
+}
+
+fn body_of(system: &System, name: &str) -> Option<usize> {
+    let called = called(system, name);
+    let mut bodies = system.mechanism.bodies.iter();
+    bodies.position(|it| it.name == called)
+}
+
+fn is_angle(system: &System, name: &str) -> bool {
+    body_of(system, name).is_some_and(|body| system.mechanism.bodies[body].is_angle())
+}
+
+/// The output of a name: its own, that of one of its components, or that of a function of generated code.
+fn point(system: &System, name: &str) -> Option<usize> {
+    let component = COMPONENTS.iter().find_map(|it| name.strip_suffix(it));
+    // x(1.P)
+    let inside = AXES[..2].iter().find_map(|axis| {
+        let rest = name.strip_prefix(axis)?;
+        rest.strip_prefix('(')?.strip_suffix(')')
+    });
+    let names = [Some(name), component, inside.map(str::trim)];
+    let itself = names.into_iter().flatten();
+    itself
+        .clone()
+        .find_map(|name| point_itself(system, name))
+        .or_else(|| {
+            let name = name.strip_prefix(FUNCTION)?;
+            let mut names = system.outputs.iter();
+            names.position(|it| it.name.to_lowercase() == name)
+        })
+}
+
+fn point_itself(system: &System, name: &str) -> Option<usize> {
+    let called = called(system, name);
+    let own = system.outputs.iter().position(|it| it.name == called);
+    own.or_else(|| of_body(system, &called))
 }
 
 /// What is called otherwise than it is written, `rod[3]`, `phi_rod[3]`, by what it is called.
@@ -70,6 +161,26 @@ fn unknown(system: &System, what: &str, name: &str, known: &[&str]) -> String {
         system.mechanism.name,
         known.join(", ")
     )
+}
+
+fn unknown_of_both(system: &System, name: &str) -> String {
+    let coordinates: Vec<&str> = system
+        .coordinates
+        .iter()
+        .map(|it| it.name.as_str())
+        .collect();
+    let points = point_names(system);
+    let all = coordinates.iter().chain(&points).copied();
+    let guess = nearest(name, all).map_or(String::new(), |it| format!("; did you mean `{it}`?"));
+    let mut text = format!(
+        "no coordinate or point `{name}` in `{}`{guess}\n  its coordinates are: {}",
+        system.mechanism.name,
+        coordinates.join(", ")
+    );
+    if !points.is_empty() {
+        text += &format!("\n  its points are: {}", points.join(", "));
+    }
+    text
 }
 
 /// The output of a point that is named by a body that carries it, perhaps after another one that it is pinned to.

@@ -66,7 +66,7 @@ pub enum Beginning {
 }
 
 /// How many bytes are looked at of a file that is no text.
-pub const LONGEST_BEGINNING: u64 = 256;
+pub const LONGEST_BEGINNING: u64 = 1024;
 
 /// A file that cannot be written: why, and what can be done.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,9 +1,14 @@
 //! *A mechanism with all its motions* → *what the page plays*: one JSON object.
 
+use std::collections::BTreeMap;
+
+use linkwright_codegen::stages::emit::drawing::{ActingLoads, Pose};
 use linkwright_codegen::stages::emit::mathml::symbol;
 use linkwright_codegen::stages::system::{Described, SymbolRole, System};
 use linkwright_solver::check::Check;
+use linkwright_solver::drawn::pose;
 use linkwright_solver::instant::Instant;
+use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::schedule::Schedule;
 use linkwright_solver::supplied::Modes;
 use linkwright_solver::view::View as _;
@@ -81,6 +86,22 @@ pub struct Player {
     /// Its motion, or why it has none.
     #[serde(flatten)]
     pub motion: Motion,
+    /// The columns of the arrows of loads, x and y of each.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    arrows: Vec<[usize; 2]>,
+    /// The elements of the drawing that are others here, by their ids.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub elements: BTreeMap<String, String>,
+}
+
+impl Player {
+    /// The instants that are kept of its motion.
+    pub fn instants(&self) -> &[Instant] {
+        match &self.motion {
+            Motion::Solved(recorded) => &recorded.instants,
+            Motion::None { .. } => &[],
+        }
+    }
 }
 
 /// The motion of an assembly.
@@ -129,6 +150,7 @@ impl Players {
             let motion = recorded(view, schedule, chosen, most, &mut columns);
             assemblies.push(player(assembly.label(), motion));
         }
+        arrows(view, &mut assemblies, &mut columns);
         Players {
             title: system.mechanism.title(),
             bodies: bodies(system),
@@ -182,6 +204,32 @@ fn player(label: String, motion: Result<Recorded, String>) -> Player {
             Ok(recorded) => Motion::Solved(recorded),
             Err(error) => Motion::None { error },
         },
+        arrows: Vec::new(),
+        elements: BTreeMap::new(),
+    }
+}
+
+/// Records the arrows of loads in all motions, as parts of the longest of all.
+fn arrows(view: &Interpreted, players: &mut [Player], columns: &mut Columns) {
+    let system = view.system();
+    let count = system.mechanism.forces.loads.len();
+    if count == 0 {
+        return;
+    }
+    let instants = players.iter().flat_map(|it| it.instants());
+    let poses: Vec<Pose> = instants.map(|it| pose(view, it)).collect();
+    let found = ActingLoads::new(system).arrows(&poses);
+    let mut rest = &found[..];
+    for player in players {
+        let (own, others) = rest.split_at(player.instants().len());
+        rest = others;
+        if own.is_empty() {
+            continue;
+        }
+        let column = |load: usize| {
+            [0, 1].map(|axis| columns.place(own.iter().map(|arrows| arrows[load][axis])))
+        };
+        player.arrows = (0..count).map(column).collect();
     }
 }
 

@@ -59,7 +59,8 @@ pub struct Recorded {
 }
 
 impl Columns {
-    fn place(&mut self, values: impl Iterator<Item = f64>) -> usize {
+    /// The place of a column of these values.
+    pub fn place(&mut self, values: impl Iterator<Item = f64>) -> usize {
         let values: Vec<f32> = values.map(|value| value as f32).collect();
         let is_constant = values.iter().all(|it| *it == values[0]) && !values.is_empty();
         let used = if is_constant { &values[..1] } else { &values };

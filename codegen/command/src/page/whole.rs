@@ -2,12 +2,13 @@
 
 use std::fmt::Write as _;
 
-use linkwright_codegen::stages::emit::drawing::{self, Options, Pose};
+use linkwright_codegen::stages::emit::drawing::{self, Gap, Options, Pose};
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_solver::check::Check;
 use linkwright_solver::condition::{Condition, jacobian};
 use linkwright_solver::drawn::pose;
 use linkwright_solver::instant::Instant;
+use linkwright_solver::open_loop::open_loop;
 use linkwright_solver::schedule::Schedule;
 use linkwright_solver::supplied::Modes;
 use linkwright_solver::textbook::TextbookEquations;
@@ -15,7 +16,7 @@ use linkwright_solver::view::View as _;
 use nalgebra::DVector;
 
 use super::number::number;
-use super::players::Players;
+use super::players::{Player, Players};
 use super::{constraints, equations, given, solution, start};
 
 const STYLE: &str = include_str!("page.css");
@@ -68,7 +69,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
     let view = &check.interpreted;
     let system = view.system();
     let mechanism = &system.mechanism;
-    let players = Players::new(check, page.schedule, page.chosen.clone());
+    let mut players = Players::new(check, page.schedule, page.chosen.clone());
     let title = escaped(&mechanism.title());
     let mut body = format!(
         "<header><h1>{title}</h1>\n{}</header>\n",
@@ -80,7 +81,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
     let _ = writeln!(
         body,
         "<figure id=\"drawing\">{}</figure>",
-        drawn(page, &players)
+        drawn(page, &mut players)
     );
     body += include_str!("controls.html");
     body += "</div>\n<article>\n";
@@ -168,22 +169,43 @@ fn shell(title: &str, body: &str, live: Live) -> String {
     )
 }
 
-/// The drawing at the start, with room for the whole motion.
-fn drawn(page: &Page<'_>, players: &Players) -> String {
+/// The drawing at the start, with room for the whole motion; what it shows otherwise of other assemblies goes to these.
+fn drawn(page: &Page<'_>, players: &mut Players) -> String {
     let view = &page.check.interpreted;
     let system = view.system();
-    let instants = players.drawn().map_or(&[][..], |it| &it.instants);
-    let every = instants.len().div_ceil(POSES).max(1);
-    let mut poses = instants.iter().step_by(every).map(|it| pose(view, it));
-    let shown = poses.next().unwrap_or_else(|| Pose::drawn(system));
-    let others: Vec<Pose> = poses.collect();
+    let motion = |player: &Player| -> Vec<Pose> {
+        let instants = player.instants();
+        let every = instants.len().div_ceil(POSES).max(1);
+        let kept = instants.iter().step_by(every);
+        kept.map(|it| pose(view, it)).collect()
+    };
+    let mut motions: Vec<Vec<Pose>> = players.assemblies.iter().map(motion).collect();
+    let mut first = motions.remove(0).into_iter();
+    let mut gap = None;
+    let shown = first.next().unwrap_or_else(|| {
+        let Some(open) = open_loop(view, page.schedule.start.t) else {
+            return Pose::drawn(system);
+        };
+        gap = Some(Gap {
+            ends: open.ends,
+            text: format!("{} m", number(open.distance())),
+            title: format!("{} cannot close", system.mechanism.joints[open.joint].label),
+        });
+        open.pose(system)
+    });
+    let others: Vec<Pose> = first.collect();
     let options = Options {
-        is_moving: true,
+        gap,
         ..Options::default()
     };
-    let svg = drawing::draw(system, &shown, &others, &[], &options);
+    let moving = drawing::moving(system, &shown, &others, &motions, &options);
+    let rest = players.assemblies.iter_mut().skip(1);
+    for (player, elements) in rest.zip(moving.others) {
+        player.elements = elements;
+    }
     // On paper everything is dark on white.
-    svg.replace("@media (prefers", "@media screen and (prefers")
+    let picture = moving.picture;
+    picture.replace("@media (prefers", "@media screen and (prefers")
 }
 
 /// Φ_q at the start.

@@ -15,6 +15,8 @@ pub mod comparison_plot;
 pub mod drawing;
 pub mod first_step;
 pub mod forces;
+#[cfg(feature = "png")]
+pub mod gif;
 pub mod json;
 pub mod measured_data;
 pub mod motion_table;

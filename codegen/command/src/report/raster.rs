@@ -50,30 +50,53 @@ fn is_ours(bytes: &[u8]) -> bool {
     bytes.get(HEAD + 4..HEAD + 4 + WORDS.len()) == Some(WORDS)
 }
 
-/// The picture in pixels, `factor` to each of the drawing's.
+/// What turns pictures into pixels, with its letters.
+pub struct Rasterizer {
+    options: Options<'static>,
+}
+
+impl Rasterizer {
+    /// Reads the letters.
+    pub fn with_letters() -> Rasterizer {
+        let mut fonts = Database::new();
+        fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
+        let families = fonts.faces().next().map(|face| face.families.clone());
+        let family = families.and_then(|all| all.into_iter().next());
+        let family = family.map_or(String::new(), |(name, _)| name);
+        // The drawing asks for any sans serif in the end.
+        fonts.set_sans_serif_family(&family);
+        Rasterizer {
+            options: Options {
+                font_family: family,
+                fontdb: Arc::new(fonts),
+                ..Options::default()
+            },
+        }
+    }
+
+    /// The picture in pixels, `factor` to each of the drawing's.
+    ///
+    /// # Errors
+    /// A picture without a size or too large for the memory.
+    pub fn pixels(&self, svg: &str, factor: f32) -> Result<Pixmap, String> {
+        let svg = svg.replacen("</style>", &format!("{BOLDER}</style>"), 1);
+        let tree = Tree::from_str(&svg, &self.options).map_err(|error| error.to_string())?;
+        let size = tree.size();
+        let [width, height] = [size.width(), size.height()].map(|it| (it * factor).ceil() as u32);
+        let mut pixels =
+            Pixmap::new(width, height).ok_or("so many pixels have no room in memory")?;
+        let transform = Transform::from_scale(factor, factor);
+        resvg::render(&tree, transform, &mut pixels.as_mut());
+        Ok(pixels)
+    }
+}
+
+/// The picture as a PNG, `factor` pixels to each of the drawing's.
 ///
 /// # Errors
 /// A picture without a size or too large for the memory.
 pub fn raster(svg: &str, factor: f32) -> Result<Vec<u8>, String> {
-    let mut fonts = Database::new();
-    fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
-    let families = fonts.faces().next().map(|face| face.families.clone());
-    let family = families.and_then(|all| all.into_iter().next());
-    let family = family.map_or(String::new(), |(name, _)| name);
-    // The drawing asks for any sans serif in the end.
-    fonts.set_sans_serif_family(&family);
-    let options = Options {
-        font_family: family,
-        fontdb: Arc::new(fonts),
-        ..Options::default()
-    };
-    let svg = svg.replacen("</style>", &format!("{BOLDER}</style>"), 1);
-    let tree = Tree::from_str(&svg, &options).map_err(|error| error.to_string())?;
-    let size = tree.size();
-    let [width, height] = [size.width(), size.height()].map(|it| (it * factor).ceil() as u32);
-    let mut pixels = Pixmap::new(width, height).ok_or("so many pixels have no room in memory")?;
-    let transform = Transform::from_scale(factor, factor);
-    resvg::render(&tree, transform, &mut pixels.as_mut());
+    let pixels = Rasterizer::with_letters().pixels(svg, factor)?;
     let png = pixels.encode_png().map_err(|error| error.to_string())?;
     Ok(marked(png))
 }

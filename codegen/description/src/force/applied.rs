@@ -1,6 +1,6 @@
 //! Forces and torques that the description writes out, as formulas of t, inputs, parameters, coordinates and rates.
 
-use super::{Element, Exerted, Place, Rated, scaled};
+use super::{Element, Exerted, Place, Rated, Shape, scaled};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{Mark, Vector, add, dot, perpendicular};
 
@@ -57,6 +57,10 @@ pub struct AppliedForce {
 }
 
 impl Element for AppliedForce {
+    fn shape(&self) -> Shape {
+        Shape::Force
+    }
+
     fn marks(&self) -> Vec<Mark> {
         let own = [Some(self.point), self.axis];
         let own = own.into_iter().flatten();
@@ -100,6 +104,10 @@ pub struct AppliedTorque {
 }
 
 impl Element for AppliedTorque {
+    fn shape(&self) -> Shape {
+        Shape::Torque
+    }
+
     fn marks(&self) -> Vec<Mark> {
         let own = std::iter::once(self.body);
         own.chain(self.terms.marks.iter().copied()).collect()

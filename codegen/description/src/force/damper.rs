@@ -1,6 +1,6 @@
 //! A damper between two points: it resists the rate of their distance.
 
-use super::{Element, Exerted, Place, opposite, scaled};
+use super::{Element, Exerted, Place, Shape, opposite, scaled};
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Mark, dot, subtract};
 
@@ -14,6 +14,10 @@ pub struct Damper {
 }
 
 impl Element for Damper {
+    fn shape(&self) -> Shape {
+        Shape::Damper
+    }
+
     fn marks(&self) -> Vec<Mark> {
         self.ends.to_vec()
     }

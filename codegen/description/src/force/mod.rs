@@ -55,8 +55,27 @@ pub struct Rated {
     pub arms: Vec<(SymbolId, ExprId)>,
 }
 
+/// Sign of an element in a drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// A coil between its first two points.
+    Spring,
+    /// A dashpot between its first two points.
+    Damper,
+    /// A spiral about the joint of the bodies of its first two points.
+    TorsionSpring,
+    /// A dashpot about that joint.
+    TorsionDamper,
+    /// An arrow at its first point.
+    Force,
+    /// A bent arrow on the body of its first point.
+    Torque,
+}
+
 /// Something that acts on bodies.
 pub trait Element: Debug + Send + Sync {
+    /// Its sign in a drawing.
+    fn shape(&self) -> Shape;
     /// The points that it needs; for what turns a body, the origin of the body's frame.
     fn marks(&self) -> Vec<Mark>;
     /// What it exerts when the points are there, each as `marks` lists them; `length` stands for the distance between its ends, where

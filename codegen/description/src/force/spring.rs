@@ -1,6 +1,6 @@
 //! A spring between two points: it pulls with stiffness · (ℓ − free) + preload along the line between them.
 
-use super::{Element, Exerted, Place, opposite, scaled};
+use super::{Element, Exerted, Place, Shape, opposite, scaled};
 use crate::expr::{ExprId, Graph, Number, Rational};
 use crate::joint::geometry::{Mark, dot, subtract};
 
@@ -19,6 +19,10 @@ pub struct Spring {
 }
 
 impl Element for Spring {
+    fn shape(&self) -> Shape {
+        Shape::Spring
+    }
+
     fn marks(&self) -> Vec<Mark> {
         self.ends.to_vec()
     }

@@ -1,6 +1,6 @@
 //! Springs and dampers about a joint: what turns two bodies against one another.
 
-use super::{Element, Exerted, Place};
+use super::{Element, Exerted, Place, Shape};
 use crate::expr::{ExprId, Graph, Number, Rational};
 use crate::joint::geometry::Mark;
 
@@ -18,6 +18,10 @@ pub struct TorsionSpring {
 }
 
 impl Element for TorsionSpring {
+    fn shape(&self) -> Shape {
+        Shape::TorsionSpring
+    }
+
     fn marks(&self) -> Vec<Mark> {
         self.bodies.to_vec()
     }
@@ -53,6 +57,10 @@ pub struct TorsionDamper {
 }
 
 impl Element for TorsionDamper {
+    fn shape(&self) -> Shape {
+        Shape::TorsionDamper
+    }
+
     fn marks(&self) -> Vec<Mark> {
         self.bodies.to_vec()
     }

@@ -98,8 +98,9 @@ impl Stretch {
 
     fn assign(&self, order: usize, builder: &mut Builder<'_>) {
         let (targets, values) = self.changes[order];
-        for (target, value) in targets.into_iter().zip(values) {
-            builder.assign(target, value);
+        let remark = ["the link's own rate", "its own acceleration"][order];
+        for ((target, value), remark) in targets.into_iter().zip(values).zip([remark, ""]) {
+            builder.assign_with(target, value, remark);
         }
     }
 

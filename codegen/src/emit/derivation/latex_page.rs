@@ -1,10 +1,21 @@
 //! A derivation → a LaTeX document.
 
 use super::document::{DisplayedEquation, Document, Item, OutlineLine};
-use crate::emit::latex::lines::{Line, displayed, document as latex_document, title};
+use crate::emit::latex::lines::{
+    Line, displayed, document as latex_document, fragment as latex_fragment, title,
+};
 
 /// The whole document; it needs amsmath and nothing else.
 pub(super) fn page(document: &Document) -> String {
+    latex_document(&body(document))
+}
+
+/// The same for a document that has a preamble.
+pub(super) fn fragment(document: &Document) -> String {
+    latex_fragment(&body(document))
+}
+
+fn body(document: &Document) -> String {
     let mut text = format!(
         "{}{}\n\n{}",
         title(&document.name),
@@ -20,7 +31,7 @@ pub(super) fn page(document: &Document) -> String {
             }
         }
     }
-    latex_document(&text)
+    text
 }
 
 fn outline(lines: &[OutlineLine]) -> String {

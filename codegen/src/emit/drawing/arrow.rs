@@ -14,7 +14,7 @@ impl Draft<'_> {
     pub fn turning(&mut self, sign: &Sign, group: &mut Group) {
         let body = sign.marks[0].body;
         let center = self.pivot(body);
-        let start = self.facing(center) + self.figure.places[body].angle;
+        let start = self.facing(center) + self.figure.stance.places[body].angle;
         let way = if sign.is_falling { -1.0 } else { 1.0 };
         let radius = self.clear_radius(center);
         let ends = match self.corners[body].len() {
@@ -79,7 +79,7 @@ impl Draft<'_> {
     }
 
     /// The pin about which a body turns, in pixels: on the ground rather than elsewhere.
-    fn pivot(&self, body: usize) -> At {
+    pub fn pivot(&self, body: usize) -> At {
         let marks = self.scene.signs.iter().filter_map(|sign| {
             let is_kept = matches!(sign.feature, Feature::Coordinate(_)) && !sign.is_driver;
             let own = *sign.marks.iter().find(|it| it.body == body)?;
@@ -130,7 +130,7 @@ impl Draft<'_> {
         let along = scaled(line.along, way);
         // Hatching lies below rather than above.
         let left = left_of(line.along);
-        let is_up = self.figure.places[owner.body].rotate(left)[1] > -NEGLIGIBLE;
+        let is_up = self.figure.stance.places[owner.body].rotate(left)[1] > -NEGLIGIBLE;
         let out = scaled(left, if is_up { 1.0 } else { -1.0 });
         let middle = scaled(out, (BLOCK[1] + 9.0) * self.unit);
         let half = 17.0 * self.unit;
@@ -141,7 +141,7 @@ impl Draft<'_> {
     /// An arrow beside the line from one point to another.
     pub fn arrow_along(&mut self, from: At, to: At, is_falling: bool, group: &mut Group) {
         let frame = Frame::Toward(from, to);
-        let [a, b] = [from, to].map(|it| self.figure.places[it.body].globally(it.local));
+        let [a, b] = [from, to].map(|it| self.figure.stance.places[it.body].globally(it.local));
         let length = distance(a, b);
         let (middle, half, aside) = (0.72 * length, 0.5 * 30.0 * self.unit, 16.0 * self.unit);
         let way = if is_falling { -1.0 } else { 1.0 };

@@ -54,7 +54,7 @@ impl Draft<'_> {
         let scale = self.figure.scale;
         let lengths = Lengths::of(travel.least * scale, travel.most * scale);
         let toward = line.along;
-        let back = self.figure.places[other.body].unrotate(self.scene.along(sign, line));
+        let back = self.figure.stance.places[other.body].unrotate(self.scene.along(sign, line));
         let back = scaled(back, -1.0);
         for (look, outline) in self.rod(other.local, back, lengths.rod) {
             self.add_to_body(other.body, look, outline);

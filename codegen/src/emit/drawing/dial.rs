@@ -53,7 +53,7 @@ impl Draft<'_> {
     pub(super) fn dial(&self, body: usize) -> At {
         At {
             body: 0,
-            local: self.figure.places[body].origin,
+            local: self.figure.stance.places[body].origin,
         }
     }
 

@@ -5,8 +5,9 @@
 //! moving bodies is a cylinder. Deliberately unknown here: kinds, names, and where labels go.
 
 use super::figure::{Figure, Frame, Group, Layer, Look, Outline};
-use super::plane::{Place, Point, distance, hull, scaled};
+use super::plane::{Point, distance, hull, scaled};
 use super::pose::{At, Line, Scene, Sign};
+use crate::force::Shape;
 use crate::joint::Feature;
 
 /// A sheet on which a scene is being drawn.
@@ -36,14 +37,10 @@ pub(super) const BLOCK: Point = [15.0, 9.0];
 
 /// Draws a scene at a number of pixels per metre.
 pub(super) fn drafted(scene: &Scene, scale: f64) -> (Figure, f64) {
-    let places = scene.bodies.iter().map(|body| Place {
-        origin: scaled(body.place.origin, scale),
-        angle: body.place.angle,
-    });
     let moving = scene.bodies.iter().skip(1);
     let figure = Figure {
         scale,
-        places: places.collect(),
+        stance: scene.stance(0, scale),
         bodies: moving
             .map(|body| Group::new(format!("body-{}", body.name), format!("body {}", body.name)))
             .collect(),
@@ -73,6 +70,7 @@ pub(super) fn drafted(scene: &Scene, scale: f64) -> (Figure, f64) {
         draft.shape(body);
     }
     draft.dots();
+    draft.loads();
     let unit = draft.unit;
     (draft.figure, unit)
 }
@@ -112,7 +110,7 @@ impl Draft<'_> {
     }
 
     fn collect_lines(&mut self) {
-        for (corners, place) in self.corners.iter().zip(&self.figure.places).skip(1) {
+        for (corners, place) in self.corners.iter().zip(&self.figure.stance.places).skip(1) {
             let corners = hull(corners);
             let next = corners.iter().cycle().skip(1);
             let edges = corners.iter().zip(next).filter(|_| corners.len() > 1);
@@ -123,6 +121,12 @@ impl Draft<'_> {
             let is_line = matches!(sign.feature, Feature::Slide | Feature::Link);
             if is_line && sign.marks.iter().any(|mark| mark.body != 0) {
                 let ends = [0, 1].map(|mark| self.global(sign.marks[mark]));
+                self.lines.push(ends);
+            }
+        }
+        for load in &self.scene.loads {
+            if let (Shape::Spring | Shape::Damper, [from, to]) = (load.shape, &load.marks[..]) {
+                let ends = [*from, *to].map(|it| self.global(it));
                 self.lines.push(ends);
             }
         }

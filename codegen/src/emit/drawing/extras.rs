@@ -1,4 +1,4 @@
-//! What is drawn on request: paths of points and axes of frames.
+//! What is drawn on request: paths of points, axes of frames and gaps.
 
 use super::figure::{Figure, Frame, Group, Layer, Look, Outline};
 use super::plane::{Point, onward, scaled};
@@ -12,6 +12,17 @@ pub struct Traced {
     pub points: Vec<Point>,
     /// Where it is at equal times.
     pub ticks: Vec<Point>,
+}
+
+/// Two points that ought to coincide and do not, in m.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gap {
+    /// Where they are.
+    pub ends: [Point; 2],
+    /// Their distance as it is written.
+    pub text: String,
+    /// What ought to join them.
+    pub title: String,
 }
 
 /// How long the axes of a frame are, in units.
@@ -30,6 +41,19 @@ impl Figure {
         for tick in &traced.ticks {
             let dot = Outline::Circle(pixels(tick), 2.4);
             group.add(Layer::Below, Frame::Body(0), Look::Tick, dot);
+        }
+        self.extras.push(group);
+    }
+
+    /// Adds a line across a gap.
+    pub fn gap(&mut self, gap: &Gap) {
+        let mut group = Group::new("gap".to_string(), gap.title.clone());
+        let ends = gap.ends.map(|it| scaled(it, self.scale));
+        let line = Outline::Open(ends.to_vec());
+        group.add(Layer::Above, Frame::Body(0), Look::Gap, line);
+        for end in ends {
+            let ring = Outline::Circle(end, 7.0);
+            group.add(Layer::Above, Frame::Body(0), Look::Gap, ring);
         }
         self.extras.push(group);
     }

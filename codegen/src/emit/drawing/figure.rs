@@ -3,8 +3,9 @@
 //! Lengths are pixels and y points upwards; a frame of a body is its frame with lengths in pixels. Whoever moves the mechanism moves
 //! the frames and nothing else. Deliberately unknown here: joints, colours, and how an outline is written.
 
-use super::plane::{Bounds, Place, Point, angle_of, difference, distance, heading, onward, sum};
+use super::plane::{Bounds, Point, difference, distance, heading, onward, sum};
 use super::pose::At;
+use super::stance::Stance;
 
 /// What moves with one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +16,12 @@ pub(super) enum Frame {
     Riding(At, usize),
     /// From one point towards another, in pixels of their bodies: the first is the origin, and the second lies on the x axis.
     Toward(At, At),
+    /// The same stretched along x, so that the second point is always this far from the first.
+    Between(At, At, f64),
+    /// At a point, along the force of the load of this number, and as long as its arrow.
+    Force(At, usize),
+    /// At a point and at an angle to its body, mirrored at x where the torque of the load of this number is clockwise.
+    Torque(At, f64, usize),
     /// The picture as it is in this pose.
     Still,
 }
@@ -52,6 +59,14 @@ pub(super) enum Look {
     Tick,
     /// What is filled with ink.
     Ink,
+    /// A spring or a damper.
+    Element,
+    /// The arrow of a force or a torque.
+    Load,
+    /// The head of it.
+    LoadHead,
+    /// What ought to be closed.
+    Gap,
 }
 
 /// Where ink goes, in a frame.
@@ -137,38 +152,19 @@ impl Group {
 pub(super) struct Figure {
     /// Pixels per metre.
     pub scale: f64,
-    /// Where the frames of the bodies are, in pixels.
-    pub places: Vec<Place>,
+    /// Where everything is.
+    pub stance: Stance,
     /// One for each moving body, in their order.
     pub bodies: Vec<Group>,
     /// One for each joint and driver.
     pub joints: Vec<Group>,
-    /// Paths and axes.
+    /// Loads, paths, axes and gaps.
     pub extras: Vec<Group>,
     /// What has no sign, in words.
     pub notes: Vec<String>,
 }
 
 impl Figure {
-    /// Where a frame is in this pose.
-    pub fn place(&self, frame: Frame) -> Place {
-        match frame {
-            Frame::Body(body) => self.places[body],
-            Frame::Riding(at, body) => Place {
-                origin: self.places[at.body].globally(at.local),
-                angle: self.places[body].angle,
-            },
-            Frame::Toward(from, to) => {
-                let [from, to] = [from, to].map(|it| self.places[it.body].globally(it.local));
-                Place {
-                    origin: from,
-                    angle: angle_of(difference(to, from)),
-                }
-            }
-            Frame::Still => Place::default(),
-        }
-    }
-
     pub fn groups(&self) -> impl Iterator<Item = &Group> {
         self.bodies.iter().chain(&self.joints).chain(&self.extras)
     }
@@ -178,7 +174,8 @@ impl Figure {
         group
             .parts()
             .flat_map(|part| {
-                let place = self.place(part.frame);
+                let place = self.stance.place(part.frame);
+                let stretch = self.stance.stretch(part.frame);
                 part.elements.iter().map(move |element| Trace {
                     look: element.look,
                     is_closed: !matches!(element.outline, Outline::Open(_)),
@@ -186,17 +183,17 @@ impl Figure {
                         .outline
                         .points()
                         .into_iter()
-                        .map(|point| place.globally(point))
+                        .map(|[x, y]| place.globally([stretch[0] * x, stretch[1] * y]))
                         .collect(),
                 })
             })
             .collect()
     }
 
-    /// The same with the frames of the bodies elsewhere.
-    pub fn moved(&self, places: Vec<Place>) -> Figure {
+    /// The same in another pose.
+    pub fn moved(&self, stance: Stance) -> Figure {
         Figure {
-            places,
+            stance,
             ..self.clone()
         }
     }

@@ -123,7 +123,7 @@ impl Draft<'_> {
     /// where its own shape or what it touches is in the way. The range says how far it goes from here.
     pub fn guided(&mut self, at: At, along: Point, range: [f64; 2], group: &mut Group) {
         let center = self.global(at);
-        let place = self.figure.places[at.body];
+        let place = self.figure.stance.places[at.body];
         let (mut extent, mut aside) = ([0.0_f64; 2], 0.0_f64);
         for corner in &self.corners[at.body] {
             let gap = difference(place.globally(*corner), center);
@@ -171,7 +171,7 @@ impl Draft<'_> {
     /// A block at a point, on a guide of the ground.
     fn block_on_ground(&mut self, at: At, along: Point, range: [f64; 2], group: &mut Group) {
         let center = self.global(at);
-        let place = self.figure.places[at.body];
+        let place = self.figure.stance.places[at.body];
         let half = scaled(BLOCK, self.unit);
         let block = Outline::block(self.pixels(at).local, place.unrotate(along), half);
         self.add_to_body(at.body, Look::Body, block);
@@ -228,7 +228,7 @@ impl Draft<'_> {
         let sign = signs
             .find(|it| matches!(it.feature, Feature::Contact(_)) && it.marks[0].body == follower)?;
         let body = sign.curve.as_ref()?.body;
-        Some(self.figure.places[body].origin)
+        Some(self.figure.stance.places[body].origin)
     }
 
     /// The radius of a follower's roller, in m.

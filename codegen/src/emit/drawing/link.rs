@@ -6,6 +6,9 @@ use super::plane::{Point, difference, distance, scaled};
 use super::pose::{At, Sign};
 use crate::joint::Feature;
 
+/// Length for which a link is drawn at least, in pixels: one that vanishes in a pose could not be stretched.
+pub(super) const SHORTEST: f64 = 20.0;
+
 impl Draft<'_> {
     /// A link without a body of its own, or where its length is driven a cylinder.
     pub fn link(&mut self, sign: &Sign, is_driver: bool, group: &mut Group) {
@@ -39,8 +42,10 @@ impl Draft<'_> {
             self.arrow_along(from, to, sign.is_falling, group);
             return;
         }
-        let line = Outline::line([0.0; 2], [lengths[0], 0.0]);
-        group.add(Layer::Upon, Frame::Toward(from, to), Look::Massless, line);
+        let length = lengths[0].max(SHORTEST);
+        let line = Outline::line([0.0; 2], [length, 0.0]);
+        let frame = Frame::Between(from, to, length);
+        group.add(Layer::Upon, frame, Look::Massless, line);
         if is_driver {
             self.arrow_along(from, to, sign.is_falling, group);
         }
@@ -92,12 +97,12 @@ impl Draft<'_> {
             let local = self.corners[b].first().copied().unwrap_or_default();
             At { body: b, local }
         });
-        let there = self.figure.places[b].globally(center.local);
+        let there = self.figure.stance.places[b].globally(center.local);
         let own = At {
             body: a,
-            local: self.figure.places[a].locally(there),
+            local: self.figure.stance.places[a].locally(there),
         };
-        let turned = self.figure.places[b].angle - self.figure.places[a].angle;
+        let turned = self.figure.stance.places[b].angle - self.figure.stance.places[a].angle;
         let from = self.facing(own);
         let to = self.facing(center) + turned;
         // The shorter way round.
@@ -152,7 +157,7 @@ impl Draft<'_> {
     }
 
     /// The pin between two bodies, as the second carries it, in pixels.
-    fn pin_between(&self, a: usize, b: usize) -> Option<At> {
+    pub fn pin_between(&self, a: usize, b: usize) -> Option<At> {
         let mut signs = self.scene.signs.iter();
         signs.find_map(|sign| {
             if sign.feature != Feature::Pin {

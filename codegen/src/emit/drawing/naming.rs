@@ -1,5 +1,6 @@
 //! *A scene and its figure* → *its names, and where each may stand*.
 
+use super::extras::Gap;
 use super::figure::{Figure, Frame, Look, Outline, offset_edges};
 use super::label::{Anchor, Label};
 use super::letters::width;
@@ -17,6 +18,8 @@ pub(super) enum Named {
     Point(usize),
     /// A body.
     Body(usize),
+    /// The gap between two points that ought to coincide.
+    Gap,
 }
 
 /// A name with its label.
@@ -80,6 +83,29 @@ pub(super) fn names(scene: &Scene, figure: &Figure, unit: f64) -> Vec<Name> {
     names
 }
 
+/// The length of a gap, beside the line that is drawn across it.
+pub(super) fn missing(gap: &Gap, figure: &Figure) -> Name {
+    let [a, b] = gap.ends.map(|it| scaled(it, figure.scale));
+    let half = [0.5 * width(&gap.text, SIZE), 0.5 * SIZE];
+    let mut anchors = Vec::new();
+    for [from, to] in [[a, b], [b, a]] {
+        edge(&mut anchors, from, to);
+    }
+    if anchors.is_empty() {
+        anchors = around(a, 10.0);
+    }
+    let anchor = |it: Anchor| Anchor { gap: 5.0, ..it };
+    Name {
+        of: Named::Gap,
+        text: gap.text.clone(),
+        label: Label {
+            half,
+            anchors: anchors.into_iter().map(anchor).collect(),
+            owner: None,
+        },
+    }
+}
+
 /// What names avoid.
 pub(super) fn obstacles(figure: &Figure) -> Obstacles {
     let mut obstacles = Obstacles::default();
@@ -116,7 +142,7 @@ fn around(at: Point, gap: f64) -> Vec<Anchor> {
 
 /// Beside the shape of a body, or upon it where it is large.
 fn beside(figure: &Figure, body: usize, width: f64) -> Vec<Anchor> {
-    let place = figure.places[body];
+    let place = figure.stance.places[body];
     let mut anchors = Vec::new();
     let upon = |at: Point, cost: f64| Anchor {
         at: place.globally(at),
@@ -211,7 +237,7 @@ fn ridden(anchors: &mut Vec<Anchor>, figure: &Figure, body: usize) {
         if !is_own {
             continue;
         }
-        let place = figure.place(part.frame);
+        let place = figure.stance.place(part.frame);
         let blocks = part.elements.iter().map(|it| &it.outline);
         for block in blocks.filter(|it| !matches!(it, Outline::Open(_))) {
             let points = hull(&block.points());

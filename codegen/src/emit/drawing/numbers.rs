@@ -29,7 +29,7 @@ pub(super) fn sampled(
 }
 
 /// Expressions that are evaluated together.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(super) struct Numbers {
     roots: Vec<ExprId>,
 }

@@ -38,6 +38,7 @@ impl Obstacles {
             Look::Thought | Look::Massless => 0.6,
             Look::Path => 0.7,
             Look::Part | Look::DriveHead | Look::Drive | Look::Ink | Look::AxisHead => 2.0,
+            Look::Load | Look::LoadHead => 2.0,
             _ => 1.0,
         };
         for edge in trace.segments() {

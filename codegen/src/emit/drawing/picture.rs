@@ -3,16 +3,14 @@
 use std::fmt::Write as _;
 
 use super::draft::drafted;
-use super::extras::{AXIS, Traced};
-use super::figure::{Figure, Frame};
-use super::label::placed;
-use super::letters::width;
-use super::naming::{Name, Named, SIZE, names, obstacles};
-use super::plane::{Bounds, NEGLIGIBLE, Place, Point, distance, onward, scaled};
-use super::pose::{Entitled, Pose, Scene};
-use super::scale_bar::scale_bar;
-use super::style::{TINTS, Themes, sheet};
-use super::svg::{layers, number};
+use super::extras::{Gap, Traced};
+use super::figure::Figure;
+use super::legend::{ROW, legend_text};
+use super::lettering::{Lettering, lettering, names_text};
+use super::plane::{Bounds, NEGLIGIBLE, Point};
+use super::pose::{Pose, Scene};
+use super::style::{Themes, sheet};
+use super::svg::{Written, layers, number};
 use crate::emit::markup::escaped;
 use crate::system::System;
 
@@ -25,6 +23,8 @@ pub struct Options {
     pub frames: Vec<usize>,
     /// What stands in the lower right corner.
     pub caption: String,
+    /// Two points that ought to coincide; `None` where all do.
+    pub gap: Option<Gap>,
     /// Whether there is room for the other poses too, and names say what they follow, for whoever moves the mechanism.
     pub is_moving: bool,
     /// Who chooses between light and dark.
@@ -42,9 +42,6 @@ const MARGIN: f64 = 30.0;
 /// In how many poses a moving figure is looked at.
 const REACHED: usize = 32;
 
-/// The height of a line of the legend.
-const ROW: f64 = 20.0;
-
 /// The mechanism in a pose, with paths of points. Guides are as long as what slides on them needs in the other poses.
 pub fn draw(
     system: &System,
@@ -54,71 +51,105 @@ pub fn draw(
     options: &Options,
 ) -> String {
     let scene = Scene::new(system, shown, others);
-    let title = system.mechanism.title();
-    let notes = noted(&scene);
-    let legend = 12.0 + ROW * (1.0 + notes as f64);
-    let room = options.size.map_or(LARGEST, |size| size.map(f64::from));
-    let inner = [
-        (room[0] - 2.0 * MARGIN).max(40.0),
-        (room[1] - 2.0 * MARGIN - legend).max(40.0),
-    ];
-    let complete = |scale: f64| {
-        let (mut figure, unit) = drafted(&scene, scale);
-        paths.iter().for_each(|path| figure.trace(path));
-        for &body in &options.frames {
-            figure.axes(body, &scene.bodies[body].name, unit);
+    let written = match options.is_moving {
+        true => Written::Moving,
+        false => Written::Picture,
+    };
+    Composition::new(system, &scene, paths, options).text(written)
+}
+
+/// A picture before it is written.
+#[derive(Debug)]
+pub(super) struct Composition {
+    pub figure: Figure,
+    head: String,
+    names: Vec<Lettering>,
+    foot: String,
+}
+
+impl Composition {
+    /// Finds a scale and places for all names.
+    pub fn new(system: &System, scene: &Scene, paths: &[Traced], options: &Options) -> Composition {
+        let title = system.mechanism.title();
+        let notes = noted(scene);
+        let legend = 12.0 + ROW * (1.0 + notes as f64);
+        let room = options.size.map_or(LARGEST, |size| size.map(f64::from));
+        let inner = [
+            (room[0] - 2.0 * MARGIN).max(40.0),
+            (room[1] - 2.0 * MARGIN - legend).max(40.0),
+        ];
+        let complete = |scale: f64| {
+            let (mut figure, unit) = drafted(scene, scale);
+            paths.iter().for_each(|path| figure.trace(path));
+            for &body in &options.frames {
+                figure.axes(body, &scene.bodies[body].name, unit);
+            }
+            options.gap.iter().for_each(|gap| figure.gap(gap));
+            (figure, unit)
+        };
+        let bounds = |figure: &Figure| match options.is_moving {
+            true => reached(figure, scene),
+            false => figure.bounds(),
+        };
+        let scale = fitted(scene, inner, |scale| bounds(&complete(scale).0));
+        let (figure, unit) = complete(scale);
+        let bounds = bounds(&figure);
+        let size = match options.size {
+            Some(size) => size.map(f64::from),
+            None => {
+                let needed = bounds.size();
+                [
+                    (needed[0] + 2.0 * MARGIN)
+                        .clamp(SMALLEST[0], LARGEST[0])
+                        .ceil(),
+                    (needed[1] + 2.0 * MARGIN + legend)
+                        .clamp(SMALLEST[1], LARGEST[1])
+                        .ceil(),
+                ]
+            }
+        };
+        // Where the origin is in the picture, with y upwards from its lower edge.
+        let middle = [0.5 * size[0], 0.5 * (size[1] + legend)];
+        let origin = [0, 1].map(|axis| (middle[axis] - bounds.center()[axis]).round());
+        let area = Bounds {
+            low: [4.0 - origin[0], legend - origin[1]],
+            high: [size[0] - 4.0 - origin[0], size[1] - 4.0 - origin[1]],
+        };
+        let mut text = opening(size, &title);
+        let _ = writeln!(text, "<style>\n{}</style>", sheet(options.themes));
+        let _ = writeln!(
+            text,
+            "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>",
+            number(size[0]),
+            number(size[1])
+        );
+        let _ = writeln!(
+            text,
+            "<g id=\"mechanism\" data-scale=\"{scale}\" transform=\"translate({} {})\">",
+            number(origin[0]),
+            number(size[1] - origin[1])
+        );
+        let is_scaled = !scene.is_of_angles_alone();
+        let legend = legend_text(&figure, is_scaled, scene.gravity, size, &options.caption);
+        Composition {
+            head: text,
+            names: lettering(scene, &figure, unit, &area, options),
+            foot: format!("</g>\n{legend}</svg>\n"),
+            figure,
         }
-        (figure, unit)
-    };
-    let bounds = |figure: &Figure| match options.is_moving {
-        true => reached(figure, &scene),
-        false => figure.bounds(),
-    };
-    let scale = fitted(&scene, inner, |scale| bounds(&complete(scale).0));
-    let (figure, unit) = complete(scale);
-    let bounds = bounds(&figure);
-    let size = match options.size {
-        Some(size) => size.map(f64::from),
-        None => {
-            let needed = bounds.size();
-            [
-                (needed[0] + 2.0 * MARGIN)
-                    .clamp(SMALLEST[0], LARGEST[0])
-                    .ceil(),
-                (needed[1] + 2.0 * MARGIN + legend)
-                    .clamp(SMALLEST[1], LARGEST[1])
-                    .ceil(),
-            ]
-        }
-    };
-    // Where the origin is in the picture, with y upwards from its lower edge.
-    let middle = [0.5 * size[0], 0.5 * (size[1] + legend)];
-    let origin = [0, 1].map(|axis| (middle[axis] - bounds.center()[axis]).round());
-    let area = Bounds {
-        low: [4.0 - origin[0], legend - origin[1]],
-        high: [size[0] - 4.0 - origin[0], size[1] - 4.0 - origin[1]],
-    };
-    let mut text = opening(size, &title);
-    let _ = writeln!(text, "<style>\n{}</style>", sheet(options.themes));
-    let _ = writeln!(
-        text,
-        "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>",
-        number(size[0]),
-        number(size[1])
-    );
-    let _ = writeln!(
-        text,
-        "<g id=\"mechanism\" data-scale=\"{scale}\" transform=\"translate({} {})\">",
-        number(origin[0]),
-        number(size[1] - origin[1])
-    );
-    text += &layers(&figure, "");
-    text += &labels(&scene, &figure, unit, &area, options);
-    text.push_str("</g>\n");
-    let is_scaled = !scene.is_of_angles_alone();
-    text += &legend_text(&figure, is_scaled, size, &options.caption);
-    text.push_str("</svg>\n");
-    text
+    }
+
+    /// The picture as it was composed.
+    pub fn text(&self, written: Written<'_>) -> String {
+        self.text_of(&self.figure, written)
+    }
+
+    /// The same with the figure in another pose.
+    pub fn text_of(&self, figure: &Figure, written: Written<'_>) -> String {
+        let layers = layers(figure, "", written);
+        let names = names_text(&self.names, [&self.figure, figure], written);
+        format!("{}{layers}{names}{}", self.head, self.foot)
+    }
 }
 
 /// The first tag, and what the picture is called.
@@ -134,12 +165,9 @@ pub(super) fn opening(size: Point, title: &str) -> String {
 /// Around the figure in the poses that the drawing is made for, as many of them as tell how far it comes.
 fn reached(figure: &Figure, scene: &Scene) -> Bounds {
     let every = scene.motion.len().div_ceil(REACHED).max(1);
-    let corners = scene.motion.iter().step_by(every).flat_map(|places| {
-        let places = places.iter().map(|place| Place {
-            origin: scaled(place.origin, figure.scale),
-            angle: place.angle,
-        });
-        let bounds = figure.moved(places.collect()).bounds();
+    let poses = (0..scene.motion.len()).step_by(every);
+    let corners = poses.flat_map(|pose| {
+        let bounds = figure.moved(scene.stance(pose, figure.scale)).bounds();
         [bounds.low, bounds.high]
     });
     Bounds::of(corners)
@@ -177,151 +205,4 @@ pub(super) fn fitted(scene: &Scene, room: Point, bounds: impl Fn(f64) -> Bounds)
         scale = (scale * factor).min(most);
     }
     scale
-}
-
-/// The names where they stand.
-pub(super) fn labels(
-    scene: &Scene,
-    figure: &Figure,
-    unit: f64,
-    area: &Bounds,
-    options: &Options,
-) -> String {
-    let names = names(scene, figure, unit);
-    let mut obstacles = obstacles(figure);
-    let mut text = String::from("<g id=\"names\">\n");
-    for &body in &options.frames {
-        let place = figure.place(Frame::Body(body));
-        for (along, letter) in [([1.0, 0.0], "x"), ([0.0, 1.0], "y")] {
-            let at = place.globally(onward([0.0; 2], AXIS * unit + 9.0, along));
-            obstacles.taken.push(Bounds::around(at, [6.0, 7.0]));
-            let _ = writeln!(
-                text,
-                "<text class=\"axis-name\" x=\"{}\" y=\"{}\">{letter}</text>",
-                number(at[0]),
-                number(0.35 * SIZE - at[1])
-            );
-        }
-    }
-    let boxes: Vec<_> = names.iter().map(|name| name.label.clone()).collect();
-    let placed = placed(&boxes, &obstacles, area);
-    for (name, placed) in names.iter().zip(&placed) {
-        let Some(placed) = placed else { continue };
-        let center = placed.area.center();
-        let half = name.label.half;
-        let tint = match name.of {
-            Named::Body(body) => format!(" class=\"tint-{}\"", (body - 1) % TINTS),
-            Named::Point(_) => String::new(),
-        };
-        let follows = match options.is_moving {
-            true => followed(name, center, scene, figure),
-            false => String::new(),
-        };
-        let _ = write!(text, "<g{tint}{follows}>");
-        if let Some(to) = placed.leader {
-            let from = nearest(&placed.area, to);
-            let length = distance(from, to);
-            let to = onward(
-                from,
-                (length - 6.0).max(0.0) / length.max(1.0),
-                [to[0] - from[0], to[1] - from[1]],
-            );
-            let _ = write!(
-                text,
-                "<path class=\"leader\" d=\"M{} {}L{} {}\"/>",
-                number(from[0]),
-                number(-from[1]),
-                number(to[0]),
-                number(-to[1])
-            );
-        }
-        let class = match name.of {
-            Named::Body(_) => {
-                let [width, height] = scaled(half, 2.0);
-                let _ = write!(
-                    text,
-                    "<rect class=\"tag\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\"/>",
-                    number(center[0] - half[0]),
-                    number(-center[1] - half[1]),
-                    number(width),
-                    number(height),
-                    number(half[1])
-                );
-                "name"
-            }
-            Named::Point(_) => "point",
-        };
-        let _ = writeln!(
-            text,
-            "<text class=\"{class}\" x=\"{}\" y=\"{}\">{}</text></g>",
-            number(center[0]),
-            number(0.35 * SIZE - center[1]),
-            escaped(&name.text)
-        );
-    }
-    text.push_str("</g>\n");
-    text
-}
-
-/// What a name follows: a point of a body, in pixels of its frame with y downwards.
-fn followed(name: &Name, center: Point, scene: &Scene, figure: &Figure) -> String {
-    let (body, [x, y], point) = match name.of {
-        Named::Point(place) => {
-            let Entitled { at, name, .. } = &scene.points[place];
-            let point = format!(" data-point=\"{}\"", escaped(name));
-            (at.body, scaled(at.local, figure.scale), point)
-        }
-        Named::Body(body) => (body, figure.places[body].locally(center), String::new()),
-    };
-    let [x, y] = [x, -y].map(number);
-    format!(" data-follows=\"{body} {x} {y}\"{point}")
-}
-
-/// The point of a box that is nearest to another.
-fn nearest(area: &Bounds, to: Point) -> Point {
-    [0, 1].map(|axis| to[axis].clamp(area.low[axis], area.high[axis]))
-}
-
-/// The scale bar where lengths are drawn, the caption, and what has no sign.
-fn legend_text(figure: &Figure, is_scaled: bool, size: Point, caption: &str) -> String {
-    let mut text = String::from("<g id=\"legend\">\n");
-    let base = size[1] - 14.0;
-    let mut used = 12.0;
-    let bar = scale_bar(figure.scale, (0.24 * size[0]).min(150.0));
-    if let Some(bar) = bar.filter(|_| is_scaled) {
-        let end = 12.0 + bar.length;
-        let _ = writeln!(
-            text,
-            "<path d=\"M12 {0}V{1}H{2}V{0}\"/><text class=\"note\" x=\"{3}\" y=\"{4}\">{5}</text>",
-            number(base - 4.0),
-            number(base + 1.0),
-            number(end),
-            number(end + 7.0),
-            number(base + 3.0),
-            escaped(&bar.text)
-        );
-        used = end + 7.0 + width(&bar.text, SIZE);
-    }
-    if !caption.is_empty() && used + 12.0 + width(caption, SIZE) < size[0] - 12.0 {
-        let _ = writeln!(
-            text,
-            "<text class=\"caption\" x=\"{}\" y=\"{}\">{}</text>",
-            number(size[0] - 12.0),
-            number(base + 3.0),
-            escaped(caption)
-        );
-    }
-    for (row, note) in figure.notes.iter().rev().enumerate() {
-        let mut note = note.clone();
-        while width(&note, SIZE) > size[0] - 24.0 && note.pop().is_some() {}
-        let y = base + 3.0 - ROW * (row as f64 + 1.0);
-        let _ = writeln!(
-            text,
-            "<text class=\"note\" x=\"12\" y=\"{}\">{}</text>",
-            number(y),
-            escaped(&note)
-        );
-    }
-    text.push_str("</g>\n");
-    text
 }

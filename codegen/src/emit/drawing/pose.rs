@@ -4,9 +4,10 @@
 //! unknown here: pixels, and how a sign looks.
 
 use super::dial;
+use super::loads::{Load, NumberedLoads};
 use super::numbers::{Numbers, sampled};
 use super::plane::{Place, Point, left_of};
-use crate::expr::SymbolId;
+use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::Mark;
 use crate::joint::{Feature, Follower};
 use crate::model::Role;
@@ -41,6 +42,11 @@ impl Pose {
             Some((coordinate.position, value))
         });
         Pose::new(system, estimates)
+    }
+
+    /// All numbers in this pose.
+    pub(super) fn evaluated(&self, graph: &Graph, numbers: &Numbers) -> Vec<f64> {
+        numbers.evaluate(graph, &self.values)
     }
 }
 
@@ -119,6 +125,12 @@ pub(super) struct Scene {
     pub size: f64,
     /// Where the bodies are in each pose that the drawing is made for.
     pub motion: Vec<Vec<Place>>,
+    /// Springs, dampers, forces and torques, in written order.
+    pub loads: Vec<Load>,
+    /// Arrow of each load in each of these poses, in parts of the longest.
+    pub arrows: Vec<Vec<Point>>,
+    /// Acceleration of what falls, in m/s²; `None` where nothing does.
+    pub gravity: Option<Point>,
 }
 
 impl Scene {
@@ -171,7 +183,10 @@ impl Scene {
                 .map(|axis| ([axis.owner, axis.other], numbers.pair(axis.direction)));
             signs.push((joint, feature, number, numbers.one(rate), marks, line));
         }
-        let value = numbers.evaluate(&graph, &shown.values);
+        let loads = NumberedLoads::new(system, &mut graph, &mut numbers);
+        let poses = std::iter::once(shown).chain(others);
+        let values: Vec<Vec<f64>> = poses.map(|it| it.evaluated(&graph, &numbers)).collect();
+        let value = &values[0];
         let both = |[x, y]: [usize; 2]| [value[x], value[y]];
         let place_in = |value: &[f64], [x, y, angle]: [usize; 3]| Place {
             origin: [value[x], value[y]],
@@ -213,16 +228,16 @@ impl Scene {
                 number: value[*number],
             });
         let signs = signs.collect();
-        let motion = std::iter::once(shown).chain(others).map(|pose| {
-            let value = numbers.evaluate(&graph, &pose.values);
-            places
-                .iter()
-                .map(|&place| place_in(&value, place))
-                .collect()
-        });
+        let motion = values
+            .iter()
+            .map(|value| places.iter().map(|&place| place_in(value, place)).collect());
+        let vectors: Vec<Vec<Point>> = values.iter().map(|it| loads.vectors(it)).collect();
         let mut scene = Scene {
             signs,
             motion: motion.collect(),
+            loads: loads.loads(value),
+            arrows: loads.arrows(&vectors),
+            gravity: loads.gravity(value),
             bodies: mechanism
                 .bodies
                 .iter()
@@ -230,7 +245,7 @@ impl Scene {
                 .zip(&places)
                 .map(|((body, points), place)| Carried {
                     name: body.name.clone(),
-                    place: place_in(&value, *place),
+                    place: place_in(value, *place),
                     points: points.iter().map(|&point| both(point)).collect(),
                     is_dial: false,
                 })

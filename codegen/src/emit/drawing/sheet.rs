@@ -3,12 +3,13 @@
 use std::fmt::Write as _;
 
 use super::draft::drafted;
+use super::lettering::{lettering, names_text};
 use super::naming::SIZE;
-use super::picture::{Options, fitted, labels, opening};
+use super::picture::{Options, fitted, opening};
 use super::plane::{Bounds, Point};
 use super::pose::{Pose, Scene};
 use super::style::{Themes, sheet as style};
-use super::svg::{layers, number};
+use super::svg::{Written, layers, number};
 use crate::emit::markup::escaped;
 use crate::system::System;
 
@@ -102,14 +103,16 @@ pub fn sheet(system: &System, panels: &[Panel]) -> String {
             number(origin[0]),
             number(origin[1])
         );
-        text += &layers(&figure, &format!("assembly-{number_of}-"));
+        let prefix = format!("assembly-{number_of}-");
+        text += &layers(&figure, &prefix, Written::Picture);
         if has_names {
             let low = [corner[0] - origin[0], origin[1] - corner[1] - height];
             let area = Bounds {
                 low: [low[0] + 3.0, low[1] + 3.0],
                 high: [low[0] + width - 3.0, low[1] + height - TITLE],
             };
-            text += &labels(scene, &figure, unit, &area, &Options::default());
+            let names = lettering(scene, &figure, unit, &area, &Options::default());
+            text += &names_text(&names, [&figure, &figure], Written::Picture);
         }
         text.push_str("</g>\n");
     }

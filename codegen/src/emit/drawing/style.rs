@@ -20,6 +20,10 @@ pub(super) fn class(look: Look) -> &'static str {
         Look::Path => "path",
         Look::Tick => "tick",
         Look::Ink => "ink",
+        Look::Element => "element",
+        Look::Load => "load",
+        Look::LoadHead => "load-head",
+        Look::Gap => "gap",
     }
 }
 
@@ -84,6 +88,10 @@ const LIGHT: &str = "\
 .linkwright .ink { fill: #1c2024; stroke: none; }
 .linkwright .drive { stroke: #c2410c; stroke-width: 2; }
 .linkwright .drive-head { fill: #c2410c; stroke: none; }
+.linkwright .gap { stroke: #c2185b; stroke-width: 1.8; stroke-dasharray: 5 4; }
+.linkwright .element { stroke-width: 1.5; }
+.linkwright .load { stroke: #15803d; stroke-width: 2; }
+.linkwright .load-head { fill: #15803d; stroke: none; }
 .linkwright .axis { stroke: #6d28d9; stroke-width: 1.4; }
 .linkwright .axis-head { fill: #6d28d9; stroke: none; }
 .linkwright .path { stroke: #1d4ed8; stroke-width: 1.4; }
@@ -92,6 +100,7 @@ const LIGHT: &str = "\
 .linkwright .tag { fill-opacity: 0.2; stroke-width: 0.8; stroke-opacity: 0.9; }
 .linkwright text { fill: #1c2024; text-anchor: middle; }
 .linkwright .name { font-style: italic; }
+.linkwright .gap-name { fill: #c2185b; font-weight: 600; }
 .linkwright .point { font-weight: 600; }
 .linkwright .note { fill: #57606a; text-anchor: start; }
 .linkwright .caption { fill: #57606a; text-anchor: end; }
@@ -107,6 +116,10 @@ const DARK: &str = "\
 .linkwright .body { fill-opacity: 0.42; }
 .linkwright .drive { stroke: #fb923c; }
 .linkwright .drive-head { fill: #fb923c; }
+.linkwright .gap { stroke: #ff7eb6; }
+.linkwright .gap-name { fill: #ff7eb6; }
+.linkwright .load { stroke: #4ade80; }
+.linkwright .load-head { fill: #4ade80; }
 .linkwright .axis { stroke: #c4b5fd; }
 .linkwright .axis-head, .linkwright .axis-name { fill: #c4b5fd; }
 .linkwright .path { stroke: #7fb0ff; }

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::figure::{Figure, Frame, Group, Layer, Look, Outline, Part, offset_edges};
+use super::keyframes::Keyframes;
 use super::plane::{Place, Point};
 use super::style::{TINTS, class};
 use crate::emit::markup::escaped;
@@ -35,72 +36,104 @@ fn transform(place: Place) -> String {
     text
 }
 
-/// The figure in three layers: what is below the bodies, the bodies, and what is upon them. Names of elements begin with `prefix`.
-pub(super) fn layers(figure: &Figure, prefix: &str) -> String {
-    let mut text = String::new();
-    let joints = figure.joints.iter().chain(&figure.extras);
-    let others: Vec<&Group> = joints.collect();
-    for group in &others {
-        layer(&mut text, figure, group, &[Layer::Below], prefix, "-below");
-    }
-    for group in &figure.bodies {
-        layer(
-            &mut text,
-            figure,
-            group,
-            &[Layer::Below, Layer::Upon, Layer::Above],
-            prefix,
-            "",
-        );
-    }
-    for group in &others {
-        layer(&mut text, figure, group, &[Layer::Upon], prefix, "-upon");
-    }
-    for group in &others {
-        // The last layer has the group's own name, and is there where nothing lies in it.
-        layer(&mut text, figure, group, &[Layer::Above], prefix, "");
-    }
-    text
+/// What is written of a figure.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Written<'a> {
+    /// What there is, in its pose.
+    Picture,
+    /// The same with every group, also one in which nothing lies: another motion may put something there.
+    Moving,
+    /// Groups without what the pose alone decides.
+    Motion,
+    /// One pose of a motion, without what is right in another pose only.
+    Frame,
+    /// All poses of a motion, which the picture goes through by itself.
+    Animated(&'a Keyframes),
 }
 
+/// The figure in three layers: what is below the bodies, the bodies, and what is upon them. Names of elements begin with `prefix`.
+pub(super) fn layers(figure: &Figure, prefix: &str, written: Written<'_>) -> String {
+    let groups = groups(figure, prefix, written).into_iter();
+    groups.map(|(_, text)| text).collect()
+}
+
+/// The same as groups, each with its name and its text.
+pub(super) fn groups(figure: &Figure, prefix: &str, written: Written<'_>) -> Vec<(String, String)> {
+    let joints = figure.joints.iter().chain(&figure.extras);
+    let others: Vec<&Group> = joints.collect();
+    let mut found = Vec::new();
+    let mut add = |group: &Group, layers: &[Layer], suffix: &str| {
+        let id = format!("{prefix}{}{suffix}", group.id);
+        // The last layer has the group's own name, and is there where nothing lies in it.
+        let is_kept = suffix.is_empty() || matches!(written, Written::Moving | Written::Motion);
+        let text = layer(figure, group, layers, &id, written);
+        found.extend(
+            text.or_else(|| is_kept.then(|| empty(&id, group)))
+                .map(|text| (id, text)),
+        );
+    };
+    for group in &others {
+        add(group, &[Layer::Below], "-below");
+    }
+    for group in &figure.bodies {
+        add(group, &[Layer::Below, Layer::Upon, Layer::Above], "");
+    }
+    for group in &others {
+        add(group, &[Layer::Upon], "-upon");
+    }
+    for group in &others {
+        add(group, &[Layer::Above], "");
+    }
+    found
+}
+
+fn empty(id: &str, group: &Group) -> String {
+    let title = escaped(&group.title);
+    format!("<g id=\"{}\"><title>{title}</title>\n</g>\n", escaped(id))
+}
+
+/// Some layers of a group; `None` where nothing lies in them.
 fn layer(
-    text: &mut String,
     figure: &Figure,
     group: &Group,
     layers: &[Layer],
-    prefix: &str,
-    suffix: &str,
-) {
+    id: &str,
+    written: Written<'_>,
+) -> Option<String> {
     let parts = layers.iter().flat_map(|it| &group.layers[*it as usize]);
+    let is_timeless = matches!(written, Written::Frame | Written::Animated(_));
+    let parts = parts.filter(|part| !(is_timeless && part.frame == Frame::Still));
     let parts: Vec<&Part> = parts.collect();
-    if parts.is_empty() && !suffix.is_empty() {
-        return;
-    }
-    let id = escaped(&format!("{prefix}{}{suffix}", group.id));
-    let title = escaped(&group.title);
-    // A body is one element, with its own transformation.
-    if let [part] = parts[..] {
-        let attributes = framed(figure, part.frame);
-        let _ = writeln!(text, "<g id=\"{id}\"{attributes}><title>{title}</title>");
-        elements(text, part);
-    } else {
-        let _ = writeln!(text, "<g id=\"{id}\"><title>{title}</title>");
-        for part in parts {
-            let _ = writeln!(text, "<g{}>", framed(figure, part.frame));
-            elements(text, part);
-            text.push_str("</g>\n");
+    let (id, title) = (escaped(id), escaped(&group.title));
+    let mut text = String::new();
+    match parts[..] {
+        [] => return None,
+        // A body is one element, with its own transformation.
+        [part] => {
+            let attributes = framed(figure, part.frame, written);
+            let _ = writeln!(text, "<g id=\"{id}\"{attributes}><title>{title}</title>");
+            within(&mut text, part, written);
+        }
+        _ => {
+            let _ = writeln!(text, "<g id=\"{id}\"><title>{title}</title>");
+            for part in parts {
+                let _ = writeln!(text, "<g{}>", framed(figure, part.frame, written));
+                within(&mut text, part, written);
+                text.push_str("</g>\n");
+            }
         }
     }
     text.push_str("</g>\n");
+    Some(text)
 }
 
 /// The attributes of what moves with a frame: its class, how it moves, and where it is now.
-fn framed(figure: &Figure, frame: Frame) -> String {
+fn framed(figure: &Figure, frame: Frame, written: Written<'_>) -> String {
     let mut text = match frame {
         Frame::Body(body) | Frame::Riding(_, body) if body > 0 => {
             format!(" class=\"tint-{}\"", (body - 1) % TINTS)
         }
-        Frame::Toward(from, to) => {
+        Frame::Toward(from, to) | Frame::Between(from, to, _) => {
             let body = from.body.max(to.body).max(1);
             format!(" class=\"tint-{}\"", (body - 1) % TINTS)
         }
@@ -124,12 +157,49 @@ fn framed(figure: &Figure, frame: Frame) -> String {
             to.body,
             pair(to.local)
         ),
+        Frame::Between(from, to, length) => write!(
+            text,
+            " data-from=\"{} {}\" data-to=\"{} {}\" data-length=\"{}\"",
+            from.body,
+            pair(from.local),
+            to.body,
+            pair(to.local),
+            number(length)
+        ),
+        Frame::Force(at, load) => write!(
+            text,
+            " data-at=\"{} {}\" data-force=\"{load}\"",
+            at.body,
+            pair(at.local)
+        ),
+        Frame::Torque(at, angle, load) => write!(
+            text,
+            " data-at=\"{} {}\" data-torque=\"{load} {}\"",
+            at.body,
+            pair(at.local),
+            number(-angle.to_degrees())
+        ),
     };
-    let placed = transform(figure.place(frame));
+    if matches!(written, Written::Motion) {
+        return text;
+    }
+    let mut placed = transform(figure.stance.place(frame));
+    let stretch = figure.stance.stretch(frame).map(number);
+    if stretch.iter().any(|it| it != "1") {
+        let _ = write!(placed, "scale({} {})", stretch[0], stretch[1]);
+    }
     if !placed.is_empty() {
         let _ = write!(text, " transform=\"{placed}\"");
     }
     text
+}
+
+/// The elements of a part, in an animation with how it moves.
+fn within(text: &mut String, part: &Part, written: Written<'_>) {
+    if let Written::Animated(keyframes) = written {
+        *text += &keyframes.motion(part.frame);
+    }
+    elements(text, part);
 }
 
 /// One element for each outline, but one for all of those neighbours that look alike and are open.

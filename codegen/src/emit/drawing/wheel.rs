@@ -35,7 +35,7 @@ impl Draft<'_> {
         let carrier = sign.marks[2].body;
         let centers = [0, 1].map(|side| self.center(sign.marks[side].body, carrier));
         let apart = {
-            let [a, b] = centers.map(|it| self.figure.places[it.body].globally(it.local));
+            let [a, b] = centers.map(|it| self.figure.stance.places[it.body].globally(it.local));
             distance(a, b)
         };
         let ratio = sign.number;
@@ -221,7 +221,7 @@ impl Draft<'_> {
         ]);
         match owner.body {
             0 => {
-                let behind = self.figure.places[0].rotate(scaled(across, -1.0));
+                let behind = self.figure.stance.places[0].rotate(scaled(across, -1.0));
                 self.ground([at(low, 0.0), at(high, 0.0)], behind, group);
             }
             body => self.add_to_body(body, Look::Body, bar),

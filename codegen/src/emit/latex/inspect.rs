@@ -16,11 +16,17 @@ type Equation = [String; 3];
 
 /// The coordinates, Φ, Φ_q, Φ_t and γ of each system, its points, and the singular poses of its blocks, with formulas in LaTeX.
 pub fn inspect(systems: &[(&System, Vec<SingularPose>)]) -> String {
-    let pages: Vec<String> = systems
-        .iter()
-        .map(|(system, poses)| page(system, poses))
-        .collect();
-    lines::document(&pages.join("\\clearpage\n"))
+    lines::document(&pages(systems).join("\\clearpage\n"))
+}
+
+/// The same for a document that has a preamble.
+pub fn inspect_fragment(systems: &[(&System, Vec<SingularPose>)]) -> String {
+    lines::fragment(&pages(systems).join("\n"))
+}
+
+fn pages(systems: &[(&System, Vec<SingularPose>)]) -> Vec<String> {
+    let pages = systems.iter();
+    pages.map(|(system, poses)| page(system, poses)).collect()
 }
 
 /// What the document says of one system.

@@ -47,6 +47,22 @@ pub(in crate::emit) fn document(text: &str) -> String {
     )
 }
 
+/// The same for a document that has a preamble; its first lines say what that must hold.
+pub(in crate::emit) fn fragment(text: &str) -> String {
+    format!(
+        "% Needs \\usepackage{{amsmath}} in the preamble and nothing else.\n\
+         % No line is wider than 17 cm in letters of 10 pt. Headings are \\section* and \\subsection*.\n\
+         \\begingroup\n\
+         \\setcounter{{MaxMatrixCols}}{{12}}\n\
+         \\allowdisplaybreaks\n\
+         \\setlength{{\\parindent}}{{0pt}}\n\
+         \\setlength{{\\parskip}}{{6pt}}\n\
+         \\raggedright\n\
+         {text}\
+         \\par\\endgroup\n"
+    )
+}
+
 /// The heading of a mechanism.
 pub(in crate::emit) fn title(name: &str) -> String {
     format!("\\section*{{Mechanism {name}}}\n")

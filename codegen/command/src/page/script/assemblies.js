@@ -1,9 +1,9 @@
 // Assemblies.
 
-const around = (root, poses) => {
+const around = (root, own, times) => {
   let [x0, y0, x1, y1] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (const q of poses) {
-    root.show(q);
+  for (const time of times) {
+    root.show(state(own, time), arrowsOf(own, time));
     const area = root.root.getBBox();
     [x0, y0, x1, y1] = [Math.min(x0, area.x), Math.min(y0, area.y), Math.max(x1, area.x + area.width), Math.max(y1, area.y + area.height)];
   }
@@ -11,15 +11,22 @@ const around = (root, poses) => {
 };
 const boxes = new Map();
 const frame = () => {
-  if (player === data.assemblies[0]) return svg.setAttribute("viewBox", box);
+  const legend = svg.querySelector("#legend");
+  if (player === data.assemblies[0]) {
+    legend.removeAttribute("transform");
+    return svg.setAttribute("viewBox", box);
+  }
   if (!boxes.has(player)) {
     const every = Math.max(1, Math.ceil(player.times.length / 24));
-    const poses = player.times.filter((_, index) => index % every === 0).map((time) => state(player, time));
-    const [x, y, width, height] = around(stage, poses);
+    const times = player.times.filter((_, index) => index % every === 0);
+    const [x, y, width, height] = around(stage, player, times);
     const [dx, dy] = numbers(mechanism.getAttribute("transform").replace(/^translate\(|\)$/g, ""));
     boxes.set(player, `${x + dx - 16} ${y + dy - 16} ${width + 32} ${height + 48}`);
   }
   svg.setAttribute("viewBox", boxes.get(player));
+  // The scale bar stays in the lower left corner.
+  const [left, top, , height] = numbers(boxes.get(player));
+  legend.setAttribute("transform", `translate(${left} ${top + height - numbers(box)[3]})`);
 };
 
 const pick = (own) => {
@@ -30,6 +37,9 @@ const pick = (own) => {
     sample();
     trace();
   }
+  dress(mechanism, player);
+  stage.collect();
+  tag();
   frame();
   plot();
   gather();
@@ -53,6 +63,7 @@ const thumbnails = () => {
       const picture = drawn("svg", { class: "linkwright", "aria-hidden": "true" }, button);
       const copy = mechanism.cloneNode(true);
       copy.removeAttribute("transform");
+      dress(copy, own);
       for (const part of copy.querySelectorAll("#names, #traces, [data-still], title")) part.remove();
       for (const part of [copy, ...copy.querySelectorAll("*")]) {
         part.removeAttribute("id");
@@ -61,7 +72,7 @@ const thumbnails = () => {
       }
       picture.append(copy);
       holder.append(button);
-      const [x, y, width, height] = around(new Stage(copy), [state(own, own.times[0])]);
+      const [x, y, width, height] = around(new Stage(copy), own, own.times.slice(0, 1));
       const side = Math.max(width, height) + 16;
       picture.setAttribute("viewBox", `${x + width / 2 - side / 2} ${y + height / 2 - side / 2} ${side} ${side}`);
     } else {

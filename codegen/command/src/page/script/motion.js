@@ -54,6 +54,13 @@ const state = (player, t) => {
   return data.coordinates.map((_, index) => coordinate(player, index, place));
 };
 
+/// The arrows of loads: their components in parts of the longest.
+const arrowsOf = (player, t) => {
+  const [k, s] = interval(player.times, t);
+  const value = (place) => (s === 0 ? at(place, k) : (1 - s) * at(place, k) + s * at(place, k + 1));
+  return (player.arrows ?? []).map((own) => own.map(value));
+};
+
 const still = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
 const poseOf = (q, body) => {
   const pose = data.bodies[body].pose;

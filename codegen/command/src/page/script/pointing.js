@@ -2,18 +2,22 @@
 
 let items = [];
 const words = (value) => (value ?? "").split(" ").filter(Boolean);
-data.bodies.forEach((body, index) => {
-  const element = svg.querySelector(`[id="body-${CSS.escape(body.name)}"]`);
-  if (element && index > 0) element.dataset.is = `b${index}`;
-});
-data.joints.forEach((joint, index) => {
-  for (const suffix of ["", "-below", "-upon"]) {
-    const element = svg.querySelector(`[id="joint-${CSS.escape(joint.slug)}${suffix}"]`);
-    if (!element) continue;
-    element.dataset.is = `j${index}`;
-    element.dataset.of = joint.bodies.map((body) => `b${body}`).join(" ");
-  }
-});
+const tag = () => {
+  data.bodies.forEach((body, index) => {
+    const element = svg.querySelector(`[id="body-${CSS.escape(body.name)}"]`);
+    if (element && index > 0) element.dataset.is = `b${index}`;
+  });
+  data.joints.forEach((joint, index) => {
+    for (const suffix of ["", "-below", "-upon"]) {
+      const element = svg.querySelector(`[id="joint-${CSS.escape(joint.slug)}${suffix}"]`);
+      // A layer in which nothing lies is there for other assemblies.
+      if (!element || (suffix && !element.querySelector("path, circle"))) continue;
+      element.dataset.is = `j${index}`;
+      element.dataset.of = joint.bodies.map((body) => `b${body}`).join(" ");
+    }
+  });
+};
+tag();
 for (const name of stage.names) {
   const point = data.points.findIndex((it) => it.name === name.element.dataset.point);
   name.element.dataset.is = point < 0 ? `b${name.at[0]}` : `p${point}`;

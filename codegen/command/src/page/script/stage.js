@@ -7,17 +7,28 @@ class Stage {
   constructor(root) {
     this.root = root;
     this.scale = Number(root.dataset.scale);
-    const all = (name) => [...root.querySelectorAll(`[data-${name}]`)];
-    this.bodies = all("body").map((element) => [element, Number(element.dataset.body)]);
-    this.riders = all("at").map((element) => [element, numbers(element.dataset.at), Number(element.dataset.turned)]);
-    this.links = all("from").map((element) => ({
+    this.names = this.all("data-follows").map((element) => ({ element, at: numbers(element.dataset.follows) }));
+    this.collect();
+  }
+
+  all(name) {
+    return [...this.root.querySelectorAll(`[${name}]`)];
+  }
+
+  /// Finds what moves, also after elements have been replaced.
+  collect() {
+    this.bodies = this.all("data-body").map((element) => [element, Number(element.dataset.body)]);
+    this.riders = this.all("data-turned").map((element) => [element, numbers(element.dataset.at), Number(element.dataset.turned)]);
+    this.forces = this.all("data-force").map((element) => [element, numbers(element.dataset.at), Number(element.dataset.force)]);
+    this.torques = this.all("data-torque").map((element) => [element, numbers(element.dataset.at), ...numbers(element.dataset.torque)]);
+    this.links = this.all("data-from").map((element) => ({
       element,
       from: numbers(element.dataset.from),
       to: numbers(element.dataset.to),
-      stretches: element.querySelector(".massless") !== null,
+      length: Number(element.dataset.length ?? 0),
+      paths: [...element.querySelectorAll("path")].map((path) => [path, path.getAttribute("d")]),
     }));
-    this.names = all("follows").map((element) => ({ element, at: numbers(element.dataset.follows) }));
-    this.stills = all("still");
+    this.stills = this.all("data-still");
   }
 
   /// Where a body is: x and y in pixels, and its angle, clockwise as y points.
@@ -32,7 +43,7 @@ class Stage {
     return [ox + c * x - s * y, oy + s * x + c * y];
   }
 
-  show(q) {
+  show(q, arrows = []) {
     const put = (element, x, y, angle, rest = "") => {
       element.setAttribute("transform", `translate(${x.toFixed(3)} ${y.toFixed(3)})rotate(${((angle * 180) / Math.PI).toFixed(4)})${rest}`);
     };
@@ -43,10 +54,20 @@ class Stage {
     for (const link of this.links) {
       const [from, to] = [this.global(q, link.from), this.global(q, link.to)];
       const [x, y] = [to[0] - from[0], to[1] - from[1]];
-      const length = Math.hypot(x, y);
-      link.length ??= length;
-      const rest = link.stretches && link.length > 0 ? `scale(${(length / link.length).toFixed(5)} 1)` : "";
-      put(link.element, ...from, Math.atan2(y, x), rest);
+      put(link.element, ...from, Math.atan2(y, x));
+      if (!link.length) continue;
+      // Lines keep their width where x grows with the distance.
+      const factor = Math.hypot(x, y) / link.length;
+      for (const [path, d] of link.paths) path.setAttribute("d", d.replace(/([-\d.]+) ([-\d.]+)/g, (_, along, aside) => `${(factor * along).toFixed(2)} ${aside}`));
+    }
+    for (const [element, where, load] of this.forces) {
+      const [x, y] = arrows[load] ?? [0, 0];
+      put(element, ...this.global(q, where), Math.atan2(-y, x), `scale(${Math.hypot(x, y).toFixed(4)})`);
+    }
+    for (const [element, where, load, turned] of this.torques) {
+      const [size] = arrows[load] ?? [0];
+      const angle = this.place(q, where[0])[2] + (turned * Math.PI) / 180;
+      put(element, ...this.global(q, where), angle, `scale(${Math.abs(size).toFixed(4)} ${size.toFixed(4)})`);
     }
     for (const name of this.names) {
       const [x, y] = this.global(q, name.at);
@@ -55,6 +76,18 @@ class Stage {
     }
   }
 }
+
+/// Elements that another assembly has in place of some of the drawing's, which are kept.
+const replaced = [...new Set(data.assemblies.flatMap((own) => Object.keys(own.elements ?? {})))];
+const elementOf = (root, id) => root.querySelector(`[id="${CSS.escape(id)}"]`);
+const originals = new Map(replaced.map((id) => [id, elementOf(svg, id)?.outerHTML]));
+const dress = (root, own) => {
+  for (const id of replaced) {
+    const element = elementOf(root, id);
+    const text = own.elements?.[id] ?? originals.get(id);
+    if (element && text) element.outerHTML = text;
+  }
+};
 
 const mechanism = svg.querySelector("#mechanism");
 const stage = new Stage(mechanism);

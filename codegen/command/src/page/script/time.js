@@ -10,8 +10,8 @@ const show = () => {
   const place = interval(player.times, t);
   const now = { t, q: data.coordinates.map((_, index) => coordinate(player, index, place)) };
   now.points = data.points.map((point) => motionOf(now.q, point));
-  stage.show(now.q);
-  const isDrawn = player === data.assemblies[0] && t === player.times[0];
+  stage.show(now.q, arrowsOf(player, t));
+  const isDrawn = t === player.times[0];
   for (const element of stage.stills) element.style.opacity = isDrawn ? "" : 0.15;
   for (const dot of traces.querySelectorAll("[data-now]")) {
     const [x, y] = now.points[dot.dataset.now][0];

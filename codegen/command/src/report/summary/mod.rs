@@ -38,7 +38,7 @@ impl Layout {
     /// As what is reported asks, without first steps.
     pub fn of(reported: &Reported) -> Layout {
         Layout {
-            points_chosen: !reported.points.is_empty(),
+            points_chosen: !(reported.points.is_empty() && reported.show.is_empty()),
             coordinates_chosen: !reported.show.is_empty(),
             angles: reported.angles,
             first_steps: Vec::new(),

@@ -259,9 +259,9 @@ impl OneAngle {
         builder.angle(self.angle, direction);
         builder.say(|_| {
             phrase![
-                "The sign of ",
+                "Minus the derivative of the left side is ",
                 Piece::Local("h".to_string()),
-                " is the assembly mode; the other one is the second solution."
+                ". Its sign is the assembly mode; the other one is the second solution."
             ]
         });
         root

@@ -168,7 +168,9 @@ impl TwoRotations {
             let kept = phrase![
                 ", and this assembly mode is kept: it is the sign of ",
                 Piece::Local("h".to_string()),
-                " below. By the law of cosines:"
+                ", the cross product of both links. With ",
+                Piece::Local("k".to_string()),
+                " for their dot product, by the law of cosines:"
             ];
             match triangle {
                 Some(it) => {

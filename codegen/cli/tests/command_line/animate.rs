@@ -1,0 +1,133 @@
+//! `draw --animate`: pictures that move by themselves.
+
+use std::fs;
+
+use crate::draw_loads::{ARM, numbers};
+use crate::folder::{EXAM, Folder};
+
+/// The values of an element of SMIL behind a tag.
+fn values(svg: &str, tag: &str, kind: &str) -> Vec<Vec<f64>> {
+    let behind = svg.split(tag).nth(1).unwrap_or_else(|| panic!("no {tag}"));
+    let behind = behind.split("</g>").next().expect("a group");
+    let element = behind.split(&format!("type=\"{kind}\"")).nth(1);
+    let element = element.unwrap_or_else(|| panic!("no {kind} in {behind}"));
+    let list = element.split("values=\"").nth(1).expect("values");
+    let list = list.split('"').next().expect("values");
+    list.split(';').map(numbers).collect()
+}
+
+/// φ1 = π/6 + sin 2t, 25 times a second; y points downwards.
+#[test]
+fn an_svg_goes_through_the_motion() {
+    let folder = Folder::new("animate_svg", EXAM);
+    let ran = folder.run("draw a.mech --animate --to 2").exits_with(0);
+    assert_eq!(ran.stdout, "wrote two_body.svg\n");
+    let svg = folder.read("two_body.svg");
+    let turned = values(&svg, "<g id=\"body-1\"", "rotate");
+    assert_eq!(turned.len(), 51);
+    for (frame, value) in turned.iter().enumerate() {
+        let t = 0.04 * frame as f64;
+        let wanted = -(std::f64::consts::FRAC_PI_6 + (2.0 * t).sin()).to_degrees();
+        assert!(
+            (value[0] - wanted).abs() < 0.01,
+            "{value:?} for {wanted} at {t}"
+        );
+    }
+    // The name of P follows it: cos φ and sin φ, less those at the start.
+    let scale = svg.split("data-scale=\"").nth(1).expect("a scale");
+    let scale = numbers(scale.split('"').next().expect("a number"))[0];
+    let names = &svg[svg.find("<g id=\"names\">").expect("names")..];
+    let at = |t: f64| (std::f64::consts::FRAC_PI_6 + (2.0 * t).sin()).sin_cos();
+    let name = names.split("</g>").find(|it| it.contains(">P</text>"));
+    let name = name.expect("P");
+    let name = &name[name.rfind("<g").expect("a group")..];
+    let moved = values(&format!("{name}</g>"), "<g", "translate");
+    for (frame, value) in moved.iter().enumerate() {
+        let ((y, x), (y0, x0)) = (at(0.04 * frame as f64), at(0.0));
+        let off = [value[0] - scale * (x - x0), value[1] + scale * (y - y0)];
+        assert!(off[0].hypot(off[1]) < 0.03, "{value:?} is {off:?} off");
+    }
+    assert!(svg.matches("dur=\"2s\"").count() > 3, "{svg}");
+    assert_eq!(
+        svg.matches("dur=").count(),
+        svg.matches("dur=\"2s\" repeatCount=\"indefinite\"").count()
+    );
+    assert!(!svg.contains("<script"));
+    // It is a picture of ours, and the same again.
+    folder.run("draw a.mech --animate --to 2").exits_with(0);
+    assert_eq!(folder.read("two_body.svg"), svg);
+}
+
+/// A long motion has 250 pictures at most, and still its own pace.
+#[test]
+fn a_long_motion_has_fewer_pictures() {
+    let folder = Folder::new("animate_long", EXAM);
+    folder
+        .run("draw a.mech --animate --to 30 --out a.svg")
+        .exits_with(0);
+    let svg = folder.read("a.svg");
+    let turned = values(&svg, "<g id=\"body-1\"", "rotate");
+    assert!((200..=251).contains(&turned.len()), "{}", turned.len());
+    let duration = svg.split("dur=\"").nth(1).expect("a duration");
+    let duration = numbers(duration.split('s').next().expect("a number"))[0];
+    assert!(duration > 29.5 && duration <= 30.0, "{duration}");
+}
+
+#[test]
+fn forces_and_springs_go_along() {
+    let folder = Folder::new("animate_loads", ARM);
+    folder
+        .run("draw a.mech --animate --to 1 --out a.svg")
+        .exits_with(0);
+    let svg = folder.read("a.svg");
+    let group = &svg[svg.find(" data-force=\"").expect("a force")..];
+    let turned = values(group, " data-force=\"", "rotate");
+    for (frame, value) in turned.iter().enumerate() {
+        let t = 0.04 * frame as f64;
+        let wanted = (40.0_f64).atan2(30.0 * (2.0 * std::f64::consts::PI * t).cos());
+        let off = (value[0].to_radians() - wanted).sin().abs();
+        assert!(off < 1e-3, "{value:?} for {wanted}");
+    }
+    assert!(svg.contains(" data-length=\""));
+}
+
+#[test]
+fn what_cannot_be_animated_is_refused() {
+    let folder = Folder::new("animate_refused", EXAM);
+    for (options, words) in [
+        ("--out a.png", "no animation can be written as `.png`"),
+        ("--out a.pdf", "`.svg` or `.gif`"),
+        ("--png", "cannot be used with"),
+        ("--at 1", "cannot be used with"),
+        ("--paths Z", "no point `Z`"),
+    ] {
+        let ran = folder
+            .run(&format!("draw a.mech --animate {options}"))
+            .exits_with(2);
+        assert!(ran.stderr.contains(words), "{options}: {}", ran.stderr);
+    }
+    assert_eq!(folder.list("."), ["a.mech"]);
+    fs::write(folder.file("two_body.svg"), "something else\n").expect("a file");
+    folder.run("draw a.mech --animate").exits_with(2);
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn a_gif_is_written_and_only_ours_are_replaced() {
+    let folder = Folder::new("animate_gif", EXAM);
+    let draw = "draw a.mech --animate --to 0.12 --out a.gif --size 200x160";
+    folder.run(draw).exits_with(0);
+    let bytes = fs::read(folder.file("a.gif")).expect("a picture");
+    assert!(
+        bytes.starts_with(b"GIF89a\xc8\x00\xa0\x00"),
+        "{:?}",
+        &bytes[..10]
+    );
+    // For ever, as browsers read it.
+    let loops = b"NETSCAPE2.0\x03\x01\x00\x00\x00";
+    assert!(bytes.windows(loops.len()).any(|it| it == loops));
+    folder.run(draw).exits_with(0);
+    assert_eq!(fs::read(folder.file("a.gif")).expect("a picture"), bytes);
+    fs::write(folder.file("a.gif"), &bytes[..700]).expect("a file");
+    folder.run(draw).exits_with(2);
+}

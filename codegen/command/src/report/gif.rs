@@ -1,0 +1,340 @@
+//! An animation of the drawing room → a GIF that is repeated for ever.
+//!
+//! All pictures share one palette: the most frequent colors, and those that all others are near to. A picture holds only the part that differs from the one before. A GIF
+//! of ours says so in a comment behind its palette.
+
+use std::collections::HashMap;
+
+use gif::{AnyExtension, DisposalMethod, Encoder, Frame, Repeat};
+use linkwright_codegen::stages::emit::drawing::Animation;
+
+use super::raster::Rasterizer;
+use crate::output::{Beginning, Record, Signature};
+
+/// Colors of a palette, one of which is that of what does not change.
+const COLORS: usize = 256;
+
+/// Place of the color of what does not change.
+const UNCHANGED: u8 = 255;
+
+/// Steps in which the least distance of two colors grows until all fit.
+const STEP: usize = 2;
+
+/// Most pictures in which colors are counted.
+const COUNTED: usize = 12;
+
+/// Bytes before the palette, and with it.
+const HEAD: usize = 13;
+const PALETTE: usize = HEAD + 3 * COLORS;
+
+/// Label of a comment.
+const COMMENT: u8 = 0xfe;
+
+/// Comment behind the palette.
+const WORDS: &[u8] = b"linkwright";
+
+/// Beginning of the comment behind that one, which names the source.
+const SOURCE: &[u8] = b"Generated from ";
+
+/// Recognizes a GIF of ours.
+pub const SIGNATURE: Signature = Signature {
+    noun: "a picture that this command has drawn",
+    beginning: Beginning::Bytes(is_ours),
+    record: Record::Inside {
+        found: source,
+        added: |gif, source| {
+            let mut gif = gif.to_vec();
+            let words = [SOURCE, source.as_bytes()].concat();
+            gif.splice(SECOND..SECOND, comment(&words));
+            gif
+        },
+    },
+};
+
+/// Place of the second comment.
+const SECOND: usize = PALETTE + 2 + 1 + WORDS.len() + 1;
+
+fn is_ours(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"GIF89a") && bytes.get(PALETTE..SECOND) == Some(&comment(WORDS)[..])
+}
+
+/// Name of the source of a picture.
+fn source(bytes: &[u8]) -> Option<String> {
+    let mut rest = bytes.get(SECOND..)?.strip_prefix(&[b'!', COMMENT])?;
+    let mut words = Vec::new();
+    loop {
+        let (length, blocks) = rest.split_first()?;
+        let (block, next) = blocks.split_at_checked(usize::from(*length))?;
+        if block.is_empty() {
+            break;
+        }
+        words.extend(block);
+        rest = next;
+    }
+    String::from_utf8(words.strip_prefix(SOURCE)?.to_vec()).ok()
+}
+
+/// A comment as an extension, in blocks of at most 255 bytes.
+fn comment(words: &[u8]) -> Vec<u8> {
+    let mut bytes = vec![b'!', COMMENT];
+    for block in words.chunks(255) {
+        bytes.push(block.len() as u8);
+        bytes.extend(block);
+    }
+    bytes.push(0);
+    bytes
+}
+
+/// The colors of all pixels of a picture.
+struct Pixels {
+    size: [u16; 2],
+    colors: Vec<[u8; 3]>,
+}
+
+/// Returns the animation with this time between two pictures, in s.
+///
+/// # Errors
+/// A picture that is too large for a GIF or for the memory.
+pub fn gif(animation: &Animation, interval: f64) -> Result<Vec<u8>, String> {
+    let rasterizer = Rasterizer::with_letters();
+    let pixels = |place: usize| -> Result<Pixels, String> {
+        let pixels = rasterizer.pixels(&animation.frame(place), 1.0)?;
+        let side = |length: u32| u16::try_from(length).map_err(|_| "it is too large".to_string());
+        let colors = pixels.pixels().iter().map(|it| {
+            let color = it.demultiply();
+            [color.red(), color.green(), color.blue()]
+        });
+        Ok(Pixels {
+            size: [side(pixels.width())?, side(pixels.height())?],
+            colors: colors.collect(),
+        })
+    };
+    let mut palette = Palette::default();
+    for place in (0..animation.count()).step_by(animation.count().div_ceil(COUNTED)) {
+        palette.count(&pixels(place)?.colors);
+    }
+    palette.choose();
+    let first = pixels(0)?;
+    let [width, height] = first.size;
+    let failed = |error: gif::EncodingError| error.to_string();
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, width, height, &palette.bytes()).map_err(failed)?;
+    let extension = AnyExtension(COMMENT);
+    encoder
+        .write_raw_extension(extension, &[WORDS])
+        .map_err(failed)?;
+    encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
+    let mut shown: Option<Vec<u8>> = None;
+    for place in 0..animation.count() {
+        let own = pixels(place)?;
+        let indices = palette.indices(&own.colors);
+        let mut frame = match &shown {
+            None => Frame {
+                width,
+                height,
+                buffer: indices.clone().into(),
+                ..Frame::default()
+            },
+            Some(before) => difference(before, &indices, width),
+        };
+        // Hundredths of a second, so that the pictures keep pace with the motion.
+        let at = |place: usize| (100.0 * interval * place as f64).round();
+        frame.delay = (at(place + 1) - at(place)) as u16;
+        frame.dispose = DisposalMethod::Keep;
+        encoder.write_frame(&frame).map_err(failed)?;
+        shown = Some(indices);
+    }
+    drop(encoder);
+    Ok(bytes)
+}
+
+/// The rectangle in which two pictures differ.
+fn difference(before: &[u8], now: &[u8], width: u16) -> Frame<'static> {
+    let across = usize::from(width);
+    let (mut low, mut high) = ([usize::MAX; 2], [0; 2]);
+    for (place, _) in before
+        .iter()
+        .zip(now)
+        .enumerate()
+        .filter(|(_, (a, b))| a != b)
+    {
+        for (axis, at) in [place % across, place / across].into_iter().enumerate() {
+            low[axis] = low[axis].min(at);
+            high[axis] = high[axis].max(at);
+        }
+    }
+    if low[0] == usize::MAX {
+        // A picture needs a pixel.
+        (low, high) = ([0; 2], [0; 2]);
+    }
+    let rows = low[1]..=high[1];
+    let places = rows.flat_map(|row| (low[0]..=high[0]).map(move |column| row * across + column));
+    let changed = places.map(|at| match before[at] == now[at] {
+        true => UNCHANGED,
+        false => now[at],
+    });
+    Frame {
+        left: low[0] as u16,
+        top: low[1] as u16,
+        width: (high[0] - low[0] + 1) as u16,
+        height: (high[1] - low[1] + 1) as u16,
+        transparent: Some(UNCHANGED),
+        buffer: changed.collect::<Vec<u8>>().into(),
+        ..Frame::default()
+    }
+}
+
+/// The square of the distance of two colors.
+fn off(a: &[u8; 3], b: &[u8; 3]) -> i32 {
+    let parts = a.iter().zip(b);
+    parts
+        .map(|(a, b)| (i32::from(*a) - i32::from(*b)).pow(2))
+        .sum()
+}
+
+/// The colors of a GIF.
+#[derive(Default)]
+struct Palette {
+    counts: HashMap<[u8; 3], usize>,
+    colors: Vec<[u8; 3]>,
+    /// The place of the nearest color; only looked up.
+    nearest: HashMap<[u8; 3], u8>,
+}
+
+impl Palette {
+    fn count(&mut self, colors: &[[u8; 3]]) {
+        for color in colors {
+            *self.counts.entry(*color).or_default() += 1;
+        }
+    }
+
+    /// Keeps the most frequent colors, and so many others that each color is as near to one of them as can be.
+    fn choose(&mut self) {
+        let mut all: Vec<([u8; 3], usize)> = self.counts.drain().collect();
+        all.sort_by_key(|(color, count)| (std::cmp::Reverse(*count), *color));
+        for apart in (0..).step_by(STEP) {
+            self.colors.clear();
+            for (color, _) in &all {
+                if self.colors.len() == COLORS {
+                    break;
+                }
+                let square = apart * apart;
+                if self.colors.iter().all(|it| off(it, color) > square) || apart == 0 {
+                    self.colors.push(*color);
+                }
+            }
+            if self.colors.len() < COLORS {
+                break;
+            }
+        }
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        let mut bytes = self.colors.concat();
+        bytes.resize(3 * COLORS, 0);
+        bytes
+    }
+
+    /// The places of the nearest colors.
+    fn indices(&mut self, colors: &[[u8; 3]]) -> Vec<u8> {
+        let place = |color: &[u8; 3]| {
+            let own = &self.colors;
+            *self.nearest.entry(*color).or_insert_with(|| {
+                let places = (0..own.len()).min_by_key(|place| (off(&own[*place], color), *place));
+                places.unwrap_or(0) as u8
+            })
+        };
+        colors.iter().map(place).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use gif::{ColorOutput, DecodeOptions};
+    use linkwright_codegen::diagnostic::Source;
+    use linkwright_codegen::stages::emit::drawing::{Options, Pose};
+
+    use super::*;
+
+    /// A bar of 1 m that stands in these angles.
+    fn turning(angles: &[f64]) -> Animation {
+        let text = "mechanism bar { point O = (0, 0); body arm at O { O, P: (1, 0) } revolute O(ground, arm); drive phi(arm) = t; }";
+        let read = linkwright_codegen::read(&Source::new("bar.mech", text));
+        let system = read.expect("a description").only().expect("one motion");
+        let poses = angles.iter().map(|angle| {
+            let place = system
+                .coordinates
+                .iter()
+                .position(|it| it.name == "phi_arm");
+            let symbol = system.coordinates[place.expect("an angle")].position;
+            Pose::new(&system, [(symbol, *angle)])
+        });
+        let poses: Vec<Pose> = poses.collect();
+        Animation::new(&system, &poses, &[], &Options::default()).expect("a pose")
+    }
+
+    /// All pictures as they are shown one upon the other, and how long each is, in hundredths of a second.
+    fn shown(bytes: &[u8]) -> (Vec<Vec<[u8; 3]>>, Vec<u16>) {
+        let mut options = DecodeOptions::new();
+        options.set_color_output(ColorOutput::RGBA);
+        let mut decoder = options.read_info(bytes).expect("a GIF");
+        assert_eq!(decoder.repeat(), Repeat::Infinite);
+        let width = usize::from(decoder.width());
+        let mut canvas = vec![[0; 3]; width * usize::from(decoder.height())];
+        let (mut pictures, mut delays) = (Vec::new(), Vec::new());
+        while let Some(frame) = decoder.read_next_frame().expect("a picture") {
+            let own = usize::from(frame.width);
+            for (place, pixel) in frame.buffer.chunks_exact(4).enumerate() {
+                if pixel[3] > 0 {
+                    let row = usize::from(frame.top) + place / own;
+                    let column = usize::from(frame.left) + place % own;
+                    canvas[row * width + column] = [pixel[0], pixel[1], pixel[2]];
+                }
+            }
+            pictures.push(canvas.clone());
+            delays.push(frame.delay);
+        }
+        (pictures, delays)
+    }
+
+    #[test]
+    fn pictures_are_those_of_the_drawing_room_up_to_their_colors() {
+        let animation = turning(&[0.0, 0.4, 0.4, 0.8]);
+        let bytes = gif(&animation, 0.035).expect("a GIF");
+        let (pictures, delays) = shown(&bytes);
+        // 0, 3.5, 7, 10.5 and 14 hundredths, to whole ones.
+        assert_eq!(delays, [4, 3, 4, 3]);
+        assert_eq!(pictures.len(), 4);
+        assert!(pictures[0] != pictures[1] && pictures[1] == pictures[2]);
+        for (place, picture) in pictures.iter().enumerate() {
+            let drawn = Rasterizer::with_letters().pixels(&animation.frame(place), 1.0);
+            let drawn = drawn.expect("pixels");
+            let off = drawn.pixels().iter().zip(picture).map(|(a, b)| {
+                let parts = [a.red(), a.green(), a.blue()].into_iter().zip(b);
+                parts.map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0)
+            });
+            let most = off.max().expect("a pixel");
+            assert!(most < 20, "a color is off by {most}");
+        }
+    }
+
+    #[test]
+    fn a_gif_has_the_same_bytes_again_and_is_known_again() {
+        let made = || gif(&turning(&[0.0, 1.0]), 0.04).expect("a GIF");
+        let bytes = made();
+        assert_eq!(bytes, made());
+        assert!(is_ours(&bytes));
+        assert_eq!(source(&bytes), None);
+        let Record::Inside { found, added } = SIGNATURE.record else {
+            unreachable!("it is named inside")
+        };
+        let long = "a/".repeat(300) + "b.mech";
+        for name in ["../a.mech", &long] {
+            let named = added(&bytes, name);
+            assert!(is_ours(&named));
+            assert_eq!(found(&named).as_deref(), Some(name));
+            assert_eq!(shown(&named), shown(&bytes));
+        }
+        assert!(!is_ours(b"GIF89a"));
+    }
+}

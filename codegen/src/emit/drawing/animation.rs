@@ -1,0 +1,59 @@
+//! A motion → a picture that moves by itself, or one picture for each pose.
+
+use super::extras::Traced;
+use super::keyframes::Keyframes;
+use super::picture::{Composition, Options};
+use super::pose::{Pose, Scene};
+use super::svg::Written;
+use crate::system::System;
+
+/// A motion that is drawn with one scale.
+#[derive(Debug)]
+pub struct Animation {
+    scene: Scene,
+    composition: Composition,
+}
+
+impl Animation {
+    /// Composes the picture of these poses; `None` without a pose.
+    pub fn new(
+        system: &System,
+        poses: &[Pose],
+        paths: &[Traced],
+        options: &Options,
+    ) -> Option<Animation> {
+        let (shown, others) = poses.split_first()?;
+        let options = Options {
+            is_moving: true,
+            ..options.clone()
+        };
+        let scene = Scene::new(system, shown, others);
+        Some(Animation {
+            composition: Composition::new(system, &scene, paths, &options),
+            scene,
+        })
+    }
+
+    /// How many poses there are: one at least.
+    pub fn count(&self) -> usize {
+        self.scene.motion.len()
+    }
+
+    /// One of the poses as an SVG.
+    pub fn frame(&self, pose: usize) -> String {
+        let figure = &self.composition.figure;
+        let figure = figure.moved(self.scene.stance(pose, figure.scale));
+        self.composition.text_of(&figure, Written::Frame)
+    }
+
+    /// An SVG that goes through the poses at equal times in this many seconds, for ever.
+    pub fn smil(&self, duration: f64) -> String {
+        let scale = self.composition.figure.scale;
+        let stances = (0..self.count()).map(|pose| self.scene.stance(pose, scale));
+        let keyframes = Keyframes {
+            stances: stances.collect(),
+            duration,
+        };
+        self.composition.text(Written::Animated(&keyframes))
+    }
+}

@@ -1,0 +1,197 @@
+//! Loads of a system in numbers: where they act, and which forces and torques act in a pose.
+
+use super::numbers::Numbers;
+use super::plane::{Point, scaled};
+use super::pose::{At, Pose};
+use crate::expr::{ExprId, Graph};
+use crate::force::{Element, Place, Shape};
+use crate::joint::geometry::{BodyId, Mark, add, perpendicular};
+use crate::system::System;
+
+/// Length of the shortest arrow beside the longest: what is shorter could not be seen.
+const SHORTEST: f64 = 0.4;
+
+/// Magnitude that counts as zero beside the largest.
+const ZERO: f64 = 1e-9;
+
+/// A load in numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Load {
+    /// Label in messages: `spring main`, `force on 1.P`.
+    pub label: String,
+    pub shape: Shape,
+    /// Points that it acts on.
+    pub marks: Vec<At>,
+}
+
+/// Points of a load as bodies and places among the numbers, and the places of what it exerts.
+#[derive(Clone, Debug)]
+struct Numbered {
+    label: String,
+    shape: Shape,
+    marks: Vec<(usize, [usize; 2])>,
+    vector: [usize; 2],
+}
+
+/// Loads of a system and its gravity, by their places among numbers.
+#[derive(Clone, Debug)]
+pub(super) struct NumberedLoads {
+    loads: Vec<Numbered>,
+    gravity: Option<[usize; 2]>,
+}
+
+impl NumberedLoads {
+    /// Adds what acts in a system to the numbers of a drawing.
+    pub fn new(system: &System, graph: &mut Graph, numbers: &mut Numbers) -> NumberedLoads {
+        let forces = &system.mechanism.forces;
+        let loads = forces.loads.iter().map(|load| {
+            let element = &*load.element;
+            let vector = vector(system, element, graph);
+            let marks = element.marks();
+            let ends = match element.shape() {
+                Shape::Force | Shape::Torque => &marks[..1],
+                _ => &marks[..2],
+            };
+            Numbered {
+                label: load.label.clone(),
+                shape: element.shape(),
+                marks: ends
+                    .iter()
+                    .map(|mark| (mark.frame.body.0, numbers.pair(mark.local)))
+                    .collect(),
+                vector: numbers.pair(vector),
+            }
+        });
+        NumberedLoads {
+            loads: loads.collect(),
+            gravity: forces.gravity.map(|gravity| numbers.pair(gravity)),
+        }
+    }
+
+    /// Returns the loads for these values.
+    pub fn loads(&self, value: &[f64]) -> Vec<Load> {
+        let loads = self.loads.iter().map(|load| Load {
+            label: load.label.clone(),
+            shape: load.shape,
+            marks: load
+                .marks
+                .iter()
+                .map(|&(body, [x, y])| At {
+                    body,
+                    local: [value[x], value[y]],
+                })
+                .collect(),
+        });
+        loads.collect()
+    }
+
+    /// Returns what each load exerts: a force, or a torque as the first component.
+    pub fn vectors(&self, value: &[f64]) -> Vec<Point> {
+        let loads = self.loads.iter();
+        loads.map(|it| it.vector.map(|at| value[at])).collect()
+    }
+
+    /// Acceleration of what falls, in m/s²; `None` where nothing does.
+    pub fn gravity(&self, value: &[f64]) -> Option<Point> {
+        let gravity = self.gravity?.map(|at| value[at]);
+        (gravity != [0.0; 2]).then_some(gravity)
+    }
+
+    /// Returns the arrows of these vectors of all poses, in parts of the longest of their kind.
+    pub fn arrows(&self, vectors: &[Vec<Point>]) -> Vec<Vec<Point>> {
+        let magnitude = |[x, y]: Point| x.hypot(y);
+        let largest = |shape: Shape| {
+            let all = vectors
+                .iter()
+                .flat_map(|of_pose| self.loads.iter().zip(of_pose));
+            let own = all.filter(|(load, _)| load.shape == shape);
+            let sizes = own.map(|(_, vector)| magnitude(*vector));
+            sizes.filter(|it| it.is_finite()).fold(0.0, f64::max)
+        };
+        let [force, torque] = [Shape::Force, Shape::Torque].map(largest);
+        let arrow = |(load, vector): (&Numbered, &Point)| {
+            let largest = match load.shape {
+                Shape::Force => force,
+                Shape::Torque => torque,
+                _ => return [0.0; 2],
+            };
+            let own = magnitude(*vector);
+            match own > ZERO * largest && own.is_finite() {
+                true => scaled(*vector, (own / largest).max(SHORTEST) / own),
+                false => [0.0; 2],
+            }
+        };
+        let of_pose = |of_pose: &Vec<Point>| self.loads.iter().zip(of_pose).map(arrow).collect();
+        vectors.iter().map(of_pose).collect()
+    }
+}
+
+/// Returns the force of an applied force, the torque of an applied torque as the first component, and zero for other elements.
+fn vector(system: &System, element: &dyn Element, graph: &mut Graph) -> [ExprId; 2] {
+    let zero = graph.zero();
+    if !matches!(element.shape(), Shape::Force | Shape::Torque) {
+        return [zero; 2];
+    }
+    let marks = element.marks();
+    let places: Vec<Place> = marks
+        .into_iter()
+        .map(|mark| placed(system, mark, graph))
+        .collect();
+    let exerted = element.exerted(&places, zero, graph);
+    let force = exerted.forces.first().map(|(_, force)| *force);
+    let torque = exerted.torques.first().map(|(_, torque)| [*torque, zero]);
+    force.or(torque).unwrap_or([zero; 2])
+}
+
+/// Returns a point with its velocity, in terms of coordinates and rates.
+fn placed(system: &System, mark: Mark, graph: &mut Graph) -> Place {
+    let zero = graph.zero();
+    let body = mark.frame.body;
+    let coordinates = match body {
+        BodyId::GROUND => [None; 3],
+        body => system.mechanism.bodies[body.0].coordinates,
+    };
+    let [x, y, turning] = coordinates.map(|coordinate| match coordinate {
+        Some(it) => graph.variable(system.coordinates[it.place].rate),
+        None => zero,
+    });
+    let across = perpendicular(mark.arm, graph);
+    let turned = across.map(|part| graph.multiply(turning, part));
+    Place {
+        mark,
+        velocity: add([x, y], turned, graph),
+        turning,
+    }
+}
+
+/// Forces and torques of a system in any pose.
+#[derive(Debug)]
+pub struct ActingLoads {
+    graph: Graph,
+    numbers: Numbers,
+    loads: NumberedLoads,
+}
+
+impl ActingLoads {
+    /// Prepares those of a system.
+    pub fn new(system: &System) -> ActingLoads {
+        let mut graph = system.mechanism.graph.clone();
+        let mut numbers = Numbers::default();
+        let loads = NumberedLoads::new(system, &mut graph, &mut numbers);
+        ActingLoads {
+            graph,
+            numbers,
+            loads,
+        }
+    }
+
+    /// Returns the arrow of each load in each pose, in parts of the longest: along the force, or of a torque its first component, positive
+    /// counterclockwise. Loads without an arrow have zeros.
+    pub fn arrows<'a>(&self, poses: impl IntoIterator<Item = &'a Pose>) -> Vec<Vec<Point>> {
+        let values = poses
+            .into_iter()
+            .map(|pose| pose.evaluated(&self.graph, &self.numbers));
+        let vectors: Vec<Vec<Point>> = values.map(|value| self.loads.vectors(&value)).collect();
+        self.loads.arrows(&vectors)
+    }
+}

@@ -1,0 +1,76 @@
+//! A pose in pixels → where each frame of a figure is.
+
+use super::figure::Frame;
+use super::plane::{Place, Point, angle_of, difference, distance, scaled};
+use super::pose::Scene;
+
+/// Where what is drawn is in one pose.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Stance {
+    /// The frames of the bodies, in pixels.
+    pub places: Vec<Place>,
+    /// The arrows of the loads, in parts of the longest.
+    pub arrows: Vec<Point>,
+}
+
+impl Stance {
+    /// Where a frame is in this pose.
+    pub fn place(&self, frame: Frame) -> Place {
+        match frame {
+            Frame::Body(body) => self.places[body],
+            Frame::Riding(at, body) => Place {
+                origin: self.places[at.body].globally(at.local),
+                angle: self.places[body].angle,
+            },
+            Frame::Toward(from, to) | Frame::Between(from, to, _) => {
+                let [from, to] = [from, to].map(|it| self.places[it.body].globally(it.local));
+                Place {
+                    origin: from,
+                    angle: angle_of(difference(to, from)),
+                }
+            }
+            Frame::Force(at, load) => Place {
+                origin: self.places[at.body].globally(at.local),
+                angle: angle_of(self.arrows[load]),
+            },
+            Frame::Torque(at, angle, _) => Place {
+                origin: self.places[at.body].globally(at.local),
+                angle: self.places[at.body].angle + angle,
+            },
+            Frame::Still => Place::default(),
+        }
+    }
+
+    /// How much larger than it is written a frame is drawn along its axes in this pose.
+    pub fn stretch(&self, frame: Frame) -> [f64; 2] {
+        match frame {
+            Frame::Between(from, to, length) => {
+                let [from, to] = [from, to].map(|it| self.places[it.body].globally(it.local));
+                [distance(from, to) / length, 1.0]
+            }
+            Frame::Force(_, load) => {
+                let [x, y] = self.arrows[load];
+                [x.hypot(y); 2]
+            }
+            Frame::Torque(_, _, load) => {
+                let [turning, _] = self.arrows[load];
+                [turning.abs(), turning]
+            }
+            _ => [1.0; 2],
+        }
+    }
+}
+
+impl Scene {
+    /// Where everything is, in pixels, in one of the poses that the drawing is made for.
+    pub fn stance(&self, pose: usize, scale: f64) -> Stance {
+        let places = self.motion[pose].iter().map(|place| Place {
+            origin: scaled(place.origin, scale),
+            angle: place.angle,
+        });
+        Stance {
+            places: places.collect(),
+            arrows: self.arrows[pose].clone(),
+        }
+    }
+}
