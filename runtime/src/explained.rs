@@ -79,7 +79,9 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
             );
         }
         if self.0.failure.input.is_some() {
-            formatter.write_str("input ")?;
+            let name = block.map_or("", |input| input.name);
+            let space = if name.is_empty() { "" } else { " " };
+            return write!(formatter, "input{space}{name} is not finite");
         }
         if let Some(block) = block {
             write!(formatter, "{}: ", block.name)?;

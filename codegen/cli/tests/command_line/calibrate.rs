@@ -191,6 +191,7 @@ fn what_cannot_be_fitted_is_said() {
     let folder = folder("calibrate_errors");
     for (options, code, said) in [
         ("--param M", 2, "`crank` has no parameter `M`"),
+        ("", 2, "no parameter of `crank` is to be fitted"),
         ("--param L,L", 2, "`--param` names `L` twice"),
         ("--param sped", 2, "did you mean `speed`?"),
         (

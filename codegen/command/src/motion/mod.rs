@@ -17,8 +17,8 @@ pub use curve::{Curve, Extreme};
 pub use followed::Followed;
 pub use path::Path;
 pub use rows::{Row, Rows};
-pub use selection::{coordinates, points};
-pub use simulated::Simulated;
+pub use selection::{coordinates, named_point, points};
+pub use simulated::{Simulated, hint};
 
 use std::io;
 

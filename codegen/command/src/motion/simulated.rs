@@ -7,22 +7,60 @@ use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::number::time;
 use linkwright_solver::schedule::Schedule;
-use linkwright_solver::simulation::{Effort, Options, Simulation};
+use linkwright_solver::simulation::{Effort, Method, Options, Simulation, Stop};
 use linkwright_solver::supplied::Modes;
 use linkwright_solver::view::View;
 
 use super::{Followed, Sink, Wanted};
+
+/// Number of evaluations beyond which another method is proposed.
+const MANY_EVALUATIONS: u64 = 1_000_000;
 
 /// What an integration has taken, and how well it keeps the energy.
 #[derive(Clone, Debug, Default)]
 pub struct Simulated {
     /// Evaluations and steps.
     pub effort: Effort,
+    /// The method that was asked for.
+    pub method: Method,
     /// What of a change of the energy the work of forces, torques, dampers and drivers does not account for: the largest over all frames
     /// (J) and when.
     pub drift: (f64, f64),
     /// The largest kinetic energy (J), which that is to be compared with.
     pub kinetic: f64,
+}
+
+impl Simulated {
+    /// Returns the option that may save evaluations; `None` if there are few.
+    pub fn hint(&self) -> Option<&'static str> {
+        hint(&self.effort, self.method)
+    }
+}
+
+/// Returns the option that may save evaluations of a motion that has taken many; `None` if there are few.
+pub fn hint(effort: &Effort, method: Method) -> Option<&'static str> {
+    let is_implicit = match method {
+        Method::Implicit => true,
+        Method::Explicit => false,
+        Method::Automatic => 2 * effort.implicit > effort.steps,
+    };
+    (effort.evaluations > MANY_EVALUATIONS).then_some(if is_implicit {
+        "`--method dop853` takes explicit steps, and a larger `--rtol` fewer ones"
+    } else {
+        "`--method implicit` takes fewer steps where the motion is stiff, and so does a larger `--rtol`"
+    })
+}
+
+/// Moves the mechanism to a time, and says after every step what all have taken.
+fn advance(
+    simulation: &mut Simulation,
+    t: f64,
+    taken: &mut dyn FnMut(&Effort),
+) -> Result<(), Stop> {
+    while simulation.step_toward(t)? {
+        taken(&simulation.effort());
+    }
+    simulation.advance(t).map(|_| ())
 }
 
 impl Followed<Dense> {
@@ -37,7 +75,7 @@ impl Followed<Dense> {
     }
 
     /// Lets the forces move the mechanism from t = 0 over the rest of the schedule, and hands its instants on in the order of time;
-    /// `reached` hears how many times were visited.
+    /// `reached` hears how many times were visited, and `taken` after every step what all steps have taken.
     ///
     /// # Errors
     /// Those of the sinks, which end it.
@@ -47,7 +85,7 @@ impl Followed<Dense> {
         schedule: &Schedule,
         options: Options,
         sinks: &mut [&mut dyn Sink],
-        reached: &mut dyn FnMut(usize),
+        (reached, taken): (&mut dyn FnMut(usize), &mut dyn FnMut(&Effort)),
     ) -> io::Result<()> {
         if self.error.is_some() {
             return Ok(());
@@ -61,11 +99,14 @@ impl Followed<Dense> {
                 return Ok(());
             }
         };
-        let mut found = Simulated::default();
+        let mut found = Simulated {
+            method: options.method,
+            ..Simulated::default()
+        };
         let (mut first, mut stop) = (None, None);
         for t in std::iter::once(0.0).chain(visits) {
             if t > 0.0 {
-                if let Err(end) = simulation.advance(t) {
+                if let Err(end) = advance(&mut simulation, t, taken) {
                     stop = Some(end);
                     break;
                 }

@@ -220,7 +220,7 @@ fn kind_named(keyword: &str, kinds: &[&'static dyn Kind]) -> Option<&'static dyn
 }
 
 /// A statement as messages name it: `revolute P(1, 2)`, `drive length(N, M)`.
-fn label(given: &WrittenJoint<'_>) -> String {
+pub(super) fn label(given: &WrittenJoint<'_>) -> String {
     let reference = |reference: &syntax::Reference| match &reference.body {
         Some(body) => format!("{}.{}", body.text, reference.name.text),
         None => reference.name.text.clone(),

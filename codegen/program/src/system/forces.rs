@@ -32,6 +32,8 @@ pub struct Forces {
     pub lengths: Vec<(SymbolId, ExprId)>,
     /// Formulas whose rates decide what loads exert.
     pub rated: Vec<Rated>,
+    /// Components of the forces and torques of each load, in the order of the loads.
+    pub exerted: Vec<Vec<ExprId>>,
 }
 
 /// A body that has a mass.
@@ -144,7 +146,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         }
         exert(body, [force[0], force[1], torque], mechanism);
     }
-    let (mut lengths, mut rated) = (Vec::new(), Vec::new());
+    let (mut lengths, mut rated, mut all_exerted) = (Vec::new(), Vec::new(), Vec::new());
     for (number, load) in mechanism.forces.loads.clone().into_iter().enumerate() {
         let marks = load.element.marks();
         let places: Vec<Place> = marks
@@ -160,6 +162,9 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
             .symbol(&format!("distance of load {number}"));
         let length = mechanism.graph.variable(symbol);
         let exerted = load.element.exerted(&places, length, &mut mechanism.graph);
+        let forces = exerted.forces.iter().flat_map(|(_, force)| *force);
+        let torques = exerted.torques.iter().map(|(_, torque)| *torque);
+        all_exerted.push(forces.chain(torques).collect());
         for (mark, force) in exerted.forces {
             let torque = moment(mark.arm, force, &mut mechanism.graph);
             exert(mark.frame.body, [force[0], force[1], torque], mechanism);
@@ -183,6 +188,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         added,
         lengths,
         rated,
+        exerted: all_exerted,
     })
 }
 

@@ -23,15 +23,18 @@ pub fn block_words(
     poses: &[SingularPose],
 ) -> Vec<BlockWords> {
     let words = |block: &Block| {
-        let of = |pose: &&SingularPose| Some(pose.block) == block.place;
-        let said = poses
-            .iter()
-            .filter(of)
-            .filter_map(|pose| pose.said.as_deref());
+        let own = poses.iter().filter(|pose| Some(pose.block) == block.place);
+        let own: Vec<&SingularPose> = own.collect();
+        let said = own.iter().filter_map(|pose| pose.said.as_deref());
+        let pins = match own.as_slice() {
+            [only] => only.pins.as_ref(),
+            _ => None,
+        };
         BlockWords {
-            name: match block.place {
-                Some(place) => loop_name(&plan.blocks[place], system),
-                None => block.title.trim_end_matches('.').to_lowercase(),
+            name: match (block.place, pins) {
+                (Some(_), Some(pins)) => format!("loop {pins}"),
+                (Some(place), None) => loop_name(&plan.blocks[place], system),
+                (None, _) => block.title.trim_end_matches('.').to_lowercase(),
             },
             singular: said.collect::<Vec<_>>().join(", or "),
         }

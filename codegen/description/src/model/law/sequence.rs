@@ -67,7 +67,7 @@ impl Resolver<'_> {
         }
         for pair in stations.windows(2) {
             let [earlier, later] = [pair[0][0], pair[1][0]];
-            fits = fits && self.increases((earlier.0, earlier.1.0), (later.0, later.1.0));
+            fits = fits && self.follows(earlier, later);
         }
         if !fits {
             return None;
@@ -115,6 +115,26 @@ impl Resolver<'_> {
         };
         let values = (self.value(place), self.value(height));
         Some([(place, values.0?), (height, values.1?)])
+    }
+
+    /// True if a place lies beyond the place before it, as far as both are known; an error otherwise.
+    fn follows(&mut self, earlier: (&Expression, Value), later: (&Expression, Value)) -> bool {
+        if self.is_increase(earlier.1.0, later.1.0) {
+            return true;
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::NotIncreasing,
+                later.0.span,
+                "the places of a sequence increase",
+            )
+            .label("not larger than the place before")
+            .also(earlier.0.span, "the place before")
+            .help(format!(
+                "write `{FORM}` with x0 < x1 < …: order the pairs by their first value"
+            )),
+        );
+        false
     }
 
     /// Reports a periodic motion that does not end where it begins.
