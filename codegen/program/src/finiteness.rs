@@ -263,7 +263,7 @@ fn undefined(parts: &[Part], system: &System) -> impl Iterator<Item = Diagnostic
         let message = format!("a number in {} is infinite or undefined", part.subject);
         finding(part, message)
             .label("follows from this")
-            .help("look for a distance that is zero in every pose, and for a length whose square is beyond 1.8e308 or below 5e-324: is a unit or an exponent wrong?")
+            .help("look for a distance that is zero in every pose, and for a length whose square is beyond 1.8e308 or below 5e-324: check the unit and the exponent")
     })
 }
 
@@ -322,7 +322,7 @@ fn out_of_range(part: &Part, system: &System, range: Range) -> Option<Diagnostic
     let (least, largest) = (range.least, range.largest);
     let finding = finding(part, message).label(format!("{beyond:.1e} follows from this"));
     Some(finding.help(format!(
-        "numbers of this scalar are zero or between {least:.1e} and {largest:.1e}; is a unit or an exponent wrong?"
+        "numbers of this scalar are zero or between {least:.1e} and {largest:.1e}; check the unit and the exponent"
     )))
 }
 

@@ -416,11 +416,11 @@ fn bounds_hold_and_are_read_with_units() {
         ran.stderr
     );
     for (bound, said) in [
-        ("L=1mm", "is no range"),
+        ("L=1mm", "is not a range"),
         ("gap=1..2", "is about none of `--param`"),
         (
             "L=1s..2s",
-            "has an end that is no number with a unit of the parameter",
+            "has an end that is not a number with a unit of the parameter",
         ),
         ("L=3mm..2mm", "is empty"),
     ] {

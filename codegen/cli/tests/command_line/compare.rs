@@ -154,7 +154,7 @@ fn what_is_wrong_is_said_with_its_place_and_what_to_do() {
             "word",
             "t,phi1\n0,0.5\n0.1,abc\n",
             "",
-            "error[K29]: `abc` is no number\n --> data.csv:3:5",
+            "error[K29]: `abc` is not a number\n --> data.csv:3:5",
         ),
         (
             "back",
@@ -220,13 +220,13 @@ fn what_is_wrong_is_said_with_its_place_and_what_to_do() {
             "unitless",
             "t,phi1\n0,0.5\n",
             "--unit parsec",
-            "`parsec` is no unit",
+            "`parsec` is not a unit",
         ),
         (
             "tolerance",
             "t,phi1\n0,0.5\n",
             "--tolerance x",
-            "`--tolerance x` is no number",
+            "`--tolerance x` is not a number",
         ),
         (
             "none",

@@ -177,10 +177,10 @@ impl Resolver<'_> {
         if let Some(part) = given.placed
             && is_global(given)
         {
-            let message = format!("`{}` is not moved with a part", label(given));
+            let message = format!("`{}` cannot be moved with a part", label(given));
             self.diagnostics.push(
                 Diagnostic::error(Code::WrongForm, given.span, message)
-                    .label("speaks of the global axes")
+                    .label("refers to the global axes")
                     .also(part, "the part has a place here")
                     .help("write it in the mechanism, with names such as `PART.BODY`"),
             );

@@ -148,7 +148,7 @@ impl Resolver<'_> {
                     Code::WrongForm,
                     span,
                     format!(
-                        "`{}` moves with time and drives no one quantity",
+                        "`{}` moves with time, but does not drive a single quantity",
                         equation.label
                     ),
                 )
@@ -199,11 +199,11 @@ impl Resolver<'_> {
         let (message, help) = match (is_choice, is_asked) {
             (true, true) => return,
             (false, _) => (
-                "no joint repeats others, so what each carries has one answer",
+                "without redundant joints, reactions are unique",
                 "remove `least_norm`",
             ),
             (true, false) => (
-                "nobody asks what joints carry",
+                "`least_norm` requires `reaction` or `reactions`",
                 "ask for it, `reactions;`, or remove `least_norm`",
             ),
         };

@@ -113,7 +113,7 @@ fn undetermined_contact(system: &System, parts: &Parts) -> Diagnostic {
     Diagnostic::error(
         Code::TooFewEquations,
         span,
-        format!("nothing determines where {labels} touches its curve"),
+        format!("the contact point of {labels} is undetermined"),
     )
     .label("can slide along the curve")
     .help("give the curve another shape, or remove the joint")

@@ -109,7 +109,7 @@ impl Resolver<'_> {
             Diagnostic::error(
                 Code::NotIncreasing,
                 later.0.span,
-                "a law of motion ends after it begins",
+                "a law of motion must end after it begins",
             )
             .label("not larger than where it begins")
             .also(earlier.0.span, "it begins here")

@@ -48,7 +48,7 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::WrongForm,
                     written_law.span,
-                    "the second argument of `sequence` names a law of motion",
+                    "the second argument of `sequence` must name a law of motion",
                 )
                 .label("no law of this name")
                 .help(format!("the laws are {}", listed(&rises))),
@@ -106,7 +106,7 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::WrongForm,
                     written.span,
-                    "a station of `sequence` is a pair",
+                    "a station of `sequence` must be a pair",
                 )
                 .label("no pair")
                 .help(format!("write `{FORM}`: each pair is a place and a height")),
@@ -126,7 +126,7 @@ impl Resolver<'_> {
             Diagnostic::error(
                 Code::NotIncreasing,
                 later.0.span,
-                "the places of a sequence increase",
+                "the places of a sequence must increase",
             )
             .label("not larger than the place before")
             .also(earlier.0.span, "the place before")
@@ -147,7 +147,7 @@ impl Resolver<'_> {
             Diagnostic::error(
                 Code::PiecesApart,
                 last.0.span,
-                "a periodic motion ends at the height at which it begins",
+                "a periodic motion must end at the height at which it begins",
             )
             .label("not the height of the first pair")
             .also(first.0.span, "it begins here")
