@@ -26,7 +26,7 @@ pub mod interpreted;
 mod known_poses;
 pub mod measures;
 mod newton;
-mod not_finite;
+pub mod not_finite;
 pub mod number;
 pub mod observable;
 mod operation;

@@ -10,7 +10,7 @@ use crate::reader::Reader;
 use crate::view::View;
 
 /// Returns the first load that is not finite at an instant, as the description writes it; `None` if all are.
-pub(crate) fn load(system: &System, layout: &Layout, instant: &Instant) -> Option<String> {
+pub fn load(system: &System, layout: &Layout, instant: &Instant) -> Option<String> {
     let loads = Loads::of(system, layout)?;
     let values = loads.reader.values(instant);
     loads.label(system, values.iter().position(|value| !value.is_finite())?)

@@ -78,7 +78,7 @@ pub(super) fn decoded(bytes: &[u8]) -> Result<(String, Encoding), Unreadable> {
         return Err(refused(
             String::new(),
             0,
-            format!("the file is {what}, no text"),
+            format!("the file is {what}, not text"),
             "export the table as CSV",
         ));
     }

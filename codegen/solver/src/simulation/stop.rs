@@ -118,7 +118,7 @@ impl Stop {
             Stop::NothingFree => "no coordinate is free".to_string(),
             Stop::NotAssembled(_) => "the mechanism cannot be assembled".to_string(),
             Stop::LosesRank { .. } => format!(
-                "the equations of the joints lose rank at about t = {at} s, and no smooth way through is certain"
+                "the mechanism is singular at about t = {at} s, where the joints lose rank, and no smooth path beyond is certain"
             ),
             Stop::Unsettled { .. } => {
                 format!(

@@ -123,13 +123,13 @@ fn what_is_wrong_is_said_with_line_and_column() {
             "a workbook",
             b"PK\x03\x04rest",
             (1, 1),
-            "the file is a workbook or an archive, no text",
+            "the file is a workbook or an archive, not text",
         ),
         (
             "a MAT-file",
             b"MATLAB 5.0 MAT-file, Platform",
             (1, 1),
-            "the file is a MAT-file, no text",
+            "the file is a MAT-file, not text",
         ),
         (
             "zeros",
