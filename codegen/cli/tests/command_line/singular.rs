@@ -384,7 +384,9 @@ fn a_force_that_is_not_finite_is_named() {
     assert!(ran.stderr.contains(said), "{}", ran.stderr);
     assert!(!ran.stderr.contains("revolute"), "{}", ran.stderr);
     // All equations at once have a pose there, but no forces.
-    let ran = folder.run("solve a.mech --to 1 --step 0.25 --no-files --view textbook").exits_with(1);
+    let ran = folder
+        .run("solve a.mech --to 1 --step 0.25 --no-files --view textbook")
+        .exits_with(1);
     let said = "has no forces at t = 0.5 s: `force on crank.P` is not finite there";
     assert!(ran.stderr.contains(said), "{}", ran.stderr);
     let moved = text.replace("drive turn: phi(crank) = 2*t", "free turn: phi(crank) = 0");

@@ -46,7 +46,12 @@ fn what_is_wrong_is_said_with_line_and_column() {
             (1, 1),
             "no line of this file is a row of at least two numbers",
         ),
-        ("a word", b"t,x\n0,1\n1,two\n", (3, 3), "`two` is not a number"),
+        (
+            "a word",
+            b"t,x\n0,1\n1,two\n",
+            (3, 3),
+            "`two` is not a number",
+        ),
         (
             "a word far below",
             &[b"t,x\n".as_slice(), &b"0,1\n".repeat(500), b"1,two\n"].concat(),
