@@ -14,6 +14,9 @@ const ROUNDING: f64 = 16.0;
 /// Number of digits of a length in a message.
 const DIGITS: usize = 4;
 
+/// Lengths (m) between which plain decimals are short.
+const PLAIN: [f64; 2] = [1e-4, 1e6];
+
 /// Lengths of a fixed loop (m).
 struct Ends {
     distance: f64,
@@ -117,7 +120,7 @@ fn rounded(length: f64) -> String {
     let rounded: f64 = format!("{length:.*e}", DIGITS - 1)
         .parse()
         .unwrap_or(length);
-    if (1e-4..1e6).contains(&rounded) || rounded == 0.0 {
+    if (PLAIN[0]..PLAIN[1]).contains(&rounded) || rounded == 0.0 {
         rounded.to_string()
     } else {
         format!("{rounded:e}")

@@ -406,3 +406,67 @@ fn a_force_that_is_not_finite_is_named() {
     let said = "beyond t = 0.25 s: `torque on crank` is not finite there";
     assert!(ran.stderr.contains(said), "{}", ran.stderr);
 }
+
+/// The point of two circles, each by its center and radius, that is nearer to a place.
+fn meeting([a, b]: [([f64; 2], f64); 2], near: [f64; 2]) -> [f64; 2] {
+    let gap = [b.0[0] - a.0[0], b.0[1] - a.0[1]];
+    let base = gap[0].hypot(gap[1]);
+    let along = (base * base + a.1 * a.1 - b.1 * b.1) / (2.0 * base);
+    let across = (a.1 * a.1 - along * along).sqrt();
+    let [x, y] = gap.map(|it| it / base);
+    let points = [across, -across].map(|across| {
+        [
+            a.0[0] + along * x - across * y,
+            a.0[1] + along * y + across * x,
+        ]
+    });
+    let distance = |point: &[f64; 2]| (point[0] - near[0]).hypot(point[1] - near[1]);
+    let [one, other] = points;
+    if distance(&one) < distance(&other) {
+        one
+    } else {
+        other
+    }
+}
+
+/// Of three loops in a row the one that does not reach is named: a triangle by its pins, a rod with a slide by its joint.
+#[test]
+fn the_third_of_three_loops_is_named_by_its_joint() {
+    let more = "
+    param third = 0.4;
+    body pusher at (0.8, 0.25) { F: (0, 0), S: (third, 0) }
+    body block at (1.1, 0) { S: (0, 0) }
+    revolute F(lever, pusher);
+    revolute S(pusher, block);
+    absolute_y(block) = 0;
+    absolute_angle(block) = 0;
+    drive";
+    let text = ROW.replace("\n    drive", more);
+    let folder = Folder::new("reach_three", text);
+    let said = |options: &str| {
+        let ran = folder.run(&format!("solve a.mech --no-files --to 0 {options}"));
+        ran.exits_with(1).stderr
+    };
+    let c = meeting([([0.1, 0.0], 0.35), ([0.4, 0.0], 0.2)], [0.4, 0.2]);
+    let e = [0.4 + (c[0] - 0.4) * 1.25, c[1] * 1.25];
+    let f = meeting([(e, 0.3), ([0.8, 0.0], 0.25)], [0.757, 0.246]);
+    let third = format!(
+        "revolute S(pusher, block): out of reach by {:.4} m",
+        f[1] - 0.2
+    );
+    assert!(
+        said("--set third=0.2").contains(&third),
+        "{third}: {}",
+        said("--set third=0.2")
+    );
+    let second = said("--set third=0.2 --set second=0.05");
+    assert!(
+        second.contains("s: loop E-h-G: out of reach by "),
+        "{second}"
+    );
+    let first = said("--set third=0.2 --set second=0.05 --set first=0.05");
+    assert!(
+        first.contains("s: loop B-C-D: out of reach by 0.0500 m"),
+        "{first}"
+    );
+}
