@@ -129,11 +129,11 @@ impl<T: Real> fmt::Display for Figure<T> {
         let ten = T::from_f64(10.0);
         let mut decimals = 2_usize;
         while size < T::ONE {
-            size = size * ten;
+            size *= ten;
             decimals += 1;
         }
         while size >= ten {
-            size = size / ten;
+            size /= ten;
             decimals = decimals.saturating_sub(1);
         }
         write!(formatter, "{:.decimals$}", self.0)

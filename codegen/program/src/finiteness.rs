@@ -282,6 +282,11 @@ fn undefined_at_value(part: &Part, expr: ExprId, system: &System) -> Option<Diag
     let mut parameters = system.mechanism.parameters.iter();
     let own = parameters.find(|it| symbols.contains(&it.symbol))?;
     let value = graph.nominal(own.symbol)?;
+    // Such a value is zero, or far from what is read without an exponent.
+    let value = match value == 0.0 {
+        true => value.to_string(),
+        false => format!("{value:e}"),
+    };
     let message = format!(
         "a number in {} is infinite or undefined with `{}` = {value}",
         part.subject, own.name

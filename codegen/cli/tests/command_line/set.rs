@@ -243,3 +243,43 @@ fn an_input_that_is_not_finite_is_named() {
     );
     assert!(!said.contains("revolute"), "{said}");
 }
+
+/// A value that makes a number infinite, whatever the pose is, is named at its declaration.
+#[test]
+fn a_value_that_makes_numbers_infinite_is_named() {
+    let folder = Folder::new("set_too_large", CHANGED);
+    let ran = folder.run("solve a.mech --to 0 --no-files --set rod=1e200");
+    let said = ran.exits_with(2).stderr;
+    assert!(
+        said.contains("infinite or undefined with `rod` = 1e200"),
+        "{said}"
+    );
+    assert!(said.contains(" --> a.mech:3:11\n"), "{said}");
+}
+
+/// A spring between ends that meet pulls nowhere: it is named, and not what follows from it.
+#[test]
+fn a_spring_without_a_length_is_named() {
+    let text = "mechanism meeting {
+    param gap = 100mm;
+    point A = (0, 0);
+    body a at A { A, P: (50mm, 0) }
+    body b at (gap, 0) { Q: (0, 0), R: (30mm, 0) }
+    revolute A(ground, a);
+    absolute_x(b) = gap;
+    absolute_y(b) = 0;
+    spring (ground.A, b.Q) = 5N/mm free 20mm;
+    torque on a = 1Nm;
+    relative_angle (a, b) = 20deg;
+    drive phi(a) = t;
+    effort;
+}
+";
+    let folder = Folder::new("set_meeting", text);
+    let ran = folder.run("solve a.mech --to 0 --no-files --set gap=0");
+    let said = ran.exits_with(1).stderr;
+    assert!(
+        said.contains("spring (ground.A, b.Q) has no length"),
+        "{said}"
+    );
+}

@@ -30,6 +30,8 @@ pub struct Forces {
     pub added: ExprId,
     /// The lengths of springs and dampers, which must not vanish, in m: what stands for each in all of this, and what it is.
     pub lengths: Vec<(SymbolId, ExprId)>,
+    /// Places of the loads with these lengths, in their order.
+    pub sprung: Vec<usize>,
     /// Formulas whose rates decide what loads exert.
     pub rated: Vec<Rated>,
     /// Components of the forces and torques of each load, in the order of the loads.
@@ -146,7 +148,8 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         }
         exert(body, [force[0], force[1], torque], mechanism);
     }
-    let (mut lengths, mut rated, mut all_exerted) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut lengths, mut sprung) = (Vec::new(), Vec::new());
+    let (mut rated, mut all_exerted) = (Vec::new(), Vec::new());
     for (number, load) in mechanism.forces.loads.clone().into_iter().enumerate() {
         let marks = load.element.marks();
         let places: Vec<Place> = marks
@@ -177,6 +180,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
             .stored
             .map_or(potential, |it| graph.add(potential, it));
         added = exerted.added.map_or(added, |it| graph.add(added, it));
+        sprung.extend(exerted.length.map(|_| number));
         lengths.extend(exerted.length.map(|length| (symbol, length)));
         rated.extend(exerted.rated);
     }
@@ -187,6 +191,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         potential,
         added,
         lengths,
+        sprung,
         rated,
         exerted: all_exerted,
     })
