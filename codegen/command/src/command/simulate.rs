@@ -11,7 +11,7 @@ use super::solve::shown;
 use super::solve_files::Files;
 use super::{Outcome, Problem, say};
 use crate::arguments::{Simulate, StepMethod};
-use crate::motion::{Followed, Wanted, hint};
+use crate::motion::{Followed, Listeners, Wanted, hint};
 use crate::report::summary::Layout;
 
 /// Simulates the motion and reports it.
@@ -76,8 +76,11 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         &schedule,
         files,
         &mut |motion, schedule, sinks, reached| {
-            let heard = (reached, &mut taken as &mut dyn FnMut(&Effort));
-            motion.simulate((&view, chosen.clone()), schedule, options, sinks, heard)
+            let listeners = Listeners {
+                reached,
+                taken: &mut taken,
+            };
+            motion.simulate((&view, chosen.clone()), schedule, options, sinks, listeners)
         },
     )
 }

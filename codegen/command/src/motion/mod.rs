@@ -18,7 +18,7 @@ pub use followed::Followed;
 pub use path::Path;
 pub use rows::{Row, Rows};
 pub use selection::{coordinates, named_point, points};
-pub use simulated::{Simulated, hint};
+pub use simulated::{Listeners, Simulated, hint};
 
 use std::io;
 

@@ -30,6 +30,14 @@ pub struct Simulated {
     pub kinetic: f64,
 }
 
+/// Callers that hear how far a simulation is.
+pub struct Listeners<'a> {
+    /// Hears how many times of the schedule were visited.
+    pub reached: &'a mut dyn FnMut(usize),
+    /// Hears after every step what all steps have taken.
+    pub taken: &'a mut dyn FnMut(&Effort),
+}
+
 impl Simulated {
     /// Returns the option that may save evaluations; `None` if there are few.
     pub fn hint(&self) -> Option<&'static str> {
@@ -75,7 +83,7 @@ impl Followed<Dense> {
     }
 
     /// Lets the forces move the mechanism from t = 0 over the rest of the schedule, and hands its instants on in the order of time;
-    /// `reached` hears how many times were visited, and `taken` after every step what all steps have taken.
+    /// `listeners` hear how far it is.
     ///
     /// # Errors
     /// Those of the sinks, which end it.
@@ -85,7 +93,7 @@ impl Followed<Dense> {
         schedule: &Schedule,
         options: Options,
         sinks: &mut [&mut dyn Sink],
-        (reached, taken): (&mut dyn FnMut(usize), &mut dyn FnMut(&Effort)),
+        listeners: Listeners<'_>,
     ) -> io::Result<()> {
         if self.error.is_some() {
             return Ok(());
@@ -106,12 +114,12 @@ impl Followed<Dense> {
         let (mut first, mut stop) = (None, None);
         for t in std::iter::once(0.0).chain(visits) {
             if t > 0.0 {
-                if let Err(end) = advance(&mut simulation, t, taken) {
+                if let Err(end) = advance(&mut simulation, t, listeners.taken) {
                     stop = Some(end);
                     break;
                 }
                 self.visits += 1;
-                reached(self.visits);
+                (listeners.reached)(self.visits);
             }
             self.show(simulation.frame(), &[], sinks)?;
             self.weigh(&mut simulation, &mut first, &mut found);
