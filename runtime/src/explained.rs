@@ -112,6 +112,9 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
     }
 }
 
+/// Magnitudes between which plain decimals are short.
+const PLAIN: [f64; 2] = [1e-3, 1e4];
+
 /// A number with three digits, in plain decimals where these are short.
 struct Figure<T>(T);
 
@@ -122,7 +125,8 @@ impl<T: Real> fmt::Display for Figure<T> {
             return formatter.write_str("0");
         }
         // Written so that NaN has an exponent's form.
-        let is_short = size >= T::from_f64(1e-3) && size < T::from_f64(1e4);
+        let [least, most] = PLAIN.map(T::from_f64);
+        let is_short = size >= least && size < most;
         if !is_short {
             return write!(formatter, "{:.1e}", self.0);
         }
