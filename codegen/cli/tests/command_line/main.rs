@@ -38,6 +38,7 @@ mod plan;
 mod png;
 mod pressure;
 mod printed;
+mod reach;
 mod set;
 mod shell;
 mod simulate;

@@ -1,6 +1,6 @@
 //! *A [`System`]* → *its blocks, solved without a compile step*.
 //!
-//! [`Interpreted`] runs the statements that generated code is made of, block by block, and is held by a [`Shell`](linkwright::Shell) as
+//! [`Interpreted`] runs the statements that generated code is made of, block by block, and is held by a [`Shell`] as
 //! generated code is: the same modes, the same path, the same failures in the same words. Nothing is left out: instants hold
 //! every coordinate, and every other unknown of the vector form, with rates and accelerations.
 
