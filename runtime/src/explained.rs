@@ -8,7 +8,7 @@
 use core::fmt;
 
 use crate::failure::{Failure, FailureKind};
-use crate::math::Real;
+use crate::math::{Real, abs};
 
 /// What a block of a mechanism is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,11 +75,14 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
             }
             return write!(
                 formatter,
-                "{what} must be positive, and would be {value:.1e}"
+                "{what} must be positive, and would be {}",
+                Figure(value)
             );
         }
         if self.0.failure.input.is_some() {
-            formatter.write_str("input ")?;
+            let name = block.map_or("", |input| input.name);
+            let space = if name.is_empty() { "" } else { " " };
+            return write!(formatter, "input{space}{name} is not finite");
         }
         if let Some(block) = block {
             write!(formatter, "{}: ", block.name)?;
@@ -92,7 +95,8 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
             FailureKind::OutOfReach { by } => {
                 write!(
                     formatter,
-                    "out of reach by {by:.1e} m, beyond where {singular}"
+                    "out of reach by {} m, beyond where {singular}",
+                    Figure(by)
                 )?;
             }
             _ => formatter.write_str(kind.words())?,
@@ -105,6 +109,38 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
             )?;
         }
         Ok(())
+    }
+}
+
+/// Magnitudes between which plain decimals are short.
+const PLAIN: [f64; 2] = [1e-3, 1e4];
+
+/// A number with three digits, in plain decimals where these are short.
+struct Figure<T>(T);
+
+impl<T: Real> fmt::Display for Figure<T> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut size = abs(self.0);
+        if size == T::ZERO {
+            return formatter.write_str("0");
+        }
+        // Written so that NaN has an exponent's form.
+        let [least, most] = PLAIN.map(T::from_f64);
+        let is_short = size >= least && size < most;
+        if !is_short {
+            return write!(formatter, "{:.1e}", self.0);
+        }
+        let ten = T::from_f64(10.0);
+        let mut decimals = 2_usize;
+        while size < T::ONE {
+            size *= ten;
+            decimals += 1;
+        }
+        while size >= ten {
+            size /= ten;
+            decimals = decimals.saturating_sub(1);
+        }
+        write!(formatter, "{:.decimals$}", self.0)
     }
 }
 
@@ -152,7 +188,7 @@ mod tests {
         );
         assert_eq!(
             text(FailureKind::OutOfReach { by: 0.25 }, 1, 0),
-            "loop F-N-M: out of reach by 2.5e-1 m, beyond where c2 and the actuator c8-c7 are in line, at t = 0.5 s"
+            "loop F-N-M: out of reach by 0.250 m, beyond where c2 and the actuator c8-c7 are in line, at t = 0.5 s"
         );
         assert_eq!(
             text(FailureKind::WrongBranch, 1, 4),
@@ -162,6 +198,21 @@ mod tests {
             text(FailureKind::NotFinite, 0, 0),
             "explicit: a number is not finite, at t = 0.5 s"
         );
+        let negative = FailureKind::NotPositive { value: -0.09 };
+        assert_eq!(
+            text(negative, 1, 0),
+            "loop F-N-M: c2 and the actuator c8-c7 are in line must be positive, and would be -0.0900"
+        );
+        for (by, said) in [
+            (1234.5, "1234"),
+            (2e5, "2.0e5"),
+            (12.345, "12.3"),
+            (2e-4, "2.0e-4"),
+        ] {
+            let said = std::format!("out of reach by {said} m, ");
+            let reach = FailureKind::OutOfReach { by };
+            assert!(text(reach, 1, 0).contains(&said), "{said}");
+        }
         // A block that the names do not know is left out.
         assert_eq!(
             text(singular, 9, 0),

@@ -91,14 +91,14 @@ pub enum FailureKind<T = f64> {
 }
 
 impl<T> FailureKind<T> {
-    /// What happened, in a person's words and without its figure: `Newton-Raphson runs away`.
+    /// What happened, in a person's words and without its figure: `Newton-Raphson diverges`.
     ///
     /// Whoever shows a failure asks here, so that a kind has its words in one place.
     pub fn words(&self) -> &'static str {
         match self {
             Self::Singular { .. } => "its Jacobian is singular",
-            Self::Diverged => "Newton-Raphson runs away",
-            Self::Cycling => "Newton-Raphson repeats itself",
+            Self::Diverged => "Newton-Raphson diverges",
+            Self::Cycling => "Newton-Raphson cycles",
             Self::Stalled => "Newton-Raphson stalls",
             Self::IterationLimit => "Newton-Raphson does not converge",
             Self::OutOfReach { .. } => "out of reach",

@@ -6,6 +6,7 @@
 //! that is to be written is looked at once, and afterwards every constant of the program is a number of its scalar. Deliberately
 //! unknown here: how an expression became undefined.
 
+use crate::closing;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::ExprId;
 use crate::model::beyond_bounds;
@@ -52,6 +53,10 @@ pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> D
         found.extend(passed(system));
         return found;
     };
+    let open = closing::of_blocks(system, &program.blocks);
+    if passed(system).is_none() && open.has_errors() {
+        return open;
+    }
     let path = program.path.iter().map(|path| Part {
         subject: "what shows that frames lie on their path".to_string(),
         spans: vec![system.mechanism.span],
@@ -86,6 +91,10 @@ pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> D
 
 /// The same of blocks alone.
 pub fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
+    let open = closing::of_blocks(system, blocks);
+    if passed(system).is_none() && open.has_errors() {
+        return open;
+    }
     let parts = blocks.iter().map(|block| of_block(block, system));
     of_parts(&parts.collect::<Vec<_>>(), system).1
 }
@@ -240,13 +249,53 @@ fn of_block(block: &Block, system: &System) -> Part {
 /// The parts with a number that is none.
 fn undefined(parts: &[Part], system: &System) -> impl Iterator<Item = Diagnostic> {
     let graph = &system.mechanism.graph;
-    let is_undefined = |part: &&Part| part.exprs.iter().any(|&expr| !graph.is_sound(expr));
-    parts.iter().filter(is_undefined).map(|part| {
+    let undefined = |part: &Part| {
+        let mut exprs = part.exprs.iter().copied();
+        exprs.find(|&expr| !graph.is_sound(expr))
+    };
+    let undefined = parts
+        .iter()
+        .filter_map(move |part| Some((part, undefined(part)?)));
+    undefined.map(|(part, expr)| {
+        if let Some(of_value) = undefined_at_value(part, expr, system) {
+            return of_value;
+        }
         let message = format!("a number in {} is infinite or undefined", part.subject);
         finding(part, message)
             .label("follows from this")
-            .help("look for a distance that is zero in every pose, and for a length whose square is beyond 1.8e308 or below 5e-324: is a unit or an exponent wrong?")
+            .help("look for a distance that is zero in every pose, and for a length whose square is beyond 1.8e308 or below 5e-324: check the unit and the exponent")
     })
+}
+
+/// Returns the finding about the parameter whose value makes an expression infinite or undefined; `None` if constants alone do.
+fn undefined_at_value(part: &Part, expr: ExprId, system: &System) -> Option<Diagnostic> {
+    let graph = &system.mechanism.graph;
+    let mut cause = expr;
+    while let Some(operand) = graph
+        .operands(cause)
+        .into_iter()
+        .find(|&operand| !graph.is_sound(operand))
+    {
+        cause = operand;
+    }
+    let symbols = graph.symbols(cause);
+    let mut parameters = system.mechanism.parameters.iter();
+    let own = parameters.find(|it| symbols.contains(&it.symbol))?;
+    let value = graph.nominal(own.symbol)?;
+    // Such a value is zero, or far from what is read without an exponent.
+    let value = match value == 0.0 {
+        true => value.to_string(),
+        false => format!("{value:e}"),
+    };
+    let message = format!(
+        "a number in {} is infinite or undefined with `{}` = {value}",
+        part.subject, own.name
+    );
+    Some(
+        Diagnostic::error(Code::NotFinite, own.span, message)
+            .label(format!("its value is {value} here"))
+            .help("give it a value that is not zero, and of which the square is neither beyond 1.8e308 nor below 5e-324"),
+    )
 }
 
 /// A sensitivity that is a number, but none.
@@ -278,7 +327,7 @@ fn out_of_range(part: &Part, system: &System, range: Range) -> Option<Diagnostic
     let (least, largest) = (range.least, range.largest);
     let finding = finding(part, message).label(format!("{beyond:.1e} follows from this"));
     Some(finding.help(format!(
-        "numbers of this scalar are zero or between {least:.1e} and {largest:.1e}; is a unit or an exponent wrong?"
+        "numbers of this scalar are zero or between {least:.1e} and {largest:.1e}; check the unit and the exponent"
     )))
 }
 

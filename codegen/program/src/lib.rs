@@ -1,6 +1,6 @@
 //! Derives the constraint equations of described mechanisms and plans how they are solved.
 //!
-//! Each module imports only those named before it: `system`, `structure`, `words`, `program`, `assemblies`, `finiteness`, `modes`.
+//! Each module imports only those named before it: `system`, `structure`, `words`, `program`, `assemblies`, `closing`, `finiteness`, `modes`.
 //! A [`program::Program`] defines every value before a statement uses it; no module contains an output language.
 //!
 //! This is an internal package of `linkwright-codegen`; its items may change with every release.
@@ -10,6 +10,7 @@
 use linkwright_description::{diagnostic, expr, force, joint, model};
 
 pub mod assemblies;
+pub mod closing;
 pub mod finiteness;
 pub mod modes;
 pub mod program;

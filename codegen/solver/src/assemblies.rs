@@ -76,6 +76,20 @@ pub struct Assemblies {
 }
 
 impl Assemblies {
+    /// Returns those of a mechanism with a value that no assembly may have: none.
+    pub(crate) fn refused(interpreted: &Interpreted) -> Assemblies {
+        let modes = interpreted.drawn_branches();
+        Assemblies {
+            modes: modes.closed.len(),
+            iterated: modes.iterated.len(),
+            found: Vec::new(),
+            proven: true,
+            undecided: Vec::new(),
+            decided: 1.0,
+            cut_short: false,
+        }
+    }
+
     /// Whether it is proven that there are no others.
     pub fn are_all(&self) -> bool {
         self.proven && self.undecided.is_empty()

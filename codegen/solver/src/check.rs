@@ -4,7 +4,7 @@
 
 use std::convert::Infallible;
 
-use linkwright::{Blocks, Shell};
+use linkwright::{Blocks, FailureKind, Shell};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::system::System;
@@ -59,6 +59,8 @@ pub struct Check {
     pub warnings: Vec<String>,
     /// Why the motion ends early, if it does.
     pub error: Option<String>,
+    /// True if a length, a ratio or a mass that must be positive is not, so that there is no assembly to be looked for.
+    pub is_refused: bool,
 }
 
 impl Check {
@@ -73,7 +75,6 @@ impl Check {
         let kinematic_freedom = coordinates - equation_count(system, Role::Constraint) as i64;
         let net_freedom = kinematic_freedom - equation_count(system, Role::Driver) as i64;
         let start = schedule.start.t;
-        let assemblies = assemblies(&interpreted, start);
         let laws = interpreted.input_laws();
         let parameters = interpreted.nominal_parameters();
         let pose = interpreted.drawn_pose(&parameters);
@@ -89,6 +90,12 @@ impl Check {
             Default::default(),
         );
         let (mut range, mut error, mut approaches) = (None, None, Vec::new());
+        let failed = assembled.as_ref().err().map(|failure| failure.kind);
+        let is_refused = matches!(failed, Some(FailureKind::NotPositive { .. }));
+        let assemblies = match is_refused {
+            true => Assemblies::refused(&interpreted),
+            false => assemblies(&interpreted, start),
+        };
         match assembled {
             Err(failure) => error = Some(interpreted.not_assembled(&failure)),
             Ok(mut shell) => {
@@ -121,6 +128,7 @@ impl Check {
             range,
             assemblies,
             error,
+            is_refused,
             interpreted,
         }
     }

@@ -26,6 +26,7 @@ pub mod interpreted;
 mod known_poses;
 pub mod measures;
 mod newton;
+pub mod not_finite;
 pub mod number;
 pub mod observable;
 pub mod open_loop;

@@ -265,12 +265,16 @@ fn what_is_refused_of_forces_in_a_description_is_refused_at_run_time() {
     .expect("as drawn");
     let mut generated = WeighedGiven::assemble(0.0).expect("as drawn");
     for (place, said) in WEIGHED.iter().enumerate() {
-        for value in [-2.0, -1e-300, f64::MIN] {
+        for (value, figure) in [
+            (-2.0, "-2.00"),
+            (-1e-300, "-1.0e-300"),
+            (f64::MIN, "-1.8e308"),
+        ] {
             let mut wrong = Parameters::default();
             wrong.set(place, value);
             let failure = generated.set_parameters(&wrong).expect_err("negative");
             assert_eq!(failure.kind, FailureKind::NotPositive { value });
-            let words = format!("{said} must be positive, and would be {value:.1e}");
+            let words = format!("{said} must be positive, and would be {figure}");
             assert_eq!(describe(&failure).to_string(), words);
             assert_eq!(*generated.parameters(), Parameters::default());
             assert!(WeighedGiven::assemble_for(&wrong, 0.0).is_err());

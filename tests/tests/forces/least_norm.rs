@@ -407,13 +407,17 @@ fn it_is_asked_for_where_there_is_a_choice() {
         (
             "redundant ",
             "",
-            "no joint repeats others, so what each carries has one answer",
+            "without redundant joints, reactions are unique",
         ),
-        ("reactions;", "", "nobody asks what joints carry"),
+        (
+            "reactions;",
+            "",
+            "`least_norm` requires `reaction` or `reactions`",
+        ),
         (
             "least_norm;",
             "least_norm; least_norm;",
-            "reactions of the least norm are asked for already",
+            "reactions of the least norm are already requested",
         ),
         (
             "least_norm;",

@@ -232,7 +232,7 @@ fn what_has_no_mass_has_no_acceleration() {
         stop,
         Stop::Massless {
             t: 0.0,
-            coordinate: Some(1)
+            coordinate: Some(vec![1])
         }
     );
     let said = stop.not_begun(&view);

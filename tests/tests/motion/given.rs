@@ -137,12 +137,17 @@ mod sliders_given {
 fn a_length_that_is_not_positive_is_refused_and_the_old_one_kept() {
     use sliders_given::{Parameters, SlidersGiven, describe};
     let mut sliders = SlidersGiven::assemble(0.0).expect("as drawn");
-    for rod in [-1.4, 0.0, -0.0, f64::MIN] {
+    for (rod, figure) in [
+        (-1.4, "-1.40"),
+        (0.0, "0"),
+        (-0.0, "0"),
+        (f64::MIN, "-1.8e308"),
+    ] {
         let wrong = Parameters { rod };
         let failure = sliders.set_parameters(&wrong).expect_err("not positive");
         assert_eq!(failure.kind, FailureKind::NotPositive { value: rod });
         let words = format!(
-            "relative_distance (1.P, 2.Q): the distance must be positive, and would be {rod:.1e}"
+            "relative_distance (1.P, 2.Q): the distance must be positive, and would be {figure}"
         );
         assert_eq!(describe(&failure).to_string(), words);
         assert_eq!(*sliders.parameters(), Parameters::default());

@@ -436,7 +436,7 @@ fn a_jump_is_named_with_its_place_and_both_sides() {
         ),
         (
             "if sin(t) < 0 { t } else { t }",
-            "error[K30]: where this condition changes cannot be solved for",
+            "error[K30]: the place where this condition changes is not a closed form",
         ),
     ];
     for (written, expected) in cases {

@@ -27,13 +27,19 @@ fn rope(length: f64) -> Inputs {
 
 #[test]
 fn an_input_that_makes_a_length_not_positive_is_refused() {
-    let said = |length: f64| {
+    let said = |figure: &str| {
         format!(
-            "drive distance(ground.W, boom.H): the distance must be positive, and would be {length:.1e}"
+            "drive distance(ground.W, boom.H): the distance must be positive, and would be {figure}"
         )
     };
     let mut winch = Winch::assemble(2.0, &rope(0.6)).expect("the drawing assembles");
-    for length in [-0.6, -1e-9, -4.0, -0.0, 0.0] {
+    for (length, figure) in [
+        (-0.6, "-0.600"),
+        (-1e-9, "-1.0e-9"),
+        (-4.0, "-4.00"),
+        (-0.0, "0"),
+        (0.0, "0"),
+    ] {
         let before = *winch.frame();
         for t in [2.0, 2.001, 7.0] {
             let failures = [
@@ -47,7 +53,7 @@ fn an_input_that_makes_a_length_not_positive_is_refused() {
                 assert_eq!(failure.kind, FailureKind::NotPositive { value: length });
                 assert_eq!(failure.time, t);
                 let text = winch::describe(&failure).to_string();
-                assert!(text.starts_with(&said(length)), "{text}");
+                assert!(text.starts_with(&said(figure)), "{text}");
             }
         }
         assert_eq!(*winch.frame(), before);

@@ -82,7 +82,7 @@ fn a_block_diverges_where_one_attempt_is_all_it_has() {
     assert_eq!((failure.block, failure.time, failure.iterations), (1, t, 1));
     assert!(failure.residual > newton::LARGEST_GROWTH, "{failure}");
     let text = square_slider::describe(&failure).to_string();
-    let wanted = "equation 1: Newton-Raphson runs away, after 1 iteration with";
+    let wanted = "equation 1: Newton-Raphson diverges, after 1 iteration with";
     assert!(text.starts_with(wanted), "{text}");
     assert_eq!(*mechanism.frame(), before, "the last frame is intact");
     mechanism.advance(0.1).expect("a short step");

@@ -153,10 +153,7 @@ fn an_input_that_is_not_finite_is_named_and_forgotten() {
                 );
                 assert_eq!(failure.time, t);
                 let said = describe(&failure).to_string();
-                assert_eq!(
-                    said,
-                    format!("input rope: a number is not finite, at t = {t} s")
-                );
+                assert_eq!(said, format!("input rope is not finite, at t = {t} s"));
                 assert_eq!(failure.to_string(), format!("not finite: input 0, t = {t}"));
                 let failure = winch.frame_at(t, &inputs).expect_err("not finite");
                 assert_eq!((failure.input, failure.time), (Some(0), t));

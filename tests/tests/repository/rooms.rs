@@ -29,6 +29,7 @@ const ORDER: [(&str, &[&str]); 3] = [
             "words",
             "program",
             "assemblies",
+            "closing",
             "finiteness",
             "modes",
         ],

@@ -191,6 +191,7 @@ fn what_cannot_be_fitted_is_said() {
     let folder = folder("calibrate_errors");
     for (options, code, said) in [
         ("--param M", 2, "`crank` has no parameter `M`"),
+        ("", 2, "no parameter of `crank` is to be fitted"),
         ("--param L,L", 2, "`--param` names `L` twice"),
         ("--param sped", 2, "did you mean `speed`?"),
         (
@@ -415,11 +416,11 @@ fn bounds_hold_and_are_read_with_units() {
         ran.stderr
     );
     for (bound, said) in [
-        ("L=1mm", "is no range"),
+        ("L=1mm", "is not a range"),
         ("gap=1..2", "is about none of `--param`"),
         (
             "L=1s..2s",
-            "has an end that is no number with a unit of the parameter",
+            "has an end that is not a number with a unit of the parameter",
         ),
         ("L=3mm..2mm", "is empty"),
     ] {

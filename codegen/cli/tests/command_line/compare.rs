@@ -129,7 +129,7 @@ fn nothing_is_guessed_in_silence() {
         "times are `t` in s, as no unit is given",
         "P_x (guessed)",
         "m (assumed)",
-        "left out: `noise`, it names nothing of the mechanism",
+        "left out: `noise`, no quantity of the mechanism has this name",
     ] {
         assert!(ran.stdout.contains(said), "{said}: {}", ran.stdout);
     }
@@ -154,7 +154,7 @@ fn what_is_wrong_is_said_with_its_place_and_what_to_do() {
             "word",
             "t,phi1\n0,0.5\n0.1,abc\n",
             "",
-            "error[K29]: `abc` is no number\n --> data.csv:3:5",
+            "error[K29]: `abc` is not a number\n --> data.csv:3:5",
         ),
         (
             "back",
@@ -172,7 +172,7 @@ fn what_is_wrong_is_said_with_its_place_and_what_to_do() {
             "dated",
             "t,phi1,P_x\n2026-01-01,0.5,1\n2026-01-02,0.6,1\n",
             "",
-            "error[K29]: the cells of `t` are words, no times",
+            "error[K29]: the cells of `t` are words, not times",
         ),
         (
             "timeless",
@@ -220,13 +220,13 @@ fn what_is_wrong_is_said_with_its_place_and_what_to_do() {
             "unitless",
             "t,phi1\n0,0.5\n",
             "--unit parsec",
-            "`parsec` is no unit",
+            "`parsec` is not a unit",
         ),
         (
             "tolerance",
             "t,phi1\n0,0.5\n",
             "--tolerance x",
-            "`--tolerance x` is no number",
+            "`--tolerance x` is not a number",
         ),
         (
             "none",

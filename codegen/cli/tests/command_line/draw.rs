@@ -35,6 +35,31 @@ fn a_drawing_goes_where_it_is_asked_for() {
     assert_ne!(drawn(&other.stdout), drawn(&svg));
 }
 
+/// A body without points has no shape; the points that are missing are said in the words of the description.
+#[test]
+fn points_that_are_missing_are_said() {
+    let text = "mechanism bare {
+    body 1 at (0, 0);
+    absolute_x(1) = 0;
+    absolute_y(1) = 0;
+    drive phi(1) = t;
+}
+";
+    let folder = Folder::new("draw_shapeless", text);
+    let ran = folder.run("draw a.mech").exits_with(0);
+    let help = "name points in the braces of a body: `body 1 at (0, 0) { A: (0, 0), B: (0.1, 0) }`";
+    assert!(
+        ran.stderr.contains("warning: body `1` has no points"),
+        "{}",
+        ran.stderr
+    );
+    assert!(ran.stderr.contains(help), "{}", ran.stderr);
+    let ran = folder.run("solve a.mech --points K").exits_with(2);
+    assert!(ran.stderr.contains(help), "{}", ran.stderr);
+    let drawn = Folder::new("draw_shaped", EXAM);
+    assert!(drawn.run("draw a.mech").exits_with(0).stderr.is_empty());
+}
+
 #[test]
 fn only_pictures_of_ours_are_replaced() {
     let folder = Folder::new("draw_replaced", EXAM);

@@ -163,8 +163,8 @@ fn what_cannot_be_written_is_noticed_before_the_work() {
         ("out", "it is a folder"),
         (".", "it is a folder"),
         ("new/", "this names no file"),
-        ("notes.md/x", "`notes.md` is no folder"),
-        ("notes.md/x/y", "`notes.md` is no folder"),
+        ("notes.md/x", "`notes.md` is not a folder"),
+        ("notes.md/x/y", "`notes.md` is not a folder"),
         ("new/../x", "there is no `new/..`"),
         ("kept.rs", "the file is write-protected"),
         (&long, "cannot write `xxx"),
@@ -176,12 +176,12 @@ fn what_cannot_be_written_is_noticed_before_the_work() {
     refused(
         &folder,
         "solve a.mech --plot notes.md",
-        "`notes.md` is no folder",
+        "`notes.md` is not a folder",
     );
     refused(
         &folder,
         "check a.mech --plot notes.md/x",
-        "`notes.md` is no folder",
+        "`notes.md` is not a folder",
     );
     refused(&folder, "solve a.mech --plot -", "`--plot` takes a folder");
     refused(&folder, "check a.mech --plot -", "`--plot` takes a folder");
@@ -205,7 +205,7 @@ fn what_cannot_be_written_is_noticed_before_the_work() {
     assert!(folder.list("out").is_empty());
     // What is written unasked can be written elsewhere.
     fs::write(folder.file("two_body"), NOTES).expect("it can be written");
-    let said = refused(&folder, "solve a.mech", "`two_body` is no folder");
+    let said = refused(&folder, "solve a.mech", "`two_body` is not a folder");
     assert!(said.contains("help: `--out DIR` writes"), "{said}");
     folder.run("solve a.mech --csv - --plot out").exits_with(0);
 }

@@ -112,7 +112,7 @@ fn statics_need_something_that_is_asked_for() {
     let folder = Folder::new("forces_static", &text);
     let ran = folder.run("solve a.mech --static --no-files").exits_with(2);
     assert!(
-        ran.stderr.contains("needs something that is asked for"),
+        ran.stderr.contains("needs forces to compute"),
         "{}",
         ran.stderr
     );

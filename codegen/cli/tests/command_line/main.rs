@@ -40,6 +40,7 @@ mod plan;
 mod png;
 mod pressure;
 mod printed;
+mod reach;
 mod set;
 mod shell;
 mod simulate;

@@ -87,7 +87,7 @@ fn what_exists_is_never_touched_and_nothing_is_left_behind() {
         ("new a.mech/arm", "cannot write `a.mech/arm`"),
         (
             "new arm --path here",
-            "`here` is no clone of the repository of Linkwright: it has no `runtime/Cargo.toml`",
+            "`here` is not a clone of the repository of Linkwright: it has no `runtime/Cargo.toml`",
         ),
         ("new arm --path none", "there is no such file"),
     ] {

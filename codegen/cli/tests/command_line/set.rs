@@ -172,3 +172,114 @@ fn what_hardly_decides_a_mode_is_found_with_the_values_that_are_set() {
         );
     }
 }
+
+/// A crank of changeable length with a rod of changeable length, and a driven length that is an input.
+const CHANGED: &str = "mechanism changed {
+    param r = 40mm;
+    param rod = 90mm;
+    input pull = 105mm;
+    point A = (0, 0), D = (150mm, 0), W = (-80mm, 0);
+    body crank at (0, 0, 60deg)      { A: (0, 0), B: (r, 0) }
+    body arm   at (150mm, 0, 110deg) { D: (0, 0), C: (70mm, 0) }
+    revolute A(ground, crank);
+    revolute D(ground, arm);
+    relative_distance (crank.B, arm.C) = rod;
+    drive distance(ground.W, crank.B) = pull;
+}
+";
+
+/// A zero makes numbers infinite, but what is wrong is the length, or a loop that does not reach.
+#[test]
+fn values_that_cannot_be_are_refused_by_their_geometry() {
+    let folder = Folder::new("set_refused", CHANGED);
+    // B lies 105 mm from W and 40 mm from A, and D 150 mm from A: law of cosines.
+    let (wall, crank, ground, arm) = (0.08_f64, 0.04_f64, 0.15_f64, 0.07_f64);
+    let cosine = (0.105_f64.powi(2) - wall * wall - crank * crank) / (2.0 * wall * crank);
+    let base = (crank * crank + ground * ground - 2.0 * crank * ground * cosine).sqrt();
+    let gap = |by: f64, loop_name: &str| format!("{loop_name}: out of reach by {by:.4} m");
+    for (value, said) in [
+        ("rod=0", "the distance must be positive".to_string()),
+        ("rod=-90mm", "the distance must be positive".to_string()),
+        ("pull=-105mm", "the distance must be positive".to_string()),
+        ("rod=1e-320", gap(base - arm, "loop D-C-B")),
+        ("r=0", gap(0.105 - wall, "loop A-B-W")),
+    ] {
+        for command in ["solve a.mech --to 0 --no-files", "check a.mech --to 0"] {
+            let ran = folder
+                .run(&format!("{command} --set {value}"))
+                .exits_with(1);
+            assert!(ran.stderr.contains(&said), "{said}: {}", ran.stderr);
+            assert!(!ran.stderr.contains("K22"), "{}", ran.stderr);
+        }
+    }
+}
+
+/// A value that no assembly may have leaves no assemblies to be listed.
+#[test]
+fn assemblies_of_a_refused_value_are_not_listed() {
+    let folder = Folder::new("set_no_assemblies", CHANGED);
+    let listed = |options: &str, code: i32| {
+        let ran = folder.run(&format!("check a.mech --to 0 {options}"));
+        ran.exits_with(code).stdout
+    };
+    assert!(listed("", 0).contains("assemblies at t = 0 s: 4 of"));
+    for value in ["rod=-90mm", "pull=-105mm"] {
+        let printed = listed(&format!("--set {value}"), 1);
+        assert!(!printed.contains("assemblies"), "{printed}");
+        let found = crate::printed::json(&listed(&format!("--json --set {value}"), 1));
+        assert_eq!(found["assemblies"].as_array().map(Vec::len), Some(0));
+    }
+}
+
+/// The input is named with the time at which it is not finite: 0.011025 m² − t is negative at the next frame.
+#[test]
+fn an_input_that_is_not_finite_is_named() {
+    let folder = Folder::new("set_infinite", CHANGED);
+    let ran = folder.run("solve a.mech --to 1 --step 0.25 --no-files --set pull=sqrt(0.011025-t)");
+    let said = ran.exits_with(1).stderr;
+    assert!(
+        said.contains("beyond t = 0.25 s: input pull is not finite"),
+        "{said}"
+    );
+    assert!(!said.contains("revolute"), "{said}");
+}
+
+/// A value that makes a number infinite, whatever the pose is, is named at its declaration.
+#[test]
+fn a_value_that_makes_numbers_infinite_is_named() {
+    let folder = Folder::new("set_too_large", CHANGED);
+    let ran = folder.run("solve a.mech --to 0 --no-files --set rod=1e200");
+    let said = ran.exits_with(2).stderr;
+    assert!(
+        said.contains("infinite or undefined with `rod` = 1e200"),
+        "{said}"
+    );
+    assert!(said.contains(" --> a.mech:3:11\n"), "{said}");
+}
+
+/// A spring between ends that meet pulls nowhere: it is named, and not what follows from it.
+#[test]
+fn a_spring_without_a_length_is_named() {
+    let text = "mechanism meeting {
+    param gap = 100mm;
+    point A = (0, 0);
+    body a at A { A, P: (50mm, 0) }
+    body b at (gap, 0) { Q: (0, 0), R: (30mm, 0) }
+    revolute A(ground, a);
+    absolute_x(b) = gap;
+    absolute_y(b) = 0;
+    spring (ground.A, b.Q) = 5N/mm free 20mm;
+    torque on a = 1Nm;
+    relative_angle (a, b) = 20deg;
+    drive phi(a) = t;
+    effort;
+}
+";
+    let folder = Folder::new("set_meeting", text);
+    let ran = folder.run("solve a.mech --to 0 --no-files --set gap=0");
+    let said = ran.exits_with(1).stderr;
+    assert!(
+        said.contains("spring (ground.A, b.Q) has no length"),
+        "{said}"
+    );
+}

@@ -177,3 +177,106 @@ fn a_piston_goes_over_its_dead_centers() {
             .exits_with(2);
     }
 }
+
+/// Free coordinates that move together without moving a mass are named, and no others.
+#[test]
+fn free_coordinates_that_no_mass_resists_are_named() {
+    let text = "mechanism three {
+    point O = (0, 0), T = (2, 0);
+    body slide at O { S: (0, 0) }
+    body one at O turned 90deg { S: (0, 0), P: (0.5, 0) }
+    body third at T { T }
+    absolute_y(slide) = 0;
+    absolute_angle(slide) = 0;
+    revolute S(slide, one);
+    revolute T(ground, third);
+    free a: x(slide.S) = 0;
+    free b: phi(one) = 90deg;
+    free c: phi(third) = 0;
+    mass third = 1kg at T inertia 1;
+    mass one = 1kg at P;
+    gravity = (0, -9.81);
+}
+";
+    // The mass at P stays where it is while S moves as P turns back about it.
+    let folder = Folder::new("simulate_massless", text);
+    let ran = folder.run("simulate a.mech --no-files").exits_with(1);
+    let named = "no mass resists a motion of the free coordinates `free a: x(slide.S)` and `free b: phi(one)` together";
+    assert!(ran.stderr.contains(named), "{}", ran.stderr);
+    assert!(!ran.stderr.contains("`free c"), "{}", ran.stderr);
+    let alone = text.replace("mass one = 1kg at P;", "mass slide = 1kg at S;");
+    let folder = Folder::new("simulate_massless_alone", alone);
+    let ran = folder.run("simulate a.mech --no-files").exits_with(1);
+    let named = "no mass resists the free coordinate `free b: phi(one)`: write `mass BODY";
+    assert!(ran.stderr.contains(named), "{}", ran.stderr);
+}
+
+/// Many evaluations are answered by an option: once while it runs, and in the summary.
+#[test]
+fn many_evaluations_are_answered_by_another_method() {
+    let text = "mechanism damped {
+    point W = (-2, 0), P = (0, 0);
+    body mass at P { P }
+    absolute_y(mass) = 0;
+    absolute_angle(mass) = 0;
+    free slide: x(mass) = 0.1;
+    mass mass = 2kg;
+    spring (ground.W, mass.P) = 50 free 2;
+    damper (ground.W, mass.P) = 2e6;
+}
+";
+    let folder = Folder::new("simulate_long", text);
+    let ran = folder
+        .run("simulate a.mech --no-files --to 0.6 --step 0.6 --method dop853")
+        .exits_with(0);
+    assert_eq!(
+        ran.stderr.matches("million evaluations").count(),
+        1,
+        "{}",
+        ran.stderr
+    );
+    assert!(
+        ran.stderr.contains("= help: `--method implicit`"),
+        "{}",
+        ran.stderr
+    );
+    let hint = ran.stdout.lines().find(|line| line.starts_with("  hint "));
+    assert!(
+        hint.is_some_and(|hint| hint.contains("`--method implicit`")),
+        "{}",
+        ran.stdout
+    );
+    let ran = folder
+        .run("simulate a.mech --no-files --to 0.6 --step 0.6")
+        .exits_with(0);
+    assert!(ran.stderr.is_empty(), "{}", ran.stderr);
+    assert!(!ran.stdout.contains("hint"), "{}", ran.stdout);
+}
+
+/// What is missing is said by the statement that a description of this mechanism would have.
+#[test]
+fn a_missing_statement_is_written_out() {
+    let driven = PENDULUM.replace(
+        "free swing: phi(bob) = 30deg rate 1.5",
+        "drive swing: phi(bob) = t",
+    );
+    let folder = Folder::new("simulate_driven", &driven);
+    let ran = folder.run("simulate a.mech").exits_with(2);
+    let help = "write `free swing: phi(bob) = START;` in place of `drive swing: phi(bob) = …;`, or";
+    assert!(ran.stderr.contains(help), "{}", ran.stderr);
+    let massless = driven.replace(
+        "mass bob = 3kg at S inertia 0.5;\n    gravity = (0, -9.81);",
+        "",
+    );
+    let folder = Folder::new("simulate_massless_driven", massless);
+    let ran = folder.run("simulate a.mech").exits_with(2);
+    assert!(ran.stderr.contains("`mass BODY = 2kg;`"), "{}", ran.stderr);
+    let loose = PENDULUM.replace("free swing: phi(bob) = 30deg rate 1.5;", "");
+    let folder = Folder::new("simulate_loose", loose);
+    let ran = folder.run("simulate a.mech").exits_with(2);
+    assert!(
+        ran.stderr.contains("by `free turn: phi(bob) = 0;`"),
+        "{}",
+        ran.stderr
+    );
+}

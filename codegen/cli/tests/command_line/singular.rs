@@ -212,7 +212,7 @@ fn the_loop_that_ends_a_motion_is_named_on_its_own_branch() {
         let seconds: f64 = time.0.parse().expect("a time");
         assert!((seconds - end).abs() <= 1.5e-9, "{error}");
         let cause = time.1;
-        assert!(cause.starts_with("loop P-S: out of reach by "), "{error}");
+        assert!(cause.starts_with("loop A-P-S: out of reach by "), "{error}");
         assert!(
             cause.ends_with(" m, beyond where crank and rod are in line"),
             "{error}"

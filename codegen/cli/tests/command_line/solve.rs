@@ -167,7 +167,7 @@ fn bad_input_exits_with_2() {
         ("solve a.mech --to inf", "not a finite number"),
         ("solve a.mech --to -1", "`--to -1` lies before `--from 0`"),
         ("solve a.mech --step 1e-9", "steps are too many"),
-        ("solve a.mech --json --csv -", "both want stdout"),
+        ("solve a.mech --json --csv -", "cannot both write to stdout"),
         ("solve a.mech --at 1 --plot x", "cannot be used with"),
         ("solve", "required"),
         ("fly a.mech", "unrecognized subcommand"),

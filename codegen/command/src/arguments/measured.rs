@@ -125,7 +125,7 @@ pub struct Calibrate {
     #[command(flatten)]
     pub table: Table,
     /// The parameters that are fitted, separated by commas, from their values in the description or of `--set`
-    #[arg(long, value_name = "L1,L2", value_delimiter = ',', required = true)]
+    #[arg(long, value_name = "L1,L2", value_delimiter = ',')]
     pub param: Vec<String>,
     /// The largest time between frames, in s
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]

@@ -226,7 +226,7 @@ pub fn chosen(
     let assembled = wishes.assembled(interpreted, t).map_err(|reason| {
         let explained = reason.explained(interpreted);
         Problem(format!(
-            "error: the mechanism cannot be assembled so: {explained}"
+            "error: the mechanism cannot be assembled in this mode: {explained}"
         ))
     });
     assembled.map(Some)

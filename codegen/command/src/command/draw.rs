@@ -76,6 +76,15 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     let Some(shown) = solved.shown.take() else {
         return Ok(Outcome::Failed);
     };
+    let bodies = system.mechanism.moving_bodies().iter();
+    let mut shapeless = bodies.filter(|body| !body.is_angle() && body.marks.is_empty());
+    if let Some(body) = shapeless.next() {
+        say(&format!(
+            "warning: body `{}` has no points, so that it has no shape in the picture\n  = help: {}",
+            body.name,
+            motion::named_point(&system)
+        ));
+    }
     options.caption += &solved.caption;
     let svg = drawing::draw(&system, &shown, &solved.others, &solved.paths, &options);
     let bytes = (format.encode)(&svg, arguments.size.is_some())?;

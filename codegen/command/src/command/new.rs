@@ -157,7 +157,7 @@ fn dependencies(clone: Option<&Path>) -> Result<[String; 2], Problem> {
     };
     let refused = |why: &str| {
         Problem(format!(
-            "error: `{}` is no clone of the repository of Linkwright: {why}",
+            "error: `{}` is not a clone of the repository of Linkwright: {why}",
             clone.display()
         ))
     };

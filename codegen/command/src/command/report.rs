@@ -31,7 +31,7 @@ const GIGABYTE: f64 = 1e9;
 pub(super) fn check_stdout(reported: &Reported) -> Result<(), Problem> {
     match is_stdout(&reported.csv) && reported.json {
         true => Err(Problem(
-            "error: `--json` and `--csv -` both want stdout".to_string(),
+            "error: `--json` and `--csv -` cannot both write to stdout".to_string(),
         )),
         false => Ok(()),
     }

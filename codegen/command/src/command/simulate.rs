@@ -1,15 +1,17 @@
 //! *A description with free coordinates* → *the motion that forces give it*: printed, and written as CSV and plots.
 
+use linkwright_codegen::stages::model::Role;
+use linkwright_codegen::stages::system::System;
 use linkwright_solver::schedule::Schedule;
-use linkwright_solver::simulation::{Method, Options, Tolerances};
+use linkwright_solver::simulation::{Effort, Method, Options, Tolerances};
 
 use super::description::{chosen, determined, interpreted, outputs, set_all, source};
 use super::report::{check_stdout, report};
 use super::solve::shown;
 use super::solve_files::Files;
-use super::{Outcome, Problem};
+use super::{Outcome, Problem, say};
 use crate::arguments::{Simulate, StepMethod};
-use crate::motion::{Followed, Wanted};
+use crate::motion::{Followed, Listeners, Wanted, hint};
 use crate::report::summary::Layout;
 
 /// Simulates the motion and reports it.
@@ -26,8 +28,9 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     let forces = &mut system.mechanism.forces;
     if forces.free.is_empty() {
         return Err(Problem(format!(
-            "error: no coordinate of `{}` is free, so forces move nothing\n  = help: write `free NAME: phi(BODY) = START;` in place of a `drive` statement, or use `linkwright solve`",
-            arguments.described.file.display()
+            "error: no coordinate of `{}` is free, so forces move nothing\n  = help: {}",
+            arguments.described.file.display(),
+            missing_statement(&system)
         )));
     }
     // The drift of the energy is always said.
@@ -64,6 +67,15 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         },
     };
     let motion = Followed::moved_by_forces(&view, wanted, chosen.clone());
+    let mut is_hinted = false;
+    let mut taken = |effort: &Effort| {
+        if let Some(hint) = hint(effort, options.method).filter(|_| !is_hinted) {
+            is_hinted = true;
+            say(&format!(
+                "warning: this takes long: more than a million evaluations so far\n  = help: {hint}"
+            ));
+        }
+    };
     report(
         reported,
         Layout::of(reported),
@@ -71,7 +83,29 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         &schedule,
         files,
         &mut |motion, schedule, sinks, reached| {
-            motion.simulate((&view, chosen.clone()), schedule, options, sinks, reached)
+            let listeners = Listeners {
+                reached,
+                taken: &mut taken,
+            };
+            motion.simulate((&view, chosen.clone()), schedule, options, sinks, listeners)
         },
+    )
+}
+
+/// Returns the `free` statement that takes the place of the first driver, in words.
+fn missing_statement(system: &System) -> String {
+    let mut joints = system.mechanism.joints.iter();
+    let driver = joints.find(|joint| joint.role == Role::Driver);
+    let Some(driver) = driver.and_then(|it| it.label.strip_prefix("drive ")) else {
+        return "write `free NAME: phi(BODY) = START;` in place of a `drive` statement, or use `linkwright solve`"
+            .to_string();
+    };
+    let (name, driven) = driver.split_once(": ").unwrap_or(("NAME", driver));
+    let massless = match system.mechanism.forces.masses.is_empty() {
+        true => " and `mass BODY = 2kg;` for the bodies",
+        false => "",
+    };
+    format!(
+        "write `free {name}: {driven} = START;` in place of `drive {driver} = …;`{massless}, or use `linkwright solve`"
     )
 }

@@ -29,7 +29,7 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     if arguments.at_rest {
         if !system.mechanism.forces.are_wanted() {
             return Err(Problem(format!(
-                "error: `--static` needs something that is asked for\n  = help: write `effort;` or `reactions;` into `{}`",
+                "error: `--static` needs forces to compute\n  = help: write `effort;` or `reactions;` into `{}`",
                 arguments.described.file.display()
             )));
         }

@@ -66,7 +66,7 @@ impl Data {
                 return Err(refused("has fewer than two times"));
             }
             if !follow_points(&mut system.mechanism, own.input, &points) {
-                return Err(refused("changes too fast for the numbers of a computer"));
+                return Err(refused("changes too fast for double precision"));
             }
         }
         Ok(())

@@ -174,7 +174,7 @@ pub fn mapped(
             },
         };
         match found {
-            None => leave("it names nothing of the mechanism"),
+            None => leave("no quantity of the mechanism has this name"),
             Some(_) if own.values.iter().all(Option::is_none) => leave("it has no numbers"),
             Some((quantity, how)) => {
                 mapped

@@ -203,7 +203,7 @@ fn times(
         rendered(name, &columns.text, &[fault])
     };
     if own.is_text {
-        let message = format!("the cells of `{}` are words, no times", own.name);
+        let message = format!("the cells of `{}` are words, not times", own.name);
         return Err(refused(
             own.span,
             message,

@@ -59,7 +59,7 @@ impl Units {
                 None => (None, wish.trim()),
             };
             let unit = Unit::parse(text).ok_or_else(|| {
-                format!("error: `{text}` is no unit\n  = help: write it as in `mm`, `deg`, `m/s^2`, `rpm`")
+                format!("error: `{text}` is not a unit\n  = help: write it as in `mm`, `deg`, `m/s^2`, `rpm`")
             })?;
             match name {
                 Some(name) => {

@@ -22,12 +22,14 @@ pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f
             Some((number, unit)) => match Unit::parse(unit) {
                 Some(unit) => (number, Some(unit)),
                 None => {
-                    return Err(format!("error: `{unit}` in `{option} {text}` is no unit"));
+                    return Err(format!(
+                        "error: `{unit}` in `{option} {text}` is not a unit"
+                    ));
                 }
             },
             None => {
                 return Err(format!(
-                    "error: `{option} {text}` is no number\n  = help: write `1e-6`, `0.5mm` or `COLUMN=0.5mm`"
+                    "error: `{option} {text}` is not a number\n  = help: write `1e-6`, `0.5mm` or `COLUMN=0.5mm`"
                 ));
             }
         };

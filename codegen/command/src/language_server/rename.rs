@@ -84,7 +84,7 @@ pub fn rename(
         return Err(Refusal::failed(words(finding)));
     }
     if !is_one_name(new) {
-        return Err(Refusal::failed(format!("`{new}` is no name")));
+        return Err(Refusal::failed(format!("`{new}` is not a name")));
     }
     let meant = Description::of(renamed);
     if let Some(other) = other_meaning(names, &meant.names) {

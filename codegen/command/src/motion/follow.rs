@@ -5,6 +5,7 @@ use std::io;
 use linkwright::PointMotion;
 use linkwright_solver::approach::Watch;
 use linkwright_solver::instant::Instant;
+use linkwright_solver::not_finite::load;
 use linkwright_solver::number::time;
 use linkwright_solver::schedule::Schedule;
 use linkwright_solver::trajectory::follow;
@@ -92,6 +93,12 @@ impl<V: View> Followed<V> {
             )
         });
         self.warnings.extend(parted);
+        if let (None, Some((load, t))) = (&self.error, &self.infinite_load) {
+            let t = time(*t);
+            self.error = Some(format!(
+                "has no forces at t = {t} s: `{load}` is not finite there"
+            ));
+        }
         if let (Some(last), Some(number)) = (&self.last, self.count.checked_sub(1)) {
             let row = self.row(number, last, self.motions(last), self.forces(last));
             self.rows.end(row);
@@ -124,6 +131,7 @@ impl<V: View> Followed<V> {
             }
         }
         let forces = self.forces(instant);
+        self.see_infinite(instant, forces.as_deref());
         for (largest, force) in self.largest_forces.iter_mut().zip(forces.iter().flatten()) {
             if force.abs() > largest.0.abs() {
                 *largest = (*force, instant.t());
@@ -172,6 +180,15 @@ impl<V: View> Followed<V> {
         });
         self.count += 1;
         Ok(())
+    }
+
+    /// Notes the first load that is not finite, where forces are not.
+    fn see_infinite(&mut self, instant: &Instant, forces: Option<&[f64]>) {
+        let are_finite = forces.is_some_and(|forces| forces.iter().all(|it| it.is_finite()));
+        if self.infinite_load.is_none() && !are_finite {
+            let load = load(self.view.system(), self.view.layout(), instant);
+            self.infinite_load = load.map(|load| (load, instant.t()));
+        }
     }
 
     fn motions(&self, instant: &Instant) -> Vec<PointMotion> {

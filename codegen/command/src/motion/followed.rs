@@ -58,6 +58,8 @@ pub struct Followed<V: View> {
     pub error: Option<String>,
     /// What its integration has taken, where forces move it.
     pub simulated: Option<Simulated>,
+    /// The first load that is not finite, and when (s).
+    pub(super) infinite_load: Option<(String, f64)>,
     /// The last wanted instant.
     pub(super) last: Option<Instant>,
     pub(super) shell: Option<Shell<V>>,
@@ -129,6 +131,7 @@ impl<V: View> Followed<V> {
             smallest_measure: None,
             warnings: Vec::new(),
             simulated: None,
+            infinite_load: None,
             last: None,
             measured,
             error,
@@ -161,6 +164,7 @@ impl<V: View> Followed<V> {
             warnings: self.warnings,
             error: self.error,
             simulated: self.simulated,
+            infinite_load: self.infinite_load,
             last: self.last,
             shell: None,
             measured: self.measured,

@@ -17,8 +17,8 @@ pub use curve::{Curve, Extreme};
 pub use followed::Followed;
 pub use path::Path;
 pub use rows::{Row, Rows};
-pub use selection::{points, shown};
-pub use simulated::Simulated;
+pub use selection::{named_point, points, shown};
+pub use simulated::{Listeners, Simulated, hint};
 
 use std::io;
 

@@ -151,14 +151,30 @@ fn called(system: &System, written: &str) -> String {
     called.next().unwrap_or_else(|| written.to_string())
 }
 
+/// Returns how the description would name a point, by its first moving body.
+pub fn named_point(system: &System) -> String {
+    let mut bodies = system.mechanism.moving_bodies().iter();
+    let body = bodies.find(|body| !body.is_angle());
+    let body = body.map_or("BODY", |body| body.name.as_str());
+    format!(
+        "name points in the braces of a body: `body {body} at (0, 0) {{ A: (0, 0), B: (0.1, 0) }}`"
+    )
+}
+
 fn unknown(system: &System, what: &str, name: &str, known: &[&str]) -> String {
     let guess = match nearest(name, known.iter().copied()) {
         Some(guess) => format!("; did you mean `{guess}`?"),
         None => String::new(),
     };
+    let title = &system.mechanism.name;
+    if known.is_empty() {
+        return format!(
+            "no {what} `{name}` in `{title}`: it has none\n  = help: {}",
+            named_point(system)
+        );
+    }
     format!(
-        "no {what} `{name}` in `{}`{guess}\n  its {what}s are: {}",
-        system.mechanism.name,
+        "no {what} `{name}` in `{title}`{guess}\n  its {what}s are: {}",
         known.join(", ")
     )
 }

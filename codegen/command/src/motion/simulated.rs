@@ -7,22 +7,68 @@ use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::number::time;
 use linkwright_solver::schedule::Schedule;
-use linkwright_solver::simulation::{Effort, Options, Simulation};
+use linkwright_solver::simulation::{Effort, Method, Options, Simulation, Stop};
 use linkwright_solver::supplied::Modes;
 use linkwright_solver::view::View;
 
 use super::{Followed, Sink, Wanted};
+
+/// Number of evaluations beyond which another method is proposed.
+const MANY_EVALUATIONS: u64 = 1_000_000;
 
 /// What an integration has taken, and how well it keeps the energy.
 #[derive(Clone, Debug, Default)]
 pub struct Simulated {
     /// Evaluations and steps.
     pub effort: Effort,
+    /// The method that was asked for.
+    pub method: Method,
     /// What of a change of the energy the work of forces, torques, dampers and drivers does not account for: the largest over all frames
     /// (J) and when.
     pub drift: (f64, f64),
     /// The largest kinetic energy (J), which that is to be compared with.
     pub kinetic: f64,
+}
+
+/// Callers that hear how far a simulation is.
+pub struct Listeners<'a> {
+    /// Hears how many times of the schedule were visited.
+    pub reached: &'a mut dyn FnMut(usize),
+    /// Hears after every step what all steps have taken.
+    pub taken: &'a mut dyn FnMut(&Effort),
+}
+
+impl Simulated {
+    /// Returns the option that may save evaluations; `None` if there are few.
+    pub fn hint(&self) -> Option<&'static str> {
+        hint(&self.effort, self.method)
+    }
+}
+
+/// Returns the option that may save evaluations of a motion that has taken many; `None` if there are few.
+pub fn hint(effort: &Effort, method: Method) -> Option<&'static str> {
+    let is_implicit = match method {
+        Method::Implicit => true,
+        Method::Explicit => false,
+        Method::Automatic => 2 * effort.implicit > effort.steps,
+    };
+    (effort.evaluations > MANY_EVALUATIONS).then_some(if is_implicit {
+        "`--method dop853` takes explicit steps, and a larger `--rtol` fewer ones"
+    } else {
+        "`--method implicit` takes fewer steps where the motion is stiff, and so does a larger `--rtol`"
+    })
+}
+
+/// Moves the mechanism to a time, and says after every step what all have taken.
+fn advance(
+    simulation: &mut Simulation,
+    t: f64,
+    taken: &mut dyn FnMut(&Effort),
+) -> Result<(), Stop> {
+    while simulation.step_toward(t)? {
+        taken(&simulation.effort());
+    }
+    simulation.advance(t).map(|_| ())
 }
 
 impl Followed<Dense> {
@@ -37,7 +83,7 @@ impl Followed<Dense> {
     }
 
     /// Lets the forces move the mechanism from t = 0 over the rest of the schedule, and hands its instants on in the order of time;
-    /// `reached` hears how many times were visited.
+    /// `listeners` hear how far it is.
     ///
     /// # Errors
     /// Those of the sinks, which end it.
@@ -47,7 +93,7 @@ impl Followed<Dense> {
         schedule: &Schedule,
         options: Options,
         sinks: &mut [&mut dyn Sink],
-        reached: &mut dyn FnMut(usize),
+        listeners: Listeners<'_>,
     ) -> io::Result<()> {
         if self.error.is_some() {
             return Ok(());
@@ -61,16 +107,19 @@ impl Followed<Dense> {
                 return Ok(());
             }
         };
-        let mut found = Simulated::default();
+        let mut found = Simulated {
+            method: options.method,
+            ..Simulated::default()
+        };
         let (mut first, mut stop) = (None, None);
         for t in std::iter::once(0.0).chain(visits) {
             if t > 0.0 {
-                if let Err(end) = simulation.advance(t) {
+                if let Err(end) = advance(&mut simulation, t, listeners.taken) {
                     stop = Some(end);
                     break;
                 }
                 self.visits += 1;
-                reached(self.visits);
+                (listeners.reached)(self.visits);
             }
             self.show(simulation.frame(), &[], sinks)?;
             self.weigh(&mut simulation, &mut first, &mut found);

@@ -87,7 +87,7 @@ pub(super) fn missing(path: &Path) -> Result<PathBuf, Why> {
         folder = files::folder_of(folder);
     };
     if !kind.is_dir() {
-        return Err(Why::new(format!("`{}` is no folder", folder.display())));
+        return Err(Why::new(format!("`{}` is not a folder", folder.display())));
     }
     let place = fs::canonicalize(folder)?;
     may_write_in(&place, folder)?;

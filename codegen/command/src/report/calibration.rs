@@ -123,7 +123,7 @@ impl Report<'_> {
             reasons.push(match goodness.runs {
                 Some((runs, expected, _)) if goodness.reduced.is_some_and(|it| it < LARGE) => {
                     format!(
-                        "what is left of `{}` is no noise: its signs change in {runs} runs, where {expected:.0} are expected",
+                        "what is left of `{}` is not noise: its signs change in {runs} runs, where {expected:.0} are expected",
                         own.name
                     )
                 }

@@ -36,6 +36,9 @@ pub fn write(check: &Check, width: usize, output: &mut dyn Write) -> io::Result<
         kinematic - net
     )?;
     blocks(check, output)?;
+    if check.is_refused {
+        return Ok(());
+    }
     assemblies(check, width, output)?;
     approaches(check, output)
 }

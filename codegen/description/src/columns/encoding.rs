@@ -78,7 +78,7 @@ pub(super) fn decoded(bytes: &[u8]) -> Result<(String, Encoding), Unreadable> {
         return Err(refused(
             String::new(),
             0,
-            format!("the file is {what}, no text"),
+            format!("the file is {what}, not text"),
             "export the table as CSV",
         ));
     }
@@ -114,7 +114,7 @@ fn utf16(bytes: &[u8], encoding: Encoding) -> Result<(String, Encoding), Unreada
             Ok('\0') | Err(_) => {
                 let at = text.len();
                 text.push(char::REPLACEMENT_CHARACTER);
-                let message = format!("this is no character of {}", encoding.name());
+                let message = format!("this is not a character of {}", encoding.name());
                 return Err(refused(text, at, message, "save the file as UTF-8"));
             }
             Ok(character) => text.push(character),
@@ -137,7 +137,7 @@ fn eight(bytes: &[u8]) -> Result<(String, Encoding), Unreadable> {
         return Err(refused(
             text,
             at,
-            "a byte of zero, which is no text".to_string(),
+            "a byte of zero, which is not text".to_string(),
             "export the table as CSV",
         ));
     }
@@ -155,9 +155,8 @@ fn eight(bytes: &[u8]) -> Result<(String, Encoding), Unreadable> {
             (_, Some(None)) => {
                 let at = text.len();
                 text.push(char::REPLACEMENT_CHARACTER);
-                let message = format!(
-                    "the byte 0x{byte:02x} is no character, neither of UTF-8 nor of Windows-1252"
-                );
+                let message =
+                    format!("the byte 0x{byte:02x} is not a character of UTF-8 or of Windows-1252");
                 return Err(refused(text, at, message, "save the file as UTF-8"));
             }
             (byte, None) => text.push(char::from(*byte)),

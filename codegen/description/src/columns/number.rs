@@ -40,7 +40,7 @@ impl Why {
         let shown: String = cell.chars().take(SHOWN).collect();
         let shown = shown.escape_debug();
         match self {
-            Why::NoNumber => format!("`{shown}` is no number"),
+            Why::NoNumber => format!("`{shown}` is not a number"),
             Why::TooLarge => format!("`{shown}` is not a finite number"),
             Why::Groups => format!("`{shown}` has groups of digits, or the other decimal mark"),
             Why::WithUnit => format!("`{shown}` has letters after its number"),

@@ -104,6 +104,8 @@ codes! {
     TooMuchWork = "K37";
     /// An assembly mode that the drawing decides by little.
     UndecidedMode = "K38";
+    /// Links of constant lengths that do not reach their ends, so that there is no pose.
+    OutOfReach = "K39";
     /// An error of Linkwright itself.
     InternalError = "K90";
 }

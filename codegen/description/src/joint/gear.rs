@@ -82,7 +82,7 @@ impl Kind for Gear {
         }
         let (problem, help) = if ratio < 0.0 {
             (
-                "a ratio of radii is not negative".to_string(),
+                "a ratio of radii cannot be negative".to_string(),
                 format!(
                     "the sense of turning is in the word: write `{}`",
                     self.other

@@ -46,16 +46,16 @@ pub(super) fn refuse_length(length: ExprId, instead: &str, graph: &Graph) -> Opt
     let (problem, help) = if length > 0.0 {
         (
             format!("a distance of {length:e} m is too small for its square"),
-            "is a unit or an exponent wrong?".to_string(),
+            "check the unit and the exponent".to_string(),
         )
     } else if length < 0.0 {
         (
-            "a distance is not negative".to_string(),
+            "a distance cannot be negative".to_string(),
             "write it without the sign".to_string(),
         )
     } else {
         (
-            "a distance of zero says too little: its equation has no slope there".to_string(),
+            "a distance of zero is singular: its equation has no slope there".to_string(),
             format!("two points that stay together are joined by {instead}"),
         )
     };

@@ -77,7 +77,7 @@ impl Kind for Rack {
         let radius = operands.value.and_then(|value| graph.constant_value(value));
         if radius.is_some_and(|radius| radius <= 0.0) {
             return Some(Refusal {
-                problem: "the radius of a pinion is positive".to_string(),
+                problem: "the radius of a pinion must be positive".to_string(),
                 help: "on which side of the line it rolls is taken from the drawing".to_string(),
             });
         }

@@ -44,7 +44,7 @@ impl Kind for Roller {
     fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
         let radius = graph.constant_value(operands.value?)?;
         (radius <= 0.0).then(|| Refusal {
-            problem: "the radius of a roller is positive".to_string(),
+            problem: "the radius of a roller must be positive".to_string(),
             help: "write `point_on_curve` for a point; the side of the roller follows from the drawing"
                 .to_string(),
         })

@@ -87,7 +87,10 @@ impl Resolver<'_> {
             [] => return Some(()),
             [variable] => variable,
             _ => {
-                self.report_condition(span, "a condition depends on one variable, not on several");
+                self.report_condition(
+                    span,
+                    "a condition must depend on one variable, not on several",
+                );
                 return None;
             }
         };
@@ -98,7 +101,10 @@ impl Resolver<'_> {
             .constant_value(slope)
             .filter(|slope| *slope != 0.0);
         let (true, Some(direction)) = (is_linear, direction) else {
-            self.report_condition(span, "where this condition changes cannot be solved for");
+            self.report_condition(
+                span,
+                "the place where this condition changes is not a closed form",
+            );
             return None;
         };
         let zero = self.graph.zero();

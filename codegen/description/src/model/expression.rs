@@ -93,9 +93,13 @@ impl Resolver<'_> {
             ExpressionKind::Choice(choice) => self.choice(choice)?,
             ExpressionKind::Components(_) => {
                 self.diagnostics.push(
-                    Diagnostic::error(Code::OutsideGrammar, written.span, "a place is no formula")
-                        .label("one value is wanted here")
-                        .help("write each component in a formula of its own"),
+                    Diagnostic::error(
+                        Code::OutsideGrammar,
+                        written.span,
+                        "expected a scalar, found a coordinate tuple",
+                    )
+                    .label("one value is wanted here")
+                    .help("write each component in a formula of its own"),
                 );
                 return None;
             }

@@ -177,10 +177,10 @@ impl Resolver<'_> {
         if let Some(part) = given.placed
             && is_global(given)
         {
-            let message = format!("`{}` is not moved with a part", label(given));
+            let message = format!("`{}` cannot be moved with a part", label(given));
             self.diagnostics.push(
                 Diagnostic::error(Code::WrongForm, given.span, message)
-                    .label("speaks of the global axes")
+                    .label("refers to the global axes")
                     .also(part, "the part has a place here")
                     .help("write it in the mechanism, with names such as `PART.BODY`"),
             );
@@ -220,7 +220,7 @@ fn kind_named(keyword: &str, kinds: &[&'static dyn Kind]) -> Option<&'static dyn
 }
 
 /// A statement as messages name it: `revolute P(1, 2)`, `drive length(N, M)`.
-fn label(given: &WrittenJoint<'_>) -> String {
+pub(super) fn label(given: &WrittenJoint<'_>) -> String {
     let reference = |reference: &syntax::Reference| match &reference.body {
         Some(body) => format!("{}.{}", body.text, reference.name.text),
         None => reference.name.text.clone(),

@@ -270,7 +270,7 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::UnknownFunction,
                     name.span,
-                    format!("`{}` is no function of this language", name.text),
+                    format!("`{}` is not a function of this language", name.text),
                 )
                 .label("a rate is the rate of a formula")
                 .help("write `rate(phi(1))`, `rate(K.x)` or `rate(distance(1.P, 2.Q))`"),

@@ -105,7 +105,7 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::ValueNotAllowed,
                     written.span,
-                    format!("{what} is not negative"),
+                    format!("{what} cannot be negative"),
                 )
                 .help("is a sign wrong?"),
             );

@@ -48,8 +48,7 @@ impl Resolver<'_> {
             span: written.span,
             message: "this number is too large".to_string(),
             label: "beyond 1.8e308".to_string(),
-            help: "no number of a computer is as large; is a unit or an exponent wrong?"
-                .to_string(),
+            help: "check the unit and the exponent".to_string(),
         });
         self.diagnostics.push(
             Diagnostic::error(Code::NotFinite, cause.span, cause.message)
@@ -72,7 +71,7 @@ impl Resolver<'_> {
                 format!("a length of {value:e} m is too large for products of lengths"),
             )
             .label(format!("beyond {LARGEST_LENGTH:e} m"))
-            .help("is a unit or an exponent wrong?"),
+            .help("check the unit and the exponent"),
         );
         false
     }
@@ -102,9 +101,9 @@ impl Resolver<'_> {
         }
         (base_value < 0.0 && exponent_value.fract() != 0.0).then(|| Cause {
             span: base.span,
-            message: "a broken power of a negative number".to_string(),
+            message: "a fractional power of a negative number".to_string(),
             label: format!("this is {base_value}"),
-            help: "only whole powers of a negative number are real".to_string(),
+            help: "only integer powers of a negative number are real".to_string(),
         })
     }
 

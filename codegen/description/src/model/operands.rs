@@ -185,6 +185,7 @@ impl Resolver<'_> {
         let keyword = given.kind.keyword();
         let form = given.kind.operands();
         let (fewest, most) = (form.fewest(), form.slots.len());
+        let mut help = format!("write {}", given.kind.example());
         let (problem, span) = if !(fewest..=most).contains(&given.operands.len()) {
             let noun = if most == 1 { "operand" } else { "operands" };
             let count = if fewest == most {
@@ -212,6 +213,9 @@ impl Resolver<'_> {
                         Line::Between => "the line to slide on",
                         _ => "a line",
                     };
+                    if let Some(complete) = self.with_line(given) {
+                        help = complete;
+                    }
                     (
                         format!("`{keyword}` needs {line}: `along P -> Q`"),
                         given.span,
@@ -219,10 +223,44 @@ impl Resolver<'_> {
                 }
             }
         };
-        self.diagnostics.push(
-            Diagnostic::error(Code::WrongForm, span, problem)
-                .help(format!("write {}", given.kind.example())),
-        );
+        self.diagnostics
+            .push(Diagnostic::error(Code::WrongForm, span, problem).help(help));
+    }
+
+    /// Returns the help that completes a statement without its line, by points of its own bodies where these carry enough; `None` if a
+    /// body is not declared.
+    fn with_line(&self, given: &WrittenJoint<'_>) -> Option<String> {
+        let carried = |at: usize| {
+            let operand = given.operands.get(at)?;
+            let name = operand.body.as_ref().unwrap_or(&operand.name);
+            let own = *self.declared.body_ids.get(&name.text)?;
+            let marks = self.linkage.bodies[own.0].marks.iter();
+            let points: Vec<&str> = marks.map(|it| it.name.as_str()).collect();
+            Some((name.text.as_str(), points))
+        };
+        let (from, to, place) = match given.kind.operands().line {
+            Line::Between => {
+                let ((first, from), (second, to)) = (carried(0)?, carried(1)?);
+                let from = from.first().copied().unwrap_or("P");
+                let to = to.last().copied().unwrap_or("Q");
+                let place = format!("with {from} on `{first}` and {to} on `{second}`");
+                (from, to, place)
+            }
+            Line::On(owner) => {
+                let (body, points) = carried(owner)?;
+                let (from, to) = match points.as_slice() {
+                    [from, .., to] => (*from, *to),
+                    _ => ("P", "R"),
+                };
+                (from, to, format!("with {from} and {to} on `{body}`"))
+            }
+            Line::None | Line::Existing => return None,
+        };
+        let value = if given.value.is_some() { " = …" } else { "" };
+        let written = super::joints::label(given);
+        Some(format!(
+            "write `{written} along {from} -> {to}{value};` {place}"
+        ))
     }
 
     /// A body that moves must be among the operands.

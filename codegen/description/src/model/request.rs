@@ -91,7 +91,7 @@ impl Resolver<'_> {
                 .map(|it| Requested::Coordinate(it.place)),
             _ => {
                 self.diagnostics.push(
-                    Diagnostic::error(Code::WrongForm, span, "this is no coordinate of a body")
+                    Diagnostic::error(Code::WrongForm, span, "this is not a coordinate of a body")
                         .help("write `x(1)`, `y(1)` or `phi(1)` with the name of one body"),
                 );
                 None

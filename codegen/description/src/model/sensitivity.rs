@@ -69,12 +69,12 @@ impl Resolver<'_> {
         let text = &name.text;
         let is_input = self.declared.inputs.iter().any(|input| input.name == *text);
         let finding = if is_input {
-            let message = format!("`{text}` is an input, no parameter");
+            let message = format!("`{text}` is an input, not a parameter");
             Diagnostic::error(Code::WrongForm, name.span, message)
                 .label("changes with time")
                 .help("an input drives: how the motion depends on it is a `transmission`")
         } else if self.declared.constants.get(text).is_some() {
-            let message = format!("`{text}` is a constant, no parameter");
+            let message = format!("`{text}` is a constant, not a parameter");
             Diagnostic::error(Code::WrongForm, name.span, message)
                 .label("cannot be changed at run time")
                 .help(format!("declare it as a parameter: `param {text} = …;`"))

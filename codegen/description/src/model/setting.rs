@@ -57,7 +57,7 @@ fn joined(mechanism: &Mechanism, assignment: &str) -> Option<String> {
     let is_known = parameters.chain(inputs).any(|own| *own == joined);
     (name.contains('.') && is_known).then(|| {
         format!(
-            "error: `{name}` is no name of a parameter or an input\n  = help: those of a part are joined by `_`: `--set {joined}={value}`\n"
+            "error: `{name}` is not the name of a parameter or an input\n  = help: those of a part are joined by `_`: `--set {joined}={value}`\n"
         )
     })
 }

@@ -95,7 +95,7 @@ impl Resolver<'_> {
                     Code::WrongForm,
                     transmission.span,
                     format!(
-                        "`{}` moves with time and drives no one quantity",
+                        "`{}` moves with time, but does not drive a single quantity",
                         equation.label
                     ),
                 )

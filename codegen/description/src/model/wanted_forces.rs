@@ -51,6 +51,9 @@ impl Resolver<'_> {
             && forces.masses.is_empty()
             && !self.diagnostics.has_errors()
         {
+            let mut bodies = self.linkage.bodies.iter().skip(1);
+            let body = bodies.find(|it| !it.is_angle());
+            let body = body.map_or("BODY", |it| it.name.as_str());
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::WrongForm,
@@ -58,7 +61,7 @@ impl Resolver<'_> {
                     "what is free is moved by forces, and no body has a mass",
                 )
                 .label("would have no acceleration")
-                .help("say what the bodies weigh: `mass 1 = 2kg;`"),
+                .help(format!("say what the bodies weigh: `mass {body} = 2kg;`")),
             );
         }
         if let Some((_, span)) = asked.iter().find(|(word, _)| *word == "effort") {
@@ -145,7 +148,7 @@ impl Resolver<'_> {
                     Code::WrongForm,
                     span,
                     format!(
-                        "`{}` moves with time and drives no one quantity",
+                        "`{}` moves with time, but does not drive a single quantity",
                         equation.label
                     ),
                 )
@@ -196,11 +199,11 @@ impl Resolver<'_> {
         let (message, help) = match (is_choice, is_asked) {
             (true, true) => return,
             (false, _) => (
-                "no joint repeats others, so what each carries has one answer",
+                "without redundant joints, reactions are unique",
                 "remove `least_norm`",
             ),
             (true, false) => (
-                "nobody asks what joints carry",
+                "`least_norm` requires `reaction` or `reactions`",
                 "ask for it, `reactions;`, or remove `least_norm`",
             ),
         };

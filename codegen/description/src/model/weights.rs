@@ -49,10 +49,10 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::ValueNotAllowed,
                     place.span,
-                    "a body without a mass has no moment of inertia",
+                    "a body with a moment of inertia needs a mass",
                 )
                 .also(written.mass.span, "the mass is zero")
-                .help("a body that only turns may have any mass at a center that rests"),
+                .help("give a body that only turns any mass, with its center on the axis"),
             );
             return;
         }

@@ -18,10 +18,10 @@ impl Resolver<'_> {
         let message = match wished {
             WishKind::Monitor => "the mechanism is monitored already",
             WishKind::Unguarded => "the mechanism is unguarded already",
-            WishKind::Effort => "efforts are asked for already",
-            WishKind::Reactions => "all reactions are asked for already",
-            WishKind::LeastNorm => "reactions of the least norm are asked for already",
-            WishKind::Energy => "energies are asked for already",
+            WishKind::Effort => "efforts are already requested",
+            WishKind::Reactions => "all reactions are already requested",
+            WishKind::LeastNorm => "reactions of the least norm are already requested",
+            WishKind::Energy => "energies are already requested",
         };
         for &span in others {
             self.diagnostics.push(

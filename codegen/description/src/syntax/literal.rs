@@ -26,7 +26,7 @@ pub(super) fn number(written: &Name) -> Outcome<ExpressionKind> {
     }
     let digits: String = text[..end].chars().filter(|it| *it != '_').collect();
     if !text.starts_with(|it: char| it.is_ascii_digit()) {
-        let message = format!("`{text}` is no number of this language");
+        let message = format!("`{text}` is not a number of this language");
         let finding = Diagnostic::error(Code::OutsideGrammar, written.span, message);
         return Err(Box::new(finding.help("write the number in decimal digits")));
     }

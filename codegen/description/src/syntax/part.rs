@@ -263,7 +263,10 @@ fn check_given(used: &Used, part: &Part<'_>, own: &[Statement]) -> Outcome<()> {
         );
         let finding = match nearest(&name.text, known()) {
             Some(meant) => finding.help(format!("did you mean `{meant}`?")),
-            None => finding,
+            None => finding.help(format!(
+                "declare it in `{}`: `param {} = …;`, or leave it out",
+                part.name.text, name.text
+            )),
         };
         return Err(Box::new(finding));
     }

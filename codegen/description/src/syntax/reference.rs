@@ -44,7 +44,7 @@ pub(super) fn check_word(name: Name) -> Outcome<Name> {
         let finding = Diagnostic::error(
             Code::NameNotAllowed,
             name.span,
-            format!("`{}` is no name", name.text),
+            format!("`{}` is not a name", name.text),
         )
         .label("a name has a letter or a digit")
         .help("choose a name with a letter");

@@ -113,7 +113,7 @@ fn undetermined_contact(system: &System, parts: &Parts) -> Diagnostic {
     Diagnostic::error(
         Code::TooFewEquations,
         span,
-        format!("nothing determines where {labels} touches its curve"),
+        format!("the contact point of {labels} is undetermined"),
     )
     .label("can slide along the curve")
     .help("give the curve another shape, or remove the joint")
@@ -148,10 +148,13 @@ fn remedy(system: &System, parts: &Parts) -> String {
                 Described::Pose { body, axis: 2 } => Some(body),
                 _ => None,
             });
-    match angle {
+    let has_mass = !system.mechanism.forces.masses.is_empty();
+    match angle.map(|angle| &system.mechanism.bodies[angle].name) {
+        Some(angle) if has_mass => format!(
+            "prescribe what moves, for example `drive phi({angle}) = t;`, let forces move it by `free turn: phi({angle}) = 0;`, or add the missing joint"
+        ),
         Some(angle) => format!(
-            "prescribe what moves, for example `drive phi({}) = t;`, or add the missing joint",
-            system.mechanism.bodies[angle].name
+            "prescribe what moves, for example `drive phi({angle}) = t;`, or add the missing joint"
         ),
         None => {
             "add the missing joint, or prescribe what moves with a `drive` statement".to_string()

@@ -42,7 +42,7 @@ pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
             )
         } else {
             format!(
-                "`{}` is not redundant: its equations say what no other does",
+                "`{}` is not redundant: its equations are independent",
                 joint.label
             )
         };

@@ -30,8 +30,12 @@ pub struct Forces {
     pub added: ExprId,
     /// The lengths of springs and dampers, which must not vanish, in m: what stands for each in all of this, and what it is.
     pub lengths: Vec<(SymbolId, ExprId)>,
+    /// Places of the loads with these lengths, in their order.
+    pub sprung: Vec<usize>,
     /// Formulas whose rates decide what loads exert.
     pub rated: Vec<Rated>,
+    /// Components of the forces and torques of each load, in the order of the loads.
+    pub exerted: Vec<Vec<ExprId>>,
 }
 
 /// A body that has a mass.
@@ -144,7 +148,8 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         }
         exert(body, [force[0], force[1], torque], mechanism);
     }
-    let (mut lengths, mut rated) = (Vec::new(), Vec::new());
+    let (mut lengths, mut sprung) = (Vec::new(), Vec::new());
+    let (mut rated, mut all_exerted) = (Vec::new(), Vec::new());
     for (number, load) in mechanism.forces.loads.clone().into_iter().enumerate() {
         let marks = load.element.marks();
         let places: Vec<Place> = marks
@@ -160,6 +165,9 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
             .symbol(&format!("distance of load {number}"));
         let length = mechanism.graph.variable(symbol);
         let exerted = load.element.exerted(&places, length, &mut mechanism.graph);
+        let forces = exerted.forces.iter().flat_map(|(_, force)| *force);
+        let torques = exerted.torques.iter().map(|(_, torque)| *torque);
+        all_exerted.push(forces.chain(torques).collect());
         for (mark, force) in exerted.forces {
             let torque = moment(mark.arm, force, &mut mechanism.graph);
             exert(mark.frame.body, [force[0], force[1], torque], mechanism);
@@ -172,6 +180,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
             .stored
             .map_or(potential, |it| graph.add(potential, it));
         added = exerted.added.map_or(added, |it| graph.add(added, it));
+        sprung.extend(exerted.length.map(|_| number));
         lengths.extend(exerted.length.map(|length| (symbol, length)));
         rated.extend(exerted.rated);
     }
@@ -182,7 +191,9 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         potential,
         added,
         lengths,
+        sprung,
         rated,
+        exerted: all_exerted,
     })
 }
 

@@ -5,7 +5,7 @@
 //! between two of its points whatever the shape of its body. Which of these poses a motion comes to is not known here.
 
 use super::ends::{
-    line_name, line_words, mark_name, measured_points, movable, span_words, turning_words,
+    Span, line_name, line_words, mark_name, measured_points, movable, span_words, turning_words,
 };
 use super::known::Known;
 use super::phrase::{Phrase, Piece, phrase};
@@ -136,18 +136,7 @@ impl Known {
         system: &mut System,
     ) -> SingularWords {
         let meeting = self.meeting(angles, block, system);
-        // The vectors of the plan are those between the pins, where these are known exactly.
-        let points = match (self.triangle(angles, links, system), &meeting) {
-            (Some(triangle), _) => {
-                let [a, b] = [0, 1].map(|side| triangle.outer[side].0.name.clone());
-                Some([a, triangle.apex.name, b])
-            }
-            (None, Some([first, second])) => {
-                let names = [&first.outer, &first.apex, &second.outer];
-                Some(names.map(|end| end.name.clone()))
-            }
-            (None, None) => None,
-        };
+        let points = self.corners(angles, links, meeting.as_ref(), system);
         let [one, other] = match &meeting {
             Some(spans) => [0, 1].map(|side| span_words(angles[side], &spans[side], system)),
             None => angles.map(|angle| turning_words(angle, system)),
@@ -161,6 +150,43 @@ impl Known {
             points: phrase![a, "-", &apex, " and ", &apex, "-", b, " are in line"],
             bodies: phrase![one, " and ", other, " are in line"],
         }
+    }
+
+    /// The outer end of the first link, the point in which both meet, and the outer end of the second one; `None` where one of
+    /// these has no name.
+    fn corners(
+        &self,
+        angles: [usize; 2],
+        links: [Vector; 2],
+        meeting: Option<&[Span; 2]>,
+        system: &mut System,
+    ) -> Option<[String; 3]> {
+        // The vectors of the plan are those between the pins, where these are known exactly.
+        match (self.triangle(angles, links, system), meeting) {
+            (Some(triangle), _) => {
+                let [a, b] = [0, 1].map(|side| triangle.outer[side].0.name.clone());
+                Some([a, triangle.apex.name, b])
+            }
+            (None, Some([first, second])) => {
+                let names = [&first.outer, &first.apex, &second.outer];
+                Some(names.map(|end| end.name.clone()))
+            }
+            (None, None) => None,
+        }
+    }
+
+    /// Names of the pins of the loop that two turned links close, from one end to the other; `None` for other forms.
+    pub fn loop_pins(
+        &self,
+        singular: &Singular,
+        block: &SolvedBlock,
+        system: &mut System,
+    ) -> Option<[String; 3]> {
+        let Singular::Links { angles, links } = singular else {
+            return None;
+        };
+        let meeting = self.meeting(*angles, block, system);
+        self.corners(*angles, *links, meeting.as_ref(), system)
     }
 
     /// The line begins at p and has the direction u, in the orientation of the angle.

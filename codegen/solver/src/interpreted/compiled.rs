@@ -34,7 +34,7 @@ pub(crate) struct Compiled {
     pub layout: Layout,
     pub code: Code,
     pub blocks: Vec<InterpretedBlock>,
-    pub(super) words: Vec<BlockWords>,
+    pub words: Vec<BlockWords>,
     pub(super) time: Register,
     pub(super) given: Vec<Register>,
     /// The registers of all assembly modes of closed forms.

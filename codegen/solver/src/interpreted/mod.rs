@@ -1,6 +1,6 @@
 //! *A [`System`]* → *its blocks, solved without a compile step*.
 //!
-//! [`Interpreted`] runs the statements that generated code is made of, block by block, and is held by a [`Shell`](linkwright::Shell) as
+//! [`Interpreted`] runs the statements that generated code is made of, block by block, and is held by a [`Shell`] as
 //! generated code is: the same modes, the same path, the same failures in the same words. Nothing is left out: instants hold
 //! every coordinate, and every other unknown of the vector form, with rates and accelerations.
 
@@ -12,9 +12,9 @@ mod view;
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
-use linkwright::{Blocks, Failure, Start};
-use linkwright_codegen::diagnostic::Diagnostics;
+use linkwright::{Blocks, Failure, FailureKind, Shell, Start};
 use linkwright_codegen::diagnostic::internal::work_at;
+use linkwright_codegen::diagnostic::{Code, Diagnostics};
 use linkwright_codegen::findings;
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::program::{Program, lower_with_unknowns};
@@ -72,8 +72,42 @@ impl Interpreted {
             return Ok((None, findings(&system, None)?));
         };
         let program = lower_with_unknowns(&mut system, &plan);
-        let warnings = findings(&system, Some(&program))?;
-        Ok((Some(Interpreted::of(system, plan, program)), warnings))
+        match findings(&system, Some(&program)) {
+            Ok(warnings) => Ok((Some(Interpreted::of(system, plan, program)), warnings)),
+            Err(found) => {
+                let is_of_values = found.iter().all(|it| it.code == Code::NotFinite)
+                    && !system.mechanism.parameters.is_empty();
+                let interpreted = is_of_values.then(|| Interpreted::of(system, plan, program));
+                // Where a length is refused or out of reach, that says more than a number that follows from it.
+                match interpreted.filter(Interpreted::is_refused_as_drawn) {
+                    Some(interpreted) => Ok((Some(interpreted), Diagnostics::new())),
+                    None => Err(found),
+                }
+            }
+        }
+    }
+
+    /// True if the values of parameters and inputs at t = 0 are refused, or leave a loop open.
+    fn is_refused_as_drawn(&self) -> bool {
+        let parameters = self.nominal_parameters();
+        let pose = self.drawn_pose(&parameters);
+        let (modes, inputs) = (self.drawn_branches(), self.input_laws().at(0.0));
+        let settings = Default::default();
+        let assembled = Shell::assemble(
+            self.clone(),
+            &parameters,
+            &pose,
+            modes,
+            0.0,
+            &inputs,
+            settings,
+        );
+        assembled.is_err_and(|failure| {
+            matches!(
+                failure.kind,
+                FailureKind::NotPositive { .. } | FailureKind::OutOfReach { .. }
+            )
+        })
     }
 
     fn of(mut system: System, plan: SolvedPlan, program: Program) -> Interpreted {

@@ -1,6 +1,6 @@
 //! *The interpreted blocks* → *what is looked at in a motion*: points, derivatives, forces, measures, and failures in words.
 
-use linkwright::{Blocks, Failure, FailureKind, PointMotion};
+use linkwright::{Blocks, Conditions, Failure, FailureKind, PointMotion, Settings, Start};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::system::System;
 
@@ -9,6 +9,7 @@ use crate::assemblies::assemblies;
 use crate::derivatives::Derivative;
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
+use crate::not_finite;
 use crate::number::time;
 use crate::supplied::ModeName;
 use crate::view::View;
@@ -80,6 +81,7 @@ impl View for Interpreted {
     }
 
     fn not_assembled(&self, failure: &Failure) -> String {
+        let cause = self.cause(failure, None);
         // What is refused is refused in every assembly.
         let is_refused = matches!(failure.kind, FailureKind::NotPositive { .. });
         let others = match is_refused {
@@ -91,15 +93,55 @@ impl View for Interpreted {
             1 => "; another assembly exists (`linkwright check` shows it)".to_string(),
             count => format!("; {count} other assemblies exist (`linkwright check` lists them)"),
         };
-        let (t, explained) = (time(failure.time), self.explained(failure));
-        format!(
-            "cannot be assembled as drawn at t = {t} s: {}{others}",
-            explained.cause()
-        )
+        let t = time(failure.time);
+        format!("cannot be assembled as drawn at t = {t} s: {cause}{others}")
     }
 
-    fn ended(&self, failure: &Failure, _last: &Instant) -> String {
-        let (t, explained) = (time(failure.time), self.explained(failure));
-        format!("cannot be solved beyond t = {t} s: {}", explained.cause())
+    fn ended(&self, failure: &Failure, last: &Instant) -> String {
+        let (t, cause) = (time(failure.time), self.cause(failure, Some(last)));
+        format!("cannot be solved beyond t = {t} s: {cause}")
+    }
+}
+
+impl Interpreted {
+    /// What happened, without the time. A number that is not finite is ascribed to the load or the block that it comes from.
+    fn cause(&self, failure: &Failure, last: Option<&Instant>) -> String {
+        let refused = self.refused(failure, last);
+        let named = refused.and_then(|refused| {
+            if let Some(load) = not_finite::load(self.system(), self.layout(), &refused) {
+                return Some(format!("`{load}` is not finite there"));
+            }
+            let block = not_finite::block(self, &refused)?;
+            Some(format!("{block}: {}", failure.kind.words()))
+        });
+        named.unwrap_or_else(|| self.explained(failure).cause().to_string())
+    }
+
+    /// The frame after the last one that was refused since a number in it is not finite, in the modes of the drawing; `None` for other
+    /// failures, and where there is none in these modes.
+    fn refused(&self, failure: &Failure, last: Option<&Instant>) -> Option<Instant> {
+        if failure.kind != FailureKind::NotFinite || failure.input.is_some() {
+            return None;
+        }
+        let t = failure.time;
+        let parameters = self.nominal_parameters();
+        let (start, last) = match last {
+            Some(last) => (Start::LastFrame, last.clone()),
+            None => {
+                let drawn = self.drawn_pose(&parameters);
+                (Start::Estimate, self.estimate(&drawn, &parameters, t))
+            }
+        };
+        let conditions = Conditions {
+            t,
+            start,
+            parameters: &parameters,
+            inputs: &self.input_laws().at(t),
+            settings: &Settings::default(),
+        };
+        let mut refused = self.layout().empty();
+        let solved = self.solve(&mut refused, &last, &mut self.drawn_branches(), &conditions);
+        let is_refused = solved.is_err_and(|again| again.kind == FailureKind::NotFinite);
+        is_refused.then_some(refused)
     }
 }

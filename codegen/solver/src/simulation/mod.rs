@@ -131,9 +131,9 @@ impl Simulation {
             settings,
         );
         let shell = shell.map_err(Stop::NotAssembled)?;
-        let massless = |place: usize| Stop::Massless {
+        let massless = |places: Vec<usize>| Stop::Massless {
             t: 0.0,
-            coordinate: Some(place),
+            coordinate: Some(places),
         };
         motion.acceleration(shell.frame()).map_err(massless)?;
         let system = view.system();
@@ -215,11 +215,30 @@ impl Simulation {
     /// The motion ends before; the mechanism is then at its last frame.
     pub fn advance(&mut self, t: f64) -> Result<&Instant, Stop> {
         while t > self.reached.t() {
-            if let Err(stop) = self.go_on() {
-                self.frame = self.reached.clone();
-                return Err(stop);
-            }
+            self.step()?;
         }
+        self.show(t)
+    }
+
+    /// Takes one step, if the frame that was reached lies before `t` (s). Returns true if a step was taken.
+    ///
+    /// # Errors
+    /// The motion ends before; the mechanism is then at its last frame.
+    pub fn step_toward(&mut self, t: f64) -> Result<bool, Stop> {
+        let is_before = t > self.reached.t();
+        if is_before {
+            self.step()?;
+        }
+        Ok(is_before)
+    }
+
+    fn step(&mut self) -> Result<(), Stop> {
+        self.go_on()
+            .inspect_err(|_| self.frame = self.reached.clone())
+    }
+
+    /// Moves the mechanism to a time on the segment, or at its end.
+    fn show(&mut self, t: f64) -> Result<&Instant, Stop> {
         self.frame = match t == self.reached.t() {
             true => self.reached.clone(),
             false => self.on_segment(t)?.0,

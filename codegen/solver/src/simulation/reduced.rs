@@ -1,8 +1,9 @@
 //! *An instant* → *the acceleration of the free coordinates that forces give it*: mass · s̈ = force.
 
 use linkwright_codegen::stages::program::{Program, Reduced};
-use nalgebra::{Cholesky, DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
+use crate::concerned::SHARE;
 use crate::instant::{Instant, Layout};
 use crate::interpreted::Interpreted;
 use crate::view::View;
@@ -52,25 +53,41 @@ impl ReducedMotion {
         DVector::from_iterator(self.forces.len(), forces)
     }
 
-    /// The acceleration that the force gives the mass; the first coordinate that has none where the mass is not positive.
+    /// The acceleration that the force gives the mass.
     ///
     /// # Errors
-    /// The place of that coordinate.
-    pub fn acceleration(&self, instant: &Instant) -> Result<DVector<f64>, usize> {
+    /// The places of the coordinates that move together where the mass is not positive.
+    pub fn acceleration(&self, instant: &Instant) -> Result<DVector<f64>, Vec<usize>> {
         let (mass, force) = (self.mass(instant), self.force(instant));
         let diagonal = mass.diagonal();
         let positive = |value: &f64| *value > 0.0 && value.is_finite();
         if let Some(place) = diagonal.iter().position(|value| !positive(value)) {
-            return Err(place);
+            return Err(vec![place]);
         }
-        let last = force.len().saturating_sub(1);
-        let factor = Cholesky::new(mass).ok_or(last)?;
+        let Some(factor) = Cholesky::new(mass.clone()) else {
+            return Err(unresisted(&mass));
+        };
         let pivots = factor.l_dirty().diagonal();
         let mut pivots = pivots.iter().zip(&diagonal);
         let small = |(pivot, whole): (&f64, &f64)| pivot * pivot <= SMALLEST_PIVOT * whole;
-        match pivots.position(small) {
-            Some(place) => Err(place),
-            None => Ok(factor.solve(&force)),
+        match pivots.any(small) {
+            true => Err(unresisted(&mass)),
+            false => Ok(factor.solve(&force)),
         }
     }
+}
+
+/// Returns the places of the coordinates that take part in the motion with the least kinetic energy; the diagonal of the mass is positive.
+fn unresisted(mass: &DMatrix<f64>) -> Vec<usize> {
+    // Coordinates are compared by the energy that each would have alone.
+    let scales = mass.diagonal().map(|own| 1.0 / own.sqrt());
+    let scaled = DMatrix::from_fn(mass.nrows(), mass.ncols(), |row, column| {
+        scales[row] * mass[(row, column)] * scales[column]
+    });
+    let found = SymmetricEigen::new(scaled);
+    let least = found.eigenvectors.column(found.eigenvalues.imin());
+    let limit = SHARE * least.amax();
+    (0..least.len())
+        .filter(|&place| least[place].abs() >= limit)
+        .collect()
 }

@@ -1,6 +1,7 @@
 //! Why a simulated motion ends.
 
-use linkwright::Failure;
+use linkwright::{Blocks, Failure};
+use linkwright_codegen::stages::model::Mechanism;
 use nalgebra::DVector;
 
 use crate::concerned::Concerned;
@@ -8,8 +9,15 @@ use crate::condition::{Weakness, dimensionless, jacobian};
 use crate::dense::Dense;
 use crate::instant::Instant;
 use crate::interpreted::Interpreted;
+use crate::not_finite;
 use crate::number::time;
 use crate::view::View;
+
+/// Time (s) before the end of a motion at which loads are compared with those at its end.
+const BEFORE: f64 = 1e-6;
+
+/// Ratio of two loads beyond which the later one is called unbounded.
+const GROWTH: f64 = 1e3;
 
 /// Why a motion ends before its time, or does not begin.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,12 +37,12 @@ pub enum Stop {
         /// When (s).
         t: f64,
     },
-    /// Nothing that moves with a free coordinate has a mass.
+    /// No mass resists a free coordinate, or several of them together.
     Massless {
         /// When (s).
         t: f64,
-        /// Which: its place among the free coordinates; `None` where it is a combination of several.
-        coordinate: Option<usize>,
+        /// Places among the free coordinates of those that move so; `None` if they are not known.
+        coordinate: Option<Vec<usize>>,
     },
     /// An acceleration or a power is infinite or no number.
     NotFinite {
@@ -80,58 +88,54 @@ impl Stop {
     pub fn not_begun(&self, view: &Interpreted) -> String {
         match self {
             Stop::NotAssembled(failure) => view.not_assembled(failure),
-            Stop::Massless {
-                coordinate: Some(place),
-                ..
-            } => {
-                let mechanism = &view.system().mechanism;
-                let free = mechanism.forces.free.get(*place);
-                let joint = free.map(|it| &mechanism.joints[it.joint].label);
-                let name = joint.map_or("", String::as_str);
-                format!(
-                    "has no acceleration at t = {} s: nothing that moves along `{name}` alone has a mass",
-                    time(self.time())
-                )
-            }
             Stop::NothingFree => "has no free coordinate".to_string(),
-            _ => format!("cannot be simulated from t = 0 s: {}", self.cause()),
+            _ => {
+                let cause = self.cause(&view.system().mechanism);
+                format!("cannot be simulated from t = 0 s: {cause}")
+            }
         }
     }
 
     /// That and why the motion ends after its last instant.
     pub fn explained(&self, view: &Dense, last: &Instant) -> String {
         let reached = time(last.t());
-        let concerned = match self {
+        let cause = match self {
+            Stop::NotFinite { t } => infinite_load(view, last, *t),
+            Stop::TooShort { .. } => growing_load(view, last),
+            _ => None,
+        };
+        let cause = cause
+            .unwrap_or_else(|| self.cause(&view.system().mechanism) + &self.concerned(view, last));
+        format!("cannot be simulated beyond t = {reached} s: {cause}")
+    }
+
+    fn concerned(&self, view: &Dense, last: &Instant) -> String {
+        match self {
             Stop::LosesRank { .. }
             | Stop::TooShort { .. }
             | Stop::Rounded { .. }
             | Stop::Unsettled { .. } => concerned(view, last),
             _ => String::new(),
-        };
-        format!(
-            "cannot be simulated beyond t = {reached} s: {}{concerned}",
-            self.cause()
-        )
+        }
     }
 
-    fn cause(&self) -> String {
+    fn cause(&self, mechanism: &Mechanism) -> String {
         let at = time(self.time());
         match self {
             Stop::NothingFree => "no coordinate is free".to_string(),
             Stop::NotAssembled(_) => "the mechanism cannot be assembled".to_string(),
             Stop::LosesRank { .. } => format!(
-                "the equations of the joints lose rank at about t = {at} s, and no smooth way through is certain"
+                "the mechanism is singular at about t = {at} s, where the joints lose rank, and no smooth path beyond is certain"
             ),
             Stop::Unsettled { .. } => {
                 format!(
                     "the equations of joints and drivers have no solution on the way to t = {at} s"
                 )
             }
-            Stop::Massless { .. } => {
-                format!(
-                    "there is no acceleration at t = {at} s: nothing that moves in one of its directions has a mass"
-                )
-            }
+            Stop::Massless { coordinate, .. } => format!(
+                "there is no acceleration at t = {at} s, since no mass resists {}",
+                unresisted(coordinate.as_deref(), mechanism)
+            ),
             Stop::NotFinite { .. } => {
                 format!("an acceleration or a power is infinite at t = {at} s")
             }
@@ -144,6 +148,40 @@ impl Stop {
             ),
         }
     }
+}
+
+/// Returns the load that is not finite at a time (s) in the pose of a frame, in words; `None` if all are finite.
+fn infinite_load(view: &Dense, last: &Instant, t: f64) -> Option<String> {
+    let mut instant = last.clone();
+    Dense::set_time(&mut instant, t);
+    let load = not_finite::load(view.system(), view.layout(), &instant)?;
+    Some(format!("`{load}` is not finite at t = {} s", time(t)))
+}
+
+/// Returns the load that grows without bound toward the time of a frame, in words; `None` if none does.
+fn growing_load(view: &Dense, last: &Instant) -> Option<String> {
+    let mut before = last.clone();
+    Dense::set_time(&mut before, last.t() - BEFORE);
+    let load = not_finite::growing(view.system(), view.layout(), [&before, last], GROWTH)?;
+    let t = time(last.t());
+    Some(format!("`{load}` grows without bound toward t = {t} s"))
+}
+
+/// Returns the names of free coordinates that no mass resists, and the statement that is missing.
+fn unresisted(places: Option<&[usize]>, mechanism: &Mechanism) -> String {
+    let free = mechanism.forces.free.iter().enumerate();
+    let own = free.filter(|(place, _)| places.is_none_or(|places| places.contains(place)));
+    let names = own.map(|(_, free)| format!("`{}`", mechanism.joints[free.joint].label));
+    let names: Vec<String> = names.collect();
+    let named = match names.as_slice() {
+        [only] => format!("the free coordinate {only}"),
+        [several @ .., last] => format!(
+            "a motion of the free coordinates {} and {last} together",
+            several.join(", ")
+        ),
+        [] => "the motion".to_string(),
+    };
+    format!("{named}: write `mass BODY = 1kg at POINT;` for a body that moves so")
 }
 
 /// The joints and bodies that are closest to singular in a frame.

@@ -34,6 +34,8 @@ pub struct SingularPose {
     pub meaning: Option<String>,
     /// The same of bodies, as a message says it: `crank and coupler are in line`. `None` where it never is.
     pub said: Option<String>,
+    /// Pins of the loop that two links close: `B-C-D`. `None` for other parts, and where a pin has no name.
+    pub pins: Option<String>,
 }
 
 impl SingularPose {
@@ -80,7 +82,9 @@ pub(super) fn singular_poses(
             });
             let words = (!never)
                 .then(|| known.singular_words(&form.singular(), block, &mut spelling.system));
+            let pins = known.loop_pins(&form.singular(), block, &mut spelling.system);
             poses.push(SingularPose {
+                pins: pins.map(|pins| pins.join("-")),
                 block: number,
                 part: place,
                 unknowns: spelling.phrase(&enumerated(&names(&form.unknowns()))),

@@ -46,12 +46,17 @@ fn what_is_wrong_is_said_with_line_and_column() {
             (1, 1),
             "no line of this file is a row of at least two numbers",
         ),
-        ("a word", b"t,x\n0,1\n1,two\n", (3, 3), "`two` is no number"),
+        (
+            "a word",
+            b"t,x\n0,1\n1,two\n",
+            (3, 3),
+            "`two` is not a number",
+        ),
         (
             "a word far below",
             &[b"t,x\n".as_slice(), &b"0,1\n".repeat(500), b"1,two\n"].concat(),
             (502, 3),
-            "`two` is no number",
+            "`two` is not a number",
         ),
         (
             "a cell too few",
@@ -81,7 +86,7 @@ fn what_is_wrong_is_said_with_line_and_column() {
             "a summary",
             b"t;x\n0;1,5\n1;2,5\nMean;2,0\n",
             (4, 1),
-            "`Mean` is no number",
+            "`Mean` is not a number",
         ),
         (
             "groups of thousands",
@@ -105,7 +110,7 @@ fn what_is_wrong_is_said_with_line_and_column() {
             "infinite",
             b"t,x\n0,1.5\n1,inf\n",
             (3, 3),
-            "`inf` is no number",
+            "`inf` is not a number",
         ),
         (
             "an open quote",
@@ -123,25 +128,25 @@ fn what_is_wrong_is_said_with_line_and_column() {
             "a workbook",
             b"PK\x03\x04rest",
             (1, 1),
-            "the file is a workbook or an archive, no text",
+            "the file is a workbook or an archive, not text",
         ),
         (
             "a MAT-file",
             b"MATLAB 5.0 MAT-file, Platform",
             (1, 1),
-            "the file is a MAT-file, no text",
+            "the file is a MAT-file, not text",
         ),
         (
             "zeros",
             b"t,x\n0,1\n1,\0\n",
             (3, 3),
-            "a byte of zero, which is no text",
+            "a byte of zero, which is not text",
         ),
         (
             "no character",
             b"t,x\n0,1\n1,2 \x81\n",
             (3, 5),
-            "the byte 0x81 is no character, neither of UTF-8 nor of Windows-1252",
+            "the byte 0x81 is not a character of UTF-8 or of Windows-1252",
         ),
     ];
     for (name, bytes, place, message) in cases {

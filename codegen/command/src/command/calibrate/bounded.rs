@@ -26,7 +26,7 @@ pub fn bounded(
             .ok_or_else(|| refused("names no parameter"))?;
         let (low, high) = range
             .split_once("..")
-            .ok_or_else(|| refused("is no range"))?;
+            .ok_or_else(|| refused("is not a range"))?;
         let name = name.trim();
         let fitted = calibrator.names().iter().position(|it| it == name);
         let place = fitted.ok_or_else(|| refused("is about none of `--param`"))?;
@@ -42,7 +42,7 @@ pub fn bounded(
         let high = end(high, f64::INFINITY);
         let (Some(low), Some(high)) = (low, high) else {
             return Err(refused(
-                "has an end that is no number with a unit of the parameter",
+                "has an end that is not a number with a unit of the parameter",
             ));
         };
         if low >= high {

@@ -177,6 +177,17 @@ fn along(source: &Source, arguments: &Calibrate) -> Result<System, Problem> {
 fn check_names(system: &System, names: &[String]) -> Result<(), Problem> {
     let mechanism = &system.mechanism;
     let known = || mechanism.parameters.iter().map(|it| it.name.as_str());
+    let declare = "what is to be fitted is declared with `param`, for example `param L2 = 40mm;`";
+    if names.is_empty() {
+        let help = match known().collect::<Vec<_>>().join(",") {
+            none if none.is_empty() => format!("{declare}, and named by `--param L2`"),
+            all => format!("name what is to be fitted, for example `--param {all}`"),
+        };
+        return Err(Problem(format!(
+            "error: no parameter of `{}` is to be fitted\n  = help: {help}",
+            mechanism.title()
+        )));
+    }
     for (place, name) in names.iter().enumerate() {
         let name = name.trim();
         if names[..place].iter().any(|it| it.trim() == name) {
@@ -187,10 +198,7 @@ fn check_names(system: &System, names: &[String]) -> Result<(), Problem> {
         }
         let help = match (nearest(name, known()), known().next()) {
             (Some(meant), _) => format!("did you mean `{meant}`?"),
-            (None, None) => {
-                "what is to be fitted is declared with `param`, for example `param L2 = 40mm;`"
-                    .to_string()
-            }
+            (None, None) => declare.to_string(),
             (None, Some(_)) => format!(
                 "its parameters are: {}",
                 known().collect::<Vec<_>>().join(", ")

@@ -11,6 +11,9 @@ use linkwright_solver::view::View;
 use super::listing::{line, list, shortened};
 use crate::motion::Followed;
 
+/// Characters of the longest number that is printed without an exponent.
+const LONGEST_NUMBER: usize = 24;
+
 pub(super) fn mechanism<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
     let system = motion.system();
     let moving = system.mechanism.moving_bodies().iter();
@@ -57,7 +60,7 @@ fn given<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()
     let mechanism = &system.mechanism;
     let parameters = mechanism.parameters.iter().map(|own| {
         let value = mechanism.graph.nominal(own.symbol).unwrap_or(f64::NAN);
-        format!("{} = {value} {}", own.name, own.dimension.unit())
+        format!("{} = {} {}", own.name, number(value), own.dimension.unit())
     });
     if !mechanism.parameters.is_empty() {
         list(output, "parameters", mechanism.parameters.len(), parameters)?;
@@ -70,4 +73,13 @@ fn given<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()
         list(output, "inputs", mechanism.inputs.len(), inputs)?;
     }
     Ok(())
+}
+
+/// A number in plain decimals, unless these are longer than anyone reads.
+fn number(value: f64) -> String {
+    let plain = value.to_string();
+    match plain.len() > LONGEST_NUMBER {
+        true => format!("{value:e}"),
+        false => plain,
+    }
 }

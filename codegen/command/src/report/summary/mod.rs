@@ -190,6 +190,9 @@ fn integration<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Res
     );
     line(output, "steps", &steps)?;
     line(output, "evaluations", &effort.evaluations.to_string())?;
+    if let Some(hint) = found.hint() {
+        line(output, "hint", hint)?;
+    }
     let (drift, t) = found.drift;
     let drift = format!(
         "{} J at t = {} s, beside a kinetic energy of up to {} J",

@@ -93,18 +93,23 @@ impl Resolver<'_> {
         false
     }
 
+    /// True if `later` is larger than `earlier`, or if one of them is not known.
+    fn is_increase(&mut self, earlier: ExprId, later: ExprId) -> bool {
+        let gap = self.graph.subtract(later, earlier);
+        let known = self.graph.constant_value(gap);
+        known.is_none_or(|gap| gap > 0.0)
+    }
+
     /// Whether `later` is larger than `earlier`, as far as both are known; an error where not.
     fn increases(&mut self, earlier: (&Expression, ExprId), later: (&Expression, ExprId)) -> bool {
-        let gap = self.graph.subtract(later.1, earlier.1);
-        let known = self.graph.constant_value(gap);
-        if known.is_none_or(|gap| gap > 0.0) {
+        if self.is_increase(earlier.1, later.1) {
             return true;
         }
         self.diagnostics.push(
             Diagnostic::error(
                 Code::NotIncreasing,
                 later.0.span,
-                "a law of motion ends after it begins",
+                "a law of motion must end after it begins",
             )
             .label("not larger than where it begins")
             .also(earlier.0.span, "it begins here")

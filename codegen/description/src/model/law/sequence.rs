@@ -48,7 +48,7 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::WrongForm,
                     written_law.span,
-                    "the second argument of `sequence` names a law of motion",
+                    "the second argument of `sequence` must name a law of motion",
                 )
                 .label("no law of this name")
                 .help(format!("the laws are {}", listed(&rises))),
@@ -67,7 +67,7 @@ impl Resolver<'_> {
         }
         for pair in stations.windows(2) {
             let [earlier, later] = [pair[0][0], pair[1][0]];
-            fits = fits && self.increases((earlier.0, earlier.1.0), (later.0, later.1.0));
+            fits = fits && self.follows(earlier, later);
         }
         if !fits {
             return None;
@@ -106,7 +106,7 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::WrongForm,
                     written.span,
-                    "a station of `sequence` is a pair",
+                    "a station of `sequence` must be a pair",
                 )
                 .label("no pair")
                 .help(format!("write `{FORM}`: each pair is a place and a height")),
@@ -115,6 +115,26 @@ impl Resolver<'_> {
         };
         let values = (self.value(place), self.value(height));
         Some([(place, values.0?), (height, values.1?)])
+    }
+
+    /// True if a place lies beyond the place before it, as far as both are known; an error otherwise.
+    fn follows(&mut self, earlier: (&Expression, Value), later: (&Expression, Value)) -> bool {
+        if self.is_increase(earlier.1.0, later.1.0) {
+            return true;
+        }
+        self.diagnostics.push(
+            Diagnostic::error(
+                Code::NotIncreasing,
+                later.0.span,
+                "the places of a sequence must increase",
+            )
+            .label("not larger than the place before")
+            .also(earlier.0.span, "the place before")
+            .help(format!(
+                "write `{FORM}` with x0 < x1 < …: order the pairs by their first value"
+            )),
+        );
+        false
     }
 
     /// Reports a periodic motion that does not end where it begins.
@@ -127,7 +147,7 @@ impl Resolver<'_> {
             Diagnostic::error(
                 Code::PiecesApart,
                 last.0.span,
-                "a periodic motion ends at the height at which it begins",
+                "a periodic motion must end at the height at which it begins",
             )
             .label("not the height of the first pair")
             .also(first.0.span, "it begins here")

@@ -224,7 +224,7 @@ fn file_of<'a>(
 ) -> Result<&'a [u8], (String, &'static str)> {
     let name = &path.text;
     if !is_relative(name) {
-        let message = format!("`{name}` is no path relative to the description");
+        let message = format!("`{name}` is not a path relative to the description");
         return Err((
             message,
             "name a file beside the description: `table lift = \"lift.csv\";`",

@@ -94,7 +94,7 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::WrongForm,
                     written.place,
-                    format!("{kind} has at least {least} points, not {given}"),
+                    format!("{kind} needs at least {least} points, not {given}"),
                 )
                 .label(format!("{given} given"))
                 .help("write `table NAME = [(X, Y), (X, Y), …];`"),
@@ -111,7 +111,7 @@ impl Resolver<'_> {
                     "the slopes of this table are too large",
                 )
                 .label("beyond 1.8e308")
-                .help("no number of a computer is as large; is a unit or an exponent wrong?"),
+                .help("check the unit and the exponent"),
             );
             return None;
         }
@@ -187,8 +187,8 @@ impl Resolver<'_> {
             return true;
         }
         let message = match point.line {
-            Some(line) => format!("the places of a table increase, but not in line {line}"),
-            None => "the places of a table increase".to_string(),
+            Some(line) => format!("the places of a table must increase, but not in line {line}"),
+            None => "the places of a table must increase".to_string(),
         };
         let finding = Diagnostic::error(Code::NotIncreasing, point.spans[0], message)
             .help("order the points by their first value, and give each place once");
@@ -231,7 +231,7 @@ impl Resolver<'_> {
         let finding = Diagnostic::error(
             Code::PiecesApart,
             last.spans[1],
-            "a periodic table ends at the value at which it begins",
+            "a periodic table must end at the value at which it begins",
         )
         .help("give the first and the last point the same value, or leave out `periodic`");
         let finding = match (first.line, last.line) {

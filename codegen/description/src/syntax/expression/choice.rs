@@ -33,7 +33,7 @@ pub(super) fn choice(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expressio
         (None, Some(_)) if tokens.mark('=').is_some() => Comparison::GreaterOrEqual,
         (None, Some(_)) => Comparison::Greater,
         (Some(less), Some(greater)) => {
-            let message = "`<>` is no comparison";
+            let message = "`<>` is not a comparison";
             let finding = Diagnostic::error(Code::OutsideGrammar, less.to(greater), message);
             return Err(Box::new(finding.help(CHOICE)));
         }

@@ -58,7 +58,7 @@ fn product(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
                 let finding = Diagnostic::error(
                     Code::OutsideGrammar,
                     star.to(second),
-                    "`**` is no operation",
+                    "`**` is not an operation",
                 )
                 .help("write a power with `^`, as in `x^2`");
                 return Err(Box::new(finding));
@@ -151,9 +151,13 @@ fn atom(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     if let Some((mut inner, span)) = tokens.group(Delimiter::Parenthesis) {
         let mut inside = sum(&mut inner, depth + 1)?;
         if inner.peek_mark(',') {
-            let finding = Diagnostic::error(Code::OutsideGrammar, span, "a pair is no formula")
-                .label("one value is wanted here")
-                .help("write each component in a formula of its own");
+            let finding = Diagnostic::error(
+                Code::OutsideGrammar,
+                span,
+                "expected a scalar, found a pair",
+            )
+            .label("one value is wanted here")
+            .help("write each component in a formula of its own");
             return Err(Box::new(finding));
         }
         if !inner.at_end() {
@@ -222,7 +226,7 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         return choice(tokens, depth);
     }
     if let Some(word) = tokens.peek_word().filter(|word| CONTROL.contains(word)) {
-        let message = format!("`{word}` is no part of a formula");
+        let message = format!("`{word}` is not a part of a formula");
         let finding = Diagnostic::error(Code::OutsideGrammar, tokens.next_span(), message)
             .label("not a formula of this language")
             .help("there are no loops; a choice is written `if t < 2s { … } else { … }`");

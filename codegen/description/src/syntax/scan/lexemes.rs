@@ -41,10 +41,13 @@ impl Scanner<'_> {
         let Some(length) = length.filter(|&length| inside[length..].starts_with('"')) else {
             let end = start + 1 + inside.find(['\n', '\r']).unwrap_or(inside.len());
             let span = Span::new(start, end);
-            let finding =
-                Diagnostic::error(Code::UnreadableCharacter, span, "a text without its end")
-                    .label("expected `\"` on this line")
-                    .help("write the path between quotes: `table lift = \"lift.csv\";`");
+            let finding = Diagnostic::error(
+                Code::UnreadableCharacter,
+                span,
+                "a text without its closing quote",
+            )
+            .label("expected `\"` on this line")
+            .help("write the path between quotes: `table lift = \"lift.csv\";`");
             self.scan.report(finding);
             self.scan.damage.push(start);
             self.scan.edit(start, end, Fill::Blank);
@@ -71,7 +74,7 @@ impl Scanner<'_> {
             _ => None,
         };
         if let Some(base) = base {
-            let message = format!("`{number}` is no number of this language");
+            let message = format!("`{number}` is not a number of this language");
             let finding = Diagnostic::error(Code::OutsideGrammar, Span::new(start, end), message)
                 .label(format!("`{}` starts a {base} number", &number[..2]))
                 .help("write the number in decimal digits");

@@ -318,7 +318,7 @@ error: 1 error in bad.mech
 #[test]
 fn expressions_of_other_languages() {
     let expected = "\
-error[K08]: `**` is no operation
+error[K08]: `**` is not an operation
  --> bad.mech:2:17
   |
 2 |     const a = 2 ** 3;

@@ -31,10 +31,10 @@ const char *linkwright_status_text(linkwright_status status)
         text = "singular Jacobian";
         break;
     case LINKWRIGHT_DIVERGED:
-        text = "Newton-Raphson runs away";
+        text = "Newton-Raphson diverges";
         break;
     case LINKWRIGHT_CYCLING:
-        text = "Newton-Raphson repeats itself";
+        text = "Newton-Raphson cycles";
         break;
     case LINKWRIGHT_STALLED:
         text = "Newton-Raphson stalls";

@@ -1,0 +1,128 @@
+//! Finds loops of fixed links that cannot close, or close only where they are singular.
+//!
+//! Such a loop has the same links and the same ends in every pose: constants and parameters make them. The generator computes its closing
+//! ahead, and would find the root of a negative number there.
+
+use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::expr::ExprId;
+use crate::program::{Block, Statement};
+use crate::system::System;
+
+/// Largest multiple of ε by which the radicand of a closing is rounding, as in the runtime.
+const ROUNDING: f64 = 16.0;
+
+/// Number of digits of a length in a message.
+const DIGITS: usize = 4;
+
+/// Lengths (m) between which plain decimals are short.
+const PLAIN: [f64; 2] = [1e-4, 1e6];
+
+/// Lengths of a fixed loop (m).
+struct Ends {
+    distance: f64,
+    longest: f64,
+    shortest: f64,
+}
+
+/// Returns one error for each block whose fixed links do not close.
+pub fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
+    let mut found = Diagnostics::new();
+    for block in blocks {
+        let statements = block.function.statements.iter();
+        found.extend(
+            statements
+                .filter_map(|it| refusal(it, block, system))
+                .take(1),
+        );
+    }
+    found
+}
+
+/// `None` where the closing moves, or where its links reach.
+fn refusal(statement: &Statement, block: &Block, system: &System) -> Option<Diagnostic> {
+    let Statement::Reach {
+        excess,
+        scale,
+        distance,
+        longest,
+        shortest,
+    } = statement
+    else {
+        return None;
+    };
+    let value = |expr: &ExprId| {
+        let value = system.mechanism.graph.constant_value(*expr)?;
+        value.is_finite().then_some(value)
+    };
+    let (excess_value, scale) = (value(excess)?, value(scale)?);
+    let limit = ROUNDING * f64::EPSILON * scale;
+    if excess_value > limit {
+        return None;
+    }
+    let ends = Ends {
+        distance: value(distance)?,
+        longest: value(longest)?,
+        shortest: value(shortest)?.abs(),
+    };
+    let joints = block.joints.iter();
+    let joints: Vec<_> = joints.map(|&it| &system.mechanism.joints[it]).collect();
+    let (first, others) = joints.split_first()?;
+    let title = match others {
+        [] => format!("`{}`", first.label),
+        [second] => format!("the loop of `{}` and `{}`", first.label, second.label),
+        more => format!("the loop of `{}` and {} more", first.label, more.len()),
+    };
+    let missing = (ends.distance - ends.longest).max(ends.shortest - ends.distance);
+    let is_in_line = excess_value >= -limit || missing <= 0.0;
+    let error = if is_in_line {
+        let message = format!("{title} closes only with its links in line");
+        Diagnostic::error(Code::DegenerateGeometry, first.span, message)
+            .label("singular in every pose")
+            .help("change a length or a place: links in line carry no force across, and their rates are undetermined")
+    } else {
+        let message = format!(
+            "{title} cannot close: out of reach by {} m",
+            rounded(missing)
+        );
+        Diagnostic::error(Code::OutOfReach, first.span, message)
+            .label("closes a loop of fixed lengths")
+            .help(ends.help())
+    };
+    let others = others.iter();
+    Some(others.fold(error, |error, it| error.also(it.span, "together with this")))
+}
+
+impl Ends {
+    fn help(&self) -> String {
+        let [distance, longest, shortest] =
+            [self.distance, self.longest, self.shortest].map(rounded);
+        let (bridged, changed) = if self.distance > self.longest {
+            (format!("at most {longest} m"), "lengthen a link, or move")
+        } else {
+            (
+                format!("at least {shortest} m"),
+                "make the links more alike, or move",
+            )
+        };
+        let apart = if self.distance > self.longest {
+            "closer together"
+        } else {
+            "further apart"
+        };
+        format!(
+            "the ends are {distance} m apart, and the links bridge {bridged}: {changed} the ends {apart}"
+        )
+    }
+}
+
+/// Returns a length with few digits, in plain notation where that is short.
+fn rounded(length: f64) -> String {
+    let rounded: f64 = format!("{length:.*e}", DIGITS - 1)
+        .parse()
+        .unwrap_or(length);
+    if (PLAIN[0]..PLAIN[1]).contains(&rounded) || rounded == 0.0 {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
+}
