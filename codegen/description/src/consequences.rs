@@ -33,8 +33,8 @@ fn may_follow(diagnostic: &Diagnostic, source: &Source, unread_words: &[&str]) -
             let mut pairs = unread_words.windows(2);
             pairs.any(|pair| pair == ["table", name])
         }),
-        // The only form that depends on other statements is a length driver, which asks for a translational joint.
-        Code::WrongForm => unread_words.contains(&"along"),
+        // A length driver asks for a translational joint, and the force of teeth for revolutes.
+        Code::WrongForm => ["along", "revolute"].iter().any(|it| unread_words.contains(it)),
         // The body that is asked for may be among the unread statements.
         Code::NoBodies => true,
         _ => false,
