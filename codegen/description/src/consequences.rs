@@ -34,7 +34,9 @@ fn may_follow(diagnostic: &Diagnostic, source: &Source, unread_words: &[&str]) -
             pairs.any(|pair| pair == ["table", name])
         }),
         // A length driver asks for a translational joint, and the force of teeth for revolutes.
-        Code::WrongForm => ["along", "revolute"].iter().any(|it| unread_words.contains(it)),
+        Code::WrongForm => ["along", "revolute"]
+            .iter()
+            .any(|it| unread_words.contains(it)),
         // The body that is asked for may be among the unread statements.
         Code::NoBodies => true,
         _ => false,

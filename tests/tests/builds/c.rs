@@ -48,6 +48,7 @@ const SMALL: [&str; 37] = [
     "table_of_file",
     "tables",
     "three_cranks",
+    "toothed_planetary",
     "torn_by_angles",
     "transmitted",
     "weighed_given",

@@ -117,7 +117,8 @@ impl<'a> Revolutes<'a> {
             let far = third.map_or(&[][..], |it| self.joining(it.frame.body, other));
             let is_coaxial = move |far: &usize| {
                 let own = third.and_then(|it| self.seen_from(*far, it.frame.body));
-                own.zip(third).is_some_and(|([own, _], it)| own.local == it.local)
+                own.zip(third)
+                    .is_some_and(|([own, _], it)| own.local == it.local)
             };
             let far = far.iter().copied().filter(is_coaxial);
             far.map(move |far| match is_wheel_rarer {
@@ -126,7 +127,9 @@ impl<'a> Revolutes<'a> {
             })
         });
         let redundant = |path: &Vec<usize>| {
-            let marked = path.iter().filter(|&&it| self.joints[it].redundant.is_some());
+            let marked = path
+                .iter()
+                .filter(|&&it| self.joints[it].redundant.is_some());
             marked.count()
         };
         let path = direct.chain(by_third).min_by_key(redundant)?;
@@ -184,7 +187,10 @@ impl Resolver<'_> {
         if let Some((problem, help)) = refused {
             self.diagnostics.push(
                 Diagnostic::error(Code::ValueNotAllowed, written.span, problem)
-                    .label(format!("this is {}°", (angle.to_degrees() * 1e6).round() / 1e6))
+                    .label(format!(
+                        "this is {}°",
+                        (angle.to_degrees() * 1e6).round() / 1e6
+                    ))
                     .help(help),
             );
             return None;
@@ -261,7 +267,10 @@ impl Resolver<'_> {
         carrier: BodyId,
     ) -> Diagnostic {
         let [wheel, carrier] = [wheel, carrier].map(|it| &self.linkage.bodies[it.0].name);
-        let message = format!("`{wheel}` has no `revolute` on `{carrier}`, the carrier of `{}`", gear.label);
+        let message = format!(
+            "`{wheel}` has no `revolute` on `{carrier}`, the carrier of `{}`",
+            gear.label
+        );
         Diagnostic::error(Code::WrongForm, angle, message)
             .label("the force of the teeth needs the axes of both wheels")
             .also(gear.span, "the gear")
@@ -278,7 +287,10 @@ impl Resolver<'_> {
         axes: [&WheelAxis; 2],
     ) -> Diagnostic {
         let [one, other] = wheels.map(|it| &self.linkage.bodies[it.0].name);
-        let message = format!("`{one}` and `{other}` turn about one axis of `{}`", gear.label);
+        let message = format!(
+            "`{one}` and `{other}` turn about one axis of `{}`",
+            gear.label
+        );
         let mut finding = Diagnostic::error(Code::DegenerateGeometry, angle, message)
             .label("the pitch radii have no distance to divide");
         for (axis, name) in axes.into_iter().zip([one, other]) {

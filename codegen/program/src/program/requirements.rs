@@ -134,13 +134,18 @@ fn of_teeth(mechanism: &mut Mechanism) -> Vec<Required> {
         let [from, to] = teeth.axes.each_ref().map(|axis| axis.place.local);
         let apart = subtract(to, from, graph);
         require("the distance of the axes", length(apart, graph));
-        if let Some(Feature::Wheels(Mesh::Internal, ratio)) = gear.kind.feature(&gear.operands, graph) {
+        if let Some(Feature::Wheels(Mesh::Internal, ratio)) =
+            gear.kind.feature(&gear.operands, graph)
+        {
             let one = graph.one();
             let difference = graph.subtract(one, ratio);
             require("the difference of the radii", graph.magnitude(difference));
         }
         let angle = teeth.pressure_angle;
-        require("the pressure angle, unless zero,", positive_unless_zero(angle, graph));
+        require(
+            "the pressure angle, unless zero,",
+            positive_unless_zero(angle, graph),
+        );
         let right = graph.pi();
         let right = graph.scale(Number::rational(Rational::HALF), right);
         let rest = graph.subtract(right, angle);

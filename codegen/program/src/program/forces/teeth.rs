@@ -92,9 +92,11 @@ fn say(place: usize, builder: &mut Builder<'_>) {
             body => mechanism.bodies[body].name.clone(),
         };
         let feature = gear.kind.feature(&gear.operands, &mut mechanism.graph);
-        let direction = match feature {
-            Some(Feature::Wheels(Mesh::Internal, _)) => "out of the ring",
-            _ => "apart",
+        let pushed = match feature {
+            Some(Feature::Wheels(Mesh::Internal, _)) => {
+                "the inner wheel toward the axis of the ring"
+            }
+            _ => "the wheels apart",
         };
         let bearings = teeth.axes.iter().flat_map(|axis| &axis.bearings);
         let bearings: Vec<Phrase> = bearings
@@ -107,8 +109,8 @@ fn say(place: usize, builder: &mut Builder<'_>) {
             Piece::Name(second),
             " at the pitch point, along the line of action of the loaded flank. Across the line of the axes this is the moment over the pitch radius; along it, times the tangent of the pressure angle ",
             Piece::Formula(teeth.pressure_angle),
-            ", it pushes the wheels ",
-            direction,
+            ", it pushes ",
+            pushed,
             ". It is carried by ",
             enumerated(&bearings),
             ":"
