@@ -14,7 +14,7 @@ use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
-const SMALL: [&str; 37] = [
+const SMALL: [&str; 38] = [
     "angle_and_slot",
     "asked",
     "both_ways",

@@ -189,7 +189,7 @@ impl Resolver<'_> {
                 Diagnostic::error(Code::ValueNotAllowed, written.span, problem)
                     .label(format!(
                         "this is {}°",
-                        (angle.to_degrees() * 1e6).round() / 1e6
+                        (angle.to_degrees() * 1000.0).round() / 1000.0
                     ))
                     .help(help),
             );

@@ -480,6 +480,57 @@ fn idlers_of_a_train_carry_twice_the_force_of_a_mesh() {
     );
 }
 
+/// Four wheels in a ring of meshes whose ratios are all parameters: the moments on each of them vanish together. With M on the second
+/// wheel of a pair the first one has the ratio times M, the other way where both turn in one sense.
+#[test]
+fn wheels_whose_ratios_are_parameters_are_balanced() {
+    let mut wheels = followed(
+        "mechanism four_wheels {
+            param a = 1.5;
+            param b = 0.7;
+            param c = 0.4;
+            param d = 2.5;
+            point O = (0, 0), C = (0.1, 0), D = (0.25, 0);
+            body arm at O { O, C, D }
+            body sun at O { O }
+            body p at C { C }
+            body q at D { D }
+            body ring at O { O }
+            revolute O(ground, arm);
+            revolute S(ground.O, sun.O);
+            revolute R(ground.O, ring.O);
+            revolute C(arm, p);
+            revolute D(arm, q);
+            external_gear e(sun, p, arm) = a;
+            external_gear f(p, q, arm) = b pressure_angle 20deg;
+            internal_gear g(q, ring, arm) = c;
+            belt h(sun, ring) = d;
+            drive phi(ring) = t;
+            torque on q = 3;
+            effort; reactions;
+        }",
+    );
+    assert!(wheels.advance(0.3));
+    let [e, f, g, h] =
+        ["e", "f", "g", "h"].map(|it| wheels.value(&format!("reaction_{it}_moment")));
+    assert!(e.abs() > 1.0 && g.abs() > 0.1, "{e} {g}");
+    close(1.5 * e - 2.5 * h, 0.0, 1e-13, "the sun");
+    close(e + 0.7 * f, 0.0, 1e-13, "p");
+    close(f - 0.4 * g + 3.0, 0.0, 1e-13, "q");
+    let torque = wheels.value("effort_drive_phi_ring");
+    close(g + h + torque, 0.0, 1e-13, "the ring");
+    let force = wheels
+        .value("reaction_f_x")
+        .hypot(wheels.value("reaction_f_y"));
+    let radius = 0.15 / 1.7;
+    close(
+        force,
+        f.abs() / radius / 20_f64.to_radians().cos(),
+        1e-13,
+        "the teeth",
+    );
+}
+
 /// A part with a pair of gears, turned: its forces turn with it.
 #[test]
 fn forces_of_teeth_turn_with_their_part() {
