@@ -34,9 +34,14 @@ fn may_follow(diagnostic: &Diagnostic, source: &Source, unread_words: &[&str]) -
             pairs.any(|pair| pair == ["table", name])
         }),
         // A length driver asks for a translational joint, and the force of teeth for revolutes.
-        Code::WrongForm => ["along", "revolute"]
-            .iter()
-            .any(|it| unread_words.contains(it)),
+        Code::WrongForm => {
+            let mut beside = diagnostic.secondary.iter();
+            let is_of_teeth = beside.any(|label| {
+                let text = text_of(label.span, source);
+                text.is_some_and(|text| text.contains("pressure_angle"))
+            });
+            unread_words.contains(&"along") || is_of_teeth && unread_words.contains(&"revolute")
+        }
         // The body that is asked for may be among the unread statements.
         Code::NoBodies => true,
         _ => false,
