@@ -263,7 +263,7 @@ fn check_given(used: &Used, part: &Part<'_>, own: &[Statement]) -> Outcome<()> {
         );
         let finding = match nearest(&name.text, known()) {
             Some(meant) => finding.help(format!("did you mean `{meant}`?")),
-            None => finding,
+            None => finding.help("name a `param` or a `const` that it declares"),
         };
         return Err(Box::new(finding));
     }
