@@ -4,6 +4,8 @@
 mod andrews;
 mod free_bodies;
 mod teeth;
+mod toothed_bodies;
+mod unchanged_by_teeth;
 
 use linkwright_tests::description;
 use linkwright_tests::forces::{Followed, moving, systems};
