@@ -128,11 +128,19 @@ fn powers_of_generated_code_are_the_rate_of_its_energies() {
 #[test]
 fn gears_have_the_forces_of_the_interpreter() {
     let mut followed = interpreted("toothed_planetary");
-    let mut mechanism = toothed_planetary::ToothedPlanetary::assemble(0.0).expect("as drawn");
+    let inputs = toothed_planetary::Inputs {
+        load: Signal {
+            value: 7.0,
+            rate: 0.0,
+            acceleration: 0.0,
+        },
+    };
+    let mut mechanism =
+        toothed_planetary::ToothedPlanetary::assemble(0.0, &inputs).expect("as drawn");
     for step in 0..100 {
         let t = 0.02 * f64::from(step);
         assert!(followed.advance(t));
-        let frame = mechanism.advance(t).expect("explicit");
+        let frame = mechanism.advance(t, &inputs).expect("explicit");
         let [[sx, sy], [rx, ry], [cx, cy]] =
             [frame.reaction_s(), frame.reaction_r(), frame.reaction_c()];
         let [[ix, iy], [ox, oy]] = [frame.reaction_inner(), frame.reaction_outer()];
