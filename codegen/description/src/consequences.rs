@@ -33,8 +33,15 @@ fn may_follow(diagnostic: &Diagnostic, source: &Source, unread_words: &[&str]) -
             let mut pairs = unread_words.windows(2);
             pairs.any(|pair| pair == ["table", name])
         }),
-        // The only form that depends on other statements is a length driver, which asks for a translational joint.
-        Code::WrongForm => unread_words.contains(&"along"),
+        // A length driver asks for a translational joint, and the force of teeth for revolutes.
+        Code::WrongForm => {
+            let mut beside = diagnostic.secondary.iter();
+            let is_of_teeth = beside.any(|label| {
+                let text = text_of(label.span, source);
+                text.is_some_and(|text| text.contains("pressure_angle"))
+            });
+            unread_words.contains(&"along") || is_of_teeth && unread_words.contains(&"revolute")
+        }
         // The body that is asked for may be among the unread statements.
         Code::NoBodies => true,
         _ => false,

@@ -113,10 +113,33 @@ fn of_parts(parts: &[Part], system: &System) -> (bool, Diagnostics) {
             (false, found)
         }
         None => {
-            found.extend(undefined);
+            let cause = coaxial(system).filter(|_| !undefined.is_empty());
+            match cause {
+                Some(cause) => found.push(cause),
+                None => found.extend(undefined),
+            }
             (true, found)
         }
     }
+}
+
+/// The first gear whose axes parameters bring to one place, which leaves its pitch radii undefined.
+fn coaxial(system: &System) -> Option<Diagnostic> {
+    let mechanism = &system.mechanism;
+    mechanism.forces.teeth.iter().find_map(|teeth| {
+        let [from, to] = teeth.axes.each_ref().map(|axis| {
+            let place = axis.place.local;
+            place.map(|part| mechanism.graph.constant_value(part))
+        });
+        let gear = &mechanism.joints[teeth.gear];
+        let span = gear.pressure_angle.map_or(gear.span, |angle| angle.span);
+        (from == to).then(|| {
+            let message = format!("the wheels of `{}` turn about one axis", gear.label);
+            Diagnostic::error(Code::DegenerateGeometry, span, message)
+                .label("the pitch radii have no distance to divide")
+                .help("give the parameters of the axes other values, or remove `pressure_angle`")
+        })
+    })
 }
 
 impl Range {

@@ -58,12 +58,14 @@ pub(crate) fn of_program(program: &Program, layout: &Layout) -> Vec<Option<usize
 /// or a value of its own.
 #[derive(Clone, Debug)]
 pub(crate) struct DenseForces {
-    /// The entries of Φ_q, then Q − M q̈, then the factors of the terms, then the values of columns.
+    /// The entries of Φ_q, then Q − M q̈, then the factors of the terms and of the magnitudes, then the values of columns.
     values: Reader,
     /// The row and the column of each entry.
     entries: Vec<(usize, usize)>,
     /// The column and the row of each term; rows that are monitored follow the others.
     terms: Vec<(usize, usize)>,
+    /// The column and the row of each multiplier whose magnitude counts.
+    magnitudes: Vec<(usize, usize)>,
     columns: usize,
     rows: usize,
     /// How many rows are monitored, where they carry what makes all of it smallest.
@@ -78,6 +80,8 @@ pub(crate) struct DenseForces {
 #[derive(Default)]
 struct Column {
     terms: Vec<(usize, ExprId)>,
+    /// The rows of multipliers whose magnitudes count, each with a factor.
+    magnitudes: Vec<(usize, ExprId)>,
     value: Option<ExprId>,
 }
 
@@ -126,6 +130,11 @@ impl DenseForces {
             terms.extend(column.terms.iter().map(|(row, _)| (place, *row)));
             roots.extend(column.terms.iter().map(|(_, factor)| *factor));
         }
+        let mut magnitudes = Vec::new();
+        for (place, column) in columns.iter().enumerate() {
+            magnitudes.extend(column.magnitudes.iter().map(|(row, _)| (place, *row)));
+            roots.extend(column.magnitudes.iter().map(|(_, factor)| *factor));
+        }
         roots.extend(columns.iter().map(|it| it.value.unwrap_or(zero)));
         let form = &system.vector_form;
         let graph = &mut system.mechanism.graph;
@@ -140,6 +149,7 @@ impl DenseForces {
             values: Reader::new(graph, layout, &roots),
             entries,
             terms,
+            magnitudes,
             columns: asked,
             rows: system.coordinates.len(),
             shared,
@@ -158,7 +168,8 @@ impl DenseForces {
         let values = self.values.values(instant);
         let (entries, rest) = values.split_at(self.entries.len());
         let (loads, rest) = rest.split_at(self.rows);
-        let (factors, own) = rest.split_at(self.terms.len());
+        let (factors, rest) = rest.split_at(self.terms.len());
+        let (of_magnitudes, own) = rest.split_at(self.magnitudes.len());
         let mut all = DMatrix::zeros(self.rows + self.shared, self.rows);
         for (place, value) in self.entries.iter().zip(entries) {
             all[*place] = *value;
@@ -196,6 +207,9 @@ impl DenseForces {
         let terms = self.terms.iter().zip(factors);
         for ((column, row), factor) in terms.filter(|((column, _), _)| *column < self.columns) {
             columns[*column] += factor * found[*row];
+        }
+        for ((column, row), factor) in self.magnitudes.iter().zip(of_magnitudes) {
+            columns[*column] += factor * found[*row].abs();
         }
         Some(columns)
     }
@@ -242,27 +256,52 @@ fn columns(system: &mut System) -> Vec<Column> {
             let powers = terms.iter();
             let powers = powers.map(|&(row, factor)| (row, graph.multiply(factor, rate)));
             let powers = powers.collect();
-            columns.push(Column { terms, value: None });
-            columns.push(Column {
-                terms: powers,
-                value: None,
-            });
+            for terms in [terms, powers] {
+                columns.push(Column {
+                    terms,
+                    ..Column::default()
+                });
+            }
         }
     }
     for joint in wanted.reactions {
-        columns.extend(carried(joint, system));
+        let mut own = carried(joint, system);
+        add_teeth(joint, &mut own, system);
+        columns.extend(own);
     }
     if let (true, Some(forces)) = (wanted.energy, &system.forces) {
         let values = [forces.kinetic, forces.potential, forces.added];
         columns.extend(values.map(|value| Column {
-            terms: Vec::new(),
             value: Some(value),
+            ..Column::default()
         }));
     }
     columns
 }
 
-/// The columns of what a joint carries, those of rows that are monitored among them.
+/// Adds the forces of teeth to the columns x and y of a joint.
+fn add_teeth(joint: usize, columns: &mut [Column], system: &mut System) {
+    for (place, is_opposite) in system.teeth_of(joint) {
+        let gear = system.mechanism.forces.teeth[place].gear;
+        let mut rows = system.rows.iter().chain(&system.monitored);
+        let row = rows.position(|row| row.joint == gear);
+        let (Some(row), Some(force)) = (row, system.tooth_force(place)) else {
+            continue;
+        };
+        let graph = &mut system.mechanism.graph;
+        let mut signed = |factor| match is_opposite {
+            true => graph.negate(factor),
+            false => factor,
+        };
+        for (axis, column) in columns.iter_mut().take(2).enumerate() {
+            column.terms.push((row, signed(force.of_multiplier[axis])));
+            let of_magnitude = signed(force.of_magnitude[axis]);
+            column.magnitudes.push((row, of_magnitude));
+        }
+    }
+}
+
+/// The columns of what a joint carries without the forces of teeth, those of rows that are monitored among them.
 fn carried(joint: usize, system: &mut System) -> Vec<Column> {
     let passing = system.passing(joint);
     let direction = passing.carried.direction();
@@ -299,6 +338,11 @@ fn carried(joint: usize, system: &mut System) -> Vec<Column> {
             let factor = match (component, direction) {
                 (Component::X, _) => x,
                 (Component::Y, _) => y,
+                // The row of wheels has the slope 1 in the angle of the second one.
+                (Component::Moment, _) if passing.carried.turns_wheel() => {
+                    let one = graph.one();
+                    graph.negate(one)
+                }
                 (Component::Moment, _) => moment,
                 (Component::Multiplier, _) | (_, None) => match passing.carried {
                     Carried::Rod(per_multiplier) => per_multiplier,
@@ -313,7 +357,7 @@ fn carried(joint: usize, system: &mut System) -> Vec<Column> {
         });
         Column {
             terms: terms.collect(),
-            value: None,
+            ..Column::default()
         }
     });
     columns.collect()

@@ -283,8 +283,8 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
                 }
             }
             Statement::Joint(joint) => {
-                if let Some(value) = &joint.value {
-                    visit(value, false);
+                for part in joint.value.iter().chain(&joint.pressure_angle) {
+                    visit(part, false);
                 }
             }
             Statement::Drive(drive) => visit(&drive.value, false),

@@ -14,7 +14,7 @@ use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
-const SMALL: [&str; 37] = [
+const SMALL: [&str; 38] = [
     "angle_and_slot",
     "asked",
     "both_ways",
@@ -48,6 +48,7 @@ const SMALL: [&str; 37] = [
     "table_of_file",
     "tables",
     "three_cranks",
+    "toothed_planetary",
     "torn_by_angles",
     "transmitted",
     "weighed_given",

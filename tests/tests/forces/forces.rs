@@ -196,6 +196,11 @@ fn wrench(
     let origin = at(body - 1).at;
     let arm = [place[0] - origin[0], place[1] - origin[1]];
     wrench[2] -= cross(arm, [wrench[0], wrench[1]]);
+    if own.kind.keyword().ends_with("gear") || own.kind.keyword().ends_with("belt") {
+        // The row has the slope 1 in the angle of the second wheel, whatever holds that.
+        let row = system.rows.iter().position(|row| row.joint == joint);
+        wrench[2] = -multipliers[row.expect("its row")];
+    }
     wrench
 }
 

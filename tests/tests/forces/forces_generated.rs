@@ -23,6 +23,9 @@ mod shared_cranks {
 mod shared_rails {
     linkwright::include_mechanism!(shared_rails);
 }
+mod toothed_planetary {
+    linkwright::include_mechanism!(toothed_planetary);
+}
 mod weighed_given {
     linkwright::include_mechanism!(weighed_given);
 }
@@ -119,6 +122,45 @@ fn powers_of_generated_code_are_the_rate_of_its_energies() {
         }
         before = now[0];
         now = [energy, frame.power_crank() + frame.added_power()];
+    }
+}
+
+#[test]
+fn gears_have_the_forces_of_the_interpreter() {
+    let mut followed = interpreted("toothed_planetary");
+    let inputs = toothed_planetary::Inputs {
+        load: Signal {
+            value: 7.0,
+            rate: 0.0,
+            acceleration: 0.0,
+        },
+    };
+    let mut mechanism =
+        toothed_planetary::ToothedPlanetary::assemble(0.0, &inputs).expect("as drawn");
+    for step in 0..100 {
+        let t = 0.02 * f64::from(step);
+        assert!(followed.advance(t));
+        let frame = mechanism.advance(t, &inputs).expect("explicit");
+        let [[sx, sy], [rx, ry], [cx, cy]] =
+            [frame.reaction_s(), frame.reaction_r(), frame.reaction_c()];
+        let [[ix, iy], [ox, oy]] = [frame.reaction_inner(), frame.reaction_outer()];
+        let found = [
+            ("effort_input_shaft", frame.effort_input_shaft()),
+            ("power_input_shaft", frame.power_input_shaft()),
+            ("reaction_s_x", sx),
+            ("reaction_s_y", sy),
+            ("reaction_r_x", rx),
+            ("reaction_r_y", ry),
+            ("reaction_c_x", cx),
+            ("reaction_c_y", cy),
+            ("reaction_inner_x", ix),
+            ("reaction_inner_y", iy),
+            ("reaction_inner_moment", frame.reaction_inner_moment()),
+            ("reaction_outer_x", ox),
+            ("reaction_outer_y", oy),
+            ("reaction_outer_moment", frame.reaction_outer_moment()),
+        ];
+        compare(&followed, &found, LIMIT, t);
     }
 }
 

@@ -151,3 +151,83 @@ fn a_contact_that_would_have_to_pull_is_a_warning() {
         .exits_with(0);
     assert!(!ran.stderr.contains("negative"), "{}", ran.stderr);
 }
+
+/// A pair of gears, with its pressure angle or with nothing in its place.
+fn gears(angle: &str) -> String {
+    format!(
+        "mechanism geared {{
+    param arm = 60mm;
+    param ratio = 20/40;
+    param slope = 20deg;
+    point A = (0, 0), B = (arm, 0);
+    body 1 at A {{ A }}
+    body 2 at B {{ B }}
+    revolute A(ground, 1);
+    revolute B(ground, 2);
+    external_gear mesh(1, 2) = ratio {angle};
+    drive phi(1) = 3*t;
+    torque on 2 = -5Nm;
+    effort;
+    reactions;
+}}
+"
+    )
+}
+
+#[test]
+fn bearings_carry_the_force_of_teeth_in_both_views() {
+    let folder = Folder::new("teeth", gears("pressure_angle slope"));
+    for view in ["", "--view textbook"] {
+        for (options, radius, slope) in [
+            ("", 0.04, 20_f64.to_radians()),
+            ("--set arm=90mm", 0.06, 20_f64.to_radians()),
+            ("--set ratio=2", 0.02, 20_f64.to_radians()),
+            ("--set slope=0.1", 0.04, 0.1),
+        ] {
+            let found = columns(&folder, &format!("{view} {options}"));
+            assert_close(value(&found, "reaction_b_x"), -5.0 / radius * slope.tan());
+            assert_close(value(&found, "reaction_b_y"), 5.0 / radius);
+            assert_close(value(&found, "reaction_mesh_moment"), 5.0);
+        }
+    }
+    for (set, said) in [
+        (
+            "slope=-1deg",
+            "the pressure angle, unless zero, must be positive",
+        ),
+        (
+            "slope=2",
+            "the right angle less the pressure angle must be positive",
+        ),
+        (
+            "arm=0mm",
+            "error[K24]: the wheels of `external_gear mesh(1, 2)` turn about one axis",
+        ),
+    ] {
+        let ran = folder.run(&format!("solve a.mech --at 0.5 --set {set}"));
+        assert_ne!(ran.code, Some(0), "{set}: {}", ran.stdout);
+        assert!(ran.stderr.contains(said), "{set}: {}", ran.stderr);
+    }
+}
+
+#[test]
+fn plans_say_what_bearings_carry() {
+    let with = Folder::new("teeth_planned", gears("pressure_angle slope"));
+    let without = Folder::new("no_teeth_planned", gears(""));
+    let belt = Folder::new("belt_planned", gears("").replace("external_gear", "belt"));
+    for format in ["text", "unicode", "latex"] {
+        let plan = |folder: &Folder| {
+            let ran = folder.run(&format!("plan a.mech --format {format}"));
+            let text = ran.exits_with(0).stdout;
+            text.split_whitespace().collect::<Vec<_>>().join(" ")
+        };
+        let [with, without, belt] = [&with, &without, &belt].map(plan);
+        assert!(with.contains("press on 2 at the pitch point"), "{with}");
+        assert!(!with.contains("What bearings do not carry"), "{with}");
+        assert!(without.contains("What bearings do not carry"), "{without}");
+        let gear = "bearings do not carry the tooth force of external";
+        assert!(without.contains(gear), "{without}");
+        let pull = "bearings do not carry the pull of belt mesh";
+        assert!(belt.contains(pull), "{belt}");
+    }
+}

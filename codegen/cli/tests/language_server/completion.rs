@@ -63,6 +63,8 @@ fn completion_offers_what_can_stand_there() {
     for word in ["L", "sin", "cycloidal", "t", "pi", "distance", "if"] {
         assert!(formula.iter().any(|it| it == word), "{word}: {formula:?}");
     }
+    let teeth = offered_in("external_gear (1, two) = 20/40 pre|");
+    assert!(teeth.iter().any(|it| it == "pressure_angle"), "{teeth:?}");
     // The choice's braces hold a formula.
     let choice = offered_in("drive phi(1) = if t < 1 { |");
     assert!(choice.iter().any(|it| it == "sin") && !choice.iter().any(|it| it == "revolute"));

@@ -101,6 +101,19 @@ fn hover_says_what_a_name_is() {
 }
 
 #[test]
+fn hover_says_what_a_pressure_angle_is() {
+    let text = "mechanism m {\n    param slope = 20deg;\n    point A = (0, 0), B = (1, 0);\n    body 1 at A { A }\n    body 2 at B { B }\n    revolute A(ground, 1);\n    revolute B(ground, 2);\n    external_gear (1, 2) = 1/2 pressure_angle slope + 1deg;\n    drive phi(1) = t;\n}\n";
+    let mut client = opened(text);
+    let mut said = |part: &str, number| hover(&mut client, text, part, number);
+    assert!(said("pressure_angle", 0).starts_with("the angle between the line of action"));
+    assert!(said("external_gear", 0).contains("pressure_angle 20deg"));
+    // A mention of the parameter.
+    assert!(said("slope + ", 0).contains("= 0.3490658503988659 rad by default"));
+    assert_eq!(said("1deg", 0), "an angle, 0.017453292519943295 rad");
+    client.finish();
+}
+
+#[test]
 fn hover_answers_before_the_equations_are_known() {
     // The driver is missing, and so are equations; a name is what it is.
     let text = CRANK.replace("drive turn", "drive");

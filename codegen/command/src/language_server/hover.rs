@@ -202,11 +202,12 @@ fn quantity(text: &str) -> Option<String> {
     ))
 }
 
-/// What the names stand for that are always there.
+/// What names stand for that are always there, and what teeth are given.
 fn built_in(word: &str) -> Option<String> {
     Some(match word {
         "t" => "the time, in s".to_string(),
         "pi" => format!("π = {}", std::f64::consts::PI),
+        "pressure_angle" => "the angle between the line of action of teeth and the common tangent of the pitch circles; with it bearings carry the force of the teeth".to_string(),
         "ground" => "what does not move; it carries every drawn point".to_string(),
         _ => return None,
     })

@@ -4,9 +4,20 @@ use super::pieces::{Piece, What};
 use crate::syntax::KEYWORDS;
 
 /// Words that stand behind an operand, and before another.
-const CLAUSES: [&str; 12] = [
-    "at", "turned", "facing", "along", "about", "in", "on", "free", "preload", "inertia", "from",
+const CLAUSES: [&str; 13] = [
+    "at",
+    "turned",
+    "facing",
+    "along",
+    "about",
+    "in",
+    "on",
+    "free",
+    "preload",
+    "inertia",
+    "from",
     "to",
+    "pressure_angle",
 ];
 
 /// Words that stand where an operand is wanted, and before another.

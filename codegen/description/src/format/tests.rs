@@ -47,13 +47,15 @@ mechanism m { // open
 fn formulas_are_written_as_in_a_textbook() {
     let written = inside(
         "const a=-1+ - 2*( 3 - -4 )^ -2/ 2;const b = f( 1.P . x,- 3)-sin (2);\nconst k=if t<=1s{-2} else if -t > 2s  { 3+to -1 }else{- 4};\n\
-         equation (a)=3; equation -x=y; spring about(1,2)=-(3) free -2 preload(3);curve r( s from -1 to - 2 ) on 1=polar -(s);",
+         equation (a)=3; equation -x=y; external_gear(1,2)=(1)/ 2  pressure_angle -20deg;internal_gear g (1,2)=a pressure_angle(a);spring about(1,2)=-(3) free -2 preload(3);curve r( s from -1 to - 2 ) on 1=polar -(s);",
     );
     let expected = "    const a = -1 + -2*(3 - -4)^-2/2;
     const b = f(1.P.x, -3) - sin(2);
     const k = if t <= 1s { -2 } else if -t > 2s { 3 + to - 1 } else { -4 };
     equation (a) = 3;
     equation -x = y;
+    external_gear (1, 2) = (1)/2 pressure_angle -20deg;
+    internal_gear g(1, 2) = a pressure_angle (a);
     spring about (1, 2) = -(3) free -2 preload (3);
     curve r(s from -1 to -2) on 1 = polar -(s);
 ";

@@ -21,7 +21,7 @@ pub struct Gear {
 /// Two wheels with teeth outside: they turn against one another.
 pub static EXTERNAL_GEAR: Gear = Gear {
     keyword: "external_gear",
-    example: "`external_gear (1, 2) = 20mm/40mm;`, or with a carrier `external_gear (1, 2, 3) = 20/40;`",
+    example: "`external_gear (1, 2) = 20mm/40mm;`, with a carrier `external_gear (1, 2, 3) = 20/40;`, or with the force of the teeth `external_gear (1, 2) = 20/40 pressure_angle 20deg;`",
     other: "internal_gear",
     opposite: true,
     mesh: Mesh::External,
@@ -30,7 +30,7 @@ pub static EXTERNAL_GEAR: Gear = Gear {
 /// A wheel inside a ring: both turn in one sense.
 pub static INTERNAL_GEAR: Gear = Gear {
     keyword: "internal_gear",
-    example: "`internal_gear (1, 2) = 20mm/40mm;`, or with a carrier `internal_gear (1, 2, 3) = 20/40;`",
+    example: "`internal_gear (1, 2) = 20mm/40mm;`, with a carrier `internal_gear (1, 2, 3) = 20/40;`, or with the force of the teeth `internal_gear (1, 2) = 20/40 pressure_angle 20deg;`",
     other: "external_gear",
     opposite: false,
     mesh: Mesh::Internal,
@@ -69,6 +69,10 @@ impl Kind for Gear {
 
     fn example(&self) -> &'static str {
         self.example
+    }
+
+    fn has_pressure_angle(&self) -> bool {
+        matches!(self.mesh, Mesh::External | Mesh::Internal)
     }
 
     fn feature(&self, operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {

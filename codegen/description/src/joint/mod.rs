@@ -102,6 +102,10 @@ pub trait Kind: Sync {
     fn is_global(&self, _on_ground: bool) -> bool {
         false
     }
+    /// True if its teeth have a pressure angle that may be written.
+    fn has_pressure_angle(&self) -> bool {
+        false
+    }
     /// The unknowns of its vector form beyond the coordinates.
     fn auxiliaries(&self) -> &'static [Auxiliary] {
         &[]

@@ -100,6 +100,7 @@ impl Resolver<'_> {
             slug: self.linkage.unique_slug(&slug),
             docs: equation.docs.clone(),
             operands,
+            pressure_angle: None,
             span: equation.span,
         };
         self.linkage.push_joint(joint, None);

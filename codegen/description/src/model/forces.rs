@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::teeth::Teeth;
 use crate::diagnostic::Span;
 use crate::expr::ExprId;
 use crate::force::Element;
@@ -16,6 +17,8 @@ pub struct Forces {
     pub gravity: Option<Vector>,
     /// Springs, dampers, forces and torques, in written order.
     pub loads: Vec<Load>,
+    /// The gears whose bearings carry the force of the teeth, in written order.
+    pub teeth: Vec<Teeth>,
     /// The coordinates that forces move, in written order.
     pub free: Vec<Free>,
     /// Whether an `effort` statement asks what the drivers exert.

@@ -44,6 +44,7 @@ impl Resolver<'_> {
             operands: &joint.operands,
             along: joint.along.as_ref(),
             value: joint.value.as_ref(),
+            pressure_angle: joint.pressure_angle.as_ref(),
             is_bare: false,
             placed: joint.placed,
             span: joint.span,
@@ -108,6 +109,7 @@ impl Resolver<'_> {
             operands: &operands,
             along: None,
             value: Some(value),
+            pressure_angle: None,
             is_bare: drive.form == syntax::DrivenForm::Bare,
             placed: drive.placed,
             span: drive.span,
@@ -185,7 +187,12 @@ impl Resolver<'_> {
                     .help("write it in the mechanism, with names such as `PART.BODY`"),
             );
         }
-        let Some(operands) = self.operands(given) else {
+        let operands = self.operands(given);
+        // It is looked at even after an error, so that all are reported at once.
+        let pressure_angle = given
+            .pressure_angle
+            .and_then(|written| self.pressure_angle(given, written, operands.as_ref()));
+        let Some(operands) = operands else {
             self.linkage.broken_lines.extend(given.along.cloned());
             return;
         };
@@ -200,6 +207,7 @@ impl Resolver<'_> {
             slug,
             docs: docs.to_vec(),
             operands,
+            pressure_angle,
             span: given.span,
         };
         self.linkage.push_joint(joint, given.along.cloned());

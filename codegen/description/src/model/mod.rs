@@ -47,6 +47,7 @@ mod setting;
 mod slug;
 mod synonyms;
 mod table;
+mod teeth;
 mod transmission;
 mod wanted_forces;
 mod weights;
@@ -62,6 +63,7 @@ pub use naming::Naming;
 pub use parameters::field_name;
 pub use setting::{follow_points, set};
 pub use table::ENDS_OF_TABLES;
+pub use teeth::{Bearing, PressureAngle, Teeth, WheelAxis};
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -277,6 +279,8 @@ pub struct Joint {
     pub docs: Vec<String>,
     /// What it acts on.
     pub operands: Resolved,
+    /// The pressure angle of its teeth; `None` where bearings do not carry their force.
+    pub pressure_angle: Option<PressureAngle>,
     /// Its statement.
     pub span: Span,
 }

@@ -22,6 +22,8 @@ pub(super) struct WrittenJoint<'a> {
     pub operands: &'a [Reference],
     pub along: Option<&'a Direction>,
     pub value: Option<&'a Expression>,
+    /// The pressure angle of teeth.
+    pub pressure_angle: Option<&'a Expression>,
     /// Whether it drives an angle that is named alone.
     pub is_bare: bool,
     /// Where the part that it comes from is given a place.

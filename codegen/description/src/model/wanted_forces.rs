@@ -14,6 +14,7 @@ impl Resolver<'_> {
     /// What bodies weigh, what acts on them, and what is wanted of it.
     pub(super) fn wanted_forces(&mut self, statements: &[&Statement]) -> Forces {
         let mut forces = std::mem::take(&mut self.forces);
+        forces.teeth = self.teeth();
         if let Some((gravity, span)) = self.gravity {
             if forces.masses.is_empty() && !self.diagnostics.has_errors() {
                 self.diagnostics.push(

@@ -257,7 +257,7 @@ pub(super) fn reaction(
 }
 
 /// The expression after a word, where that is written.
-fn valued(tokens: &mut Tokens<'_>, word: &str) -> Outcome<Option<Expression>> {
+pub(super) fn valued(tokens: &mut Tokens<'_>, word: &str) -> Outcome<Option<Expression>> {
     match tokens.keyword(word) {
         Some(_) => expression(tokens).map(Some),
         None => Ok(None),

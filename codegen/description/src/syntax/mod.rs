@@ -108,9 +108,25 @@ pub const BUILT_IN: &[&str] = &["t", "pi"];
 pub const AXES: [&str; 3] = ["x", "y", "phi"];
 
 /// The words inside statements, each with a meaning in its place alone.
-pub const CLAUSES: [&str; 17] = [
-    "at", "turned", "facing", "along", "about", "in", "on", "free", "preload", "inertia", "from",
-    "to", "rate", "columns", "polar", "if", "else",
+pub const CLAUSES: [&str; 18] = [
+    "at",
+    "turned",
+    "facing",
+    "along",
+    "about",
+    "in",
+    "on",
+    "free",
+    "preload",
+    "inertia",
+    "from",
+    "to",
+    "rate",
+    "columns",
+    "polar",
+    "if",
+    "else",
+    "pressure_angle",
 ];
 
 /// Reads a description. Never panics and never overflows the stack, whatever the text.

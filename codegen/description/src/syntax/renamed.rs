@@ -268,7 +268,8 @@ impl<'a> Renaming<'a> {
         if let Some(along) = &mut joint.along {
             self.direction(along)?;
         }
-        self.formulas(&mut joint.value)
+        self.formulas(&mut joint.value)?;
+        self.formulas(&mut joint.pressure_angle)
     }
 
     fn drive(&self, drive: &mut Drive) -> Outcome<()> {

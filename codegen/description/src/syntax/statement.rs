@@ -12,7 +12,7 @@ use super::document::{Constant, DrawnPoint, Joint, Points, Statement, WishKind};
 use super::drive::{drive, free};
 use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
-use super::forces::{self, ElementKind};
+use super::forces::{self, ElementKind, valued};
 use super::formula::Name;
 use super::indexed;
 use super::motion::motion;
@@ -183,7 +183,17 @@ fn joint(
         .help("write `along A -> B` before the `=`");
         return Err(Box::new(finding));
     }
-    let end = if value.is_some() {
+    let pressure_angle = valued(tokens, "pressure_angle")?;
+    if pressure_angle.is_some() && value.is_none() && tokens.peek_mark('=') {
+        let finding = Diagnostic::error(
+            Code::WrongForm,
+            tokens.next_span(),
+            "`pressure_angle` stands behind the value",
+        )
+        .help("write the ratio first: `= 20/40 pressure_angle 20deg`");
+        return Err(Box::new(finding));
+    }
+    let end = if value.is_some() || pressure_angle.is_some() {
         semicolon(tokens, start)?
     } else {
         semicolon_after_operands(tokens, start)?
@@ -196,6 +206,7 @@ fn joint(
         operands,
         along,
         value,
+        pressure_angle,
         placed: None,
         span: start.to(end),
     }))

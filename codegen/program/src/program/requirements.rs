@@ -5,7 +5,9 @@
 
 use super::function::Function;
 use super::passes::sharing::share_all;
-use crate::expr::{ExprId, Graph, SymbolId};
+use crate::expr::{ExprId, Graph, Number, Rational, SymbolId};
+use crate::joint::geometry::{length, subtract};
+use crate::joint::{Feature, Mesh};
 use crate::model::{Mass, Mechanism};
 use crate::system::{SymbolRole, System};
 
@@ -47,6 +49,7 @@ pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
     let mut names = Vec::new();
     let mut values = Vec::new();
     let mut required = of_joints(&mut system.mechanism);
+    required.extend(of_teeth(&mut system.mechanism));
     required.extend(of_forces(&mut system.mechanism));
     for Required { owner, what, value } in required {
         let is_parameter = |symbol: &SymbolId| {
@@ -108,6 +111,47 @@ fn of_joints(mechanism: &mut Mechanism) -> Vec<Required> {
         Some(Required { owner, what, value })
     });
     required.collect()
+}
+
+/// What the pitch radii of gears divide, and their pressure angles.
+fn of_teeth(mechanism: &mut Mechanism) -> Vec<Required> {
+    let Mechanism {
+        joints,
+        forces,
+        graph,
+        ..
+    } = mechanism;
+    let mut required = Vec::new();
+    for teeth in &forces.teeth {
+        let gear = &joints[teeth.gear];
+        let mut require = |what, value| {
+            required.push(Required {
+                owner: gear.label.clone(),
+                what,
+                value,
+            });
+        };
+        let [from, to] = teeth.axes.each_ref().map(|axis| axis.place.local);
+        let apart = subtract(to, from, graph);
+        require("the distance of the axes", length(apart, graph));
+        if let Some(Feature::Wheels(Mesh::Internal, ratio)) =
+            gear.kind.feature(&gear.operands, graph)
+        {
+            let one = graph.one();
+            let difference = graph.subtract(one, ratio);
+            require("the difference of the radii", graph.magnitude(difference));
+        }
+        let angle = teeth.pressure_angle;
+        require(
+            "the pressure angle, unless zero,",
+            positive_unless_zero(angle, graph),
+        );
+        let right = graph.pi();
+        let right = graph.scale(Number::rational(Rational::HALF), right);
+        let rest = graph.subtract(right, angle);
+        require("the right angle less the pressure angle", rest);
+    }
+    required
 }
 
 fn of_forces(mechanism: &mut Mechanism) -> Vec<Required> {

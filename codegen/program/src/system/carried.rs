@@ -26,6 +26,10 @@ pub enum Carried {
     Component(usize),
     /// A moment.
     Moment,
+    /// The moment with which a wheel turns another.
+    WheelMoment,
+    /// The force of teeth, and its moment about the axis of the wheel.
+    Teeth,
     /// The multiplier of an equation: what is conjugate to its residual.
     Multiplier,
 }
@@ -35,7 +39,9 @@ impl Carried {
     pub fn components(self) -> &'static [Component] {
         match self {
             Carried::Force => &[Component::X, Component::Y],
-            Carried::ForceAndMoment => &[Component::X, Component::Y, Component::Moment],
+            Carried::ForceAndMoment | Carried::Teeth => {
+                &[Component::X, Component::Y, Component::Moment]
+            }
             Carried::NormalAndMoment(_) => &[Component::Normal, Component::Moment],
             Carried::Normal(_) => &[Component::Normal],
             Carried::Tension(_) | Carried::Rod(_) => &[Component::Tension],
@@ -43,9 +49,14 @@ impl Carried {
             Carried::Pressure(_) => &[Component::Pressure],
             Carried::Component(0) => &[Component::X],
             Carried::Component(_) => &[Component::Y],
-            Carried::Moment => &[Component::Moment],
+            Carried::Moment | Carried::WheelMoment => &[Component::Moment],
             Carried::Multiplier => &[Component::Multiplier],
         }
+    }
+
+    /// True if it is the moment with which a wheel turns another, which its multiplier balances wherever the wheels are.
+    pub fn turns_wheel(self) -> bool {
+        matches!(self, Carried::WheelMoment | Carried::Teeth)
     }
 
     /// The direction of the force that is said.

@@ -288,9 +288,11 @@ impl System {
             }
             Some(Feature::Slot(_)) => across(graph).map_or(Carried::Force, Carried::Normal),
             Some(Feature::Coordinate(axis) | Feature::Offset(axis)) => Carried::Component(axis),
-            Some(Feature::Orientation | Feature::RelativeOrientation | Feature::Wheels(..)) => {
-                Carried::Moment
-            }
+            Some(Feature::Orientation | Feature::RelativeOrientation) => Carried::Moment,
+            Some(Feature::Wheels(..)) => match own.pressure_angle {
+                Some(_) => Carried::Teeth,
+                None => Carried::WheelMoment,
+            },
             Some(Feature::Link) => Carried::Tension(between(graph)),
             Some(Feature::Pinion(_)) => operands
                 .axis

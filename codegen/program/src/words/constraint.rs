@@ -82,7 +82,8 @@ pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
         }
         Feature::Wheels(mesh, ratio) => {
             let carrier = marks.get(2).map(|mark| self::body(mechanism, mark));
-            wheels([body, other], carrier, mesh, ratio)
+            let angle = own.pressure_angle.map(|it| it.value);
+            wheels([body, other], carrier, mesh, ratio, angle)
         }
         Feature::Pinion(radius) => phrase![
             "a wheel of radius ",
@@ -109,6 +110,7 @@ fn wheels(
     carrier: Option<Phrase>,
     mesh: Mesh,
     ratio: ExprId,
+    pressure_angle: Option<ExprId>,
 ) -> Phrase {
     let how = match mesh {
         Mesh::External => " mesh as external gears",
@@ -116,6 +118,9 @@ fn wheels(
         Mesh::Belt => " are turned by one belt",
         Mesh::CrossedBelt => " are turned by one crossed belt",
     };
+    let angle = pressure_angle.map_or(Phrase::default(), |it| {
+        phrase![" and the pressure angle ", Piece::Formula(it)]
+    });
     let seen = carrier.map_or(Phrase::default(), |it| phrase![", seen from ", it]);
     phrase![
         body,
@@ -124,6 +129,7 @@ fn wheels(
         how,
         " with the ratio of radii ",
         Piece::Formula(ratio),
+        angle,
         seen
     ]
 }

@@ -5,6 +5,7 @@
 //! [`Phrase`]: names and formulas keep their places until somebody prints it. Deliberately unknown here: how formulas look, and
 //! any output language.
 
+mod bearings;
 mod constraint;
 mod coupled;
 mod ends;
@@ -16,6 +17,7 @@ mod phrase;
 mod pins;
 mod singular;
 
+pub use bearings::not_carried;
 pub use constraint::constraint;
 pub use known::Known;
 pub use lists::{counted, enumerated};

@@ -11,7 +11,7 @@ pub struct HtmlDerivation {
     pub summary: String,
     /// The table of what is found by which method: its rows.
     pub outline: String,
-    /// One for each block, then one about singular poses, where there are any.
+    /// One for each block, then what bearings do not carry and the singular poses, where there are any.
     pub sections: Vec<HtmlSection>,
 }
 

@@ -14,7 +14,7 @@ use crate::program::forms::Form;
 use crate::program::{Block, Branch, Level, PageName, Statement};
 use crate::structure::{SolvedBlock, SolvedPlan};
 use crate::system::SymbolRole;
-use crate::words::{Phrase, Piece};
+use crate::words::{Phrase, Piece, not_carried};
 
 /// So many accelerations are written out; more would fill the page with what differentiating once more says.
 pub(super) const FEW: usize = 3;
@@ -102,6 +102,7 @@ impl<'a> Writer<'a> {
             let items = std::mem::take(&mut self.items);
             sections.push(Section { heading, items });
         }
+        sections.extend(self.not_carried_section());
         sections.extend(self.singular_section(&forms[..plan.blocks.len()]));
         let title = self.spelling.system.mechanism.title();
         Document {
@@ -279,6 +280,16 @@ impl<'a> Writer<'a> {
             skipped.extend(many.map(|it| unknowns[it.unknown].acceleration));
         }
         skipped
+    }
+
+    fn not_carried_section(&mut self) -> Option<Section> {
+        let sentences = not_carried(&mut self.spelling.system.mechanism);
+        let items = sentences.iter().map(|it| self.spelling.phrase(it));
+        let items: Vec<Item> = items.map(Item::Paragraph).collect();
+        (!items.is_empty()).then(|| Section {
+            heading: "What bearings do not carry".to_string(),
+            items,
+        })
     }
 
     fn singular_section(&mut self, forms: &[Vec<Arc<dyn Form>>]) -> Option<Section> {

@@ -62,16 +62,20 @@ fn of_effort(effort: &Effort, module: &Module<'_>) -> [ForceFunction; 2] {
 }
 
 fn of_reaction(reaction: &Reaction, module: &Module<'_>) -> Vec<ForceFunction> {
-    let label = &module.system.mechanism.joints[reaction.joint].label;
+    let joint = &module.system.mechanism.joints[reaction.joint];
+    let label = &joint.label;
     let mut functions = Vec::new();
     let mut components = &reaction.components[..];
     if let [(Component::X, x), (Component::Y, y), rest @ ..] = components {
         functions.push(ForceFunction {
             name: format!("reaction_{}", reaction.name),
             fields: vec![*x, *y],
-            lines: vec![format!(
-                "The force (N) of `{label}` on its second body, along x and y."
-            )],
+            lines: vec![match joint.pressure_angle {
+                Some(_) => format!(
+                    "The force (N) of the teeth of `{label}` on the second wheel at the pitch point, along x and y."
+                ),
+                None => format!("The force (N) of `{label}` on its second body, along x and y."),
+            }],
         });
         components = rest;
     }
@@ -79,7 +83,12 @@ fn of_reaction(reaction: &Reaction, module: &Module<'_>) -> Vec<ForceFunction> {
         functions.push(ForceFunction {
             name: format!("reaction_{}_{}", reaction.name, component.suffix()),
             fields: vec![*field],
-            lines: vec![said(*component, label)],
+            lines: vec![match (component, joint.pressure_angle) {
+                (Component::Moment, Some(_)) => format!(
+                    "The moment (N·m) of the teeth of `{label}` on the second wheel, about its axis."
+                ),
+                _ => said(*component, label),
+            }],
         });
     }
     functions

@@ -1,8 +1,11 @@
 //! Forces against formulas of textbooks and free bodies that are cut by hand: a pendulum, a lamp on a spring, a slider-crank, a cam,
-//! a four-bar; and against the published multipliers of Andrews' mechanism.
+//! a four-bar, gears; and against the published multipliers of Andrews' mechanism.
 
 mod andrews;
 mod free_bodies;
+mod teeth;
+mod toothed_bodies;
+mod unchanged_by_teeth;
 
 use linkwright_tests::description;
 use linkwright_tests::forces::{Followed, moving, systems};

@@ -43,8 +43,8 @@ impl Scopes {
             symbol,
             along,
         });
-        if let Some(value) = &joint.value {
-            self.formula(value, None);
+        for part in joint.value.iter().chain(&joint.pressure_angle) {
+            self.formula(part, None);
         }
     }
 

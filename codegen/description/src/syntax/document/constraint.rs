@@ -3,7 +3,7 @@
 use crate::diagnostic::Span;
 use crate::syntax::formula::{Direction, Expression, Name, Reference};
 
-/// `[redundant] KIND NAME? (OPERANDS) [along REFERENCE -> REFERENCE] [= EXPRESSION];`
+/// `[redundant] KIND NAME? (OPERANDS) [along REFERENCE -> REFERENCE] [= EXPRESSION [pressure_angle EXPRESSION]];`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joint {
     /// The `///` lines above it.
@@ -20,6 +20,8 @@ pub struct Joint {
     pub along: Option<Direction>,
     /// The value after `=`.
     pub value: Option<Expression>,
+    /// The pressure angle of teeth, after `pressure_angle`; whether the kind has teeth is not checked here.
+    pub pressure_angle: Option<Expression>,
     /// Where the part that it comes from is given a place.
     pub placed: Option<Span>,
     /// The whole statement with its semicolon.

@@ -221,7 +221,7 @@ fn forms_that_the_seeds_do_not_have() {
     let document = good(
         "//! File.\n//! More.\n\n/// Outer.\nmechanism m {\n    //! Inner.\n    /** A block\n     * of lines. */\n    const g = 9.81;\n\
          \x20   body a at (1, 2) turned g {\n        /// The tip.\n        P: (1, 0),\n        Q,\n    };\n    body b at (0, 0) {}\n\
-         \x20   body c at (0, 0)\n        facing P -> Q;\n    gear(a, b, c.P,) along P -> Q = 2;\n    const type = 1; absolute_x(1.P) = 1;\n}",
+         \x20   body c at (0, 0)\n        facing P -> Q;\n    gear(a, b, c.P,) along P -> Q = 2 pressure_angle 20deg;\n    const type = 1; absolute_x(1.P) = 1;\n}",
     );
     assert_eq!(document.docs, vec!["File.", "More."]);
     assert_eq!(document.mechanism.docs, vec!["Outer.", "Inner."]);
@@ -246,6 +246,7 @@ fn forms_that_the_seeds_do_not_have() {
         gear.name.is_none()
             && gear.along.is_some()
             && gear.value.is_some()
+            && gear.pressure_angle.is_some()
             && gear.operands.len() == 3
     );
     assert_eq!(written(&x.operands[0]), "1.P");

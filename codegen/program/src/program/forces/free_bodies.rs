@@ -8,10 +8,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::virtual_work::Carried;
-use crate::expr::{ExprId, Node};
+use crate::expr::{ExprId, Node, SymbolId};
 use crate::joint::Quantity;
 use crate::program::builder::Builder;
+use crate::program::function::Statement;
 use crate::structure::SolvedPlan;
+use crate::words::Piece;
+
+/// What rounding may leave of a balance that others imply, beside its largest factor.
+const DEPENDENT: f64 = 1e-9;
 
 /// One balance: the multipliers that are still unknown in it, with their factors, and what they add up to.
 struct Balance {
@@ -90,6 +95,15 @@ pub(super) fn multipliers(
         eliminate(row, factor, &balance, &mut balances, builder);
         expressed.push((row, balance));
     }
+    let is_left = |row: &usize| {
+        found[*row].is_none() && !expressed.iter().any(|(expressed, _)| expressed == row)
+    };
+    let left: Vec<usize> = (0..rows).filter(is_left).collect();
+    let remaining = order.iter().filter(|column| open.contains(column));
+    let remaining: Vec<&Balance> = remaining.map(|&column| &balances[column]).collect();
+    for (row, value) in at_once(&left, remaining, prefix, builder) {
+        found[row] = Some(value);
+    }
     for (row, balance) in expressed.into_iter().rev() {
         let mut terms = balance.sum.clone();
         let mut own = None;
@@ -109,6 +123,110 @@ pub(super) fn multipliers(
         found[row] = Some(value);
     }
     found.into_iter().map(|it| it.unwrap_or(zero)).collect()
+}
+
+/// The multipliers that are left where parameters change the factors of all of them, by as many independent balances.
+fn at_once(
+    left: &[usize],
+    mut remaining: Vec<&Balance>,
+    prefix: &str,
+    builder: &mut Builder<'_>,
+) -> Vec<(usize, ExprId)> {
+    remaining.retain(|balance| left.iter().any(|row| balance.factors.contains_key(row)));
+    if let ([row], [balance]) = (left, &remaining[..]) {
+        let sum = builder.graph().sum(&balance.sum);
+        let value = builder.graph().divide(sum, balance.factors[row]);
+        return vec![(*row, builder.value(&name(prefix, *row, builder), value))];
+    }
+    let zero = builder.graph().zero();
+    let chosen = independent(left, &remaining, builder);
+    if left.is_empty() || chosen.len() < left.len() {
+        return Vec::new();
+    }
+    builder.say(|_| {
+        "Parameters change the factors of all that is left, which one linear system gives:".into()
+    });
+    let names: Vec<String> = left.iter().map(|&row| name(prefix, row, builder)).collect();
+    let targets: Vec<SymbolId> = names
+        .iter()
+        .map(|name| builder.system.intermediate(name))
+        .collect();
+    let factor = |row: &usize, balance: &Balance| balance.factors.get(row).copied();
+    let forces: Vec<ExprId> = chosen
+        .iter()
+        .map(|balance| builder.graph().sum(&balance.sum))
+        .collect();
+    builder.show(|builder| {
+        let equations = chosen.iter().zip(&forces).map(|(balance, &force)| {
+            let terms: Vec<ExprId> = left
+                .iter()
+                .zip(&targets)
+                .filter_map(|(row, &target)| {
+                    let factor = factor(row, balance)?;
+                    let graph = builder.graph();
+                    let multiplier = graph.variable(target);
+                    Some(graph.multiply(factor, multiplier))
+                })
+                .collect();
+            let sum = builder.graph().sum(&terms);
+            [
+                Piece::Formula(sum).into(),
+                Piece::Formula(force).into(),
+                "".into(),
+            ]
+        });
+        equations.collect()
+    });
+    let rows = left.iter().flat_map(|row| {
+        let factors = chosen.iter().map(|balance| factor(row, balance));
+        factors.map(|it| it.unwrap_or(zero)).collect::<Vec<_>>()
+    });
+    let jacobian = rows.collect();
+    builder.state(Statement::Multipliers {
+        targets: targets.iter().copied().map(Some).collect(),
+        jacobian,
+        forces,
+    });
+    let graph = builder.graph();
+    let values = targets.into_iter().map(|target| graph.variable(target));
+    left.iter().copied().zip(values).collect()
+}
+
+/// As many balances as are independent in these multipliers, with the values of the description.
+fn independent<'b>(
+    left: &[usize],
+    remaining: &[&'b Balance],
+    builder: &Builder<'_>,
+) -> Vec<&'b Balance> {
+    let graph = &builder.system.mechanism.graph;
+    let mut chosen = Vec::new();
+    let mut reduced: Vec<(usize, Vec<f64>)> = Vec::new();
+    for &balance in remaining {
+        let factors = left.iter().map(|row| match balance.factors.get(row) {
+            Some(&factor) => graph.constant_value(factor),
+            None => Some(0.0),
+        });
+        let Some(mut factors) = factors.collect::<Option<Vec<f64>>>() else {
+            continue;
+        };
+        let largest = |values: &[f64]| {
+            let sizes = values.iter().map(|it| it.abs()).enumerate();
+            sizes.max_by(|one, other| one.1.total_cmp(&other.1))
+        };
+        let size = largest(&factors).map_or(0.0, |(_, size)| size);
+        for (pivot, earlier) in &reduced {
+            let share = factors[*pivot] / earlier[*pivot];
+            let pairs = factors.iter_mut().zip(earlier);
+            pairs.for_each(|(own, other)| *own -= share * other);
+        }
+        if let Some((pivot, rest)) = largest(&factors)
+            && rest > DEPENDENT * size
+        {
+            reduced.push((pivot, factors));
+            chosen.push(balance);
+        }
+    }
+    chosen
 }
 
 /// The balance of every unknown.

@@ -8,6 +8,7 @@ mod free_bodies;
 mod least_norm;
 mod reaction;
 mod reduced;
+mod teeth;
 mod virtual_work;
 
 pub use reaction::Reaction;
@@ -15,6 +16,7 @@ pub use reduced::{FreeCoordinate, Reduced};
 
 use least_norm::Shared;
 use reaction::Multipliers;
+use teeth::ToothForces;
 
 use super::block::{Block, Lowering};
 use super::builder::Builder;
@@ -127,9 +129,10 @@ pub(super) fn forces(
                     monitored: Vec::new(),
                 },
             };
+            let teeth = ToothForces::of_joints(&wanted.reactions, &multipliers, &mut builder);
             let joints = wanted.reactions.iter();
             let reactions =
-                joints.map(|&joint| reaction::reaction(joint, &multipliers, &mut builder));
+                joints.map(|&joint| reaction::reaction(joint, &multipliers, &teeth, &mut builder));
             found.reactions = reactions.collect();
         }
     }

@@ -1,5 +1,6 @@
 //! The multipliers of a joint's equations → the force and the moment that it passes to its second body.
 
+use super::teeth::ToothForces;
 use crate::expr::{ExprId, SymbolId};
 use crate::force::moment;
 use crate::joint::geometry::dot;
@@ -33,15 +34,22 @@ pub(super) struct Multipliers {
     pub monitored: Vec<ExprId>,
 }
 
-/// What a joint passes to its second body, with the multipliers of all rows.
+/// What a joint passes to its second body, with the multipliers of all rows and the forces of teeth.
 pub(super) fn reaction(
     joint: usize,
     multipliers: &Multipliers,
+    teeth: &ToothForces,
     builder: &mut Builder<'_>,
 ) -> Reaction {
     let name = builder.system.mechanism.joints[joint].slug.clone();
+    let of_teeth = teeth.on(joint, builder);
     let components = components(joint, multipliers, builder).into_iter();
     let components = components.map(|(component, value)| {
+        let value = match component {
+            Component::X => builder.graph().add(value, of_teeth[0]),
+            Component::Y => builder.graph().add(value, of_teeth[1]),
+            _ => value,
+        };
         let what = format!("reaction_{name}_{}", component.suffix());
         let target = builder.system.intermediate(&what);
         builder.assign(target, value);
@@ -55,7 +63,7 @@ pub(super) fn reaction(
     }
 }
 
-/// The components of what a joint passes to its second body.
+/// The components of what a joint passes to its second body, without the forces of teeth.
 pub(super) fn components(
     joint: usize,
     multipliers: &Multipliers,
@@ -111,6 +119,10 @@ pub(super) fn components(
             let value = match component {
                 Component::X => force[0],
                 Component::Y => force[1],
+                // The row of wheels has the slope 1 in the angle of the second one, which may be held by the ground.
+                Component::Moment if passing.carried.turns_wheel() => {
+                    own.map_or(zero, |own| graph.negate(own))
+                }
                 Component::Moment => about_place,
                 Component::Multiplier => own.unwrap_or(zero),
                 Component::Normal | Component::Tension | Component::Tooth | Component::Pressure => {

@@ -1,0 +1,304 @@
+//! Finds the axes of wheels whose `pressure_angle` is given, so that bearings can carry the force of their teeth.
+//!
+//! The axis of a wheel is its revolute on the carrier, or the one about which both turn on a third body: a point of the carrier in
+//! either case, so that the distance of two axes never changes while the mechanism moves.
+
+use std::collections::HashMap;
+
+use super::dimension::Dimension;
+use super::operands::WrittenJoint;
+use super::resolve::Resolver;
+use super::{Joint, Role};
+use crate::diagnostic::{Code, Diagnostic, Span};
+use crate::expr::ExprId;
+use crate::joint::geometry::{BodyId, Mark};
+use crate::joint::{Feature, Mesh, Quantity, Resolved};
+use crate::syntax::Expression;
+
+/// The pressure angle of a gear.
+#[derive(Clone, Copy, Debug)]
+pub struct PressureAngle {
+    /// The angle between the line of action and the common tangent of the pitch circles, in rad.
+    pub value: ExprId,
+    /// The formula behind `pressure_angle`.
+    pub span: Span,
+}
+
+/// The teeth of two wheels that pass a force on.
+#[derive(Clone, Debug)]
+pub struct Teeth {
+    /// The gear: an index into the joints.
+    pub gear: usize,
+    /// Its pressure angle, in rad.
+    pub pressure_angle: ExprId,
+    /// The axes of both wheels, in the order of the gear's operands.
+    pub axes: [WheelAxis; 2],
+}
+
+/// The axis about which a wheel turns on its carrier.
+#[derive(Clone, Debug)]
+pub struct WheelAxis {
+    /// Its point on the carrier.
+    pub place: Mark,
+    /// The joints that pass a force on from the wheel to the carrier, in this order.
+    pub bearings: Vec<Bearing>,
+}
+
+/// A revolute between a wheel and its carrier.
+#[derive(Clone, Copy, Debug)]
+pub struct Bearing {
+    /// An index into the joints.
+    pub joint: usize,
+    /// True if the second body of the joint is the one on the side of the wheel.
+    pub is_wheel_second: bool,
+}
+
+/// Revolutes by the bodies that they join, in written order.
+struct Revolutes<'a> {
+    joints: Vec<&'a Joint>,
+    of_body: HashMap<BodyId, Vec<usize>>,
+    between: HashMap<[BodyId; 2], Vec<usize>>,
+}
+
+impl<'a> Revolutes<'a> {
+    fn new(joints: Vec<&'a Joint>) -> Revolutes<'a> {
+        let mut of_body: HashMap<BodyId, Vec<usize>> = HashMap::new();
+        let mut between: HashMap<[BodyId; 2], Vec<usize>> = HashMap::new();
+        for (place, joint) in joints.iter().enumerate() {
+            let ([one, other], Role::Constraint) = (&joint.operands.marks[..], joint.role) else {
+                continue;
+            };
+            if !joint.kind.joins_points() {
+                continue;
+            }
+            let [one, other] = [one, other].map(|mark| mark.frame.body);
+            for [body, on] in [[one, other], [other, one]] {
+                of_body.entry(body).or_default().push(place);
+                between.entry([body, on]).or_default().push(place);
+            }
+        }
+        Revolutes {
+            joints,
+            of_body,
+            between,
+        }
+    }
+
+    fn of(&self, body: BodyId) -> &[usize] {
+        self.of_body.get(&body).map_or(&[], Vec::as_slice)
+    }
+
+    fn joining(&self, one: BodyId, other: BodyId) -> &[usize] {
+        let found = self.between.get(&[one, other]);
+        found.map_or(&[], Vec::as_slice)
+    }
+
+    /// The mark of a joint on a body, and the one on its other body.
+    fn seen_from(&self, joint: usize, body: BodyId) -> Option<[Mark; 2]> {
+        match self.joints[joint].operands.marks[..] {
+            [one, other] if one.frame.body == body => Some([one, other]),
+            [one, other] if other.frame.body == body => Some([other, one]),
+            _ => None,
+        }
+    }
+
+    /// The axis of a wheel on a carrier: of all that there are one whose bearings are not redundant, and of these the shortest.
+    fn axis(&self, wheel: BodyId, carrier: BodyId) -> Option<WheelAxis> {
+        let direct = self.joining(wheel, carrier).iter().map(|&it| vec![it]);
+        // One of both may be the ground, to which many joints belong.
+        let is_wheel_rarer = self.of(wheel).len() <= self.of(carrier).len();
+        let (rarer, other) = match is_wheel_rarer {
+            true => (wheel, carrier),
+            false => (carrier, wheel),
+        };
+        let by_third = self.of(rarer).iter().flat_map(|&near| {
+            let third = self.seen_from(near, rarer).map(|[_, it]| it);
+            let third = third.filter(|it| it.frame.body != other);
+            let far = third.map_or(&[][..], |it| self.joining(it.frame.body, other));
+            let is_coaxial = move |far: &usize| {
+                let own = third.and_then(|it| self.seen_from(*far, it.frame.body));
+                own.zip(third)
+                    .is_some_and(|([own, _], it)| own.local == it.local)
+            };
+            let far = far.iter().copied().filter(is_coaxial);
+            far.map(move |far| match is_wheel_rarer {
+                true => vec![near, far],
+                false => vec![far, near],
+            })
+        });
+        let redundant = |path: &Vec<usize>| {
+            let marked = path
+                .iter()
+                .filter(|&&it| self.joints[it].redundant.is_some());
+            marked.count()
+        };
+        let path = direct.chain(by_third).min_by_key(redundant)?;
+        let mut bearings = Vec::with_capacity(path.len());
+        let (mut side, mut place) = (wheel, None);
+        for joint in path {
+            let [_, far] = self.seen_from(joint, side)?;
+            let second = self.joints[joint].operands.marks[1].frame.body;
+            bearings.push(Bearing {
+                joint,
+                is_wheel_second: second == side,
+            });
+            (side, place) = (far.frame.body, Some(far));
+        }
+        Some(WheelAxis {
+            place: place?,
+            bearings,
+        })
+    }
+}
+
+impl Resolver<'_> {
+    /// The pressure angle that a joint is given; `None` after an error.
+    pub(super) fn pressure_angle(
+        &mut self,
+        given: &WrittenJoint<'_>,
+        written: &Expression,
+        operands: Option<&Resolved>,
+    ) -> Option<PressureAngle> {
+        let value = self.constant(written, Dimension::of(Quantity::Angle))?;
+        let keyword = given.kind.keyword();
+        if !given.kind.has_pressure_angle() {
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::WrongForm,
+                    written.span,
+                    format!("`{keyword}` takes no `pressure_angle`"),
+                )
+                .help("remove it: teeth of `external_gear` and `internal_gear` have one"),
+            );
+            return None;
+        }
+        let angle = self.graph.constant_value(value)?;
+        let refused = match angle {
+            _ if angle < 0.0 => Some((
+                "a pressure angle is not negative",
+                "write it without a sign: which flank is loaded follows from the torque",
+            )),
+            _ if angle >= std::f64::consts::FRAC_PI_2 => Some((
+                "a pressure angle is less than 90°",
+                "write the angle between the line of action and the common tangent of the pitch circles with its unit: `20deg`",
+            )),
+            _ => None,
+        };
+        if let Some((problem, help)) = refused {
+            self.diagnostics.push(
+                Diagnostic::error(Code::ValueNotAllowed, written.span, problem)
+                    .label(format!(
+                        "this is {}°",
+                        (angle.to_degrees() * 1000.0).round() / 1000.0
+                    ))
+                    .help(help),
+            );
+            return None;
+        }
+        let feature = operands.and_then(|it| given.kind.feature(it, &mut self.graph));
+        if let Some(Feature::Wheels(Mesh::Internal, ratio)) = feature
+            && let Some(ratio) = self.graph.constant_value(ratio)
+            && (1.0 - ratio).abs() <= 8.0 * f64::EPSILON
+        {
+            let span = given.value.map_or(given.span, |value| value.span);
+            self.diagnostics.push(
+                Diagnostic::error(
+                    Code::ValueNotAllowed,
+                    span,
+                    "a wheel does not mesh inside a ring of its own size",
+                )
+                .label("leaves no distance between the axes")
+                .also(written.span, "asks for the force of the teeth")
+                .help("correct the ratio, or remove `pressure_angle`"),
+            );
+            return None;
+        }
+        Some(PressureAngle {
+            value,
+            span: written.span,
+        })
+    }
+
+    /// The teeth of all gears whose pressure angle is given, in written order.
+    pub(super) fn teeth(&mut self) -> Vec<Teeth> {
+        // Joints that were left out would be missed.
+        if self.diagnostics.has_errors() {
+            return Vec::new();
+        }
+        let joints: Vec<&Joint> = self.linkage.joints.iter().map(|(joint, _)| joint).collect();
+        let revolutes = Revolutes::new(joints);
+        let mut found = Vec::new();
+        let mut findings = Vec::new();
+        for (gear, joint) in revolutes.joints.iter().enumerate() {
+            let (Some(angle), [i, j, carrier]) = (joint.pressure_angle, &joint.operands.marks[..])
+            else {
+                continue;
+            };
+            let carrier = carrier.frame.body;
+            let wheels = [i, j].map(|mark| mark.frame.body);
+            let axes = wheels.map(|wheel| revolutes.axis(wheel, carrier));
+            let [Some(of_i), Some(of_j)] = axes else {
+                for (wheel, axis) in wheels.into_iter().zip(&axes) {
+                    if axis.is_none() {
+                        findings.push(self.without_axis(joint, angle.span, wheel, carrier));
+                    }
+                }
+                continue;
+            };
+            if !self.are_apart(of_i.place.local, of_j.place.local) {
+                findings.push(self.coaxial(joint, angle.span, wheels, [&of_i, &of_j]));
+                continue;
+            }
+            found.push(Teeth {
+                gear,
+                pressure_angle: angle.value,
+                axes: [of_i, of_j],
+            });
+        }
+        self.diagnostics.extend(findings);
+        found
+    }
+
+    fn without_axis(
+        &self,
+        gear: &Joint,
+        angle: Span,
+        wheel: BodyId,
+        carrier: BodyId,
+    ) -> Diagnostic {
+        let [wheel, carrier] = [wheel, carrier].map(|it| &self.linkage.bodies[it.0].name);
+        let message = format!(
+            "`{wheel}` has no `revolute` on `{carrier}`, the carrier of `{}`",
+            gear.label
+        );
+        Diagnostic::error(Code::WrongForm, angle, message)
+            .label("the force of the teeth needs the axes of both wheels")
+            .also(gear.span, "the gear")
+            .help(format!(
+                "hold the wheel by `revolute ({carrier}.P, {wheel}.P);` with its center P, or remove `pressure_angle`"
+            ))
+    }
+
+    fn coaxial(
+        &self,
+        gear: &Joint,
+        angle: Span,
+        wheels: [BodyId; 2],
+        axes: [&WheelAxis; 2],
+    ) -> Diagnostic {
+        let [one, other] = wheels.map(|it| &self.linkage.bodies[it.0].name);
+        let message = format!(
+            "`{one}` and `{other}` turn about one axis of `{}`",
+            gear.label
+        );
+        let mut finding = Diagnostic::error(Code::DegenerateGeometry, angle, message)
+            .label("the pitch radii have no distance to divide");
+        for (axis, name) in axes.into_iter().zip([one, other]) {
+            if let Some(bearing) = axis.bearings.first() {
+                let place = self.linkage.joints[bearing.joint].0.span;
+                finding = finding.also(place, format!("the axis of `{name}`"));
+            }
+        }
+        finding.help("draw the axes apart, or remove `pressure_angle`")
+    }
+}
