@@ -47,8 +47,8 @@ coordinates with multipliers, by extrapolation to 1e-13 a step (`tests/src/multi
 `scissor` lose rank on the way: there it has others that hold the bodies on the smooth path (`tests/src/free_motion/gallery.rs`).
 
 *Error*: the largest difference of all coordinates and rates at 12 instants, in tolerances × the largest coordinate or rate × the growth of
-a small change by then, from the start or from an instant on the way. *Right*: the motion went to its end with an error of at most 100. *Wrong*: it went to its end
-with a larger one. *No reference*: it went to its end, and the reference did not.
+a small change by then, from the start or from an instant on the way. *Right*: the motion went to its end with an error of at most 100.
+*Wrong*: it went to its end with a larger one. *No reference*: it went to its end, and the reference did not.
 ";
 
 fn main() -> ExitCode {
