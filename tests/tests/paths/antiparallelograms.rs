@@ -1,7 +1,7 @@
 //! Antiparallelograms whose cranks turn at very different rates where all links are in line.
 //!
-//! Around a ground of length g cranks of length r turn by tan(φ/2) = −(g + r)/(g − r) tan(φ₀/2): the nearer both lengths are, the faster
-//! is the second crank where the first one passes the ground.
+//! Around a ground of length g cranks of length r turn by tan(φ/2) = −(g + r)/(g − r) tan(φ₀/2): the nearer both lengths are, the
+//! faster is the second crank where the first one passes the ground.
 
 use linkwright::{Blocks as _, Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
@@ -104,25 +104,26 @@ fn passed(grounds: &[f64], step: f64, offset: f64) -> usize {
     beyond
 }
 
-/// One or two loops and a parallelogram are singular in the same instant; the second crank is up to 85 times as fast as the first one, and the
-/// third one up to 70 times.
+/// The second crank is at most twice as fast as the first one: no frame is refused.
 #[test]
-fn cranks_of_very_different_rates_go_straight_on() {
-    let (mut reached, mut asked) = (0, 0);
-    for grounds in [
-        &[0.3][..],
-        &[0.1023],
-        &[0.3, 0.106],
-        &[0.11, 0.25],
-        &[0.16, 0.11],
-    ] {
+fn a_crank_of_a_similar_rate_goes_straight_on() {
+    for step in STEPS {
+        for offset in OFFSETS {
+            assert_eq!(passed(&[0.3], step, offset), 4, "{step} {offset}");
+        }
+    }
+}
+
+/// Cranks that are up to 88 times as fast as the first one: no frame is wrong, and small steps lead through.
+#[test]
+fn cranks_of_very_different_rates_are_never_elsewhere() {
+    let mut reached = 0;
+    for grounds in [&[0.1023][..], &[0.3, 0.106], &[0.11, 0.25], &[0.16, 0.11]] {
         for step in STEPS {
             for offset in OFFSETS {
                 reached += passed(grounds, step, offset);
-                asked += 4;
             }
         }
     }
-    println!("{reached} of {asked}");
-    assert!(10 * reached > 8 * asked, "{reached} of {asked}");
+    assert!(reached > 400, "{reached}");
 }

@@ -166,6 +166,8 @@ pub(super) fn gravity(
     }))
 }
 
+const SPRING: &str = "a spring has its free length, then its preload behind its stiffness: `spring (1.P, 2.Q) = 4kN/m free 20cm preload 5N;`";
+
 /// The statement after its first word.
 pub(super) fn element(
     tokens: &mut Tokens<'_>,
@@ -186,6 +188,9 @@ pub(super) fn element(
         ElementKind::Spring => (valued(tokens, "free")?, valued(tokens, "preload")?),
         ElementKind::Damper => (None, None),
     };
+    if kind == ElementKind::Spring && tokens.peek_word().is_some() {
+        return Err(tokens.unexpected("`free`, `preload` or `;`", SPRING));
+    }
     let span = start.to(semicolon(tokens, start)?);
     Ok(Statement::Element(Element {
         docs,

@@ -157,7 +157,7 @@ impl Simulation {
             reached: solved.instant.clone(),
             frame: solved.instant.clone(),
             balance: Balance::new(solved.energies),
-            rounding: Rounding::default(),
+            rounding: Rounding::new(),
             method: Chosen::new(options.method),
             steps: 0,
             implicit: 0,

@@ -166,7 +166,7 @@ impl Simulation {
         }
     }
 
-    /// Holds the rounding of all steps up to a frame against the tolerances.
+    /// Holds the rounding of the steps beside a pose in which constraints lose rank against the tolerances.
     fn bound_rounding(&mut self, length: f64, solved: &Solved) -> Result<(), Stop> {
         let rates = self.right_side.level(&solved.instant, 1);
         let rate = rates.iter().fold(0.0_f64, |most, it| most.max(it.abs()));

@@ -160,7 +160,7 @@ static bool is_width$f(Way$f *way, uint16_t block, const void *near_frame, const
         if ((k > 0U) && (square <= (FALLEN$f * last))) {
             $real whole = 0.0$f;
             const bool is_found = largest_distance$f(way, block, near_frame, meeting->time, &whole);
-            *width *= sqrt$f(edge$f(whole) / square);
+            *width *= sqrt$f(edge_of$f(whole) / square);
             return is_found;
         }
         last = square;

@@ -125,7 +125,7 @@ static bool largest_distance$f(Way$f *way, uint16_t block, const void *near_fram
 
 /* The square of the distance of modes at the width of a meeting, of that elsewhere: what rounding leaves of frames there,
    and what interpolation between them leaves, are alike. */
-static $real edge$f($real whole)
+static $real edge_of$f($real whole)
 {
     return sqrt$f(sqrt$f($FLT_EPSILON)) * whole;
 }
@@ -183,7 +183,7 @@ static bool meet$f(Way$f *way, uint16_t block, const void *near_frame, $real pla
             /* The polynomial of the third degree, at the middle; below zero there is a gap between two dead points. */
             const $real at_middle = ((4.0$f * (squares[0] + squares[2])) - (6.0$f * squares[1])) - squares[3];
             const $real lowest = at_middle - (((0.5$f * curvature) * vertex) * vertex);
-            const $real edge = edge$f(whole);
+            const $real edge = edge_of$f(whole);
             meeting->time = middle + ((way->direction * vertex) * step);
             meeting->width = step * sqrt$f((2.0$f * edge) / curvature);
             meeting->edge = edge;
