@@ -209,7 +209,7 @@ fn closest(
     Some(q)
 }
 
-/// Where the two points of a joint are.
+/// Places of the two points of a joint.
 fn ends(system: &System, joint: usize, values: &[(SymbolId, f64)]) -> Option<[[f64; 2]; 2]> {
     let mechanism = &system.mechanism;
     let mut graph = mechanism.graph.clone();

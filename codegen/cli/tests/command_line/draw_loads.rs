@@ -95,7 +95,7 @@ fn is_at(found: [f64; 2], wanted: [f64; 2], scale: f64) {
     assert!(off < 0.1, "{found:?} is {off} px off");
 }
 
-/// Where a point of the arm at this distance from O is.
+/// Place of a point of the arm at this distance from O.
 fn on_arm(t: f64, distance: f64) -> [f64; 2] {
     let angle = (PI / 12.0) * (2.0 * PI * t).sin();
     [distance * angle.cos(), distance * angle.sin()]

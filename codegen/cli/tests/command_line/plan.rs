@@ -46,7 +46,7 @@ fn nothing_is_derived_where_the_motion_is_not_determined() {
     assert!(ran.stderr.contains("error[K3"), "{}", ran.stderr);
 }
 
-/// What a document of one's own needs is said in comments, and nothing stands twice that it has already.
+/// Comments name the packages that a document of one's own needs; its preamble is not repeated.
 #[test]
 fn a_fragment_of_latex_has_no_preamble() {
     let folder = Folder::new("latex_fragment", EXAM);

@@ -32,7 +32,7 @@ fn a_png_has_the_size_that_is_asked_for_and_letters() {
     assert!(size("b.png")[0] >= 840, "{:?}", size("b.png"));
 }
 
-/// What vanishes in a pose has no size, and pixels must bear that.
+/// An element that vanishes in a pose has no size, and is drawn without an error.
 #[test]
 fn loads_are_drawn_in_pixels() {
     let text = ARM.replace("(30N*cos(2*pi*t), -40N)", "(30N*t, 0)");

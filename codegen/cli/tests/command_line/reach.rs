@@ -81,7 +81,7 @@ fn the_loop_that_does_not_reach_is_named() {
     assert!(flat(time - 1e-6) * flat(time + 1e-6) < 0.0, "{said}");
 }
 
-/// What only follows from a loop, such as the pin of a coupler point with the next body, is no part of its name.
+/// Joints that only follow from a loop, such as the pin of a coupler point with the next body, are no part of its name.
 #[test]
 fn a_loop_is_not_named_by_what_follows_from_it() {
     let text = "mechanism mixed {

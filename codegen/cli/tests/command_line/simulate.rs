@@ -253,7 +253,7 @@ fn many_evaluations_are_answered_by_another_method() {
     assert!(!ran.stdout.contains("hint"), "{}", ran.stdout);
 }
 
-/// What is missing is said by the statement that a description of this mechanism would have.
+/// The message has the missing statement, as a description of this mechanism would write it.
 #[test]
 fn a_missing_statement_is_written_out() {
     let driven = PENDULUM.replace(

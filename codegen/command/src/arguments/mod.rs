@@ -104,7 +104,7 @@ pub struct Draw {
     /// The description.
     #[command(flatten)]
     pub described: Described,
-    /// Where to write the picture, `.svg` or `.png`, with `--animate` `.svg` or `.gif`; `-` is stdout [default: NAME.svg]
+    /// File of the picture, `.svg` or `.png`, with `--animate` `.svg` or `.gif`; `-` is stdout [default: NAME.svg]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Write a PNG, whatever the file is called [default file: NAME.png]

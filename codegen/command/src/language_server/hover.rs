@@ -202,7 +202,7 @@ fn quantity(text: &str) -> Option<String> {
     ))
 }
 
-/// What names stand for that are always there, and what teeth are given.
+/// Meanings of names that are always there, and values that teeth are given.
 fn built_in(word: &str) -> Option<String> {
     Some(match word {
         "t" => "the time, in s".to_string(),

@@ -7,7 +7,7 @@ use linkwright_codegen::stages::system::{Described, System};
 /// Axes of a pose, as coordinates are called.
 const AXES: [&str; 3] = ["x", "y", "phi"];
 
-/// What follows the name of a rate and of an acceleration in tables of frames.
+/// Endings of the names of rates and accelerations in tables of frames.
 const RATES: [&str; 2] = ["_dd", "_d"];
 
 /// Fields of a frame of generated code in which coordinates, rates and accelerations are.

@@ -50,7 +50,7 @@ fn is_ours(bytes: &[u8]) -> bool {
     bytes.get(HEAD + 4..HEAD + 4 + WORDS.len()) == Some(WORDS)
 }
 
-/// What turns pictures into pixels, with its letters.
+/// Turns pictures into pixels, with its letters.
 pub struct Rasterizer {
     options: Options<'static>,
 }

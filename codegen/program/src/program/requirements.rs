@@ -113,7 +113,7 @@ fn of_joints(mechanism: &mut Mechanism) -> Vec<Required> {
     required.collect()
 }
 
-/// What the pitch radii of gears divide, and their pressure angles.
+/// Finds the distances that the pitch radii of gears divide, and their pressure angles.
 fn of_teeth(mechanism: &mut Mechanism) -> Vec<Required> {
     let Mechanism {
         joints,

@@ -16,9 +16,9 @@ use crate::joint::{Feature, Mesh};
 /// The force of teeth on the second wheel: the sum of a part for the multiplier of the gear's row and a part for its magnitude.
 #[derive(Clone, Copy, Debug)]
 pub struct ToothForce {
-    /// What is multiplied by the multiplier: the force across the line of the axes.
+    /// Factor of the multiplier: the force across the line of the axes.
     pub of_multiplier: Vector,
-    /// What is multiplied by its magnitude: the force along the line of the axes.
+    /// Factor of its magnitude: the force along the line of the axes.
     pub of_magnitude: Vector,
 }
 

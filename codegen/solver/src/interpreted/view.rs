@@ -104,7 +104,7 @@ impl View for Interpreted {
 }
 
 impl Interpreted {
-    /// What happened, without the time. A number that is not finite is ascribed to the load or the block that it comes from.
+    /// The failure in words, without the time. A number that is not finite is ascribed to the load or the block that it comes from.
     fn cause(&self, failure: &Failure, last: Option<&Instant>) -> String {
         let refused = self.refused(failure, last);
         let named = refused.and_then(|refused| {

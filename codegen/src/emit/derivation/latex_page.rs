@@ -10,7 +10,7 @@ pub(super) fn page(document: &Document) -> String {
     latex_document(&body(document))
 }
 
-/// The same for a document that has a preamble.
+/// Equations for a document that has a preamble.
 pub(super) fn fragment(document: &Document) -> String {
     latex_fragment(&body(document))
 }

@@ -34,7 +34,7 @@ impl Animation {
         })
     }
 
-    /// How many poses there are: one at least.
+    /// Number of poses: one at least.
     pub fn count(&self) -> usize {
         self.scene.motion.len()
     }

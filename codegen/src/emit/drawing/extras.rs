@@ -1,4 +1,4 @@
-//! What is drawn on request: paths of points, axes of frames and gaps.
+//! Draws paths of points, axes of frames and gaps on request.
 
 use super::figure::{Figure, Frame, Group, Layer, Look, Outline};
 use super::plane::{Point, onward, scaled};

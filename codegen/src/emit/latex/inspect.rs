@@ -19,7 +19,7 @@ pub fn inspect(systems: &[(&System, Vec<SingularPose>)]) -> String {
     lines::document(&pages(systems).join("\\clearpage\n"))
 }
 
-/// The same for a document that has a preamble.
+/// Equations for a document that has a preamble.
 pub fn inspect_fragment(systems: &[(&System, Vec<SingularPose>)]) -> String {
     lines::fragment(&pages(systems).join("\n"))
 }

@@ -15,7 +15,7 @@ use crate::program::function::Statement;
 use crate::structure::SolvedPlan;
 use crate::words::Piece;
 
-/// What rounding may leave of a balance that others imply, beside its largest factor.
+/// Rounding that may be left of a balance that others imply, beside its largest factor.
 const DEPENDENT: f64 = 1e-9;
 
 /// One balance: the multipliers that are still unknown in it, with their factors, and what they add up to.

@@ -34,7 +34,7 @@ pub(super) struct Multipliers {
     pub monitored: Vec<ExprId>,
 }
 
-/// What a joint passes to its second body, with the multipliers of all rows and the forces of teeth.
+/// Load that a joint passes to its second body, with the multipliers of all rows and the forces of teeth.
 pub(super) fn reaction(
     joint: usize,
     multipliers: &Multipliers,

@@ -49,7 +49,7 @@ impl ToothForces {
         forces
     }
 
-    /// What they add to the force of a joint on its second body.
+    /// Force that they add to that of a joint on its second body.
     pub(super) fn on(&self, joint: usize, builder: &mut Builder<'_>) -> Vector {
         let zero = builder.graph().zero();
         let mut sum = [zero; 2];
