@@ -3,7 +3,7 @@
 //! The open joint is a pin of the block that fails, or else a link without a body. Its equations count less and less while the sum of squares is minimized
 //! (Nocedal and Wright 2006, section 17.1), so that in the end the others hold to rounding.
 
-use linkwright::{Blocks, Equations, Shell};
+use linkwright::Equations;
 use linkwright_codegen::stages::emit::drawing;
 use linkwright_codegen::stages::expr::{ExprId, SymbolId, Tape};
 use linkwright_codegen::stages::joint::Feature;
@@ -90,17 +90,7 @@ pub fn open_loop(view: &Interpreted, t: f64) -> Option<OpenLoop> {
 
 /// The last pin of the block that fails, rather one between bodies that move, or else its last link without a body.
 fn open_joint(view: &Interpreted, t: f64) -> Option<usize> {
-    let parameters = view.nominal_parameters();
-    let assembled = Shell::assemble(
-        view.clone(),
-        &parameters,
-        &view.drawn_pose(&parameters),
-        view.drawn_branches(),
-        t,
-        &view.input_laws().at(t),
-        Default::default(),
-    );
-    let failure = assembled.err()?;
+    let failure = view.assembled_as_drawn(t).err()?;
     let block = view.plan().blocks.get(usize::from(failure.block))?;
     let mechanism = &view.system().mechanism;
     let joints = &mechanism.joints;

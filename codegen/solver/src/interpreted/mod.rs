@@ -89,25 +89,29 @@ impl Interpreted {
 
     /// True if the values of parameters and inputs at t = 0 are refused, or leave a loop open.
     fn is_refused_as_drawn(&self) -> bool {
-        let parameters = self.nominal_parameters();
-        let pose = self.drawn_pose(&parameters);
-        let (modes, inputs) = (self.drawn_branches(), self.input_laws().at(0.0));
-        let settings = Default::default();
-        let assembled = Shell::assemble(
-            self.clone(),
-            &parameters,
-            &pose,
-            modes,
-            0.0,
-            &inputs,
-            settings,
-        );
-        assembled.is_err_and(|failure| {
+        self.assembled_as_drawn(0.0).is_err_and(|failure| {
             matches!(
                 failure.kind,
                 FailureKind::NotPositive { .. } | FailureKind::OutOfReach { .. }
             )
         })
+    }
+
+    /// Assembles the mechanism at the time `t` (s) from the pose and in the modes of the drawing.
+    ///
+    /// # Errors
+    /// It cannot be assembled there.
+    pub(crate) fn assembled_as_drawn(&self, t: f64) -> Result<Shell<Interpreted>, Failure> {
+        let parameters = self.nominal_parameters();
+        Shell::assemble(
+            self.clone(),
+            &parameters,
+            &self.drawn_pose(&parameters),
+            self.drawn_branches(),
+            t,
+            &self.input_laws().at(t),
+            Default::default(),
+        )
     }
 
     fn of(mut system: System, plan: SolvedPlan, program: Program) -> Interpreted {
