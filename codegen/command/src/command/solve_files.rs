@@ -70,7 +70,7 @@ impl Files {
             return Ok(files);
         }
         let names = points.iter().map(|&it| system.outputs[it].name.as_str());
-        // Angles that nobody has asked for are in the tables alone.
+        // Angles that `--show` does not name are in the tables alone.
         let coordinates = match reported.show.is_empty() {
             true => &[],
             false => coordinates,

@@ -17,11 +17,11 @@ pub struct Traced {
 /// Two points that ought to coincide and do not, in m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gap {
-    /// Where they are.
+    /// Positions of the two ends.
     pub ends: [Point; 2],
     /// Their distance as it is written.
     pub text: String,
-    /// What ought to join them.
+    /// Joint that is open between them.
     pub title: String,
 }
 

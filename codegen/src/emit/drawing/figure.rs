@@ -16,7 +16,7 @@ pub(super) enum Frame {
     Riding(At, usize),
     /// From one point towards another, in pixels of their bodies: the first is the origin, and the second lies on the x axis.
     Toward(At, At),
-    /// The same stretched along x, so that the second point is always this far from the first.
+    /// Place between two points, stretched along x so that the second point is always this far from the first.
     Between(At, At, f64),
     /// At a point, along the force of the load of this number, and as long as its arrow.
     Force(At, usize),
@@ -65,7 +65,7 @@ pub(super) enum Look {
     Load,
     /// The head of it.
     LoadHead,
-    /// What ought to be closed.
+    /// Line across a loop that does not close.
     Gap,
 }
 
@@ -152,7 +152,7 @@ impl Group {
 pub(super) struct Figure {
     /// Pixels per metre.
     pub scale: f64,
-    /// Where everything is.
+    /// Positions of all bodies and points.
     pub stance: Stance,
     /// One for each moving body, in their order.
     pub bodies: Vec<Group>,
@@ -190,7 +190,7 @@ impl Figure {
             .collect()
     }
 
-    /// The same in another pose.
+    /// Returns the figure in another pose.
     pub fn moved(&self, stance: Stance) -> Figure {
         Figure {
             stance,

@@ -1,4 +1,4 @@
-//! What stands below a figure: scale bar, gravity, caption, and what has no sign.
+//! Writes the line below a figure: scale bar, gravity, caption, and loads without a sign.
 
 use std::fmt::Write as _;
 

@@ -123,7 +123,7 @@ pub(super) fn lettering(
     found
 }
 
-/// What a name follows, as a point of a body in pixels, and an attribute that names it.
+/// Anchor that a name follows, as a point of a body in pixels, and an attribute that names it.
 fn followed(name: &Name, center: Point, scene: &Scene, figure: &Figure) -> (Option<At>, String) {
     match name.of {
         Named::Point(place) => {

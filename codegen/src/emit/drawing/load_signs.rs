@@ -46,7 +46,7 @@ const HEAD: f64 = 8.0;
 struct Span {
     from: At,
     to: At,
-    /// How far to the left of its line it is drawn.
+    /// Distance to the left of its line at which it is drawn.
     aside: f64,
     /// Its length in this pose, and the shortest and the longest of all.
     now: f64,
@@ -110,7 +110,7 @@ impl Draft<'_> {
         [a, b].map(|end| onward(end, span.aside, out))
     }
 
-    /// Where a load is drawn that is an element between two points: beside others that have the same ends.
+    /// Line along which an element between two points is drawn: beside others that have the same ends.
     fn span(&self, place: usize) -> Option<Span> {
         let scene = self.scene;
         let is_line = |load: &Load| matches!(load.shape, Shape::Spring | Shape::Damper);

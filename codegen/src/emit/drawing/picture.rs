@@ -144,7 +144,7 @@ impl Composition {
         self.text_of(&self.figure, written)
     }
 
-    /// The same with the figure in another pose.
+    /// Returns the text with the figure in another pose.
     pub fn text_of(&self, figure: &Figure, written: Written<'_>) -> String {
         let layers = layers(figure, "", written);
         let names = names_text(&self.names, [&self.figure, figure], written);
