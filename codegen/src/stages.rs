@@ -29,6 +29,12 @@ pub mod model {
     pub use crate::units::UNITS;
 }
 
+/// Units of measurement, and those of output.
+pub mod units {
+    #[doc(inline)]
+    pub use crate::units::{OutputUnit, OutputUnits, ReportUnits, Unit};
+}
+
 /// Descriptions as they are written.
 pub mod syntax {
     #[doc(inline)]

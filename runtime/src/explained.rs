@@ -39,11 +39,25 @@ pub struct Explained<'a, T = f64> {
 impl<T: Real> Explained<'_, T> {
     /// What happened, without the time.
     pub fn cause(&self) -> impl fmt::Display + '_ {
-        Cause(self)
+        self.cause_in("m", 1.0)
+    }
+
+    /// Returns the same with lengths in a unit, of which a meter has `per_meter`.
+    #[doc(hidden)]
+    pub fn cause_in<'b>(&'b self, unit: &'b str, per_meter: f64) -> impl fmt::Display + 'b {
+        Cause {
+            explained: self,
+            unit,
+            per_meter,
+        }
     }
 }
 
-struct Cause<'a, T>(&'a Explained<'a, T>);
+struct Cause<'a, T> {
+    explained: &'a Explained<'a, T>,
+    unit: &'a str,
+    per_meter: f64,
+}
 
 impl<T: Real> fmt::Display for Explained<'_, T> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -66,8 +80,8 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
             iterations,
             residual,
             ..
-        } = self.0.failure;
-        let block = self.0.block;
+        } = self.explained.failure;
+        let block = self.explained.block;
         if let FailureKind::NotPositive { value } = kind {
             let what = block.map_or("a length", |required| required.singular);
             if let Some(required) = block {
@@ -79,7 +93,7 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
                 Figure(value)
             );
         }
-        if self.0.failure.input.is_some() {
+        if self.explained.failure.input.is_some() {
             let name = block.map_or("", |input| input.name);
             let space = if name.is_empty() { "" } else { " " };
             return write!(formatter, "input{space}{name} is not finite");
@@ -95,8 +109,9 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
             FailureKind::OutOfReach { by } => {
                 write!(
                     formatter,
-                    "out of reach by {} m, beyond where {singular}",
-                    Figure(by)
+                    "out of reach by {} {}, beyond where {singular}",
+                    Figure(by * T::from_f64(self.per_meter)),
+                    self.unit
                 )?;
             }
             _ => formatter.write_str(kind.words())?,

@@ -30,6 +30,7 @@ pub mod pantograph;
 pub mod plan;
 pub mod printed;
 pub mod proofs;
+pub mod prose;
 pub mod random;
 pub mod reference;
 pub mod sample;

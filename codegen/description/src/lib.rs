@@ -1,6 +1,6 @@
 //! Reads descriptions of planar mechanisms: syntax, expressions, joints and the resolved model.
 //!
-//! Each module imports only those named before it: `diagnostic`, `units`, `columns`, `syntax`, `format`, `consequences`, `expr`,
+//! Each module imports only those named before it: `units`, `diagnostic`, `columns`, `syntax`, `format`, `consequences`, `expr`,
 //! `joint`, `force`, `model`. A resolved [`model::Mechanism`] has SI units and no unresolved name.
 //!
 //! This is an internal package of `linkwright-codegen`; its items may change with every release.

@@ -2,6 +2,12 @@
 //!
 //! Descriptions, columns of tables, messages and documentation read this one table. A name belongs to one unit.
 
+mod output;
+mod unit;
+
+pub use output::{OutputUnit, OutputUnits, ReportUnits, Tally};
+pub use unit::Unit;
+
 /// Powers of m, s, kg and rad.
 pub type Powers = [i32; 4];
 

@@ -7,6 +7,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expr::ExprId;
 use crate::program::{Block, Statement};
 use crate::system::System;
+use crate::units::OutputUnit;
 
 /// Largest multiple of ε by which the radicand of a closing is rounding, as in the runtime.
 const ROUNDING: f64 = 16.0;
@@ -14,7 +15,7 @@ const ROUNDING: f64 = 16.0;
 /// Number of digits of a length in a message.
 const DIGITS: usize = 4;
 
-/// Lengths (m) between which plain decimals are short.
+/// Values between which plain decimals are short.
 const PLAIN: [f64; 2] = [1e-4, 1e6];
 
 /// Lengths of a fixed loop (m).
@@ -74,6 +75,7 @@ fn refusal(statement: &Statement, block: &Block, system: &System) -> Option<Diag
     };
     let missing = (ends.distance - ends.longest).max(ends.shortest - ends.distance);
     let is_in_line = excess_value >= -limit || missing <= 0.0;
+    let unit = system.mechanism.units.of_messages().of("m");
     let error = if is_in_line {
         let message = format!("{title} closes only with its links in line");
         Diagnostic::error(Code::DegenerateGeometry, first.span, message)
@@ -81,26 +83,26 @@ fn refusal(statement: &Statement, block: &Block, system: &System) -> Option<Diag
             .help("change a length or a place: links in line carry no force across, and their rates are undetermined")
     } else {
         let message = format!(
-            "{title} cannot close: out of reach by {} m",
-            rounded(missing)
+            "{title} cannot close: out of reach by {}",
+            rounded(missing, &unit)
         );
         Diagnostic::error(Code::OutOfReach, first.span, message)
             .label("closes a loop of fixed lengths")
-            .help(ends.help())
+            .help(ends.help(&unit))
     };
     let others = others.iter();
     Some(others.fold(error, |error, it| error.also(it.span, "together with this")))
 }
 
 impl Ends {
-    fn help(&self) -> String {
-        let [distance, longest, shortest] =
-            [self.distance, self.longest, self.shortest].map(rounded);
+    fn help(&self, unit: &OutputUnit) -> String {
+        let lengths = [self.distance, self.longest, self.shortest];
+        let [distance, longest, shortest] = lengths.map(|it| rounded(it, unit));
         let (bridged, changed) = if self.distance > self.longest {
-            (format!("at most {longest} m"), "lengthen a link, or move")
+            (format!("at most {longest}"), "lengthen a link, or move")
         } else {
             (
-                format!("at least {shortest} m"),
+                format!("at least {shortest}"),
                 "make the links more alike, or move",
             )
         };
@@ -110,19 +112,18 @@ impl Ends {
             "further apart"
         };
         format!(
-            "the ends are {distance} m apart, and the links bridge {bridged}: {changed} the ends {apart}"
+            "the ends are {distance} apart, and the links bridge {bridged}: {changed} the ends {apart}"
         )
     }
 }
 
-/// Returns a length with few digits, in plain notation where that is short.
-fn rounded(length: f64) -> String {
-    let rounded: f64 = format!("{length:.*e}", DIGITS - 1)
-        .parse()
-        .unwrap_or(length);
+/// Returns a length in a unit with few digits, in plain notation where that is short.
+fn rounded(length: f64, unit: &OutputUnit) -> String {
+    let value = unit.of_si(length);
+    let rounded: f64 = format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value);
     if (PLAIN[0]..PLAIN[1]).contains(&rounded) || rounded == 0.0 {
-        rounded.to_string()
+        format!("{rounded} {}", unit.name)
     } else {
-        format!("{rounded:e}")
+        format!("{rounded:e} {}", unit.name)
     }
 }

@@ -7,7 +7,7 @@
 
 #![doc(html_root_url = "https://docs.rs/linkwright-program/0.1.0")]
 
-use linkwright_description::{diagnostic, expr, force, joint, model};
+use linkwright_description::{diagnostic, expr, force, joint, model, units};
 
 pub mod assemblies;
 pub mod closing;

@@ -125,12 +125,15 @@ fn drawing(system: &System, equations: &TextbookEquations, t: f64) -> String {
         .filter(|row| phi[*row].is_finite())
         .max_by(|a, b| scaled(*a).total_cmp(&scaled(*b)));
     match worst {
-        Some(row) if phi[row] != 0.0 => format!(
-            "; the drawing violates `{}` most, by {} {}",
-            system.mechanism.joints[system.rows[row].joint].label,
-            scientific(phi[row].abs(), 1),
-            unit(system, row)
-        ),
+        Some(row) if phi[row] != 0.0 => {
+            let unit = system.mechanism.units.of_messages().of(&unit(system, row));
+            format!(
+                "; the drawing violates `{}` most, by {} {}",
+                system.mechanism.joints[system.rows[row].joint].label,
+                scientific(unit.of_si(phi[row].abs()), 1),
+                unit.name
+            )
+        }
         _ => String::new(),
     }
 }

@@ -1,6 +1,6 @@
 //! *Wishes like `phi2=other` or `loop_p=c`* → *the modes in which a mechanism is assembled, and a pose of them*.
 
-use linkwright::{Blocks, Branch, Failure};
+use linkwright::{Blocks, Branch, Failure, FailureKind};
 use linkwright_codegen::diagnostic::nearest;
 
 use crate::instant::Instant;
@@ -46,7 +46,13 @@ impl Unassembled {
     /// The reason as a sentence.
     pub fn explained(&self, interpreted: &Interpreted) -> String {
         match *self {
-            Unassembled::Failed(failure) => interpreted.explained(&failure).to_string(),
+            Unassembled::Failed(failure) => {
+                let cause = interpreted.reported(&failure);
+                match failure.kind {
+                    FailureKind::NotPositive { .. } => cause,
+                    _ => format!("{cause}, at t = {} s", time(failure.time)),
+                }
+            }
             Unassembled::NoPose {
                 letter,
                 block,

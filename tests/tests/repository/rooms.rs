@@ -9,8 +9,8 @@ const ORDER: [(&str, &[&str]); 3] = [
     (
         "codegen/description/src",
         &[
-            "diagnostic",
             "units",
+            "diagnostic",
             "columns",
             "syntax",
             "format",

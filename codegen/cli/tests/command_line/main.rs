@@ -46,4 +46,5 @@ mod shell;
 mod simulate;
 mod singular;
 mod solve;
+mod units;
 mod view;

@@ -196,7 +196,10 @@ fn values_that_cannot_be_are_refused_by_their_geometry() {
     let (wall, crank, ground, arm) = (0.08_f64, 0.04_f64, 0.15_f64, 0.07_f64);
     let cosine = (0.105_f64.powi(2) - wall * wall - crank * crank) / (2.0 * wall * crank);
     let base = (crank * crank + ground * ground - 2.0 * crank * ground * cosine).sqrt();
-    let gap = |by: f64, loop_name: &str| format!("{loop_name}: out of reach by {by:.4} m");
+    let gap = |by: f64, loop_name: &str| {
+        let millimeters = 1000.0 * by;
+        format!("{loop_name}: out of reach by {millimeters:.1} mm")
+    };
     for (value, said) in [
         ("rod=0", "the distance must be positive".to_string()),
         ("rod=-90mm", "the distance must be positive".to_string()),

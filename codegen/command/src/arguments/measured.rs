@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 
 use super::described::Described;
 use super::setting::Setting;
+use super::units::ReportedIn;
 use super::values::{step, time};
 
 /// A table of measured values, and how it is read.
@@ -72,6 +73,9 @@ pub struct Compare {
     /// The description.
     #[command(flatten)]
     pub described: Described,
+    /// Units of what is reported.
+    #[command(flatten)]
+    pub reported_in: ReportedIn,
     /// The measured values.
     #[command(flatten)]
     pub table: Table,
@@ -121,6 +125,9 @@ pub struct Calibrate {
     /// The description.
     #[command(flatten)]
     pub described: Described,
+    /// Units of what is reported.
+    #[command(flatten)]
+    pub reported_in: ReportedIn,
     /// The measured values.
     #[command(flatten)]
     pub table: Table,

@@ -7,6 +7,7 @@ mod setting;
 mod shell;
 mod simulate;
 mod solve;
+mod units;
 mod values;
 mod view;
 
@@ -17,6 +18,7 @@ pub use setting::Setting;
 pub use shell::{Completions, Fmt, Lsp, Man, New};
 pub use simulate::{Simulate, StepMethod};
 pub use solve::{Equations, Solve};
+pub use units::{ReportedIn, units};
 pub use view::View;
 
 use std::path::PathBuf;
@@ -104,6 +106,9 @@ pub struct Draw {
     /// The description.
     #[command(flatten)]
     pub described: Described,
+    /// Units of what is reported.
+    #[command(flatten)]
+    pub reported_in: ReportedIn,
     /// File of the picture, `.svg` or `.png`, with `--animate` `.svg` or `.gif`; `-` is stdout [default: NAME.svg]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -175,6 +180,9 @@ pub struct Check {
     /// The description.
     #[command(flatten)]
     pub described: Described,
+    /// Units of what is reported.
+    #[command(flatten)]
+    pub reported_in: ReportedIn,
     /// When the motion starts, in s; the assemblies are those of this time
     #[arg(long, value_name = "T0", default_value = "0", value_parser = time, allow_hyphen_values = true)]
     pub from: f64,

@@ -3,6 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use linkwright_codegen::stages::units::OutputUnits;
+
+use super::units::units_or_names;
 
 /// What is printed and written of a motion.
 #[derive(Args, Debug)]
@@ -14,18 +17,19 @@ pub struct Reported {
     /// `phi(2)`, or the frames, `phi2`, `K_x`, `1.K` [default: a table of all angles]
     #[arg(long, value_name = "phi(1),x2,K", value_delimiter = ',')]
     pub show: Vec<String>,
-    /// How angles are printed and drawn; files of numbers hold rad
-    #[arg(long, value_enum, default_value_t = TurnUnit::Rad)]
-    pub angles: TurnUnit,
+    /// Unit of angles in what is printed and drawn; files of numbers keep theirs [default: that of `--units`, else rad]
+    #[arg(long, value_enum)]
+    pub angles: Option<TurnUnit>,
     /// The folder for the frames and the plots [default: target/linkwright/NAME where there is a Cargo.toml, else NAME]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Where to write the frames; `-` is stdout, and the summary then goes to stderr [default: motion.csv in the folder]
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// Write units into the header of the frames: `phi1_d (rad/s)`
-    #[arg(long)]
-    pub units: bool,
+    /// Units of tables, files, pictures and messages, as `--units=mm,deg`; headers name them. Without a list headers name the units that
+    /// are used: `phi1_d (rad/s)` [default: those of the statement `units`, else SI units]
+    #[arg(long, value_name = "mm,deg", num_args = 0..=1, require_equals = true, default_missing_value = "", value_parser = units_or_names)]
+    pub units: Option<OutputUnits>,
     /// The folder for the plots: an SVG for each point that moves and each chosen coordinate, and the paths of the points
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
@@ -38,6 +42,23 @@ pub struct Reported {
     /// Print one JSON object instead of the summary; files are then written only on request
     #[arg(long)]
     pub json: bool,
+}
+
+impl Reported {
+    /// Returns the units that are requested; `None` if only their names are, or nothing.
+    pub fn units(&self) -> Option<OutputUnits> {
+        let requested = self.units.clone();
+        requested.filter(|it| *it != OutputUnits::default())
+    }
+
+    /// Returns the units of what is printed and drawn, where files of numbers are in these.
+    pub fn printed(&self, units: OutputUnits) -> OutputUnits {
+        match self.angles {
+            None => units,
+            Some(TurnUnit::Rad) => units.with_angles_in("rad"),
+            Some(TurnUnit::Deg) => units.with_angles_in("deg"),
+        }
+    }
 }
 
 /// A unit of angles.

@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::described::Described;
 use super::setting::Setting;
+use super::units::ReportedIn;
 use super::values::{step, time};
 
 /// Makes one HTML file that shows the mechanism in motion, its equations, their solution block by block, its singular poses, its
@@ -19,6 +20,9 @@ pub struct View {
     /// The description.
     #[command(flatten)]
     pub described: Described,
+    /// Units of what is reported.
+    #[command(flatten)]
+    pub reported_in: ReportedIn,
     /// Where to write the page; `-` is stdout [default: NAME.html]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,

@@ -25,7 +25,8 @@ const PICTURES: usize = 250;
 pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     let format = AnimationFormat::of(arguments)?;
     let refused = |text: String| Problem(format!("error: {text}"));
-    let source = source(&arguments.described.file)?;
+    let source =
+        source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     set_all(&mut system, &arguments.setting.set)?;
     let options = Options {

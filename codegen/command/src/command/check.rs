@@ -21,7 +21,8 @@ const WIDTH: usize = 110;
 /// The description has errors, its equations do not determine the motion, an option cannot be used, or the picture cannot be
 /// written. That the mechanism cannot be solved is an outcome.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
-    let source = source(&arguments.described.file)?;
+    let source =
+        source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     set_all(&mut system, &arguments.set)?;
     let schedule = Schedule::whole(arguments.from, arguments.to, arguments.step)

@@ -23,7 +23,8 @@ use crate::report::{comparison_json, comparison_plot, picture};
 /// The description or the table has errors, an option cannot be used, or a picture cannot be written. That the mechanism cannot be
 /// solved is an outcome, and so is a difference.
 pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
-    let source = source(&arguments.described.file)?;
+    let source =
+        source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     set_all(&mut system, &arguments.setting.set)?;
     let data = Data::read(&arguments.table, &system).map_err(Problem)?;

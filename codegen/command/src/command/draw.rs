@@ -34,7 +34,8 @@ const PLACES: usize = 2000;
 /// that its motion ends before what is wanted, is an outcome.
 pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     let format = PictureFormat::of(arguments)?;
-    let source = source(&arguments.described.file)?;
+    let source =
+        source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let motion = arguments.described.motion.as_deref();
     let mut system = match arguments.as_written {
         false => determined(&source, motion)?,

@@ -34,11 +34,12 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, FromArgMatches as _};
 
 use linkwright_codegen::diagnostic::internal::{self, InternalError};
 
-use crate::arguments::{Arguments, Command};
+use crate::arguments::{Arguments, Command, units};
 use crate::colors;
 use crate::output::Refused;
 
@@ -76,7 +77,8 @@ impl Problem {
 /// `--version` and manual pages print `version`. The binary passes it, because it changes with every commit.
 pub fn run(version: &'static str) -> ExitCode {
     let interface = Arguments::command().version(version);
-    let matches = interface.clone().get_matches();
+    let matches = interface.clone().try_get_matches();
+    let matches = matches.unwrap_or_else(|error| units_apart(error).exit());
     let arguments = Arguments::from_arg_matches(&matches)
         .unwrap_or_else(|error| error.format(&mut interface.clone()).exit());
     internal::note_panics();
@@ -87,6 +89,20 @@ pub fn run(version: &'static str) -> ExitCode {
             Ok(Outcome::Done)
         }
     }))
+}
+
+/// Adds to an error how a list of units is written that was taken for another argument.
+fn units_apart(mut error: clap::Error) -> clap::Error {
+    let unexpected = match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(text)) if error.kind() == ErrorKind::UnknownArgument => text,
+        _ => return error,
+    };
+    if units(unexpected).is_ok() && std::env::args_os().any(|it| it == "--units") {
+        let tip = format!("write the list behind `=`: `--units={unexpected}`");
+        let tips = ContextValue::StyledStrs(vec![tip.into()]);
+        error.insert(ContextKind::Suggested, tips);
+    }
+    error
 }
 
 fn outcome(command: Command, interface: clap::Command) -> Result<Outcome, Problem> {

@@ -83,14 +83,14 @@ pub(super) fn report<V: View>(
         print(|output| match reported.json {
             true => {
                 let mut object = Object::new(&motion, output)?;
-                let table = (table, reported.units);
+                let table = (table, reported.units.is_some());
                 let sink = Some(&mut object as &mut dyn Sink);
                 refused = follow(&mut motion, schedule, sink, table, course, &mut reached)?;
                 object.finish(&motion)
             }
             false => {
-                let mut rows = Table::new(&motion, reported.units, output)?;
-                let table = (table, reported.units);
+                let mut rows = Table::new(&motion, reported.units.is_some(), output)?;
+                let table = (table, reported.units.is_some());
                 let sink = Some(&mut rows as &mut dyn Sink);
                 refused = follow(&mut motion, schedule, sink, table, course, &mut reached)?;
                 rows.finish()
@@ -98,7 +98,7 @@ pub(super) fn report<V: View>(
         })?;
         refused?;
     } else {
-        let table = (table, reported.units);
+        let table = (table, reported.units.is_some());
         follow(&mut motion, schedule, None, table, course, &mut reached).map_err(Problem::of)??;
     }
     let elapsed = progress.finish();
@@ -122,7 +122,7 @@ pub(super) fn report<V: View>(
     if let Some(error) = &motion.error {
         say(&format!("error: `{}` {error}", motion.title()));
     }
-    written.extend(files.draw(&motion, reported.angles)?);
+    written.extend(files.draw(&motion, &layout.units)?);
     if !reported.json && !to_stdout {
         print(|output| {
             written

@@ -22,7 +22,7 @@ use crate::report::summary::Layout;
 pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     let reported = &arguments.reported;
     check_stdout(reported)?;
-    let source = source(&arguments.described.file)?;
+    let source = source(&arguments.described.file)?.reported_in(arguments.reported.units());
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     set_all(&mut system, &arguments.set)?;
     let forces = &mut system.mechanism.forces;
@@ -78,7 +78,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     };
     report(
         reported,
-        Layout::of(reported),
+        Layout::of(reported, &system.mechanism),
         motion,
         &schedule,
         files,

@@ -23,7 +23,7 @@ use crate::report::summary::Layout;
 /// be written. That the mechanism cannot be solved is an outcome.
 pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     check_stdout(&arguments.reported)?;
-    let source = source(&arguments.described.file)?;
+    let source = source(&arguments.described.file)?.reported_in(arguments.reported.units());
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     set_all(&mut system, &arguments.setting.set)?;
     if arguments.at_rest {
@@ -55,7 +55,7 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     };
     let layout = Layout {
         first_steps,
-        ..Layout::of(reported)
+        ..Layout::of(reported, &system.mechanism)
     };
     let wanted = Wanted {
         points,

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::units::OutputUnits;
 use linkwright_solver::schedule::Schedule;
 use linkwright_solver::view::View;
 
 use super::{Problem, in_folder};
-use crate::arguments::{Reported, TurnUnit};
+use crate::arguments::Reported;
 use crate::motion::Followed;
 use crate::output::{Output, Outputs, Refused};
 use crate::report::{comma_separated, paths, picture, plot};
@@ -107,18 +108,18 @@ impl Files {
     pub fn draw<V: View>(
         self,
         motion: &Followed<V>,
-        angles: TurnUnit,
+        units: &OutputUnits,
     ) -> Result<Option<String>, Problem> {
         let course = motion.course.as_ref().filter(|_| motion.count > 1);
         let Some(course) = course else {
             return Ok(None);
         };
         let refused = |text| Problem(format!("error: {text}"));
-        let points = plot::points(motion, course).map_err(refused)?;
+        let points = plot::points(motion, course, units).map_err(refused)?;
         let is_drawn: Vec<bool> = points.iter().map(Option::is_some).collect();
-        let coordinates = plot::coordinates(motion, course, angles).map_err(refused)?;
-        let forces = plot::forces(motion, course).map_err(refused)?;
-        let paths = paths::paths(motion, course, &is_drawn).map_err(refused)?;
+        let coordinates = plot::coordinates(motion, course, units).map_err(refused)?;
+        let forces = plot::forces(motion, course, units).map_err(refused)?;
+        let paths = paths::paths(motion, course, &is_drawn, &units.of("m")).map_err(refused)?;
         let pictures = self.points.into_iter().zip(points);
         let pictures = pictures.chain(self.coordinates.into_iter().zip(coordinates));
         let pictures = pictures.chain(self.forces.into_iter().zip(forces));

@@ -55,7 +55,8 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     if let Some(path) = &arguments.out {
         check_extension(path)?;
     }
-    let source = source(&arguments.described.file)?;
+    let source =
+        source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let made = made(arguments, &source, Live::No)?;
     let path = match &arguments.out {
         Some(path) => path.clone(),

@@ -40,8 +40,8 @@ pub struct Followed<V: View> {
     pub residuals: ResidualCheck,
     /// The largest pressure angles.
     pub pressure: PressureCheck,
-    /// The names of what transmissions and sensitivities ask for.
-    pub derivative_names: Vec<String>,
+    /// Names of what transmissions and sensitivities request, each with its unit of SI.
+    pub derivative_names: Vec<(String, String)>,
     /// The names of the forces that are asked for, each with its unit.
     pub force_names: Vec<(String, &'static str)>,
     /// The largest size of each force, and when.

@@ -59,12 +59,13 @@ pub fn values(system: &System) -> String {
     let mut rows = String::new();
     for own in &mechanism.parameters {
         let value = mechanism.graph.nominal(own.symbol).unwrap_or(f64::NAN);
+        let unit = mechanism.units.of_messages().of(&own.dimension.unit());
         let _ = writeln!(
             rows,
             "<tr><td>parameter</td><td><b>{}</b></td><td>{}</td><td>{}</td><td>{}</td></tr>",
             escaped(&own.name),
-            number(value),
-            escaped(&own.dimension.unit()),
+            number(unit.of_si(value)),
+            escaped(&unit.name),
             escaped(&own.docs.join(" "))
         );
     }

@@ -11,6 +11,7 @@ mod given;
 mod number;
 mod players;
 mod recorded;
+mod shown_units;
 mod solution;
 mod start;
 mod whole;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use linkwright_codegen::stages::emit::drawing::{ActingLoads, Pose};
 use linkwright_codegen::stages::emit::mathml::symbol;
+use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::{Described, SymbolRole, System};
 use linkwright_solver::check::Check;
 use linkwright_solver::drawn::pose;
@@ -16,7 +17,7 @@ use serde::Serialize;
 
 use super::equations::moved;
 use super::recorded::{Columns, Recorded, recorded};
-use crate::report::units::Units;
+use super::shown_units::{ShownUnits, shown_units};
 
 /// How many instants of the drawing's motion are kept.
 const KEPT: usize = 1001;
@@ -39,7 +40,8 @@ pub struct Players {
     points: Vec<Point>,
     joints: Vec<Joint>,
     measures: Vec<String>,
-    /// The forces that are asked for, each with its unit.
+    units: ShownUnits,
+    /// The forces that are requested, each with its unit of SI.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     forces: Vec<(String, &'static str)>,
     columns: Columns,
@@ -59,7 +61,8 @@ struct Coordinate {
     name: String,
     mathml: String,
     body: Option<usize>,
-    unit: &'static str,
+    /// Group of curves that it belongs to.
+    kind: &'static str,
 }
 
 /// A joint, as the drawing names it.
@@ -165,6 +168,7 @@ impl Players {
                     bodies: moved(joint),
                 })
                 .collect(),
+            units: shown_units(system),
             forces: linkwright_solver::forces::names(system),
             measures: view.measures().map_or(Vec::new(), |measures| {
                 let parts = measures.parts();
@@ -257,7 +261,11 @@ fn coordinates(system: &System) -> Vec<Coordinate> {
             name: own.name.clone(),
             mathml: symbol(system, SymbolRole::Position(place)),
             body: own.describes.body(),
-            unit: Units::si(system, place),
+            kind: match own.quantity {
+                Quantity::Angle => "angles",
+                Quantity::Length => "lengths",
+                Quantity::Power(_) => "contacts",
+            },
         })
         .collect()
 }

@@ -6,6 +6,7 @@ use linkwright::PointMotion;
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::emit::mathml::symbol;
 use linkwright_codegen::stages::system::{SymbolRole, System};
+use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::condition::Condition;
 use linkwright_solver::first_step::{FirstStep, first_step as first_step_from};
 use linkwright_solver::instant::Instant;
@@ -14,7 +15,7 @@ use linkwright_solver::view::View as _;
 use nalgebra::{DMatrix, DVector};
 
 use super::number::{mathml, number};
-use crate::report::units::Units;
+use crate::report::units::{LENGTHS, Units};
 
 /// A matrix with more columns than these is listed by its nonzero entries.
 const LARGEST_MATRIX: usize = 12;
@@ -25,23 +26,25 @@ const ROUNDING: f64 = 1e-12;
 /// q, q̇ and q̈ at the start, and the motion of the points.
 pub fn values(view: &Interpreted, instant: &Instant) -> String {
     let system = view.system();
+    let shown = system.mechanism.units.of_messages();
     let mut text = String::from(
         "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th></th><th>position</th><th></th><th>rate</th><th>acceleration</th><th>unit</th></tr></thead><tbody>\n",
     );
     for place in 0..system.coordinates.len() {
         let [q, qd, qdd] = instant.coordinate(place).unwrap_or_default();
         let name = symbol(system, SymbolRole::Position(place));
-        let unit = Units::si(system, place);
-        let degrees = match unit {
+        let units = Units::of(system, place, shown).levels;
+        let degrees = match units[0].name.as_str() {
             "rad" => format!("{}°", number(q.to_degrees())),
             _ => String::new(),
         };
         let _ = writeln!(
             text,
-            "<tr data-is=\"q{place}\" tabindex=\"0\"><th><math>{name}</math></th><td>{}</td><td>{degrees}</td><td>{}</td><td>{}</td><td>{unit}</td></tr>",
-            number(q),
-            number(qd),
-            number(qdd)
+            "<tr data-is=\"q{place}\" tabindex=\"0\"><th><math>{name}</math></th><td>{}</td><td>{degrees}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            number(units[0].of_si(q)),
+            number(units[1].of_si(qd)),
+            number(units[2].of_si(qdd)),
+            names(&units),
         );
     }
     text += "</tbody></table></div>\n";
@@ -49,24 +52,43 @@ pub fn values(view: &Interpreted, instant: &Instant) -> String {
     if points.is_empty() {
         return text;
     }
-    text += "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th>Point</th><th>position, m</th><th>velocity, m/s</th><th>acceleration, m/s²</th></tr></thead><tbody>\n";
+    let units = LENGTHS.map(|it| shown.of(it));
+    let [position, velocity, acceleration] = units.each_ref().map(|it| escaped(&it.name));
+    let _ = writeln!(
+        text,
+        "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th>Point</th><th>position, {position}</th><th>velocity, {velocity}</th><th>acceleration, {acceleration}</th></tr></thead><tbody>"
+    );
     for (place, (output, motion)) in system.outputs.iter().zip(&points).enumerate() {
         let PointMotion {
             position,
             velocity,
             acceleration,
         } = motion;
-        let pair = |[x, y]: &[f64; 2]| format!("({}, {})", number(*x), number(*y));
+        let pair = |values: &[f64; 2], unit: &OutputUnit| {
+            let [x, y] = values.map(|it| number(unit.of_si(it)));
+            format!("({x}, {y})")
+        };
         let _ = writeln!(
             text,
             "<tr data-is=\"p{place}\" tabindex=\"0\"><th>{}</th><td>{}</td><td>{}</td><td>{}</td></tr>",
             escaped(&output.name),
-            pair(position),
-            pair(velocity),
-            pair(acceleration)
+            pair(position, &units[0]),
+            pair(velocity, &units[1]),
+            pair(acceleration, &units[2])
         );
     }
     text + "</tbody></table></div>\n"
+}
+
+/// Returns the name of the unit of a coordinate; the three names where one does not make the others.
+fn names(units: &[OutputUnit; 3]) -> String {
+    let [own, rate, acceleration] = units.each_ref().map(|it| it.name.as_str());
+    let is_usual =
+        own.is_empty() || rate == format!("{own}/s") && acceleration == format!("{own}/s²");
+    escaped(&match is_usual {
+        true => own.to_string(),
+        false => format!("{own}, {rate}, {acceleration}"),
+    })
 }
 
 /// The equation of the first Newton-Raphson step at `t`, from the pose of an instant before.

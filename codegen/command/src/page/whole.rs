@@ -186,9 +186,10 @@ fn drawn(page: &Page<'_>, players: &mut Players) -> String {
         let Some(open) = open_loop(view, page.schedule.start.t) else {
             return Pose::drawn(system);
         };
+        let unit = system.mechanism.units.of_messages().of("m");
         gap = Some(Gap {
             ends: open.ends,
-            text: format!("{} m", number(open.distance())),
+            text: format!("{} {}", number(unit.of_si(open.distance())), unit.name),
             title: format!("{} cannot close", system.mechanism.joints[open.joint].label),
         });
         open.pose(system)

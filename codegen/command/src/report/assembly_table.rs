@@ -7,6 +7,7 @@ use std::io::{self, Write};
 use linkwright_codegen::stages::emit::text::shown_width;
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::{Described, System};
+use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::assemblies::Assembly;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::number::fixed;
@@ -96,11 +97,21 @@ fn value(interpreted: &Interpreted, assembly: &Assembly, unknown: usize) -> Opti
     let unknown = &interpreted.system().vector_form.unknowns[unknown];
     let slot = interpreted.layout().slot(unknown.position)?;
     let value = assembly.instant.values()[slot];
+    let units = interpreted.system().mechanism.units.of_tables().or("deg");
     Some(match unknown.quantity {
-        Quantity::Angle => format!("{}°", fixed(value.to_degrees(), DECIMALS_OF_ANGLES)),
-        Quantity::Length => format!("{} m", fixed(value, DECIMALS)),
+        Quantity::Angle => with_unit(value, &units.of("rad"), DECIMALS_OF_ANGLES),
+        Quantity::Length => with_unit(value, &units.of("m"), DECIMALS),
         Quantity::Power(_) => fixed(value, DECIMALS),
     })
+}
+
+/// Returns a value in a unit; degrees have their sign.
+fn with_unit(value: f64, unit: &OutputUnit, decimals: usize) -> String {
+    let value = fixed(unit.of_si(value), decimals);
+    match unit.name.as_str() {
+        "deg" => format!("{value}°"),
+        name => format!("{value} {name}"),
+    }
 }
 
 fn group(

@@ -3,7 +3,7 @@
 //! | key | value |
 //! |---|---|
 //! | `mechanism`, `data`, `read` | as `compare` prints them |
-//! | `parameters` | `{name, unit, start, value, deviation, interval, bound}` each, in SI units; `deviation` and `interval` (of 95 %) are null where the motion does not determine it, `bound` is where the value ended at one |
+//! | `parameters` | `{name, unit, start, value, deviation, interval, bound}` each, in SI units or those that are requested; `deviation` and `interval` (of 95 %) are null where the motion does not determine it, `bound` is where the value ended at one |
 //! | `correlations` | a row for each parameter; null where one of both is not determined |
 //! | `columns` | `{column, quantity, unit, count, deviation, rms_before, rms_after, noise, reduced, chance, runs, expected_runs, explained}` each, in the unit of the column; what cannot be judged is null |
 //! | `trusted`, `reasons` | whether the fit is to be trusted, and why not, in sentences |
@@ -16,6 +16,7 @@ use std::io::{self, Write};
 use linkwright_calibrate::{Fit, Identification};
 use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::number::{counted, fixed, scientific};
 use serde::Serialize;
 
@@ -52,25 +53,16 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// The SI unit of a parameter.
-    fn unit(&self, place: usize) -> String {
-        let parameters = &self.system.mechanism.parameters;
-        let own = parameters.iter().find(|it| it.name == self.names[place]);
-        match own.map(|it| it.dimension) {
-            Some(Dimension::Angle) => "rad".to_string(),
-            Some(Dimension::Marked { length, time, mass }) => {
-                let powers = [("kg", mass), ("m", length), ("s", time)];
-                let parts = powers
-                    .iter()
-                    .filter(|it| it.1 != 0)
-                    .map(|(unit, power)| match power {
-                        1 => unit.to_string(),
-                        power => format!("{unit}^{power}"),
-                    });
-                parts.collect::<Vec<_>>().join(" ")
-            }
+    /// Unit in which a parameter is reported.
+    fn unit(&self, place: usize) -> OutputUnit {
+        let mechanism = &self.system.mechanism;
+        let mut parameters = mechanism.parameters.iter();
+        let own = parameters.find(|it| it.name == self.names[place]);
+        let si = match own.map(|it| it.dimension) {
+            Some(known @ (Dimension::Angle | Dimension::Marked { .. })) => known.unit(),
             _ => String::new(),
-        }
+        };
+        mechanism.units.of_tables().of(&si)
     }
 
     /// What is left of a column before and after, root of mean square, in its unit.
@@ -94,14 +86,13 @@ impl Report<'_> {
         for (place, name) in self.names.iter().enumerate() {
             if !fit.identified.determines(place) && fit.at_bound[place].is_none() {
                 reasons.push(format!(
-                    "`{name}` is not determined and keeps its value {} {}",
-                    fit.values[place],
-                    self.unit(place)
+                    "`{name}` is not determined and keeps its value {}",
+                    with_unit(fit.values[place], &self.unit(place))
                 ));
             }
             if let Some(bound) = fit.at_bound[place] {
-                let unit = self.unit(place);
-                reasons.push(format!("`{name}` ends at its bound {bound} {unit}"));
+                let bound = with_unit(bound, &self.unit(place));
+                reasons.push(format!("`{name}` ends at its bound {bound}"));
             }
         }
         if fit.freedom == 0 {
@@ -141,6 +132,13 @@ impl Report<'_> {
         }
         reasons
     }
+}
+
+/// Returns a value of SI with its unit.
+fn with_unit(value: f64, unit: &OutputUnit) -> String {
+    format!("{} {}", unit.of_si(value), unit.name)
+        .trim_end()
+        .to_string()
 }
 
 fn count(measured: &Measured) -> usize {
@@ -184,7 +182,8 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
         .to_vec(),
     ];
     for (place, name) in report.names.iter().enumerate() {
-        let deviation = fit.deviations[place];
+        let unit = report.unit(place);
+        let deviation = fit.deviations[place].map(|it| unit.of_si(it));
         let shown = |value: f64| match deviation.filter(|it| *it > 0.0) {
             Some(deviation) => fixed(
                 value,
@@ -193,15 +192,15 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
             None => value.to_string(),
         };
         let fitted = match deviation {
-            Some(_) => shown(fit.values[place]),
+            Some(_) => shown(unit.of_si(fit.values[place])),
             None => "not determined".to_string(),
         };
         let interval = fit.intervals[place];
-        let end = |place: usize| interval.map_or(String::new(), |it| shown(it[place]));
+        let end = |place: usize| interval.map_or(String::new(), |it| shown(unit.of_si(it[place])));
         rows.push(vec![
             name.clone(),
-            report.unit(place),
-            shown(report.start[place]),
+            unit.name.clone(),
+            shown(unit.of_si(report.start[place])),
             fitted,
             deviation.map_or(String::new(), |it| scientific(it, DIGITS)),
             end(0),
@@ -341,19 +340,18 @@ struct Combination<'a> {
 /// Those of `output`.
 pub fn write_json(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     let fit = report.fit;
-    let parameters = report
-        .names
-        .iter()
-        .enumerate()
-        .map(|(place, name)| Parameter {
-            unit: report.unit(place),
-            start: report.start[place],
-            value: fit.values[place],
-            deviation: fit.deviations[place],
-            interval: fit.intervals[place],
-            bound: fit.at_bound[place],
+    let parameters = report.names.iter().enumerate().map(|(place, name)| {
+        let unit = report.unit(place);
+        Parameter {
+            start: unit.of_si(report.start[place]),
+            value: unit.of_si(fit.values[place]),
+            deviation: fit.deviations[place].map(|it| unit.of_si(it)),
+            interval: fit.intervals[place].map(|it| it.map(|it| unit.of_si(it))),
+            bound: fit.at_bound[place].map(|it| unit.of_si(it)),
+            unit: unit.name,
             name,
-        });
+        }
+    });
     let columns = report.data.measured.iter().enumerate().map(|(place, own)| {
         let [rms_before, rms_after] = report.left(place);
         let goodness = &fit.goodness.columns[place];

@@ -8,6 +8,7 @@
 //! | `closest` there | `{measure, t, times, at_end, rcond}`: the smallest size of the normalised determinant, first when, how often, whether at an end of the range, and the reciprocal condition of the dimensionless Φ_q there |
 //! | `assembly_modes` | how many signs the closed forms have |
 //! | `coordinates` | their names, in the order of `q` |
+//! | `units` | those of each coordinate in `q`, and of a `point` |
 //! | `assemblies` | `{signs, poses, drawn, q}` each: those that exist at the start; `poses` has a number for each block without a closed form, 0 for its pose `a` of `--branch` |
 //! | `assemblies_cut_short` | whether more combinations were left untried |
 //! | `assemblies_proven` | whether it is proven that there are no others |
@@ -16,18 +17,21 @@
 //! | `proof` | with `--prove`: `{status, from, to, windows, shortest_window, determinants, coordinates, points, unproven}` |
 //! | `status` there | `proven`, or `sampled` where the motion cannot be proven |
 //! | `determinants` there | `{block, unknowns, at_least, located}` each: a bound of the size of the normalised determinant in the whole range, and the smallest that was located |
-//! | `coordinates`, `points` there | by name, bounds in the whole range, in rad and m; `{x, y}` for points |
+//! | `coordinates`, `points` there | by name, bounds in the whole range, in `units`; `{x, y}` for points |
 //! | `unproven` there | `{from, to, block, reason}`: the first window that cannot be proven |
 //! | `warnings`, `error` | sentences; `error` only where the motion ends early |
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
+use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::check::Check;
 use linkwright_solver::every_pose::Undecided;
-use linkwright_solver::proof::Proof;
+use linkwright_solver::proof::{Enclosed, Proof};
 use linkwright_solver::view::View;
 use serde::Serialize;
+
+use super::units::{enclosing, of_coordinate, si_of};
 
 #[derive(Serialize)]
 struct Object<'a> {
@@ -39,7 +43,8 @@ struct Object<'a> {
     blocks: Vec<Block<'a>>,
     assembly_modes: usize,
     coordinates: Vec<&'a str>,
-    assemblies: Vec<Assembly<'a>>,
+    units: UnitNames,
+    assemblies: Vec<Assembly>,
     assemblies_cut_short: bool,
     assemblies_proven: bool,
     assemblies_decided: f64,
@@ -49,6 +54,13 @@ struct Object<'a> {
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
+}
+
+/// Units of `q` and of points.
+#[derive(Serialize)]
+struct UnitNames {
+    q: Vec<String>,
+    point: String,
 }
 
 #[derive(Serialize)]
@@ -72,11 +84,11 @@ struct Closest {
 }
 
 #[derive(Serialize)]
-struct Assembly<'a> {
+struct Assembly {
     signs: Vec<i8>,
     poses: Vec<usize>,
     drawn: bool,
-    q: &'a [f64],
+    q: Vec<f64>,
 }
 
 #[derive(Serialize)]
@@ -120,6 +132,8 @@ struct Unproven<'a> {
 
 fn proof_object<'a>(check: &'a Check, proof: &'a Proof) -> ProofObject<'a> {
     let proven = proof.proven.as_ref();
+    let units = check.interpreted.system().mechanism.units.of_tables();
+    let unit_of = |own: &Enclosed| units.of(if own.is_angle { "rad" } else { "m" });
     let determinants = proven.map(|proven| {
         let all = proven.determinants.iter();
         let all = all.map(|it| Determinant {
@@ -133,7 +147,8 @@ fn proof_object<'a>(check: &'a Check, proof: &'a Proof) -> ProofObject<'a> {
     let points = proven.map(|proven| {
         let all = proven.points.iter();
         all.map(|[x, y]| {
-            let [x_bounds, y_bounds] = [x.bounds, y.bounds];
+            let length = units.of("m");
+            let [x_bounds, y_bounds] = [x, y].map(|it| enclosing(&length, it.bounds));
             let point = Point {
                 x: x_bounds,
                 y: y_bounds,
@@ -154,7 +169,8 @@ fn proof_object<'a>(check: &'a Check, proof: &'a Proof) -> ProofObject<'a> {
         determinants,
         coordinates: proven.map(|proven| {
             let all = proven.coordinates.iter();
-            all.map(|it| (it.name.as_str(), it.bounds)).collect()
+            all.map(|it| (it.name.as_str(), enclosing(&unit_of(it), it.bounds)))
+                .collect()
         }),
         points,
         unproven: proof.unproven.as_ref().map(|it| Unproven {
@@ -172,6 +188,11 @@ fn proof_object<'a>(check: &'a Check, proof: &'a Proof) -> ProofObject<'a> {
 /// Those of `output`.
 pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io::Result<()> {
     let found = &check.assemblies;
+    let system = check.interpreted.system();
+    let units = system.mechanism.units.of_tables();
+    let coordinate_units: Vec<OutputUnit> = (0..system.coordinates.len())
+        .map(|it| of_coordinate(system, it, &units))
+        .collect();
     let assemblies = found.found.iter().map(|assembly| Assembly {
         signs: assembly
             .modes
@@ -181,7 +202,11 @@ pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io
             .collect(),
         poses: assembly.poses.iter().map(|pose| pose.place).collect(),
         drawn: assembly.drawn,
-        q: assembly.instant.q(),
+        q: coordinate_units
+            .iter()
+            .zip(assembly.instant.q())
+            .map(|(unit, value)| unit.of_si(*value))
+            .collect(),
     });
     let blocks = check.parts.iter().map(|part| Block {
         block: part.pose.block + 1,
@@ -198,7 +223,6 @@ pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io
             rcond: part.reciprocal,
         }),
     });
-    let system = check.interpreted.system();
     let motion = system.mechanism.motion.as_ref();
     let object = Object {
         mechanism: &system.mechanism.name,
@@ -212,6 +236,10 @@ pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io
             .iter()
             .map(|it| it.name.as_str())
             .collect(),
+        units: UnitNames {
+            q: coordinate_units.iter().map(|it| it.name.clone()).collect(),
+            point: units.of("m").name,
+        },
         assemblies: assemblies.collect(),
         assemblies_cut_short: found.cut_short,
         assemblies_proven: found.are_all(),
@@ -222,7 +250,11 @@ pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io
             .map(|Undecided(ranges)| {
                 let ranges = ranges.iter();
                 ranges
-                    .map(|(unknown, range)| (system.unknown_name(*unknown), *range))
+                    .map(|(unknown, range)| {
+                        let quantity = system.vector_form.unknowns[*unknown].quantity;
+                        let unit = units.of(si_of(quantity));
+                        (system.unknown_name(*unknown), enclosing(&unit, *range))
+                    })
                     .collect()
             })
             .collect(),

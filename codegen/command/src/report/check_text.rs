@@ -10,6 +10,7 @@ use linkwright_solver::view::View;
 use linkwright_solver::warnings::times;
 
 use super::assembly_table;
+use super::units::{enclosing, si_of};
 
 /// How many assemblies are listed.
 const LISTED: usize = 64;
@@ -123,10 +124,15 @@ fn undecided(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             "  no others in {percent:.1} % of all that could be; undecided are:"
         )?;
     }
+    let units = check.interpreted.system().mechanism.units.of_tables();
     for Undecided(ranges) in all.undecided.iter().take(LISTED_PARTS) {
         let ranges = ranges.iter().map(|(unknown, [low, high])| {
-            let name = check.interpreted.system().unknown_name(*unknown);
-            format!("{name} from {low:.9} to {high:.9}")
+            let system = check.interpreted.system();
+            let unit = units.of(si_of(system.vector_form.unknowns[*unknown].quantity));
+            let [low, high] = enclosing(&unit, [*low, *high]);
+            let name = system.unknown_name(*unknown);
+            let space = if unit.name.is_empty() { "" } else { " " };
+            format!("{name} from {low:.9} to {high:.9}{space}{}", unit.name)
         });
         let ranges: Vec<String> = ranges.collect();
         writeln!(output, "  undecided: {}", ranges.join(" with "))?;

@@ -1,18 +1,17 @@
 //! *A motion* → *CSV*: a line per frame, every number with as few digits as restore it exactly.
 //!
 //! The columns are `t`; the coordinates by name (`x1`), their rates (`x1_d`) and accelerations (`x1_dd`); for each point `K`
-//! its position, velocity and acceleration `K_x, K_y, K_vx, K_vy, K_ax, K_ay`. Units are m, rad and s. What `transmission` and
-//! `sensitivity` statements ask for follows, `K_x per phi(1)`, empty where Φ_q is singular, and then what `effort`, `reaction` and
-//! `energy` statements do, `effort_crank`, in N, N·m, W and J. Where it is asked for,
-//! `normalized_determinant_phi2` and the like follow, dimensionless. On request each name is followed by its unit, `phi1_d (rad/s)`;
-//! what is dimensionless, or measured in units of two quantities, has none.
+//! its position, velocity and acceleration `K_x, K_y, K_vx, K_vy, K_ax, K_ay`. Units are those that are requested, otherwise m, rad and s.
+//! The derivatives of `transmission` and `sensitivity` statements follow, `K_x per phi(1)`, empty where Φ_q is singular, and then what
+//! `effort`, `reaction` and `energy` statements request, `effort_crank`. Measures of `--monitor` follow, `normalized_determinant_phi2`,
+//! dimensionless. Where units are requested, each name is followed by its unit, `phi1_d (rad/s)`; dimensionless columns have none.
 
 use std::io::{self, Write};
 
+use linkwright_codegen::stages::units::{OutputUnit, Unit};
 use linkwright_solver::view::View;
 
-use super::units::Units;
-use crate::arguments::TurnUnit;
+use super::units::ColumnUnits;
 use crate::motion::{Followed, Shown, Sink};
 use crate::output::{Beginning, Record, Signature};
 
@@ -21,11 +20,6 @@ const RATES: [&str; 3] = ["", "_d", "_dd"];
 
 /// What follows the name of a point.
 const OF_POINT: [&str; 6] = ["_x", "_y", "_vx", "_vy", "_ax", "_ay"];
-
-/// What columns are measured in.
-const UNITS: [&str; 13] = [
-    "s", "m", "m/s", "m/s²", "rad", "rad/s", "rad/s²", "1/s", "1/s²", "N", "N*m", "W", "J",
-];
 
 /// How many bytes a number takes, about, with what separates it from the next one.
 const BYTES: u64 = 20;
@@ -52,8 +46,7 @@ pub const SIGNATURE: Signature = Signature {
 pub struct Table<'a> {
     writer: csv::Writer<&'a mut dyn Write>,
     fields: Vec<String>,
-    derivatives: usize,
-    forces: usize,
+    units: ColumnUnits,
 }
 
 impl<'a> Table<'a> {
@@ -67,17 +60,18 @@ impl<'a> Table<'a> {
         output: &'a mut dyn Write,
     ) -> io::Result<Table<'a>> {
         let mut writer = csv::Writer::from_writer(output);
-        let header = header(motion).into_iter().map(|(name, unit)| match unit {
-            "" => name,
-            unit if has_units => format!("{name} ({unit})"),
-            _ => name,
+        let units = ColumnUnits::of(motion);
+        let is_named = has_units || motion.system().mechanism.units.requested.is_some();
+        let header = header(motion, &units).into_iter();
+        let header = header.map(|(name, unit)| match is_named && !unit.is_empty() {
+            true => format!("{name} ({unit})"),
+            false => name,
         });
         writer.write_record(header).map_err(cause)?;
         Ok(Table {
             writer,
             fields: Vec::new(),
-            derivatives: motion.derivative_names.len(),
-            forces: motion.force_names.len(),
+            units,
         })
     }
 
@@ -92,24 +86,22 @@ impl<'a> Table<'a> {
 
 impl Sink for Table<'_> {
     fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
-        let fields = &mut self.fields;
+        let (fields, units) = (&mut self.fields, &self.units);
         fields.clear();
         fields.push(number(shown.instant.t()));
-        for level in [shown.instant.q(), shown.instant.qd(), shown.instant.qdd()] {
-            fields.extend(level.iter().map(|value| number(*value)));
+        let levels = [shown.instant.q(), shown.instant.qd(), shown.instant.qdd()];
+        for (level, values) in levels.into_iter().enumerate() {
+            let units = units.coordinates.iter().map(|it| &it[level]);
+            fields.extend(written(Some(values), units));
         }
         for motion in shown.motions {
             let values = [motion.position, motion.velocity, motion.acceleration];
-            fields.extend(values.into_iter().flatten().map(number));
+            for (values, unit) in values.iter().zip(&units.points) {
+                fields.extend(written(Some(values), [unit; 2]));
+            }
         }
-        match shown.derivatives {
-            Some(values) => fields.extend(values.iter().map(|value| number(*value))),
-            None => fields.extend((0..self.derivatives).map(|_| String::new())),
-        }
-        match shown.forces {
-            Some(values) => fields.extend(values.iter().map(|value| number(*value))),
-            None => fields.extend((0..self.forces).map(|_| String::new())),
-        }
+        fields.extend(written(shown.derivatives, &units.derivatives));
+        fields.extend(written(shown.forces, &units.forces));
         fields.extend(shown.measures.iter().map(|value| number(*value)));
         self.writer.write_record(fields).map_err(cause)
     }
@@ -117,30 +109,42 @@ impl Sink for Table<'_> {
 
 /// How many bytes a table of so many frames takes, about.
 pub fn size<V: View>(motion: &Followed<V>, frames: usize) -> u64 {
-    (header(motion).len() * frames) as u64 * BYTES
+    (header(motion, &ColumnUnits::of(motion)).len() * frames) as u64 * BYTES
 }
 
-/// The columns, each with its unit.
-fn header<V: View>(motion: &Followed<V>) -> Vec<(String, &'static str)> {
+/// Returns values in their units; empty cells where there are none.
+fn written<'a>(
+    values: Option<&[f64]>,
+    units: impl IntoIterator<Item = &'a OutputUnit>,
+) -> impl Iterator<Item = String> {
+    let units = units.into_iter().enumerate();
+    units.map(move |(place, unit)| {
+        values.map_or(String::new(), |values| number(unit.of_si(values[place])))
+    })
+}
+
+/// Returns the names of the columns, each with its unit.
+fn header<'a, V: View>(motion: &Followed<V>, units: &'a ColumnUnits) -> Vec<(String, &'a str)> {
     let mut names = vec![("t".to_string(), "s")];
-    let system = motion.system();
     for (level, suffix) in RATES.iter().enumerate() {
-        let columns = system.coordinates.iter().enumerate().map(|(place, it)| {
-            let units = Units::of(system, place, TurnUnit::Rad);
-            (format!("{}{suffix}", it.name), units.levels[level])
-        });
-        names.extend(columns);
+        let coordinates = motion.system().coordinates.iter().zip(&units.coordinates);
+        let named =
+            coordinates.map(|(it, own)| (format!("{}{suffix}", it.name), own[level].name.as_str()));
+        names.extend(named);
     }
     for name in motion.point_names() {
-        let columns = OF_POINT
-            .iter()
-            .zip(["m", "m", "m/s", "m/s", "m/s²", "m/s²"]);
-        names.extend(columns.map(|(suffix, unit)| (format!("{name}{suffix}"), unit)));
+        let columns = OF_POINT.iter().zip(0..);
+        let unit = |component: usize| units.points[component / 2].name.as_str();
+        names.extend(
+            columns.map(|(suffix, component)| (format!("{name}{suffix}"), unit(component))),
+        );
     }
-    let plain = |name: &String| (name.clone(), "");
-    names.extend(motion.derivative_names.iter().map(plain));
-    names.extend(motion.force_names.iter().cloned());
-    names.extend(motion.measure_names.iter().map(plain));
+    let unit = |unit: &'a OutputUnit| unit.name.as_str();
+    let derivatives = motion.derivative_names.iter().zip(&units.derivatives);
+    names.extend(derivatives.map(|((name, _), own)| (name.clone(), unit(own))));
+    let forces = motion.force_names.iter().zip(&units.forces);
+    names.extend(forces.map(|((name, _), own)| (name.clone(), unit(own))));
+    names.extend(motion.measure_names.iter().map(|name| (name.clone(), "")));
     names
 }
 
@@ -152,10 +156,12 @@ fn is_header(line: &str) -> bool {
     let Some(Ok(names)) = table.records().next() else {
         return false;
     };
-    let names: Vec<&str> = names.iter().map(without_unit).collect();
-    let Some((&"t", names)) = names.split_first() else {
+    let names: Vec<&str> = names.iter().collect();
+    let Some((&("t" | "t (s)"), names)) = names.split_first() else {
         return false;
     };
+    let names: Vec<&str> = names.iter().map(|it| without_unit(it)).collect();
+    let names = names.as_slice();
     // What follows the coordinates is the rate of the first of them.
     let is_first_rate = |name: &&str| name.strip_suffix(RATES[1]) == names.first().copied();
     let Some(count) = names.iter().position(is_first_rate) else {
@@ -184,7 +190,7 @@ fn is_header(line: &str) -> bool {
 fn without_unit(column: &str) -> &str {
     let name = column.strip_suffix(')').and_then(|it| it.rsplit_once(" ("));
     match name {
-        Some((name, unit)) if UNITS.contains(&unit) => name,
+        Some((name, unit)) if Unit::parse(unit).is_some() => name,
         _ => column,
     }
 }

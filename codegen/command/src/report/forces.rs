@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use linkwright_codegen::stages::units::OutputUnits;
 use linkwright_solver::number::time;
 use linkwright_solver::view::View;
 
@@ -18,29 +19,38 @@ const TABLED: usize = 12;
 ///
 /// # Errors
 /// Those of `output`.
-pub fn write<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+pub fn write<V: View>(
+    motion: &Followed<V>,
+    units: &OutputUnits,
+    output: &mut dyn Write,
+) -> io::Result<()> {
     if motion.force_names.is_empty() {
         return Ok(());
     }
     if motion.force_names.len() <= TABLED {
-        tables(motion, output)?;
+        tables(motion, units, output)?;
     }
     writeln!(output, "\nlargest forces")?;
     let width = motion.force_names.iter().map(|(name, _)| name.len()).max();
     let width = width.unwrap_or(0);
-    for ((name, unit), (value, t)) in motion.force_names.iter().zip(&motion.largest_forces) {
-        let t = time(*t);
+    for ((name, si), (value, t)) in motion.force_names.iter().zip(&motion.largest_forces) {
+        let (t, unit) = (time(*t), units.of(si));
         writeln!(
             output,
-            "  {name:width$}  {} {unit} at t = {t} s",
-            short(*value)
+            "  {name:width$}  {} {} at t = {t} s",
+            short(unit.of_si(*value)),
+            unit.name
         )?;
     }
     Ok(())
 }
 
 /// As many columns beside one another as fit on a line.
-fn tables<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+fn tables<V: View>(
+    motion: &Followed<V>,
+    units: &OutputUnits,
+    output: &mut dyn Write,
+) -> io::Result<()> {
     let rows = motion.rows.numbered(&motion_table::shown(motion.count));
     let times: Vec<f64> = rows.iter().map(|row| row.t).collect();
     let times = Column::of_times(&times);
@@ -48,10 +58,13 @@ fn tables<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<(
         .force_names
         .iter()
         .enumerate()
-        .map(|(place, (name, unit))| {
-            let values: Vec<f64> = rows.iter().map(|row| row.forces[place]).collect();
+        .map(|(place, (name, si))| {
+            let unit = units.of(si);
+            let values = rows.iter().map(|row| unit.of_si(row.forces[place]));
+            let values: Vec<f64> = values.collect();
             let (largest, _) = motion.largest_forces[place];
-            Column::new(format!("{name} ({unit})"), &values, largest.abs())
+            let largest = unit.of_si(largest.abs());
+            Column::new(format!("{name} ({})", unit.name), &values, largest)
         });
     let columns: Vec<Column> = columns.collect();
     let mut rest = &columns[..];

@@ -9,11 +9,11 @@
 //! | `degrees_of_freedom` | before drivers |
 //! | `det`, `rcond` | determinant and reciprocal condition (1-norm) of Φ_q at the start, in SI units |
 //! | `rcond_dimensionless` | the latter with lengths divided by the characteristic length |
-//! | `derivatives` | the names of what `transmission` and `sensitivity` statements ask for, if any |
+//! | `derivatives`, `derivative_units` | names and units of what `transmission` and `sensitivity` statements request, if any |
 //! | `forces` | the names of what `effort`, `reaction` and `energy` statements ask for, each with its unit, if any |
 //! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y); and `derivatives` and `forces`, null where Φ_q is singular |
-//! | `residuals` | the largest over all frames: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` where equations are redundant |
-//! | `pressure_angles` | where bodies touch along curves: `{joint, angle, t}` each, the largest angle in rad and when; null at rest |
+//! | `residuals` | the largest over all frames, in SI units: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` where equations are redundant |
+//! | `pressure_angles` | where bodies touch along curves: `{joint, angle, t}` each, the largest angle, in rad or the requested unit, and when; null at rest |
 //! | `newton_steps` | how many were taken in all |
 //! | `simulation` | of a simulated motion: `evaluations`, `steps`, `implicit_steps` among them, `rejected`, `energy_drift` in J, and `kinetic_energy`, the largest |
 //! | `warnings` | sentences |
@@ -23,7 +23,7 @@ use std::io::{self, Write};
 
 use linkwright::PointMotion;
 use linkwright_codegen::stages::model::Role;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::check::equation_count;
 use linkwright_solver::pressure::LargestPressureAngle;
 use linkwright_solver::residuals::Residuals;
@@ -31,8 +31,7 @@ use linkwright_solver::view::View;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::units::Units;
-use crate::arguments::TurnUnit;
+use super::units::{ColumnUnits, UnitNames};
 use crate::motion::{Followed, Shown, Simulated, Sink};
 
 /// What is known before the motion is followed.
@@ -47,40 +46,12 @@ struct Head<'a> {
     det: f64,
     rcond: f64,
     rcond_dimensionless: f64,
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    derivatives: &'a [String],
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    forces: &'a [(String, &'static str)],
-}
-
-#[derive(Serialize)]
-struct UnitNames {
-    t: &'static str,
-    q: Vec<&'static str>,
-    qd: Vec<&'static str>,
-    qdd: Vec<&'static str>,
-    position: &'static str,
-    velocity: &'static str,
-    acceleration: &'static str,
-}
-
-impl UnitNames {
-    fn of(system: &System) -> UnitNames {
-        let level = |level: usize| {
-            let coordinates = 0..system.coordinates.len();
-            let units = coordinates.map(|it| Units::of(system, it, TurnUnit::Rad).levels[level]);
-            units.collect()
-        };
-        UnitNames {
-            t: "s",
-            q: level(0),
-            qd: level(1),
-            qdd: level(2),
-            position: "m",
-            velocity: "m/s",
-            acceleration: "m/s²",
-        }
-    }
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    derivatives: Vec<&'a str>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    derivative_units: Vec<&'a str>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    forces: Vec<(&'a str, &'a str)>,
 }
 
 /// What is known afterwards.
@@ -137,11 +108,11 @@ struct Pressure<'a> {
     t: f64,
 }
 
-impl<'a> From<&'a LargestPressureAngle> for Pressure<'a> {
-    fn from(it: &'a LargestPressureAngle) -> Self {
+impl<'a> Pressure<'a> {
+    fn new(it: &'a LargestPressureAngle, unit: &OutputUnit) -> Pressure<'a> {
         Pressure {
             joint: &it.joint,
-            angle: it.angle,
+            angle: it.angle.map(|it| unit.of_si(it)),
             t: it.t,
         }
     }
@@ -150,24 +121,24 @@ impl<'a> From<&'a LargestPressureAngle> for Pressure<'a> {
 #[derive(Serialize)]
 struct Frame<'a> {
     t: f64,
-    q: &'a [f64],
-    qd: &'a [f64],
-    qdd: &'a [f64],
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    qdd: Vec<f64>,
     points: Points<'a>,
     /// None where nothing is asked for; the inner one where there is no answer.
     #[serde(skip_serializing_if = "Option::is_none")]
-    derivatives: Option<Option<&'a [f64]>>,
+    derivatives: Option<Option<Vec<f64>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    forces: Option<Option<&'a [f64]>>,
+    forces: Option<Option<Vec<f64>>>,
 }
 
-struct Points<'a>(&'a [String], &'a [PointMotion]);
+struct Points<'a>(&'a [String], &'a [PointMotion], &'a [OutputUnit; 3]);
 
 impl Serialize for Points<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.0.len()))?;
         for (name, motion) in self.0.iter().zip(self.1) {
-            map.serialize_entry(name, &MotionValues::from(*motion))?;
+            map.serialize_entry(name, &MotionValues::new(motion, self.2))?;
         }
         map.end()
     }
@@ -180,14 +151,24 @@ struct MotionValues {
     acceleration: [f64; 2],
 }
 
-impl From<PointMotion> for MotionValues {
-    fn from(motion: PointMotion) -> Self {
+impl MotionValues {
+    fn new(motion: &PointMotion, units: &[OutputUnit; 3]) -> MotionValues {
+        let [position, velocity, acceleration] = [0, 1, 2].map(|level| {
+            let values = [motion.position, motion.velocity, motion.acceleration][level];
+            values.map(|it| units[level].of_si(it))
+        });
         MotionValues {
-            position: motion.position,
-            velocity: motion.velocity,
-            acceleration: motion.acceleration,
+            position,
+            velocity,
+            acceleration,
         }
     }
+}
+
+/// Returns values in their units from those in SI units.
+fn scaled<'a>(values: &[f64], units: impl IntoIterator<Item = &'a OutputUnit>) -> Vec<f64> {
+    let pairs = values.iter().zip(units);
+    pairs.map(|(value, unit)| unit.of_si(*value)).collect()
 }
 
 /// The object of a motion, to which frames are added one by one, so that the whole text is never held.
@@ -196,6 +177,7 @@ pub struct Object<'a> {
     points: Vec<String>,
     has_derivatives: bool,
     has_forces: bool,
+    units: ColumnUnits,
     is_first: bool,
 }
 
@@ -206,18 +188,28 @@ impl<'a> Object<'a> {
     /// Those of `output`.
     pub fn new<V: View>(motion: &Followed<V>, output: &'a mut dyn Write) -> io::Result<Object<'a>> {
         let coordinates = &motion.system().coordinates;
+        let units = ColumnUnits::of(motion);
+        let derivatives = motion.derivative_names.iter();
+        let forces = motion.force_names.iter().zip(&units.forces);
         let constrained = equation_count(motion.system(), Role::Constraint);
         let head = serde_json::to_string(&Head {
             mechanism: motion.name(),
             motion: motion.motion(),
             coordinates: coordinates.iter().map(|it| it.name.as_str()).collect(),
-            units: UnitNames::of(motion.system()),
+            units: units.names(),
             degrees_of_freedom: coordinates.len().saturating_sub(constrained),
             det: motion.condition.determinant,
             rcond: motion.condition.reciprocal,
             rcond_dimensionless: motion.dimensionless_condition.reciprocal,
-            derivatives: &motion.derivative_names,
-            forces: &motion.force_names,
+            derivatives: derivatives.map(|it| it.0.as_str()).collect(),
+            derivative_units: units
+                .derivatives
+                .iter()
+                .map(|it| it.name.as_str())
+                .collect(),
+            forces: forces
+                .map(|(it, unit)| (it.0.as_str(), unit.name.as_str()))
+                .collect(),
         })?;
         // The object goes on.
         write!(output, "{},\"frames\":[", head.trim_end_matches('}'))?;
@@ -226,6 +218,7 @@ impl<'a> Object<'a> {
             points: motion.point_names().map(str::to_string).collect(),
             has_derivatives: !motion.derivative_names.is_empty(),
             has_forces: !motion.force_names.is_empty(),
+            units,
             is_first: true,
         })
     }
@@ -244,6 +237,9 @@ impl<'a> Object<'a> {
             ..
         } = motion.residuals.largest;
         let [newton_steps, _] = motion.view.newton_steps();
+        let unit = motion.system().mechanism.units.of_tables().of("rad");
+        let angles = motion.pressure.largest.iter();
+        let angles = angles.map(|it| Pressure::new(it, &unit));
         let tail = serde_json::to_string(&Tail {
             residuals: Largest {
                 position,
@@ -252,7 +248,7 @@ impl<'a> Object<'a> {
                 velocity,
                 acceleration,
             },
-            pressure_angles: motion.pressure.largest.iter().map(Pressure::from).collect(),
+            pressure_angles: angles.collect(),
             newton_steps,
             simulation: motion.simulated.as_ref().map(Integration::from),
             warnings: &motion.warnings,
@@ -267,14 +263,20 @@ impl Sink for Object<'_> {
         if !std::mem::take(&mut self.is_first) {
             self.output.write_all(b",")?;
         }
+        let units = &self.units;
+        let level = |level: usize, values: &[f64]| {
+            scaled(values, units.coordinates.iter().map(|it| &it[level]))
+        };
+        let derivatives = shown.derivatives.map(|it| scaled(it, &units.derivatives));
+        let forces = shown.forces.map(|it| scaled(it, &units.forces));
         let frame = Frame {
             t: shown.instant.t(),
-            q: shown.instant.q(),
-            qd: shown.instant.qd(),
-            qdd: shown.instant.qdd(),
-            points: Points(&self.points, shown.motions),
-            derivatives: self.has_derivatives.then_some(shown.derivatives),
-            forces: self.has_forces.then_some(shown.forces),
+            q: level(0, shown.instant.q()),
+            qd: level(1, shown.instant.qd()),
+            qdd: level(2, shown.instant.qdd()),
+            points: Points(&self.points, shown.motions, &units.points),
+            derivatives: self.has_derivatives.then_some(derivatives),
+            forces: self.has_forces.then_some(forces),
         };
         Ok(serde_json::to_writer(&mut *self.output, &frame)?)
     }

@@ -5,6 +5,7 @@
 
 use linkwright::PointMotion;
 use linkwright_codegen::stages::emit::text::shown_width;
+use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::number::{fixed, scientific};
 
 /// How many rows a table has at most.
@@ -96,19 +97,20 @@ impl Column {
     }
 }
 
-/// The columns of one point: position, velocity and acceleration.
-pub fn of_point(motions: &[PointMotion<f64>], size: f64) -> Vec<Column> {
-    let column = |name: &str, pick: &dyn Fn(&PointMotion<f64>) -> f64| {
-        let values: Vec<f64> = motions.iter().map(pick).collect();
-        Column::new(name, &values, size)
+/// Returns the columns of one point, position, velocity and acceleration, each in its unit; `size` is in SI units.
+pub fn of_point(motions: &[PointMotion<f64>], units: &[OutputUnit; 3], size: f64) -> Vec<Column> {
+    let column = |name: &str, unit: &OutputUnit, pick: &dyn Fn(&PointMotion<f64>) -> f64| {
+        let values: Vec<f64> = motions.iter().map(|it| unit.of_si(pick(it))).collect();
+        Column::new(name, &values, unit.of_si(size))
     };
+    let [position, velocity, acceleration] = units;
     vec![
-        column("x", &|it| it.position[0]),
-        column("y", &|it| it.position[1]),
-        column("vx", &|it| it.velocity[0]),
-        column("vy", &|it| it.velocity[1]),
-        column("ax", &|it| it.acceleration[0]),
-        column("ay", &|it| it.acceleration[1]),
+        column("x", position, &|it| it.position[0]),
+        column("y", position, &|it| it.position[1]),
+        column("vx", velocity, &|it| it.velocity[0]),
+        column("vy", velocity, &|it| it.velocity[1]),
+        column("ax", acceleration, &|it| it.acceleration[0]),
+        column("ay", acceleration, &|it| it.acceleration[1]),
     ]
 }
 

@@ -1,5 +1,6 @@
 //! *A motion* → *one SVG with the paths of its points*: x against y, both at one scale.
 
+use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::view::View;
 use plotters::prelude::*;
 
@@ -37,11 +38,19 @@ pub fn paths<V: View>(
     motion: &Followed<V>,
     course: &Course,
     is_drawn: &[bool],
+    unit: &OutputUnit,
 ) -> Result<Option<String>, String> {
     let paths = course.paths.iter().zip(motion.point_names()).zip(is_drawn);
     let paths: Vec<(&str, Vec<[f64; 2]>)> = paths
         .filter(|(_, is_drawn)| **is_drawn)
-        .map(|((path, name), _)| (name, path.places().collect()))
+        .map(|((path, name), _)| {
+            (
+                name,
+                path.places()
+                    .map(|it| it.map(|own| unit.of_si(own)))
+                    .collect(),
+            )
+        })
         .collect();
     if paths.is_empty() {
         return Ok(None);
@@ -54,15 +63,18 @@ pub fn paths<V: View>(
     let sides = lengths.map(|it| (SIDES[1] * it / longer).max(SIDES[0]));
     let size = [0, 1].map(|axis| sides[axis] as u32 + 2 * MARGIN + AROUND[axis]);
     let title = format!("Paths of {}", motion.title());
-    drawn(&title, (size[0], size[1]), |area| draw(area, ends, &paths))
-        .map(Some)
-        .map_err(|error| format!("cannot draw the paths: {error}"))
+    drawn(&title, (size[0], size[1]), |area| {
+        draw(area, ends, &paths, &unit.name)
+    })
+    .map(Some)
+    .map_err(|error| format!("cannot draw the paths: {error}"))
 }
 
 fn draw(
     area: &Drawing<'_>,
     ends: [(f64, f64); 2],
     paths: &[(&str, Vec<[f64; 2]>)],
+    unit: &str,
 ) -> Result<(), Refused> {
     let (width, height) = area.dim_in_pixel();
     let pixels = [
@@ -92,8 +104,8 @@ fn draw(
         .y_labels(9)
         .x_label_formatter(&label_format(across.0, across.1))
         .y_label_formatter(&label_format(up.0, up.1))
-        .x_desc("x (m)")
-        .y_desc("y (m)")
+        .x_desc(format!("x ({unit})"))
+        .y_desc(format!("y ({unit})"))
         .draw()?;
     let units = UNITS as i32;
     for (row, (name, places)) in paths.iter().enumerate() {

@@ -4,14 +4,14 @@
 
 use std::ops::Range;
 
+use linkwright_codegen::stages::units::{OutputUnit, OutputUnits};
 use linkwright_solver::view::View;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::picture::signed;
-use super::units::Units;
-use crate::arguments::TurnUnit;
+use super::units::{LENGTHS, Units};
 use crate::motion::{Course, Curve, Extreme, Followed};
 
 /// Width and height of a picture in pixels.
@@ -56,6 +56,12 @@ fn largest<'a, const N: usize>(
     values.fold(0.0, |most, (_, it)| most.max(it.abs()))
 }
 
+/// Returns values in a unit from those in SI units.
+fn scaled(values: Vec<Extreme>, unit: &OutputUnit) -> Vec<Extreme> {
+    let values = values.into_iter();
+    values.map(|(t, value)| (t, unit.of_si(value))).collect()
+}
+
 /// The first if it is positive, otherwise the second.
 fn or(value: f64, otherwise: f64) -> f64 {
     if value > 0.0 { value } else { otherwise }
@@ -68,13 +74,11 @@ fn or(value: f64, otherwise: f64) -> f64 {
 pub fn points<V: View>(
     motion: &Followed<V>,
     course: &Course,
+    units: &OutputUnits,
 ) -> Result<Vec<Option<String>>, String> {
     let size = motion.system().mechanism.characteristic_length;
-    let levels = [
-        ("position", "m"),
-        ("velocity", "m/s"),
-        ("acceleration", "m/s²"),
-    ];
+    let titles = ["position", "velocity", "acceleration"];
+    let units = LENGTHS.map(|it| units.of(it));
     let symbols = [["x", "y"], ["vx", "vy"], ["ax", "ay"]];
     let references = [
         size,
@@ -85,12 +89,15 @@ pub fn points<V: View>(
     let pictures = pictures.map(|(curve, name)| {
         let panels: Vec<Panel<'_>> = (0..3)
             .map(|level| Panel {
-                title: levels[level].0.to_string(),
-                unit: levels[level].1,
+                title: titles[level].to_string(),
+                unit: &units[level].name,
                 curves: [0, 1]
-                    .map(|axis| (symbols[level][axis], curve.component(2 * level + axis)))
+                    .map(|axis| {
+                        let values = curve.component(2 * level + axis);
+                        (symbols[level][axis], scaled(values, &units[level]))
+                    })
                     .into(),
-                reference: references[level],
+                reference: units[level].of_si(references[level]),
             })
             .collect();
         if rests(&panels[0]) {
@@ -112,22 +119,20 @@ pub fn points<V: View>(
 pub fn coordinates<V: View>(
     motion: &Followed<V>,
     course: &Course,
-    angles: TurnUnit,
+    units: &OutputUnits,
 ) -> Result<Vec<Option<String>>, String> {
     let shown = motion.wanted.coordinates.iter();
     let pictures = course.coordinates.iter().zip(shown);
     let pictures = pictures.map(|(curve, &coordinate)| {
-        let units = Units::of(motion.system(), coordinate, angles);
+        let units = Units::of(motion.system(), coordinate, units);
         let name = &motion.system().coordinates[coordinate].name;
         let panels: Vec<Panel<'_>> = (0..3)
             .map(|level| {
-                let scaled = curve.component(level).into_iter();
-                let values: Vec<Extreme> =
-                    scaled.map(|(t, value)| (t, value * units.factor)).collect();
+                let values = scaled(curve.component(level), &units.levels[level]);
                 let most = values.iter().fold(0.0_f64, |most, it| most.max(it.1.abs()));
                 Panel {
                     title: format!("{name}{}", &"''"[..level]),
-                    unit: units.levels[level],
+                    unit: &units.levels[level].name,
                     curves: vec![("", values)],
                     reference: match level {
                         0 => units.size,
@@ -155,14 +160,16 @@ pub fn coordinates<V: View>(
 pub fn forces<V: View>(
     motion: &Followed<V>,
     course: &Course,
+    units: &OutputUnits,
 ) -> Result<Vec<Option<String>>, String> {
     let pictures = course.forces.iter().zip(&motion.force_names);
-    let pictures = pictures.map(|(curve, (name, unit))| {
-        let values = curve.component(0);
+    let pictures = pictures.map(|(curve, (name, si))| {
+        let unit = units.of(si);
+        let values = scaled(curve.component(0), &unit);
         let most = values.iter().fold(0.0_f64, |most, it| most.max(it.1.abs()));
         let panel = Panel {
             title: name.clone(),
-            unit,
+            unit: &unit.name,
             curves: vec![("", values)],
             reference: or(most, 1.0),
         };

@@ -4,10 +4,13 @@
 
 use std::io::{self, Write};
 
+use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::check::Check;
 use linkwright_solver::number::{counted, time};
 use linkwright_solver::proof::{Enclosed, Proof, Proven};
 use linkwright_solver::view::View;
+
+use super::units::enclosing;
 
 /// The digits after the point of a bound, and those of one whose range is shorter than [`NARROW`].
 const DIGITS: usize = 9;
@@ -68,30 +71,34 @@ fn write_proven(check: &Check, proven: &Proven, output: &mut dyn Write) -> io::R
     }
     let (angles, places): (Vec<&Enclosed>, Vec<&Enclosed>) =
         proven.coordinates.iter().partition(|it| it.is_angle);
-    for (title, all) in [("angles (rad)", angles), ("coordinates (m)", places)] {
+    let units = check.interpreted.system().mechanism.units.of_tables();
+    let (angle, length) = (units.of("rad"), units.of("m"));
+    for (title, unit, all) in [("angles", &angle, angles), ("coordinates", &length, places)] {
         if !all.is_empty() {
-            writeln!(output, "  {title}")?;
+            writeln!(output, "  {title} ({})", unit.name)?;
         }
         for own in all {
-            writeln!(output, "    {} in {}", own.name, range(own.bounds))?;
+            writeln!(output, "    {} in {}", own.name, range(own.bounds, unit))?;
         }
     }
     if !proven.points.is_empty() {
-        writeln!(output, "  points (m)")?;
+        writeln!(output, "  points ({})", length.name)?;
     }
     for [x, y] in &proven.points {
         let name = &x.name;
         writeln!(
             output,
             "    {name}: x in {}, y in {}",
-            range(x.bounds),
-            range(y.bounds)
+            range(x.bounds, &length),
+            range(y.bounds, &length)
         )?;
     }
     Ok(())
 }
 
-fn range([low, high]: [f64; 2]) -> String {
+/// Returns bounds in a unit, rounded outwards.
+fn range(bounds: [f64; 2], unit: &OutputUnit) -> String {
+    let [low, high] = enclosing(unit, bounds);
     let digits = match high - low < NARROW {
         true => MORE_DIGITS,
         false => DIGITS,

@@ -10,12 +10,12 @@ mod dialect;
 mod encoding;
 mod header;
 mod number;
-mod unit;
 
 pub use dialect::{Decimal, Delimiter, Dialect};
 pub use encoding::Encoding;
 pub use header::Header;
-pub use unit::Unit;
+
+pub use crate::units::Unit;
 
 use crate::diagnostic::Span;
 use cells::{Cells, Line};

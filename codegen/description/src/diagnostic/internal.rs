@@ -56,7 +56,7 @@ pub fn note_panics() {
 }
 
 /// Error of Linkwright itself: a panic that was caught.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct InternalError {
     message: String,
     source: Option<Source>,

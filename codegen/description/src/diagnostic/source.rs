@@ -1,6 +1,7 @@
 //! *Bytes of a file → text with a name, and places in it.* A [`Span`] is only two offsets: whoever prints it clamps it to the text.
 
 use super::{Code, Diagnostic, Diagnostics};
+use crate::units::OutputUnits;
 
 /// A range of bytes of the source, `start` included, `end` not.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -59,7 +60,7 @@ pub struct Attachment {
 }
 
 /// The text of a description and the name it is reported under.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Source {
     /// The name as the user gave it; printed, never opened.
     pub name: String,
@@ -67,6 +68,8 @@ pub struct Source {
     pub text: String,
     /// The files that the text names.
     pub attachments: Vec<Attachment>,
+    /// Units in which values are reported, whatever the text says of them; `None` if the text decides.
+    pub units: Option<OutputUnits>,
 }
 
 impl Source {
@@ -79,7 +82,14 @@ impl Source {
             name: name.into(),
             text: text.into(),
             attachments: Vec::new(),
+            units: None,
         }
+    }
+
+    /// Returns the source, reported in these units.
+    pub fn reported_in(mut self, units: Option<OutputUnits>) -> Source {
+        self.units = units;
+        self
     }
 
     /// The same with the bytes of a file that the text names, or with the reason why there are none.

@@ -159,11 +159,16 @@ impl Resolver<'_> {
             return None;
         }
         if distance > FAR * size {
+            let unit = self.formulas.reported().of("m");
             self.diagnostics.push(
                 Diagnostic::warning(
                     Code::DegenerateGeometry,
                     given.span,
-                    format!("in the drawing this is {distance:.3} m away from touching its curve"),
+                    format!(
+                        "in the drawing this is {:.3} {} away from touching its curve",
+                        unit.of_si(distance),
+                        unit.name
+                    ),
                 )
                 .label(format!("nearest at {}", shown(place, drawn.quantity)))
                 .help("draw the bodies as they touch; the mechanism is assembled from there"),

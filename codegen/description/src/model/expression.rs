@@ -66,7 +66,16 @@ impl Resolver<'_> {
             self.diagnostics.push(finding);
             return None;
         }
+        self.count_plain(value, found, expected);
         Some(value)
+    }
+
+    /// Counts the unit of SI that a plain number is in where a quantity is expected; zero is in any unit.
+    fn count_plain(&mut self, value: ExprId, found: Dimension, expected: Dimension) {
+        let is_plain = matches!(found, Dimension::Number | Dimension::OfTime);
+        if is_plain && value != self.graph.zero() {
+            self.formulas.written_units.count(&expected.unit());
+        }
     }
 
     /// Any expression.
@@ -125,6 +134,7 @@ impl Resolver<'_> {
             return Some((number, Dimension::Number));
         };
         let (factor, dimension) = self.unit(suffix)?;
+        self.formulas.written_units.count(&suffix.text);
         Some((self.graph.multiply(number, factor), dimension))
     }
 
@@ -244,6 +254,9 @@ impl Resolver<'_> {
             let unit = before.filter(|_| is_in_units).and_then(|before| {
                 (before.span.end + 1 == factor.span.start).then(|| self.further_unit(factor))?
             });
+            if let (Some(_), Some(before)) = (unit, before) {
+                self.part_of_unit(before);
+            }
             if values.len() > at {
                 is_in_units = true;
                 continue;
@@ -283,6 +296,16 @@ impl Resolver<'_> {
             self.graph.product(&parts),
             dimension.unwrap_or(Dimension::Number),
         ))
+    }
+
+    /// Counts the unit of a number no longer that is the beginning of another one: the N of `220N/m`.
+    fn part_of_unit(&mut self, number: &Expression) {
+        if let ExpressionKind::Number {
+            unit: Some(unit), ..
+        } = &unsigned(number).1.kind
+        {
+            self.formulas.written_units.forget(&unit.text);
+        }
     }
 
     /// `30U/min`: a number with a unit that is a quotient and has no unit as its numerator, written without blanks.

@@ -7,6 +7,7 @@ use std::collections::HashSet;
 use super::curve;
 use super::kinematic::KinematicTerms;
 use crate::expr::{ExprId, SymbolId};
+use crate::units::{OutputUnits, Tally};
 
 /// The surroundings of formulas.
 pub(super) struct Formulas {
@@ -19,6 +20,10 @@ pub(super) struct Formulas {
     pub kinematic: Option<KinematicTerms>,
     /// Every symbol that some expression mentions by the name of a constant, a parameter or an input; only looked up.
     pub mentioned: HashSet<SymbolId>,
+    /// Units of the numbers that have been read.
+    pub written_units: Tally,
+    /// Units of output that the description or its reader requests.
+    pub requested_units: Option<OutputUnits>,
 }
 
 impl Formulas {
@@ -30,6 +35,14 @@ impl Formulas {
             parameter: None,
             kinematic: None,
             mentioned: HashSet::new(),
+            written_units: Tally::default(),
+            requested_units: None,
         }
+    }
+
+    /// Units of messages, as far as they are known.
+    pub fn reported(&self) -> OutputUnits {
+        let requested = self.requested_units.clone();
+        requested.unwrap_or_else(|| self.written_units.most())
     }
 }

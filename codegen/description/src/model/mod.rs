@@ -49,6 +49,7 @@ mod synonyms;
 mod table;
 mod teeth;
 mod transmission;
+mod units;
 mod wanted_forces;
 mod weights;
 mod wish;
@@ -73,6 +74,7 @@ use crate::expr::{ExprId, Graph, SplineId, SymbolId};
 use crate::joint::geometry::{BodyFrame, Mark, Vector};
 use crate::joint::{Kind, Resolved};
 use crate::syntax::Spellings;
+use crate::units::ReportUnits;
 
 /// A resolved mechanism.
 #[derive(Clone, Debug)]
@@ -118,6 +120,8 @@ pub struct Mechanism {
     pub monitor: bool,
     /// Whether an `unguarded` statement leaves out what shows that frames lie on the path of the last one.
     pub is_unguarded: bool,
+    /// Units in which values are printed and written; expressions are in SI units.
+    pub units: ReportUnits,
     /// How names are written that are called otherwise.
     pub spellings: Arc<Spellings>,
     /// The largest coordinate of an origin or of a point that a joint holds, in m: what lengths are measured against. Never zero.

@@ -12,12 +12,14 @@ use super::formulas::Formulas;
 use super::linkage::Linkage;
 use super::naming::Naming;
 use super::request::Named;
+use super::units::chosen_units;
 use super::{Constant, Dimension, Mechanism, Motion};
 use crate::diagnostic::internal::work_at;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::{Mark, Vector};
 use crate::syntax::{self, BUILT_IN, WishKind};
+use crate::units::ReportUnits;
 
 /// A description that is being read.
 pub(super) struct Resolver<'a> {
@@ -76,6 +78,8 @@ pub(super) fn resolve_statements<'a>(
     if !item.name.text.is_empty() {
         resolver.diagnostics.extend((naming.mechanism)(&item.name));
     }
+    let chosen = chosen_units(statements, resolver.diagnostics);
+    resolver.formulas.requested_units = document.units.clone().or(chosen);
     for statement in statements {
         let before = resolver.diagnostics.mark();
         resolver.add(statement);
@@ -108,6 +112,10 @@ pub(super) fn resolve_statements<'a>(
     let monitor = resolver.wishes(WishKind::Monitor, statements);
     let is_unguarded = resolver.wishes(WishKind::Unguarded, statements);
     let forces = resolver.wanted_forces(statements);
+    let units = ReportUnits {
+        requested: resolver.formulas.requested_units.take(),
+        written: resolver.formulas.written_units.most(),
+    };
     let end = resolver.diagnostics.mark();
     resolver.note_excess(end, item.name.span);
     resolver.note_used();
@@ -148,6 +156,7 @@ pub(super) fn resolve_statements<'a>(
         forces,
         monitor,
         is_unguarded,
+        units,
         spellings: Arc::clone(&document.spellings),
         characteristic_length,
     }
@@ -201,7 +210,8 @@ impl Resolver<'_> {
             | syntax::Statement::Transmission(_)
             | syntax::Statement::Sensitivity(_)
             | syntax::Statement::Reaction(_)
-            | syntax::Statement::Wish(_) => {}
+            | syntax::Statement::Wish(_)
+            | syntax::Statement::Units(_) => {}
             // Its statements come by themselves.
             syntax::Statement::Motion(_) => {}
         }

@@ -41,6 +41,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 mod tokens;
+mod units;
 mod unreadable;
 
 pub use document::*;
@@ -67,7 +68,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const DEEPEST: usize = 128;
 
 /// The words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 31] = [
+pub const KEYWORDS: [&str; 32] = [
     "const",
     "param",
     "input",
@@ -96,6 +97,7 @@ pub const KEYWORDS: [&str; 31] = [
     "reactions",
     "least_norm",
     "energy",
+    "units",
     "motion",
     "repeat",
     "part",
@@ -168,6 +170,7 @@ pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document>
     diagnostics.extend(findings);
     let document = document.map(|document| Document {
         attachments: source.attachments.clone(),
+        units: source.units.clone(),
         spellings: Arc::new(spellings),
         ..document
     });
@@ -262,6 +265,7 @@ fn file(mut tokens: Tokens<'_>, idle: &mut Vec<Diagnostic>) -> Option<Document> 
     Some(Document {
         docs: file_docs,
         attachments: Vec::new(),
+        units: None,
         mechanism,
         spellings: Arc::default(),
     })

@@ -21,6 +21,7 @@ use super::reader::Outcome;
 use super::reference::{body_name, direction, identifier, operands, separator};
 use super::table::table;
 use super::tokens::Tokens;
+use super::units::units;
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 
 /// One statement with what ends it, but for those that are [written out](super::repeat).
@@ -68,6 +69,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "reactions" => wish(tokens, docs, WishKind::Reactions, first.span),
         "least_norm" => wish(tokens, docs, WishKind::LeastNorm, first.span),
         "energy" => wish(tokens, docs, WishKind::Energy, first.span),
+        "units" => units(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),
         _ => joint(tokens, docs, None, first),
     }

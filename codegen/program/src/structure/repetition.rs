@@ -6,6 +6,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::joint::Quantity;
 use crate::model::{Joint, Role};
 use crate::system::{Row, System};
+use crate::units::OutputUnits;
 
 /// What is wrong with joints marked `redundant`: those that repeat nothing, those that fit nothing.
 pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
@@ -69,7 +70,7 @@ pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
                     "`{}` does not fit the other joints: its equation `{}` is off by {}",
                     joint.label,
                     row.name,
-                    size(misfit.size, row),
+                    size(misfit.size, row, system.mechanism.units.of_messages()),
                 ),
             )
             .label("marked `redundant`, but not satisfied where the others are")
@@ -80,13 +81,15 @@ pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
 }
 
 /// A residual with its unit.
-fn size(value: f64, row: &Row) -> String {
-    match row.quantity {
-        Quantity::Length => format!("{value:.3e} m"),
-        Quantity::Angle => format!("{value:.3e} rad"),
-        Quantity::Power(0) => format!("{value:.3e}"),
-        Quantity::Power(power) => format!("{value:.3e} m^{power}"),
-    }
+fn size(value: f64, row: &Row, units: &OutputUnits) -> String {
+    let unit = units.of(&match row.quantity {
+        Quantity::Length => "m".to_string(),
+        Quantity::Angle => "rad".to_string(),
+        Quantity::Power(0) => String::new(),
+        Quantity::Power(power) => format!("m^{power}"),
+    });
+    let text = format!("{:.3e} {}", unit.of_si(value), unit.name);
+    text.trim_end().to_string()
 }
 
 /// What is wrong with a structurally square system whose equations repeat one another.
@@ -230,7 +233,7 @@ fn contradicting(system: &System, dependence: &Dependence, misfit: f64) -> Diagn
         format!(
             "`{}` contradicts what other joints say by {}",
             own.label,
-            size(misfit, row)
+            size(misfit, row, system.mechanism.units.of_messages())
         ),
     )
     .label(format!("`{}` cannot hold", row.name));

@@ -114,7 +114,15 @@ impl Interpreted {
             let block = not_finite::block(self, &refused)?;
             Some(format!("{block}: {}", failure.kind.words()))
         });
-        named.unwrap_or_else(|| self.explained(failure).cause().to_string())
+        named.unwrap_or_else(|| self.reported(failure))
+    }
+
+    /// Returns the failure in words, without the time, with lengths in the unit of messages.
+    pub(crate) fn reported(&self, failure: &Failure) -> String {
+        let unit = self.system().mechanism.units.of_messages().of("m");
+        let explained = self.explained(failure);
+        let cause = explained.cause_in(&unit.name, unit.of_si(1.0));
+        cause.to_string()
     }
 
     /// The frame after the last one that was refused since a number in it is not finite, in the modes of the drawing; `None` for other

@@ -33,7 +33,8 @@ const SIGNATURE: Signature = Signature {
 /// The description or the table has errors, an option cannot be used, or the new description cannot be written. That nothing fits is
 /// an outcome.
 pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
-    let source = source(&arguments.described.file)?;
+    let source =
+        source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let plain = determined(&source, arguments.described.motion.as_deref())?;
     check_names(&plain, &arguments.param)?;
     let mut system = along(&source, arguments)?;

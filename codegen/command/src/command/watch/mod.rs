@@ -95,7 +95,8 @@ fn renew(arguments: &View, shared: &Shared) -> Vec<(PathBuf, Stamp)> {
     };
     let mut seen = vec![stamped(arguments.described.file.clone())];
     let made = survived(|| {
-        let source = source(&arguments.described.file)?;
+        let source =
+            source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
         let folder = files::folder_of(&arguments.described.file);
         let tables = source.attachments.iter().map(|it| folder.join(&it.path));
         seen.extend(tables.map(stamped));

@@ -120,6 +120,7 @@ impl Scopes {
             | Statement::Force(_)
             | Statement::Torque(_)
             | Statement::Reaction(_)
+            | Statement::Units(_)
             | Statement::Wish(_) => {}
         }
     }

@@ -68,6 +68,7 @@ impl Scopes {
             | Statement::Transmission(_)
             | Statement::Sensitivity(_)
             | Statement::Reaction(_)
+            | Statement::Units(_)
             | Statement::Wish(_)
             | Statement::Motion(_) => {}
         }

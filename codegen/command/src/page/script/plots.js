@@ -13,7 +13,7 @@ data.coordinates.forEach((own, index) => {
     letter: axis < 0 ? own.name : ["x", "y", "φ"][axis],
     index: axis < 0 ? "" : data.bodies[own.body].name,
     mathml: own.mathml,
-    kind: { rad: "angles", m: "lengths" }[own.unit] ?? "contacts",
+    kind: own.kind,
     value: (it, level) => it.q[index][level],
   });
 });
@@ -54,7 +54,7 @@ data.measures.forEach((name, index) => {
     value: (it) => between(player.forces[index], it.t),
   });
 });
-const UNITS = { angles: ["rad", "rad/s", "rad/s²"], lengths: ["m", "m/s", "m/s²"], points: ["m", "m/s", "m/s²"], contacts: ["", "1/s", "1/s²"], forces: ["N"], torques: ["N m"], powers: ["W"], energies: ["J"], determinants: ["0 is singular"] };
+const UNITS = { ...data.units, determinants: [["0 is singular", 1]] };
 const TITLES = { angles: "Angles", lengths: "Coordinates x and y", points: "Points", contacts: "Contacts", forces: "Forces", torques: "Torques", powers: "Powers", energies: "Energies", determinants: "Determinants, normalized" };
 const shown = new Set();
 const choose = (kind, most) => {
@@ -87,7 +87,7 @@ const plot = () => {
   }
 };
 
-const chart = (holder, own, title, unit, level, width, isUnit) => {
+const chart = (holder, own, title, [unit, scale], level, width, isUnit) => {
   const figure = document.createElement("figure");
   figure.className = "chart";
   const caption = document.createElement("figcaption");
@@ -97,11 +97,11 @@ const chart = (holder, own, title, unit, level, width, isUnit) => {
   const [left, right, top, height] = [62, 64, 8, 132];
   const root = drawn("svg", { viewBox: `0 0 ${width} ${height + top + 22}`, role: "img", "aria-label": `${title} over time` }, figure);
   const [first, last] = [player.times[0], player.times.at(-1)];
-  const values = own.map((curve) => samples.map((it) => curve.value(it, level)));
+  const values = own.map((curve) => samples.map((it) => scale * curve.value(it, level)));
   let [low, high] = [Infinity, -Infinity];
   for (const value of values.flat()) [low, high] = [Math.min(low, value), Math.max(high, value)];
   if (isUnit) [low, high] = [Math.min(0, low), Math.max(1, high)];
-  if (high - low < 1e-6 * Math.max(1e-3, Math.abs(high))) [low, high] = [low - 1e-3, high + 1e-3];
+  if (high - low < 1e-6 * Math.max(1e-3 * scale, Math.abs(high))) [low, high] = [low - 1e-3 * scale, high + 1e-3 * scale];
   const x = (time) => left + ((time - first) / (last - first)) * (width - left - right);
   const y = (value) => top + (1 - (value - low) / (high - low)) * height;
   const grid = drawn("g", { class: "grid" }, root);
@@ -160,7 +160,7 @@ const chart = (holder, own, title, unit, level, width, isUnit) => {
     cursor.setAttribute("transform", `translate(${x(t).toFixed(2)} 0)`);
     for (const [dot, curve] of dots) {
       dot.setAttribute("cx", x(t).toFixed(2));
-      dot.setAttribute("cy", y(curve.value(now, level)).toFixed(2));
+      dot.setAttribute("cy", y(scale * curve.value(now, level)).toFixed(2));
     }
   });
 };

@@ -37,12 +37,15 @@ const list = (now) => {
       head.innerHTML = `<math>${own.mathml}</math>`;
       row.append(head);
       for (let level = 0; level < 3; level += 1) row.insertCell();
-      row.insertCell().textContent = own.unit;
+      row.insertCell().textContent = data.units[own.kind][0][0];
     });
     gather();
   }
-  data.coordinates.forEach((_, index) => {
-    for (let level = 0; level < 3; level += 1) table.tBodies[0].rows[index].cells[level + 1].textContent = text(now.q[index][level]);
+  data.coordinates.forEach((own, index) => {
+    for (let level = 0; level < 3; level += 1) {
+      const value = data.units[own.kind][level][1] * now.q[index][level];
+      table.tBodies[0].rows[index].cells[level + 1].textContent = text(value);
+    }
   });
 };
 

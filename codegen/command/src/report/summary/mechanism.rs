@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::text::formula;
 use linkwright_codegen::stages::model::{Body, Role};
+use linkwright_codegen::stages::units::OutputUnits;
 use linkwright_solver::check::equation_count;
 use linkwright_solver::view::View;
 
@@ -14,7 +15,11 @@ use crate::motion::Followed;
 /// Characters of the longest number that is printed without an exponent.
 const LONGEST_NUMBER: usize = 24;
 
-pub(super) fn mechanism<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+pub(super) fn mechanism<V: View>(
+    motion: &Followed<V>,
+    units: &OutputUnits,
+    output: &mut dyn Write,
+) -> io::Result<()> {
     let system = motion.system();
     let moving = system.mechanism.moving_bodies().iter();
     let (angles, bodies): (Vec<&Body>, Vec<&Body>) = moving.partition(|body| body.is_angle());
@@ -26,7 +31,7 @@ pub(super) fn mechanism<V: View>(motion: &Followed<V>, output: &mut dyn Write) -
     }
     let names = system.coordinates.iter().map(|it| it.name.clone());
     shortened(output, "coordinates", system.coordinates.len(), names)?;
-    given(motion, output)?;
+    given(motion, units, output)?;
     for (title, role) in [
         ("constraint equations", Role::Constraint),
         ("driver equations", Role::Driver),
@@ -55,12 +60,17 @@ pub(super) fn mechanism<V: View>(motion: &Followed<V>, output: &mut dyn Write) -
 }
 
 /// The parameters and inputs with what they are here.
-fn given<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+fn given<V: View>(
+    motion: &Followed<V>,
+    units: &OutputUnits,
+    output: &mut dyn Write,
+) -> io::Result<()> {
     let system = motion.system();
     let mechanism = &system.mechanism;
     let parameters = mechanism.parameters.iter().map(|own| {
         let value = mechanism.graph.nominal(own.symbol).unwrap_or(f64::NAN);
-        format!("{} = {} {}", own.name, number(value), own.dimension.unit())
+        let unit = units.of(&own.dimension.unit());
+        format!("{} = {} {}", own.name, number(unit.of_si(value)), unit.name)
     });
     if !mechanism.parameters.is_empty() {
         list(output, "parameters", mechanism.parameters.len(), parameters)?;

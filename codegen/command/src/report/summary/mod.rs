@@ -6,13 +6,15 @@ mod motions;
 
 use std::io::{self, Write};
 
+use linkwright_codegen::stages::model::Mechanism;
+use linkwright_codegen::stages::units::OutputUnits;
 use linkwright_solver::diagnosis::unit;
 use linkwright_solver::number::{counted, fixed, scientific, time};
 use linkwright_solver::view::View;
 
 use super::first_step;
 use super::forces;
-use crate::arguments::{Reported, TurnUnit};
+use crate::arguments::Reported;
 use crate::motion::Followed;
 use listing::line;
 use mechanism::mechanism;
@@ -28,19 +30,19 @@ pub struct Layout {
     pub points_chosen: bool,
     /// A table of every shown coordinate, and not all beside one another.
     pub coordinates_chosen: bool,
-    /// The unit of angles.
-    pub angles: TurnUnit,
+    /// Units of tables and pictures.
+    pub units: OutputUnits,
     /// The times of which the first Newton-Raphson step is shown, too (s).
     pub first_steps: Vec<f64>,
 }
 
 impl Layout {
-    /// As what is reported asks, without first steps.
-    pub fn of(reported: &Reported) -> Layout {
+    /// Returns the layout that is requested for a mechanism, without first steps.
+    pub fn of(reported: &Reported, mechanism: &Mechanism) -> Layout {
         Layout {
             points_chosen: !(reported.points.is_empty() && reported.show.is_empty()),
             coordinates_chosen: !reported.show.is_empty(),
-            angles: reported.angles,
+            units: reported.printed(mechanism.units.of_tables()),
             first_steps: Vec::new(),
         }
     }
@@ -57,7 +59,7 @@ pub fn write<V: View>(
 ) -> io::Result<()> {
     writeln!(output, "{}", motion.title())?;
     start(motion, output)?;
-    mechanism(motion, output)?;
+    mechanism(motion, &layout.units, output)?;
     for t in &layout.first_steps {
         first_step::write(&motion.view, *t, output)?;
     }
@@ -65,11 +67,11 @@ pub fn write<V: View>(
         return Ok(());
     }
     motions(motion, layout, output)?;
-    forces::write(motion, output)?;
+    forces::write(motion, &layout.units, output)?;
     writeln!(output)?;
-    pressure_angles(motion, output)?;
+    pressure_angles(motion, layout, output)?;
     closest(motion, output)?;
-    residuals(motion, output)?;
+    residuals(motion, &layout.units, output)?;
     integration(motion, output)
 }
 
@@ -90,7 +92,11 @@ fn closest<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<
     }
 }
 
-fn pressure_angles<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+fn pressure_angles<V: View>(
+    motion: &Followed<V>,
+    layout: &Layout,
+    output: &mut dyn Write,
+) -> io::Result<()> {
     let found = &motion.pressure.largest;
     if found.is_empty() {
         return Ok(());
@@ -99,8 +105,8 @@ fn pressure_angles<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io:
     for largest in found {
         let text = match largest.angle {
             Some(angle) => format!(
-                "{}° at t = {} s",
-                fixed(angle.to_degrees(), 2),
+                "{} at t = {} s",
+                angle_text(angle, &layout.units),
                 time(largest.t)
             ),
             None => "none, the follower rests".to_string(),
@@ -108,6 +114,15 @@ fn pressure_angles<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io:
         writeln!(output, "  {}  {text}", largest.joint)?;
     }
     writeln!(output)
+}
+
+/// Degrees, unless another unit of angles is requested.
+fn angle_text(angle: f64, units: &OutputUnits) -> String {
+    let unit = units.clone().or("deg").of("rad");
+    match unit.name.as_str() {
+        "deg" => format!("{}°", fixed(unit.of_si(angle), 2)),
+        name => format!("{} {name}", fixed(unit.of_si(angle), 4)),
+    }
 }
 
 fn start<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
@@ -124,7 +139,11 @@ fn start<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()
     line(output, &when, &text)
 }
 
-fn residuals<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
+fn residuals<V: View>(
+    motion: &Followed<V>,
+    units: &OutputUnits,
+    output: &mut dyn Write,
+) -> io::Result<()> {
     let found = &motion.residuals.largest;
     let system = motion.system();
     let frames = counted(motion.count, "frame");
@@ -137,12 +156,13 @@ fn residuals<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Resul
         _ => String::new(),
     };
     let unit = match system.rows.is_empty() {
-        true => String::new(),
-        false => unit(system, found.row),
+        true => units.of(""),
+        false => units.of(&unit(system, found.row)),
     };
     let text = format!(
-        "{} {unit}{place}; relative to its terms at most {}",
-        scientific(found.position, 1),
+        "{} {}{place}; relative to its terms at most {}",
+        scientific(unit.of_si(found.position), 1),
+        unit.name,
         scientific(found.scaled, 1)
     );
     line(output, "|Φ|", &text)?;

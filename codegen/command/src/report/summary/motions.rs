@@ -9,7 +9,7 @@ use super::{Layout, WIDTH};
 use crate::motion::{Followed, Row};
 use crate::report::motion_table;
 use crate::report::motion_table::Column;
-use crate::report::units::Units;
+use crate::report::units::{LENGTHS, Units};
 
 /// How many tables are printed where no points are asked for.
 const TABLES: usize = 6;
@@ -28,21 +28,23 @@ pub(super) fn motions<V: View>(
     } else {
         angles(motion, &rows, &times, layout, output)?;
     }
+    let units = LENGTHS.map(|it| layout.units.of(it));
     let (mut tables, mut unprinted, mut resting) = (0, Vec::new(), Vec::new());
     for (position, name) in motion.point_names().enumerate() {
         let motions: Vec<_> = rows.iter().map(|row| row.motions[position]).collect();
         if motion_table::rests(&motions, size) {
-            let [x, y] = motions[0].position.map(|it| fixed(it, 6));
-            resting.push(format!("{name} stays at ({x}, {y}) m"));
+            let [x, y] = motions[0].position.map(|it| fixed(units[0].of_si(it), 6));
+            resting.push(format!("{name} stays at ({x}, {y}) {}", units[0].name));
         } else if tables == TABLES && !layout.points_chosen {
             unprinted.push(name);
         } else {
             tables += 1;
             writeln!(
                 output,
-                "\n{name}: position, velocity, acceleration in m, m/s, m/s²"
+                "\n{name}: position, velocity, acceleration in {}, {}, {}",
+                units[0].name, units[1].name, units[2].name
             )?;
-            let columns = motion_table::of_point(&motions, size);
+            let columns = motion_table::of_point(&motions, &units, size);
             let table = motion_table::table([&times].into_iter().chain(&columns));
             write!(output, "{table}")?;
         }
@@ -63,19 +65,22 @@ fn angles<V: View>(
 ) -> io::Result<()> {
     let (mut columns, mut unprinted, mut resting) = (vec![], vec![], vec![]);
     let mut width = 2 + times.width();
-    let mut unit = "";
+    let mut unit = String::new();
     for (place, &coordinate) in motion.wanted.coordinates.iter().enumerate() {
-        let units = Units::of(motion.system(), coordinate, layout.angles);
+        let units = Units::of(motion.system(), coordinate, &layout.units);
         let name = motion.system().coordinates[coordinate].name.as_str();
         let values: Vec<[f64; 3]> = rows.iter().map(|row| row.coordinates[place]).collect();
-        let angles: Vec<f64> = values.iter().map(|it| it[0] * units.factor).collect();
-        unit = units.levels[0];
+        let angles: Vec<f64> = values
+            .iter()
+            .map(|it| units.levels[0].of_si(it[0]))
+            .collect();
+        unit.clone_from(&units.levels[0].name);
         if motion_table::stands(&values, 1.0) {
             let value = fixed(angles.first().copied().unwrap_or(0.0), 6);
             resting.push(format!("{name} stays at {value} {unit}"));
             continue;
         }
-        let column = Column::new(name, &angles, units.factor);
+        let column = Column::new(name, &angles, units.size);
         match width + 2 + column.width() <= WIDTH {
             true => {
                 width += 2 + column.width();
@@ -101,9 +106,9 @@ fn chosen_coordinates<V: View>(
     output: &mut dyn Write,
 ) -> io::Result<()> {
     for (place, &coordinate) in motion.wanted.coordinates.iter().enumerate() {
-        let units = Units::of(motion.system(), coordinate, layout.angles);
+        let units = Units::of(motion.system(), coordinate, &layout.units);
         let name = motion.system().coordinates[coordinate].name.as_str();
-        let [value, rate, acceleration] = units.levels;
+        let [value, rate, acceleration] = units.levels.each_ref().map(|it| it.name.as_str());
         writeln!(
             output,
             "\n{name}: value, rate, acceleration in {value}, {rate}, {acceleration}"
@@ -111,7 +116,7 @@ fn chosen_coordinates<V: View>(
         let columns = [0, 1, 2].map(|level| {
             let values = rows
                 .iter()
-                .map(|row| row.coordinates[place][level] * units.factor);
+                .map(|row| units.levels[level].of_si(row.coordinates[place][level]));
             let values: Vec<f64> = values.collect();
             Column::new(format!("{name}{}", &"''"[..level]), &values, units.size)
         });

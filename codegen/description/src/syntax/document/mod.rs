@@ -5,11 +5,13 @@
 mod constraint;
 mod drawn;
 mod table;
+mod units;
 mod wanted;
 
 pub use constraint::{Drive, DrivenForm, Equation, Free, Joint};
 pub use drawn::{Body, Curve, DrawnPoint, Member, Orientation, Origin, Points, Shape};
 pub use table::{Ends, Table, TablePoints};
+pub use units::Units;
 pub use wanted::{Output, OutputItem, Sensitivity, Transmission, Wish, WishKind};
 
 use std::sync::Arc;
@@ -18,6 +20,7 @@ use super::forces::{Element, Force, Gravity, Mass, Reaction, Torque};
 use super::formula::{Expression, Name};
 use super::scope::Spellings;
 use crate::diagnostic::{Attachment, Span};
+use crate::units::OutputUnits;
 
 /// A file: its inner documentation and its mechanism.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,6 +29,8 @@ pub struct Document {
     pub docs: Vec<String>,
     /// The files that it names, as far as they could be read.
     pub attachments: Vec<Attachment>,
+    /// Units in which values are reported, whatever the statements say; `None` if these decide.
+    pub units: Option<OutputUnits>,
     /// The mechanism that the file describes, its last one; its parts are written out.
     pub mechanism: MechanismItem,
     /// How names are written that are called otherwise; shared by all motions.
@@ -92,6 +97,8 @@ pub enum Statement {
     Reaction(Reaction),
     /// `monitor;`, `unguarded;`, `effort;`, `reactions;`, `least_norm;`, `energy;`
     Wish(Wish),
+    /// `units mm, deg;`
+    Units(Units),
     /// `motion NAME { statements }`
     Motion(Motion),
 }
@@ -134,6 +141,7 @@ impl Statement {
             Statement::Torque(statement) => statement.span,
             Statement::Reaction(statement) => statement.span,
             Statement::Wish(statement) => statement.span,
+            Statement::Units(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }
     }

@@ -1,8 +1,8 @@
-//! *The text of a unit* → *what a number of it is in m, rad, s and kg*.
+//! Reads products of powers of units, and converts numbers between them and SI units.
 
 use std::f64::consts::PI;
 
-use crate::units::{Named, Powers, of_column};
+use super::{Named, Powers, of_column};
 
 /// A unit of measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]

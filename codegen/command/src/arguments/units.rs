@@ -1,0 +1,26 @@
+//! The units in which a command reports.
+
+use clap::Args;
+use linkwright_codegen::stages::units::OutputUnits;
+
+/// Units of what is reported.
+#[derive(Args, Debug)]
+pub struct ReportedIn {
+    /// Units of tables, files, pictures and messages [default: those of the statement `units`; without it SI units in tables and files, and in
+    /// messages and pages those that the description mostly writes]
+    #[arg(long, value_name = "mm,deg", require_equals = true, value_parser = units)]
+    pub units: Option<OutputUnits>,
+}
+
+/// Reads a list of units, `mm,deg`.
+pub fn units(text: &str) -> Result<OutputUnits, String> {
+    OutputUnits::listed(text).map_err(|[message, help]| format!("{message}: {help}"))
+}
+
+/// Reads the same list; nothing says that headers name the units.
+pub fn units_or_names(text: &str) -> Result<OutputUnits, String> {
+    match text {
+        "" => Ok(OutputUnits::default()),
+        list => units(list),
+    }
+}
