@@ -98,6 +98,7 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
                 | Statement::Torque(_)
                 | Statement::Reaction(_)
                 | Statement::Wish(_)
+                | Statement::Units(_)
         )
     };
     statements.iter().filter(is_last).for_each(&mut write);

@@ -78,7 +78,8 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Force(_)
             | Statement::Torque(_)
             | Statement::Reaction(_)
-            | Statement::Wish(_) => {}
+            | Statement::Wish(_)
+            | Statement::Units(_) => {}
         }
     }
 }
@@ -333,7 +334,8 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
             | Statement::Transmission(_)
             | Statement::Sensitivity(_)
             | Statement::Reaction(_)
-            | Statement::Wish(_) => {}
+            | Statement::Wish(_)
+            | Statement::Units(_) => {}
         }
     }
 }

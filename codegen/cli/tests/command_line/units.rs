@@ -156,6 +156,9 @@ fn summaries_and_pictures_name_the_units() {
             .read("out/motion.csv")
             .starts_with("t (s),x_arm (mm),")
     );
+    let drawn = folder.run("draw a.mech --units=inch --out picture.svg");
+    drawn.exits_with(0);
+    assert!(folder.read("picture.svg").contains(" inch</text>"));
     // What is printed may have another unit of angles than the files.
     let ran = folder.run("solve a.mech --to 1 --units=mm --angles deg --out out");
     assert!(ran.exits_with(0).stdout.contains("angles in deg"));

@@ -22,6 +22,10 @@ pub fn section(system: &System) -> String {
             .collect::<Vec<_>>()
             .join(", ")
     );
+    let units = system.mechanism.units.of_messages();
+    if !(units.of("m").is_si() && units.of("rad").is_si()) {
+        text += "<p>Equations are in SI units: m, rad, kg and s.</p>\n";
+    }
     text += "<h3 id=\"phi\">Φ(q, t) = 0</h3>\n";
     text += &rows(
         system,

@@ -103,7 +103,7 @@ pub fn first_step(system: &System, instant: &Instant, t: f64) -> String {
     let scale = right.amax().max(1.0);
     let right = right.map(|it| if it.abs() < ROUNDING * scale { 0.0 } else { it });
     let mut text = format!(
-        "<p>From the pose at t = {} s, for t = {} s: <math><msub><mi mathvariant=\"normal\">Φ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></msub><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo><mspace width=\"0.15em\"/><mi mathvariant=\"normal\">Δ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></math> = <math><mo>−</mo><mi mathvariant=\"normal\">Φ</mi><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo></math>, in numbers</p>\n",
+        "<p>From the pose at t = {} s, for t = {} s: <math><msub><mi mathvariant=\"normal\">Φ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></msub><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo><mspace width=\"0.15em\"/><mi mathvariant=\"normal\">Δ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></math> = <math><mo>−</mo><mi mathvariant=\"normal\">Φ</mi><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo></math>, in numbers of SI units</p>\n",
         number(instant.t()),
         number(t)
     );

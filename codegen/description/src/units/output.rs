@@ -106,6 +106,11 @@ impl OutputUnits {
         Ok(units)
     }
 
+    /// Returns the unit that is chosen for lengths; `None` without one.
+    pub fn of_lengths(&self) -> Option<&OutputUnit> {
+        self.chosen.iter().find(|it| it.unit.powers == LENGTH)
+    }
+
     /// Returns the units with this one, if its quantity has none.
     pub fn or(mut self, text: &str) -> OutputUnits {
         // A refusal keeps the other unit of the quantity.

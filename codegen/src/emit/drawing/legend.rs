@@ -9,6 +9,7 @@ use super::plane::{NEGLIGIBLE, Point, onward};
 use super::scale_bar::scale_bar;
 use super::svg::number;
 use crate::emit::markup::escaped;
+use crate::units::OutputUnit;
 
 /// Room between parts of the legend.
 const GAP: f64 = 16.0;
@@ -19,18 +20,18 @@ pub(super) const ROW: f64 = 20.0;
 /// Length of the arrow of gravity and of its head, in pixels.
 const GRAVITY: [f64; 2] = [20.0, 8.0];
 
-/// The scale bar where lengths are drawn, the caption, and what has no sign.
+/// The scale bar where lengths are drawn, in `unit` if one is chosen, the caption, and what has no sign.
 pub(super) fn legend_text(
     figure: &Figure,
     is_scaled: bool,
     gravity: Option<Point>,
     size: Point,
-    caption: &str,
+    (caption, unit): (&str, Option<&OutputUnit>),
 ) -> String {
     let mut text = String::from("<g id=\"legend\">\n");
     let base = size[1] - 14.0;
     let mut used = 12.0;
-    let bar = scale_bar(figure.scale, (0.24 * size[0]).min(150.0));
+    let bar = scale_bar(figure.scale, (0.24 * size[0]).min(150.0), unit);
     if let Some(bar) = bar.filter(|_| is_scaled) {
         let end = 12.0 + bar.length;
         let _ = writeln!(

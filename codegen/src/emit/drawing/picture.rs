@@ -130,7 +130,10 @@ impl Composition {
             number(size[1] - origin[1])
         );
         let is_scaled = !scene.is_of_angles_alone();
-        let legend = legend_text(&figure, is_scaled, scene.gravity, size, &options.caption);
+        let requested = system.mechanism.units.requested.as_ref();
+        let unit_of_lengths = requested.and_then(|it| it.of_lengths());
+        let caption = (options.caption.as_str(), unit_of_lengths);
+        let legend = legend_text(&figure, is_scaled, scene.gravity, size, caption);
         Composition {
             head: text,
             names: lettering(scene, &figure, unit, &area, options),

@@ -1,6 +1,7 @@
-//! *Pixels per metre and the room that there is* → *a round length and how it is written*.
+//! Chooses a round length for the scale bar of a picture, and its text.
 
 use super::plane::NEGLIGIBLE;
+use crate::units::OutputUnit;
 
 /// Longer bars are written with a power of ten, in m.
 const LONGEST: f64 = 1e6;
@@ -23,8 +24,11 @@ const UNITS: [(&str, f64); 6] = [
     ("pm", 0.000_000_000_001),
 ];
 
-/// The largest length of one, two or five times a power of ten that is not longer than `room` pixels.
-pub(super) fn scale_bar(scale: f64, room: f64) -> Option<ScaleBar> {
+/// Returns the largest length of one, two or five times a power of ten that is not longer than `room` pixels, where a meter has `scale`.
+/// It is round in `unit`, if that is chosen, otherwise in the first unit in which it is at least one.
+pub(super) fn scale_bar(scale: f64, room: f64, unit: Option<&OutputUnit>) -> Option<ScaleBar> {
+    let per_meter = unit.map_or(1.0, |it| it.of_si(1.0));
+    let scale = scale / per_meter;
     let most = room / scale;
     if !(most.is_finite() && most > 0.0) {
         return None;
@@ -32,27 +36,40 @@ pub(super) fn scale_bar(scale: f64, room: f64) -> Option<ScaleBar> {
     let power = most.log10().floor() as i32;
     let digits = [5.0, 2.0, 1.0, 0.5];
     let round = |digit: f64| digit * 10.0_f64.powi(power);
-    let metres = digits
+    let length = digits
         .into_iter()
         .map(round)
         .find(|it| *it <= most * (1.0 + NEGLIGIBLE))?;
+    Some(ScaleBar {
+        length: length * scale,
+        text: match unit {
+            Some(unit) => format!("{} {}", rounded(length), unit.name),
+            None => in_usual_unit(length),
+        },
+    })
+}
+
+/// Returns the length of so many meters as text.
+fn in_usual_unit(meters: f64) -> String {
     let unit = UNITS
         .iter()
-        .find(|(_, size)| metres >= size * (1.0 - NEGLIGIBLE));
-    let text = match unit {
-        // What is so long or so short is written with its power of ten.
-        Some((name, size)) if metres < LONGEST => format!("{} {name}", (metres / size).round()),
-        _ => format!("{metres:e} m"),
-    };
-    Some(ScaleBar {
-        length: metres * scale,
-        text,
-    })
+        .find(|(_, size)| meters >= size * (1.0 - NEGLIGIBLE));
+    match unit {
+        // A length so long or so short is written with its power of ten.
+        Some((name, size)) if meters < LONGEST => format!("{} {name}", (meters / size).round()),
+        _ => format!("{meters:e} m"),
+    }
+}
+
+/// Returns a number without the rounding of a product.
+fn rounded(length: f64) -> f64 {
+    format!("{length:.6e}").parse().unwrap_or(length)
 }
 
 #[cfg(test)]
 mod tests {
     use super::scale_bar;
+    use crate::units::OutputUnits;
 
     #[test]
     fn lengths_are_round() {
@@ -65,7 +82,20 @@ mod tests {
             (0.06, "2 km", 120.0),
             (1e9, "100 nm", 100.0),
         ] {
-            let bar = scale_bar(scale, 140.0).expect("a length");
+            let bar = scale_bar(scale, 140.0, None).expect("a length");
+            assert_eq!(bar.text, text);
+            assert!((bar.length - length).abs() < 1e-9, "{bar:?}");
+        }
+    }
+    #[test]
+    fn lengths_are_round_in_the_chosen_unit() {
+        for (unit, scale, text, length) in [
+            ("mm", 250.0, "500 mm", 125.0),
+            ("inch", 2000.0, "2 inch", 101.6),
+            ("m", 2000.0, "0.05 m", 100.0),
+        ] {
+            let units = OutputUnits::listed(unit).expect("a unit");
+            let bar = scale_bar(scale, 140.0, units.of_lengths()).expect("a length");
             assert_eq!(bar.text, text);
             assert!((bar.length - length).abs() < 1e-9, "{bar:?}");
         }
