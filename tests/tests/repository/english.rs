@@ -118,15 +118,15 @@ fn arrows(lines: &[Line]) -> usize {
 
 /// Names in code that say nothing.
 fn names(code: &str) -> usize {
-    let of_value = |name: &&str| {
+    let of_value = |name: &str| {
         ["let ", "let mut "]
             .into_iter()
             .any(|it| whole_words(code, &format!("{it}{name}")).next().is_some())
     };
-    let of_constant = |name: &&str| whole_words(code, &format!("const {name}")).next().is_some();
+    let of_constant = |name: &str| whole_words(code, &format!("const {name}")).next().is_some();
     let is_question = ["fn what_", "fn how_"].iter().any(|it| code.contains(it));
-    VALUES.iter().filter(of_value).count()
-        + ADJECTIVES.iter().filter(of_constant).count()
+    VALUES.iter().filter(|it| of_value(it)).count()
+        + ADJECTIVES.iter().filter(|it| of_constant(it)).count()
         + usize::from(is_question)
 }
 
