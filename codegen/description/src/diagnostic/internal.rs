@@ -59,7 +59,7 @@ pub fn note_panics() {
 #[derive(Clone, Debug, PartialEq)]
 pub struct InternalError {
     message: String,
-    source: Option<Source>,
+    source: Option<Box<Source>>,
     place: Option<Span>,
 }
 
@@ -77,7 +77,7 @@ pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, InternalError> {
         let origin = ORIGIN.take().map_or(String::new(), |it| format!(" ({it})"));
         InternalError {
             message: format!("internal error: {}{origin}", words(payload.as_ref())),
-            source: SOURCE.with_borrow(Clone::clone),
+            source: SOURCE.with_borrow(Clone::clone).map(Box::new),
             place,
         }
     })
