@@ -129,7 +129,7 @@ fn a_mechanism_that_is_not_determined_is_drawn_as_written() {
     );
     folder.run("draw a.mech").exits_with(2);
     let svg = folder
-        .run("draw a.mech --as-written --out -")
+        .run("draw a.mech --initial-estimate --out -")
         .exits_with(0)
         .stdout;
     assert!(svg.contains("id=\"body-2\""), "{svg}");

@@ -47,7 +47,7 @@ fn assert_close(found: f64, wanted: f64) {
 #[test]
 fn forces_are_columns_in_both_views() {
     let folder = Folder::new("forces", PENDULUM);
-    for view in ["", "--view textbook"] {
+    for view in ["", "--formulation textbook"] {
         let found = columns(&folder, view);
         let (sine, cosine) = 1.5_f64.sin_cos();
         assert_close(value(&found, "effort_swing"), 3.0 * 9.81 * 2.0 * sine);
@@ -177,7 +177,7 @@ fn gears(angle: &str) -> String {
 #[test]
 fn bearings_carry_the_force_of_teeth_in_both_views() {
     let folder = Folder::new("teeth", gears("pressure_angle slope"));
-    for view in ["", "--view textbook"] {
+    for view in ["", "--formulation textbook"] {
         for (options, radius, slope) in [
             ("", 0.04, 20_f64.to_radians()),
             ("--set arm=90mm", 0.06, 20_f64.to_radians()),

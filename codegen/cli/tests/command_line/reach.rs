@@ -140,7 +140,7 @@ fn a_force_that_is_not_finite_is_named() {
     assert!(!ran.stderr.contains("revolute"), "{}", ran.stderr);
     // All equations at once have a pose there, but no forces.
     let ran = folder
-        .run("solve a.mech --to 1 --step 0.25 --no-files --view textbook")
+        .run("solve a.mech --to 1 --step 0.25 --no-files --formulation textbook")
         .exits_with(1);
     let said = "has no forces at t = 0.5 s: `force on crank.P` is not finite there";
     assert!(ran.stderr.contains(said), "{}", ran.stderr);

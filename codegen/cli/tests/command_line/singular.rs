@@ -32,7 +32,7 @@ fn the_rod_that_folds_ends_the_motion() {
         " m, beyond where the line from P to the origin of body 2 is parallel to the x axis";
     assert!(error.ends_with(place), "{error}");
     // All equations at once know no loop, but every joint that ends the motion.
-    let ran = folder.run("solve a.mech --json --view textbook");
+    let ran = folder.run("solve a.mech --json --formulation textbook");
     let dense = json(&ran.exits_with(1).stdout)["error"].clone();
     let dense = dense.as_str().expect("a sentence");
     for text in [
@@ -163,7 +163,9 @@ fn a_drawing_that_cannot_be_assembled_is_explained() {
         "{}",
         ran.stderr
     );
-    let ran = folder.run("solve a.mech --view textbook").exits_with(1);
+    let ran = folder
+        .run("solve a.mech --formulation textbook")
+        .exits_with(1);
     assert!(
         ran.stderr.contains("cannot be assembled at t = 0 s"),
         "{}",
@@ -231,7 +233,7 @@ fn a_driver_that_ends_is_named() {
     for (view, cause) in [
         ("", "drive phi(1): a number is not finite"),
         (
-            "--view textbook",
+            "--formulation textbook",
             "a time derivative of `drive phi(1)` is not finite",
         ),
     ] {

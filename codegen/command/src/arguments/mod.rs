@@ -17,7 +17,7 @@ pub use reported::{Reported, TurnUnit};
 pub use setting::Setting;
 pub use shell::{Completions, Fmt, Lsp, Man, New};
 pub use simulate::{Simulate, StepMethod};
-pub use solve::{Equations, Solve};
+pub use solve::{Formulation, Solve};
 pub use units::{ReportedIn, units};
 pub use view::View;
 
@@ -99,7 +99,7 @@ pub enum Command {
 /// driven joints with an arrow.
 ///
 /// The pose is solved by the blocks that a generated module runs. A mechanism whose equations do not determine its motion is drawn
-/// with `--as-written`, in the estimates of its description.
+/// with `--initial-estimate`, in the estimates of its description.
 #[derive(Args, Debug)]
 #[command(after_help = DRAW_EXAMPLES)]
 pub struct Draw {
@@ -116,14 +116,14 @@ pub struct Draw {
     #[arg(long)]
     pub png: bool,
     /// Draw the motion from T0 to T1, in real time and over and over: an `.svg` that moves by itself in a browser, or a `.gif`
-    #[arg(long, conflicts_with_all = ["at", "as_written", "png"])]
+    #[arg(long, conflicts_with_all = ["at", "initial_estimate", "png"])]
     pub animate: bool,
     /// The instant that is drawn, in s, followed from T0 by steps of H [default: T0]
     #[arg(long, value_name = "T", value_parser = time, allow_hyphen_values = true)]
     pub at: Option<f64>,
     /// The poses that the description estimates, instead of a solved one
     #[arg(long, conflicts_with_all = ["at", "branch", "paths", "set"])]
-    pub as_written: bool,
+    pub initial_estimate: bool,
     /// Draw the paths of these points from T0 to T1, with ticks at equal times
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub paths: Vec<String>,

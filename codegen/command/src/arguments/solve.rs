@@ -40,9 +40,9 @@ pub struct Solve {
     /// Print the first Newton-Raphson step from the drawing at the start, or at each T of --at: Φ_q, -Φ and what they give
     #[arg(long, conflicts_with = "json")]
     pub first_step: bool,
-    /// Which equations are solved
-    #[arg(long, value_enum, default_value_t = Equations::Blocks, conflicts_with_all = ["branch", "monitor"])]
-    pub view: Equations,
+    /// Equations that are solved
+    #[arg(long, value_enum, default_value_t = Formulation::Solved, conflicts_with_all = ["branch", "monitor"])]
+    pub formulation: Formulation,
     /// Efforts and reactions of a mechanism that rests at every instant: its rates and accelerations count as zero for them
     #[arg(long = "static")]
     pub at_rest: bool,
@@ -52,12 +52,12 @@ pub struct Solve {
     pub monitor: bool,
 }
 
-/// Which equations are solved.
+/// A formulation of the equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Equations {
+pub enum Formulation {
     /// Block by block, as a generated module does
-    Blocks,
-    /// All together as one dense system, by Newton-Raphson, from the drawing as it is
+    Solved,
+    /// All together as one dense system, by Newton-Raphson, from the estimates of the description
     Textbook,
 }
 

@@ -37,7 +37,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let motion = arguments.described.motion.as_deref();
-    let mut system = match arguments.as_written {
+    let mut system = match arguments.initial_estimate {
         false => determined(&source, motion)?,
         true => {
             let mut found = motions(&source, motion)?;
@@ -64,7 +64,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
             Some(outputs.file(&path, format.signature)?)
         }
     };
-    let mut solved = match arguments.as_written {
+    let mut solved = match arguments.initial_estimate {
         true => Solved {
             shown: Some(Pose::drawn(&system)),
             ..Solved::default()

@@ -12,7 +12,7 @@ use super::description::{chosen, determined, interpreted, outputs, set_all, sour
 use super::report::{check_stdout, report};
 use super::solve_files::Files;
 use super::{Outcome, Problem};
-use crate::arguments::{Equations, Reported, Solve};
+use crate::arguments::{Formulation, Reported, Solve};
 use crate::motion::{self, Followed, Sink, Wanted};
 use crate::report::summary::Layout;
 
@@ -63,13 +63,13 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
         monitor: arguments.monitor,
         curves: files.has_pictures(),
     };
-    match arguments.view {
-        Equations::Textbook => {
+    match arguments.formulation {
+        Formulation::Textbook => {
             let dense = Dense::new(&system);
             let motion = Followed::new(dense, wanted, schedule.start.t, None);
             report(reported, layout, motion, &schedule, files, &mut follow)
         }
-        Equations::Blocks => {
+        Formulation::Solved => {
             let interpreted = interpreted(&system, &source, &arguments.described.file)?;
             let chosen = chosen(&arguments.setting.branch, &interpreted, schedule.start.t)?;
             let motion = Followed::new(interpreted, wanted, schedule.start.t, chosen);
