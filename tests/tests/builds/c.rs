@@ -14,7 +14,7 @@ use linkwright_tests::{description, files};
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
-const SMALL: [&str; 38] = [
+const SMALL: [&str; 39] = [
     "angle_and_slot",
     "asked",
     "both_ways",
@@ -24,6 +24,7 @@ const SMALL: [&str; 38] = [
     "coupled_wheels",
     "crane",
     "ellipse",
+    "endless_loads",
     "folding",
     "forced_linkage",
     "forced_platform",
@@ -164,9 +165,46 @@ fn frames_and_failures_have_the_bits_of_rust() {
         cases.len()
     );
     assert!(frames > 10_000, "{frames}");
-    for status in ["1", "6", "7", "8", "9", "10"] {
+    for status in ["1", "6", "7", "8", "9", "10", "12"] {
         assert!(failures.contains_key(status), "no {status} in {failures:?}");
     }
+}
+
+/// C names the load that is not finite, by its place in the table that it has of them.
+#[test]
+fn a_load_that_is_not_finite_is_named() {
+    let place = folder("loads");
+    write(
+        &place,
+        &description::source("endless_loads"),
+        "endless_loads",
+        Scalar::F64,
+    );
+    compile(&place, &["endless_loads", "linkwright"]);
+    let text = "#include \"endless_loads.h\"\n#include <cstdio>\n
+int main()
+{
+    static EndlessLoads it;
+    EndlessLoadsInputs inputs = ENDLESS_LOADS_INITIAL;
+    (void)endless_loads_assemble(&it, 0.0, &inputs);
+    const double times[4] = {0.5, 0.75, 1.0, 1.25};
+    for (int k = 0; k < 4; k++) {
+        inputs.gap.value = (k == 3) ? 0.0 : 0.25;
+        const linkwright_status status = endless_loads_advance(&it, times[k], &inputs);
+        const char *load = (status == LINKWRIGHT_LOAD_NOT_FINITE) ? ENDLESS_LOADS_LOADS[it.failure.column] : \"none\";
+        std::printf(\"%d %d %g %s\\n\", (int)status, (int)it.failure.block, (double)it.failure.time, load);
+    }
+    return 0;
+}
+";
+    fs::write(place.join("loads.cpp"), text).expect("written");
+    let printed = run_as_cpp(&place, "loads.cpp", &["endless_loads", "linkwright"]);
+    let expected = "12 1 0.5 torque on crank
+0 0 0.75 none
+12 1 1 torque on wheel
+12 1 1.25 force on crank.P
+";
+    assert_eq!(printed, expected);
 }
 
 /// All arguments in f32 of some sizes, and dense samples in f64: the same results as those of `linkwright_math`.
