@@ -114,7 +114,7 @@ fn nothing_is_renamed_where_a_statement_cannot_be_read() {
     let mut client = opened(&text);
     let refused = renamed(&mut client, &text, "P: ", "pin").expect_err("it has an error");
     assert!(
-        refused.starts_with("the description cannot be read: "),
+        refused.starts_with("the description has an error, correct it first: "),
         "{refused}"
     );
     client.finish();

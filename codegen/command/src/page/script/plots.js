@@ -55,7 +55,7 @@ data.measures.forEach((name, index) => {
   });
 });
 const UNITS = { angles: ["rad", "rad/s", "rad/s²"], lengths: ["m", "m/s", "m/s²"], points: ["m", "m/s", "m/s²"], contacts: ["", "1/s", "1/s²"], forces: ["N"], torques: ["N m"], powers: ["W"], energies: ["J"], determinants: ["0 is singular"] };
-const TITLES = { angles: "Angles", lengths: "Coordinates x and y", points: "Points", contacts: "Contacts", forces: "Forces", torques: "Torques", powers: "Powers", energies: "Energies", determinants: "Determinants, normalized" };
+const TITLES = { angles: "Angles", lengths: "Coordinates x and y", points: "Points", contacts: "Contacts", forces: "Forces", torques: "Torques", powers: "Powers", energies: "Energies", determinants: "Normalized determinants" };
 const shown = new Set();
 const choose = (kind, most) => {
   const moving = curves.filter((it) => it.kind === kind && moves(samples.map((sampled) => it.value(sampled, 0))));
