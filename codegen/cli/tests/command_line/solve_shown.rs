@@ -1,7 +1,6 @@
 //! Quantities that `linkwright solve` shows on request, and its first Newton-Raphson step.
 
 use crate::folder::{EXAM, Folder};
-use crate::printed::number;
 
 /// φ1 = π/6 + sin 2t, and x1 is always 0.
 #[test]

@@ -33,13 +33,6 @@ impl TurnedLink {
         let (along, across) = (builder.dot(link, w), builder.cross(link, w));
         let one = builder.graph().one();
         let inverse = builder.graph().divide(one, square);
-        if !builder.graph().is_constant(inverse) {
-            let name = builder.system.unknown_name(angle).to_string();
-            builder.comment(|_| {
-                let link = "the components of the link along and across itself as drawn";
-                format!("cos and sin of {name} from {link}; inverse = 1/length²").into()
-            });
-        }
         let inverse = builder.value("inverse", inverse);
         let [cosine, sine] = [along, across].map(|part| builder.graph().multiply(part, inverse));
         let direction = builder.direction(angle, cosine, sine, "");
