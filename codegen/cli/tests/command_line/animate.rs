@@ -87,6 +87,23 @@ fn a_torsion_spring_is_wound_between_its_bodies() {
         folder
             .run("draw a.mech --animate --to 1 --out a.svg")
             .exits_with(0);
+        // A still picture shows the spiral as it is wound then: at a quarter of the period the arm has turned by 50 degrees.
+        folder
+            .run("draw a.mech --at 0.25 --out still.svg")
+            .exits_with(0);
+        let still = folder.read("still.svg");
+        let still = &still[still.find(" data-wound=\"").expect("a spiral")..];
+        let line = still
+            .split(" d=\"")
+            .nth(1)
+            .and_then(|it| it.split('"').next());
+        let line = numbers(line.expect("a path"));
+        let [x, y] = [line[line.len() - 2], line[line.len() - 1]];
+        let wound = std::f64::consts::PI + (turns[1] - turns[0]) * 50.0_f64.to_radians();
+        assert!(
+            (-y.atan2(x) - wound).sin().abs() < 5e-3,
+            "{bodies}: {x} {y}"
+        );
         let svg = folder.read("a.svg");
         let group = &svg[svg.find(" data-wound=\"").expect("a spiral")..];
         let shapes = group.split("attributeName=\"d\" values=\"").nth(1);

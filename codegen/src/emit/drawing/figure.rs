@@ -33,7 +33,7 @@ pub(super) enum Frame {
 pub(super) struct Winding {
     /// Bodies that its inner and its outer end turn with.
     pub bodies: [usize; 2],
-    /// Angle of the second body to the first in the pose in which it is drawn, in rad.
+    /// Angle of the second body to the first one as the description draws them, in rad.
     pub drawn: f64,
     /// Distance of its inner and its outer end from the point.
     pub radii: [f64; 2],

@@ -80,7 +80,9 @@ impl Draft<'_> {
                     let [a, b] = [a.body, b.body];
                     let center = self.pin_between(a, b).unwrap_or_else(|| self.pivot(b));
                     match load.shape {
-                        Shape::TorsionSpring => self.spiral(center, [a, b], &mut group),
+                        Shape::TorsionSpring => {
+                            self.spiral(center, [a, b], load.drawn, &mut group);
+                        }
                         _ => self.ring(Frame::Riding(center, a), &mut group),
                     }
                 }
@@ -237,12 +239,11 @@ impl Draft<'_> {
         }
     }
 
-    /// A spring about a joint. Its inner end turns with the first body, and its outer end with the second one.
-    fn spiral(&self, center: At, bodies: [usize; 2], group: &mut Group) {
+    /// A spring about a joint. Its inner end turns with the first body, and its outer end with the second one. As the description draws
+    /// them, one and a half turns lie between.
+    fn spiral(&self, center: At, bodies: [usize; 2], drawn: f64, group: &mut Group) {
         let (turns, steps) = (1.5, 24);
         let radii = [5.0, 15.0].map(|it| it * self.unit);
-        let [from, to] = bodies.map(|body| self.figure.stance.places[body].angle);
-        let drawn = to - from;
         let frame = Frame::Wound(
             center,
             Winding {
