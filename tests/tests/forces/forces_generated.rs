@@ -142,12 +142,13 @@ fn a_load_that_is_not_finite_is_named() {
             continue;
         };
         let failure = generated.expect_err("an infinite load");
-        assert_eq!(failure.time, t);
+        // The time is that to which the motion could be followed; on the way to it the gap is positive.
+        assert!((0.0..1e-6).contains(&(t - failure.time)), "{failure}");
         let FailureKind::LoadNotFinite { load: place } = failure.kind else {
             panic!("{failure}");
         };
         assert_eq!(endless_loads::LOADS[usize::from(place)], load);
-        let said = format!("{load} is not finite, at t = {t} s");
+        let said = format!("{load} is not finite, at t = {} s", failure.time);
         assert_eq!(endless_loads::describe(&failure).to_string(), said);
         let blocks = interpreted.blocks();
         assert_eq!(blocks.explained(&failure).to_string(), said);
