@@ -50,7 +50,11 @@ pub fn section(system: &System) -> String {
         }
     }
     for (cause, entries) in &found.directions {
-        let _ = writeln!(text, "<h3>∂Φ/∂ <code>{}</code></h3>", escaped(cause));
+        let _ = writeln!(
+            text,
+            "<h3>Partial derivative of Φ with respect to <code>{}</code></h3>",
+            escaped(cause)
+        );
         for (row, entry) in entries {
             let joint = found.rows[*row].joint;
             text += &equation(

@@ -274,10 +274,14 @@ fn assemblies(check: &Check) -> String {
         true => "; there are no others.",
         false => "; there may be others.",
     };
+    let choice = match found.len() {
+        0 | 1 => "",
+        _ => " Select one to see its motion.",
+    };
     format!(
-        "<p>At t = {} s the mechanism can be assembled in {} {}{rest}{modes} Select one to see its motion.</p>\n<div id=\"thumbnails\" role=\"group\" aria-labelledby=\"assemblies\"></div>\n<p id=\"assembly-error\" class=\"error\" hidden></p>\n",
+        "<p>At t = {} s the mechanism can be assembled in {} {}{rest}{modes}{choice}</p>\n<div id=\"thumbnails\" role=\"group\" aria-labelledby=\"assemblies\"></div>\n<p id=\"assembly-error\" class=\"error\" hidden></p>\n",
         number(check.start),
         found.len(),
-        if found.len() == 1 { "way" } else { "ways" }
+        if found.len() == 1 { "way" } else { "ways" },
     )
 }
